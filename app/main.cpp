@@ -1,0 +1,46 @@
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "commands.h"
+#include "edgevo/core/error.h"
+
+namespace {
+
+constexpr int kBadInput = 2;
+
+int report(const char* message) {
+  std::fprintf(stderr, "edgevo: %s\n", message);
+  return kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Monocular edge visual odometry: from the images of one moving camera to a trajectory and an edge map.");
+  app.name("edgevo");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", EDGEVO_VERSION);
+  edgevo::app::Action action;
+  edgevo::app::add_run_command(app, &action);
+  edgevo::app::add_import_command(app, &action);
+  edgevo::app::add_info_command(app, &action);
+  edgevo::app::add_eval_command(app, &action);
+  edgevo::app::add_simulate_command(app, &action);
+  try {
+    app.parse(argc, argv);
+    return action();
+  } catch (const CLI::CallForHelp& e) {
+    return app.exit(e);
+  } catch (const CLI::CallForVersion& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    return report((std::string(e.what()) + "; see edgevo --help").c_str());
+  } catch (const edgevo::InputError& e) {
+    return report(e.what());
+  } catch (const std::bad_alloc&) {
+    return report("out of memory; use smaller images or a shorter stretch (--frames A:B)");
+  } catch (const std::exception& e) {
+    return report(e.what());
+  }
+}

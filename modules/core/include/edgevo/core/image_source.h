@@ -1,0 +1,39 @@
+#pragma once
+// A sequence of images from one camera, whatever it is stored in. Implementations live in mrpt_bridge (rawlogs) and
+// datasets (folders, videos, live cameras).
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/image.h"
+#include "edgevo/core/se3.h"
+
+namespace edgevo {
+
+class ImageSource {
+ public:
+  virtual ~ImageSource() = default;
+
+  /// Calibration of the images that next() returns.
+  virtual const Camera& camera() const = 0;
+  /// Where the camera sits on the vehicle (x forward, y left, z up), if the source says so: p_vehicle = T p_cam.
+  virtual std::optional<SE3> T_vehicle_cam() const { return std::nullopt; }
+  /// Number of frames; nullopt where it cannot be known beforehand (live camera, some videos).
+  virtual std::optional<int> size() const = 0;
+  /// "KITTI odometry", "rawlog", ...; for `edgevo info` and summary.yaml.
+  virtual std::string kind() const = 0;
+  /// What else `edgevo info` should tell, as name and value.
+  virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
+  /// Ground truth in the TUM format lying beside the images; empty if there is none.
+  virtual std::string ground_truth_path() const { return {}; }
+
+  /// The next frame, in time order; nullopt at the end. Throws InputError for an image that does not decode or whose size
+  /// differs from the camera, and for times that do not increase; after a throw the source is at its end.
+  virtual std::optional<Frame> next() = 0;
+  /// Passes over the next frame without decoding its image; false at the end.
+  virtual bool skip() { return next().has_value(); }
+};
+
+}  // namespace edgevo

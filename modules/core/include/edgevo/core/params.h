@@ -1,0 +1,67 @@
+#pragma once
+// Strict parameters in YAML.
+//
+// A parameter struct has defaults for every field and names them once, in visit(); reading, range checks and writing the
+// effective values all walk that one list:
+//
+//   struct EdgeParams {
+//     double percentile = 0.9;
+//     void visit(ParamVisitor& v) { v.number("percentile", percentile, 0.5, 0.99, "share of pixels ..."); }
+//   };
+//
+// Nested structs open a group: { auto g = v.group("edges"); edges.visit(v); }. A key that no struct names is an error which
+// offers the nearest name; a value out of range is an error that states the range.
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace edgevo {
+
+class ParamVisitor {
+ public:
+  virtual ~ParamVisitor() = default;
+  virtual void number(const char* key, double& value, double min, double max, const char* help) = 0;
+  virtual void integer(const char* key, int& value, int min, int max, const char* help) = 0;
+  virtual void boolean(const char* key, bool& value, const char* help) = 0;
+  /// Free text; with `choices`, one of these.
+  virtual void text(const char* key, std::string& value, const std::vector<std::string>& choices,
+                    const char* help) = 0;
+  virtual void begin_group(const char* key) = 0;
+  virtual void end_group() = 0;
+
+  /// Opens a group and closes it when the returned guard goes out of scope.
+  class Group {
+   public:
+    explicit Group(ParamVisitor& v) : v_(&v) {}
+    ~Group() { v_->end_group(); }
+    Group(const Group&) = delete;
+    Group& operator=(const Group&) = delete;
+
+   private:
+    ParamVisitor* v_;
+  };
+  [[nodiscard]] Group group(const char* key) {
+    begin_group(key);
+    return Group(*this);
+  }
+};
+
+using VisitParams = std::function<void(ParamVisitor&)>;
+
+/// Overwrites the fields that `yaml_text` names. `where` (a file name) opens each error message.
+/// Throws InputError: not YAML, unknown key (with the nearest known one), wrong type, out of range, not a choice.
+void read_params(const std::string& yaml_text, const std::string& where, const VisitParams& visit);
+
+/// As read_params, from a file. Throws InputError if it cannot be read.
+void read_params_file(const std::string& path, const VisitParams& visit);
+
+/// Sets one dotted key ("mapping.window=9"), as the command line gives it; same errors.
+void set_param(const std::string& assignment, const VisitParams& visit);
+
+/// The effective values as YAML, in the order of visit(); each line indented by `indent` spaces. With `comments`, each
+/// key is followed by its help text and range.
+std::string write_params(const VisitParams& visit, int indent = 0, bool comments = false);
+
+}  // namespace edgevo

@@ -1,0 +1,74 @@
+#pragma once
+// What a run leaves behind, as plain values: the odometry fills these, the outputs (occupancy, mrpt_bridge, evaluation,
+// the command line) read them. Nothing here knows how it was computed.
+//
+// World frame: the axes of the first camera of the run (x right, y down, z forward), origin at its first pose. Map files
+// re-express it z up by T_zup_world below. Unit: arbitrary unless Run::scale_source says metres.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/se3.h"
+#include "edgevo/core/timestamp.h"
+#include "edgevo/core/tracking_state.h"
+
+namespace edgevo {
+
+/// One row for every input frame.
+struct FrameRecord {
+  int index = 0;                ///< in the source
+  Timestamp time;
+  TrackingState state = TrackingState::kBootstrapping;
+  int segment = -1;             ///< number of the connected stretch of trajectory, from 0; -1: none
+  bool is_keyframe = false;
+  int reference_keyframe = -1;  ///< Run::keyframes index that the final pose hangs on; -1: no pose
+  double inlier_share = 0;      ///< of the projected map points, [0, 1]
+  double residual_px = 0;       ///< rms over the inliers along the edge normal
+  int edges = 0;                ///< edge pixels found
+  std::vector<std::pair<std::string, double>> stage_ms;  ///< name and CPU milliseconds of each stage that ran
+  std::optional<SE3> T_world_cam;       ///< final: re-expressed from the final keyframe poses
+  std::optional<SE3> T_world_cam_live;  ///< as it was known when the frame came
+  Matrix6d covariance = Matrix6d::Zero();  ///< of T_cur_ref, tangent [v, w] in the camera frame; optimistic
+  std::string note;             ///< why a bootstrap is not ready, why tracking was lost; else empty
+};
+
+/// A 3D edge point as its host keyframe leaves the window.
+struct EdgePoint {
+  Eigen::Vector2f px;         ///< in the undistorted host image
+  Eigen::Vector2f normal;     ///< unit gradient direction in the image
+  float idepth = 0;           ///< 1/z in the host frame
+  float idepth_sigma = 0;     ///< one standard deviation, same unit; <= 0: unknown
+  int observations = 0;       ///< keyframes that matched it
+  uint8_t gray = 0;           ///< intensity in the host image
+};
+
+struct KeyframeRecord {
+  int frame_index = 0;   ///< index of its frame in the source
+  Timestamp time;
+  int segment = 0;
+  SE3 T_world_cam;       ///< final
+  std::vector<EdgePoint> points;
+};
+
+struct Run {
+  Pinhole pinhole;             ///< of the undistorted images; EdgePoint::px refers to it
+  std::vector<FrameRecord> frames;
+  std::vector<KeyframeRecord> keyframes;
+  std::string scale_source = "none";  ///< "none": unit arbitrary; else metres
+};
+
+/// Point of a keyframe in the keyframe's camera frame.
+inline Eigen::Vector3d point_in_camera(const Pinhole& pinhole, const EdgePoint& p) {
+  return pinhole.ray(p.px.cast<double>()) / double(p.idepth);
+}
+
+/// Rotation to the exported world: z up, x forward at the first image (REP-103, MRPT): x = z_cam, y = -x_cam, z = -y_cam.
+inline SE3 T_zup_world() {
+  Eigen::Matrix3d R;
+  R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  return {R, Eigen::Vector3d::Zero()};
+}
+
+}  // namespace edgevo

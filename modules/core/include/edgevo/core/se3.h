@@ -1,0 +1,68 @@
+#pragma once
+// Rigid motions SE(3) and similarities Sim(3).
+//
+// T_a_b maps coordinates from b to a:            p_a = T_a_b p_b = R p_b + t
+// Tangent of se(3): xi = [v, w], translation part first; exp is the TRUE exponential (the translation is V(w) v, not v).
+// The project's one perturbation convention is from the left: T <- exp(xi) T, so that for p_a = T_a_b p_b
+//     d p_a / d xi = [ I | -[p_a]x ]            (3x6)
+// MRPT's Lie::SE<3>::exp leaves the translation untouched: never mix the two.
+// Rotations are unit quaternions and are normalised in every product, so that long chains stay rotations.
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace edgevo {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Cross-product matrix: skew(a) b = a x b.
+Eigen::Matrix3d skew(const Eigen::Vector3d& a);
+
+/// Rigid motion p_a = R p_b + t. Sixty-four bytes, a value; cheap to copy.
+class SE3 {
+ public:
+  SE3() = default;
+  /// `q` need not be normalised, but must not be zero.
+  SE3(const Eigen::Quaterniond& q, const Eigen::Vector3d& t) : q_(q.normalized()), t_(t) {}
+  SE3(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : q_(Eigen::Quaterniond(R).normalized()), t_(t) {}
+
+  /// The true exponential of xi = [v, w] (metres or map units, radians).
+  static SE3 exp(const Vector6d& xi);
+  /// Inverse of exp; |w| <= pi.
+  Vector6d log() const;
+
+  SE3 inverse() const;
+  SE3 operator*(const SE3& other) const { return {q_ * other.q_, q_ * other.t_ + t_}; }
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return q_ * p + t_; }
+
+  /// Ad(T): exp(Ad(T) xi) = T exp(xi) T^-1, for tangents [v, w].
+  Matrix6d adjoint() const;
+
+  const Eigen::Quaterniond& rotation() const { return q_; }
+  Eigen::Matrix3d R() const { return q_.toRotationMatrix(); }
+  const Eigen::Vector3d& translation() const { return t_; }
+  Eigen::Matrix4d matrix() const;
+  /// Angle of the rotation, in [0, pi] radians.
+  double angle() const;
+  bool is_finite() const { return q_.coeffs().allFinite() && t_.allFinite(); }
+
+ private:
+  Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d t_ = Eigen::Vector3d::Zero();
+};
+
+/// Similarity p_a = s R p_b + t, the gauge freedom of a monocular map. scale > 0.
+struct Sim3 {
+  double scale = 1.0;
+  SE3 rigid;
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const {
+    return scale * (rigid.rotation() * p) + rigid.translation();
+  }
+  Sim3 operator*(const Sim3& other) const;
+  Sim3 inverse() const;
+  /// Where a camera at T_b_cam stands in frame a; the rotation stays a rotation.
+  SE3 apply(const SE3& T_b_cam) const;
+};
+
+}  // namespace edgevo

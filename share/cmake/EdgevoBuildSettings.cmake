@@ -1,0 +1,30 @@
+# Build-wide settings: one place for the language level, warnings, sanitizers and the default build type.
+option(EDGEVO_BUILD_TESTS "Build the unit and integration tests" ON)
+option(EDGEVO_BUILD_BENCHMARKS "Build the Google Benchmark programs" ON)
+option(EDGEVO_WARNINGS_AS_ERRORS "Warnings are errors (our own CI)" OFF)
+option(EDGEVO_WITH_VISP "Build visp_bridge; what links ViSP is distributed under the GPL" ON)
+set(EDGEVO_SANITIZE "" CACHE STRING "Sanitizers, comma separated: address,undefined or thread")
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+message(STATUS "edgevo ${PROJECT_VERSION}: build type ${CMAKE_BUILD_TYPE}")
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+include(GNUInstallDirs)
+
+add_compile_options(-Wall -Wextra)
+# Contraction to fused multiply-add would let results depend on the compiler's choice of target.
+add_compile_options(-ffp-contract=off)
+if(EDGEVO_WARNINGS_AS_ERRORS)
+  add_compile_options(-Werror)
+endif()
+if(EDGEVO_SANITIZE)
+  add_compile_options(-fsanitize=${EDGEVO_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${EDGEVO_SANITIZE})
+endif()
