@@ -1,0 +1,48 @@
+#pragma once
+// A frame made ready for tracking and mapping: undistorted image pyramid, and on its finest levels edges with their
+// nearest-neighbour fields.
+#include <memory>
+#include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/image.h"
+#include "edgevo/edges/edge_detector.h"
+#include "edgevo/edges/edge_map.h"
+#include "edgevo/edges/nearest_field.h"
+#include "edgevo/edges/plane.h"
+
+namespace edgevo {
+
+/// x_l = x_0 / 2^l for all pixel coordinates.
+struct PyramidLevel {
+  Pinhole pinhole;
+  Plane<uint8_t> gray;
+  Plane<float> gradient_magnitude;  ///< Sobel units; empty on levels without edges
+  EdgeMap edges;                    ///< empty on levels without edges
+  NearestField field;
+};
+
+struct FramePyramid {
+  std::vector<PyramidLevel> levels;
+  const PyramidLevel& finest() const { return levels.front(); }
+};
+
+/// Turns frames into pyramids. Holds the detector and the undistortion maps; one object a thread.
+class PyramidBuilder {
+ public:
+  /// Throws InputError for an unknown detector or an unusable camera.
+  PyramidBuilder(const Camera& camera, const EdgeParams& params);
+  ~PyramidBuilder();
+  PyramidBuilder(PyramidBuilder&&) noexcept;
+
+  /// Pinhole of the undistorted images.
+  const Pinhole& pinhole() const;
+  /// `image` must have the camera's size (throws InputError). Cost at 1241x376: see tests/bench/bench_edges.cpp.
+  std::shared_ptr<const FramePyramid> build(const GrayImage& image);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,44 @@
+#pragma once
+// Nearest-neighbour field: for each pixel of an image, the index of the nearest edge pixel within a radius.
+//
+// Exact (Euclidean distance between integer pixel positions; ties go to the upper row, then to the left), cut off at `radius`.
+// Separable: first the nearest edge within each row, then for each pixel the best of the 2 radius + 1 rows around it; the second
+// pass is a minimum over 16-bit keys (squared distance, row offset), which compilers vectorise.
+// Cost at 1241x376, radius 12: about 1.5 ms on one core, independent of the number of edges.
+#include "edgevo/edges/edge_map.h"
+#include "edgevo/edges/plane.h"
+
+namespace edgevo {
+
+class NearestField {
+ public:
+  static constexpr int kMaxRadius = 15;  ///< squared distance and row offset must fit 15 bits
+
+  NearestField() = default;
+  /// `radius` in pixels, 1..kMaxRadius. Edge positions are rounded to the pixel they lie in.
+  NearestField(const EdgeMap& edges, int radius);
+
+  int radius() const { return radius_; }
+  /// Index into EdgeMap::pixels of the edge pixel nearest to (x, y), rounded to the next pixel; -1 if there is none within
+  /// the radius or (x, y) lies outside the image.
+  int nearest(float x, float y) const {
+    if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return -1;
+    return nearest_at(int(x + 0.5f), int(y + 0.5f));
+  }
+  /// The same for an integer pixel inside the image.
+  int nearest_at(int x, int y) const {
+    const int key = keys_.at(x, y);
+    if (key >= none_) return -1;
+    const int row = y + (key & 31) - radius_;
+    return index_.at(x + row_offset_.at(x, row), row);
+  }
+
+ private:
+  int radius_ = 0;
+  int none_ = 0;                 // keys from here on mean: no edge within the radius
+  Plane<int16_t> keys_;          // 32 * squared distance + row offset + radius
+  Plane<int8_t> row_offset_;     // columns to the nearest edge within the row
+  Plane<int32_t> index_;         // edge pixel index; valid only at edge pixels
+};
+
+}  // namespace edgevo

@@ -1,0 +1,113 @@
+#include "edgevo/edges/edge_detector.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/ximgproc/edge_drawing.hpp>
+
+#include "edgevo/core/error.h"
+#include "opencv_view.h"
+
+namespace edgevo {
+namespace {
+
+class CannyDetector : public EdgeDetector {
+ public:
+  explicit CannyDetector(const EdgeParams& params) : params_(params) {}
+
+  Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) override {
+    const double floor = params_.min_gradient * kSobelPerGrayLevel;
+    const double high = std::max<double>(gradient_percentile(gradient.magnitude, params_.canny_percentile), floor);
+    Plane<uint8_t> mask(gray.width, gray.height);
+    cv::Mat out = as_mat(mask);
+    cv::Canny(as_mat(gradient.dx), as_mat(gradient.dy), out, params_.canny_low_ratio * high, high, true);
+    return mask;
+  }
+
+ private:
+  EdgeParams params_;
+};
+
+class EdgeDrawingDetector : public EdgeDetector {
+ public:
+  explicit EdgeDrawingDetector(const EdgeParams& params)
+      : params_(params), drawing_(cv::ximgproc::createEdgeDrawing()) {}
+
+  Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) override {
+    const double floor = params_.min_gradient * kSobelPerGrayLevel;
+    const double high = std::max<double>(gradient_percentile(gradient.magnitude, params_.canny_percentile), floor);
+    // EdgeDrawing draws on from anchors through all pixels over its threshold, as Canny does above its low one. It sums
+    // |dx| + |dy|, on average 4/pi of the Euclidean magnitude.
+    drawing_->params.EdgeDetectionOperator = cv::ximgproc::EdgeDrawing::SOBEL;
+    drawing_->params.GradientThresholdValue = std::max(1, int(params_.canny_low_ratio * high * 4.0 / M_PI));
+    drawing_->params.AnchorThresholdValue = 8;
+    drawing_->params.MinPathLength = params_.min_chain;
+    drawing_->params.PFmode = false;
+    cv::Mat found;
+    drawing_->detectEdges(as_mat(gray));
+    drawing_->getEdgeImage(found);
+    Plane<uint8_t> mask(gray.width, gray.height);
+    found.copyTo(as_mat(mask));
+    return mask;
+  }
+
+ private:
+  EdgeParams params_;
+  cv::Ptr<cv::ximgproc::EdgeDrawing> drawing_;
+};
+
+void magnitude(const int16_t* __restrict dx, const int16_t* __restrict dy, float* __restrict out, size_t n) {
+  for (size_t i = 0; i < n; ++i) {
+    const float x = dx[i], y = dy[i];
+    out[i] = std::sqrt(x * x + y * y);
+  }
+}
+
+}  // namespace
+
+void EdgeParams::visit(ParamVisitor& v) {
+  v.text("detector", detector, edge_detector_names(), "what marks edge pixels");
+  v.integer("levels", levels, 1, 8, "levels of the image pyramid");
+  v.integer("edge_levels", edge_levels, 1, 4, "finest levels that get edges and a nearest-neighbour field");
+  v.number("canny_percentile", canny_percentile, 0.5, 0.99, "high threshold: this share of the pixels has a smaller gradient");
+  v.number("canny_low_ratio", canny_low_ratio, 0.1, 1.0, "low threshold over high threshold");
+  v.number("min_gradient", min_gradient, 0.5, 50, "floor of the high threshold, gray levels per pixel");
+  v.integer("min_chain", min_chain, 2, 100, "shorter edges are dropped, pixels");
+  v.integer("field_radius", field_radius, 2, 15, "nearest-neighbour fields reach this far, pixels");
+}
+
+Gradient compute_gradient(const ImageView<uint8_t>& gray) {
+  Gradient g{Plane<int16_t>(gray.width, gray.height), Plane<int16_t>(gray.width, gray.height),
+             Plane<float>(gray.width, gray.height)};
+  cv::Mat smooth, dx = as_mat(g.dx), dy = as_mat(g.dy);
+  cv::GaussianBlur(as_mat(gray), smooth, cv::Size(5, 5), 1.0, 1.0, cv::BORDER_REPLICATE);
+  cv::spatialGradient(smooth, dx, dy, 3, cv::BORDER_REPLICATE);
+  magnitude(g.dx.row(0), g.dy.row(0), g.magnitude.row(0), size_t(gray.width) * gray.height);
+  return g;
+}
+
+float gradient_percentile(const Plane<float>& magnitude, double percentile) {
+  constexpr int kBins = 1536;  // Sobel magnitudes stay below 4 * 255 * sqrt(2) = 1443
+  std::array<int, kBins> histogram{};
+  int total = 0;
+  for (int y = 0; y < magnitude.height(); y += 2) {
+    const float* row = magnitude.row(y);
+    for (int x = 0; x < magnitude.width(); x += 2, ++total) ++histogram[std::min(int(row[x]), kBins - 1)];
+  }
+  int below = 0;
+  for (int b = 0; b < kBins; ++b)
+    if ((below += histogram[b]) >= percentile * total) return float(b + 1);
+  return float(kBins);
+}
+
+std::vector<std::string> edge_detector_names() { return {"canny", "edge_drawing"}; }
+
+std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params) {
+  if (params.detector == "canny") return std::make_unique<CannyDetector>(params);
+  if (params.detector == "edge_drawing") return std::make_unique<EdgeDrawingDetector>(params);
+  throw InputError("edges.detector", "unknown detector '" + params.detector + "'",
+                   "did you mean '" + nearest_name(params.detector, edge_detector_names()) + "'?");
+}
+
+}  // namespace edgevo

@@ -1,0 +1,80 @@
+#include "edgevo/edges/frame_pyramid.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/edges/edge_extraction.h"
+#include "opencv_view.h"
+
+namespace edgevo {
+
+struct PyramidBuilder::Impl {
+  Camera camera;
+  EdgeParams params;
+  std::unique_ptr<EdgeDetector> detector;
+  cv::Mat fixed_map, fixed_map_fraction;  // empty where the camera has no distortion
+
+  void make_maps() {
+    if (camera.distortion.is_zero()) return;
+    UndistortionMaps maps = make_undistortion_maps(camera);
+    const cv::Mat x(maps.height, maps.width, CV_32F, maps.x.data()), y(maps.height, maps.width, CV_32F, maps.y.data());
+    cv::convertMaps(x, y, fixed_map, fixed_map_fraction, CV_16SC2);
+  }
+
+  Plane<uint8_t> undistort(const GrayImage& image) const {
+    Plane<uint8_t> out(image.width, image.height);
+    cv::Mat to = as_mat(out);
+    const cv::Mat from = as_mat(image.view());
+    if (fixed_map.empty())
+      from.copyTo(to);
+    else
+      cv::remap(from, to, fixed_map, fixed_map_fraction, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    return out;
+  }
+
+  void find_edges(PyramidLevel* level) const {
+    Gradient gradient = compute_gradient(level->gray.view());
+    const Plane<uint8_t> mask = detector->detect(level->gray.view(), gradient);
+    level->edges = extract_edges(mask, gradient, params.min_chain);
+    level->field = NearestField(level->edges, params.field_radius);
+    level->gradient_magnitude = std::move(gradient.magnitude);
+  }
+};
+
+PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params) : impl_(new Impl) {
+  camera.check("camera");
+  impl_->camera = camera;
+  impl_->params = params;
+  impl_->detector = make_edge_detector(params);
+  impl_->make_maps();
+}
+PyramidBuilder::~PyramidBuilder() = default;
+PyramidBuilder::PyramidBuilder(PyramidBuilder&&) noexcept = default;
+
+const Pinhole& PyramidBuilder::pinhole() const { return impl_->camera.pinhole; }
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image) {
+  const Pinhole& camera = impl_->camera.pinhole;
+  if (image.width != camera.width || image.height != camera.height)
+    throw InputError("image", "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                                  " but the camera is " + std::to_string(camera.width) + "x" +
+                                  std::to_string(camera.height), "give the camera file of these images");
+  auto pyramid = std::make_shared<FramePyramid>();
+  pyramid->levels.resize(impl_->params.levels);
+  for (int l = 0; l < impl_->params.levels; ++l) {
+    PyramidLevel& level = pyramid->levels[l];
+    level.pinhole = camera.at_level(l);
+    if (l == 0) {
+      level.gray = impl_->undistort(image);
+    } else {
+      level.gray = Plane<uint8_t>(level.pinhole.width, level.pinhole.height);
+      cv::Mat to = as_mat(level.gray);
+      cv::pyrDown(as_mat(pyramid->levels[l - 1].gray), to, to.size());
+    }
+    if (l < impl_->params.edge_levels) impl_->find_edges(&level);
+  }
+  return pyramid;
+}
+
+}  // namespace edgevo

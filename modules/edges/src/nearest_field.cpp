@@ -1,0 +1,80 @@
+#include "edgevo/edges/nearest_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/error.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kRowBits = 5;
+constexpr int16_t kFar = 0x3FFF;  // a key beyond every distance; adding a row's share does not overflow
+
+// Squared distances and column offsets around one edge pixel of a row.
+struct Ramp {
+  explicit Ramp(int radius) {
+    for (int d = -radius; d <= radius; ++d) {
+      key.push_back(int16_t((d * d) << kRowBits));
+      back.push_back(int8_t(-d));
+    }
+  }
+  std::vector<int16_t> key;
+  std::vector<int8_t> back;
+};
+
+// Writes, for the edges at columns `xs` (ascending) of one row, each column's squared distance and offset to the nearest.
+void fill_row(const std::vector<int>& xs, int width, int radius, const Ramp& ramp, int16_t* key, int8_t* offset) {
+  std::fill(key, key + width, kFar);
+  for (size_t k = 0; k < xs.size(); ++k) {
+    const int left = k == 0 ? 0 : (xs[k - 1] + xs[k]) / 2 + 1;  // a tie goes to the left edge
+    const int right = k + 1 == xs.size() ? width - 1 : (xs[k] + xs[k + 1]) / 2;
+    const int from = std::max(left, xs[k] - radius), to = std::min(right, xs[k] + radius);
+    const int start = from - xs[k] + radius;
+    std::copy_n(ramp.key.begin() + start, to - from + 1, key + from);
+    std::copy_n(ramp.back.begin() + start, to - from + 1, offset + from);
+  }
+}
+
+// best = min(best, row + share): the vectorised heart of the second pass.
+void take_minimum(const int16_t* __restrict row, int16_t share, int16_t* __restrict best, int width) {
+  for (int x = 0; x < width; ++x) {
+    const int16_t candidate = int16_t(row[x] + share);
+    best[x] = candidate < best[x] ? candidate : best[x];
+  }
+}
+
+}  // namespace
+
+NearestField::NearestField(const EdgeMap& edges, int radius)
+    : radius_(radius),
+      none_((radius * radius + 1) << kRowBits),
+      keys_(edges.width, edges.height),
+      row_offset_(edges.width, edges.height),
+      index_(edges.width, edges.height) {
+  const int width = edges.width, height = edges.height;
+  std::vector<std::vector<int>> columns(height);
+  for (size_t i = 0; i < edges.pixels.size(); ++i) {
+    const int x = std::clamp(int(std::lround(edges.pixels[i].x)), 0, width - 1);
+    const int y = std::clamp(int(std::lround(edges.pixels[i].y)), 0, height - 1);
+    index_.at(x, y) = int32_t(i);
+    columns[y].push_back(x);
+  }
+  const Ramp ramp(radius);
+  Plane<int16_t> in_row(width, height);
+  for (int y = 0; y < height; ++y) {
+    std::sort(columns[y].begin(), columns[y].end());
+    columns[y].erase(std::unique(columns[y].begin(), columns[y].end()), columns[y].end());
+    fill_row(columns[y], width, radius, ramp, in_row.row(y), row_offset_.row(y));
+  }
+  for (int y = 0; y < height; ++y) {
+    int16_t* best = keys_.row(y);
+    std::fill(best, best + width, int16_t(0x7FFF));
+    for (int dy = std::max(-radius, -y); dy <= std::min(radius, height - 1 - y); ++dy) {
+      if (columns[y + dy].empty()) continue;
+      take_minimum(in_row.row(y + dy), int16_t((dy * dy << kRowBits) + dy + radius), best, width);
+    }
+  }
+}
+
+}  // namespace edgevo

@@ -1,0 +1,22 @@
+#pragma once
+// cv::Mat headers over our planes, without a copy.
+#include <opencv2/core.hpp>
+
+#include "edgevo/edges/plane.h"
+
+namespace edgevo {
+
+template <class T>
+cv::Mat as_mat(Plane<T>& plane) {
+  return cv::Mat(plane.height(), plane.width(), cv::DataType<T>::type, plane.row(0));
+}
+template <class T>
+const cv::Mat as_mat(const Plane<T>& plane) {
+  return cv::Mat(plane.height(), plane.width(), cv::DataType<T>::type, const_cast<T*>(plane.row(0)));
+}
+template <class T>
+const cv::Mat as_mat(const ImageView<T>& view) {
+  return cv::Mat(view.height, view.width, cv::DataType<T>::type, const_cast<T*>(view.data), view.stride * sizeof(T));
+}
+
+}  // namespace edgevo
