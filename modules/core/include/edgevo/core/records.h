@@ -57,6 +57,9 @@ struct Run {
   std::vector<FrameRecord> frames;
   std::vector<KeyframeRecord> keyframes;
   std::string scale_source = "none";  ///< "none": unit arbitrary; else metres
+  std::optional<SE3> T_vehicle_cam;   ///< mount of the camera (vehicle x forward, y left, z up; metres), if it is known
+
+  bool is_metric() const { return scale_source != "none"; }
 };
 
 /// Point of a keyframe in the keyframe's camera frame.
@@ -69,6 +72,15 @@ inline SE3 T_zup_world() {
   Eigen::Matrix3d R;
   R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   return {R, Eigen::Vector3d::Zero()};
+}
+
+/// From the run's world to the world of the map files: z up, x forward, origin at the first pose of the vehicle. With a
+/// known mount "up" is the vehicle's; else the camera is taken to look straight ahead (T_zup_world). The lever arm is in
+/// metres and is therefore left out while the scale is arbitrary: the origin is then the first camera.
+inline SE3 T_map_world(const Run& run) {
+  if (!run.T_vehicle_cam) return T_zup_world();
+  return {run.T_vehicle_cam->rotation(),
+          run.is_metric() ? run.T_vehicle_cam->translation() : Eigen::Vector3d(Eigen::Vector3d::Zero())};
 }
 
 }  // namespace edgevo
