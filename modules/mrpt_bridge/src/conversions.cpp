@@ -1,0 +1,80 @@
+#include "edgevo/mrpt_bridge/conversions.h"
+
+#include <mrpt/math/CQuaternion.h>
+
+#include <cstring>
+#include <opencv2/core.hpp>
+
+#include "edgevo/core/error.h"
+#include "gray_conversion.h"
+
+namespace edgevo {
+namespace {
+
+// From 1601-01-01, where MRPT's clock starts, to the Unix epoch, in 100 ns ticks.
+constexpr int64_t kUnixEpochInMrptTicks = 116'444'736'000'000'000;
+
+}  // namespace
+
+mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b) {
+  const Eigen::Quaterniond& q = T_a_b.rotation();
+  const Eigen::Vector3d& t = T_a_b.translation();
+  return mrpt::poses::CPose3D(mrpt::math::CQuaternionDouble(q.w(), q.x(), q.y(), q.z()), t.x(), t.y(), t.z());
+}
+
+SE3 from_mrpt(const mrpt::poses::CPose3D& T_a_b) {
+  Eigen::Matrix3d R;
+  for (int row = 0; row < 3; ++row)
+    for (int col = 0; col < 3; ++col) R(row, col) = T_a_b.getRotationMatrix()(row, col);
+  return {R, Eigen::Vector3d(T_a_b.x(), T_a_b.y(), T_a_b.z())};
+}
+
+mrpt::Clock::time_point to_mrpt(Timestamp t) {
+  return mrpt::Clock::time_point(mrpt::Clock::duration(t.ticks + kUnixEpochInMrptTicks));
+}
+
+Timestamp from_mrpt(mrpt::Clock::time_point t) { return {t.time_since_epoch().count() - kUnixEpochInMrptTicks}; }
+
+mrpt::img::TCamera to_mrpt(const Camera& camera) {
+  const Pinhole& p = camera.pinhole;
+  const Distortion& d = camera.distortion;
+  mrpt::img::TCamera result;
+  result.ncols = uint32_t(p.width);
+  result.nrows = uint32_t(p.height);
+  result.setIntrinsicParamsFromValues(p.fx, p.fy, p.cx, p.cy);
+  result.setDistortionPlumbBob(d.k1, d.k2, d.p1, d.p2, d.k3);
+  return result;
+}
+
+Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where) {
+  using mrpt::img::DistortionModel;
+  Camera result;
+  result.pinhole = {camera.fx(), camera.fy(), camera.cx(), camera.cy(), int(camera.ncols), int(camera.nrows)};
+  if (camera.distortion == DistortionModel::kannala_brandt)
+    throw InputError(where, "the lens model kannala_brandt is not supported", "undistort the images beforehand");
+  if (camera.distortion == DistortionModel::plumb_bob) {
+    if (camera.k4() != 0 || camera.k5() != 0 || camera.k6() != 0)
+      throw InputError(where, "the lens model has the coefficients k4 k5 k6", "calibrate with k1 k2 p1 p2 k3 only");
+    result.distortion = {camera.k1(), camera.k2(), camera.p1(), camera.p2(), camera.k3()};
+  }
+  result.check(where);
+  return result;
+}
+
+mrpt::img::CImage to_mrpt(const GrayImage& image) {
+  const cv::Mat pixels(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
+  return mrpt::img::CImage(pixels, mrpt::img::DEEP_COPY);
+}
+
+GrayImage from_mrpt(const mrpt::img::CImage& image, const std::string& where) {
+  if (image.isEmpty()) return to_gray(cv::Mat(), where);
+  return to_gray(image.asCvMatRef(), where);
+}
+
+SE3 T_vehicle_cam_forward() {
+  Eigen::Matrix3d R;
+  R << 0, 0, 1, -1, 0, 0, 0, -1, 0;  // x_vehicle = z_cam, y_vehicle = -x_cam, z_vehicle = -y_cam
+  return {R, Eigen::Vector3d::Zero()};
+}
+
+}  // namespace edgevo
