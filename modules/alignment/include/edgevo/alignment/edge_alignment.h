@@ -1,0 +1,44 @@
+#pragma once
+// SE(3) alignment of a reference cloud to a frame, coarse to fine.
+//
+// 1. align_patches: normalised patches on the coarse levels, a wide basin and no need of edges there (coarse Canny edges in
+//    foliage do not repeat).
+// 2. align_edges: point-to-tangent on the fine levels, paper Eq. (edgeerror): r = g(n)^T (p' - n(p')), where n(p') is the nearest
+//    edge pixel and g its unit gradient. Steps are accepted on the truncated cost, in which a point without a match costs the
+//    truncation value: else losing points would look like progress.
+#include <vector>
+
+#include "edgevo/alignment/alignment_params.h"
+#include "edgevo/alignment/reference_cloud.h"
+#include "edgevo/core/se3.h"
+
+namespace edgevo {
+
+struct AlignmentStats {
+  int visible = 0;          ///< points that project into the image
+  int inliers = 0;          ///< of these, matched within the gates
+  double residual_px = 0;   ///< rms of the inliers along the normal
+  double cost = 0;          ///< truncated, a visible point; lower is better
+  Matrix6d information = Matrix6d::Zero();  ///< sum of w J^T J at the solution, px^-2
+  int iterations = 0;
+  double inlier_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
+};
+
+/// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per usable patch
+/// (mean square of normalised differences; above 1 means: no overlap).
+double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
+                     const AlignmentParams& params, SE3* T_cur_ref);
+
+/// Improves T_cur_ref on one level by Eq. (edgeerror), with Eq. (photometricerror) added on level 0 if params ask for it.
+AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
+                           const AlignmentParams& params, SE3* T_cur_ref);
+
+/// Residual g^T (p' - n) and its derivative for one point and a given match; for tests and for align_edges.
+struct EdgeResidual {
+  double value = 0;
+  Eigen::Matrix<double, 1, 6> jacobian;
+};
+EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray, double idepth,
+                           const Eigen::Vector2d& match, const Eigen::Vector2d& normal);
+
+}  // namespace edgevo

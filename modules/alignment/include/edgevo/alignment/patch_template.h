@@ -1,0 +1,38 @@
+#pragma once
+// Small patches around points of a reference image, each with zero mean and unit deviation, so that gain and offset of the
+// light cancel. Compared with a patch of another image that is merely shifted: between two frames the warp of five pixels is small.
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "edgevo/edges/plane.h"
+
+namespace edgevo {
+
+constexpr int kPatchRadius = 2;
+constexpr int kPatchSide = 2 * kPatchRadius + 1;
+constexpr int kPatchPixels = kPatchSide * kPatchSide;
+
+struct PatchTemplate {
+  bool usable = false;                       ///< inside the image and not flat
+  std::array<float, kPatchPixels> value;     ///< zero mean, unit deviation
+  std::array<float, kPatchPixels> gx, gy;    ///< d value / d shift of the patch, with the normalisation's share taken out
+  Eigen::Matrix2d information;               ///< sum over the patch of (gx, gy)(gx, gy)^T, divided by the number of pixels
+};
+using PatchTemplates = std::vector<PatchTemplate>;
+
+/// Patches centred at `positions` (pixels of this image).
+template <class T>
+PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::Vector2f>& positions);
+
+struct PatchDifference {
+  bool usable = false;        ///< inside the image and not flat
+  float mean_square = 0;      ///< of the normalised difference; 0 equal, 2 unrelated
+  Eigen::Vector2d gradient;   ///< d (mean_square / 2) / d shift
+};
+
+/// Difference of `patch` to the image at (x, y).
+template <class T>
+PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& patch, float x, float y);
+
+}  // namespace edgevo

@@ -1,0 +1,31 @@
+#pragma once
+// What a frame is tracked against: the newest keyframe's image and the map points seen in it.
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "edgevo/alignment/patch_template.h"
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+
+struct CloudPoint {
+  Eigen::Vector3d ray;        ///< (x, y, 1) in the reference camera
+  double idepth = 0;          ///< 1/z in the reference camera
+  double idepth_sigma = 0;    ///< one standard deviation
+  Eigen::Vector2f px;         ///< in the reference image, finest level
+  Eigen::Vector2f normal;     ///< unit gradient there
+};
+
+struct ReferenceCloud {
+  std::shared_ptr<const FramePyramid> pyramid;
+  std::vector<CloudPoint> points;
+  std::vector<PatchTemplates> patches;           ///< one for each pyramid level, normalised intensity
+  PatchTemplates gradient_patches;               ///< finest level, gradient magnitude; empty unless asked for
+};
+
+/// Cuts the patches. Cost: about 0.5 ms for 1500 points.
+ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid, std::vector<CloudPoint> points,
+                                    bool with_gradient_patches);
+
+}  // namespace edgevo

@@ -1,0 +1,233 @@
+#include "edgevo/alignment/edge_alignment.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "edgevo/alignment/projection.h"
+#include "edgevo/core/robust.h"
+
+namespace edgevo {
+namespace {
+
+// Normal equations of one Gauss-Newton step, with the cost at their linearisation point.
+struct NormalEquations {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  AlignmentStats stats;
+
+  void add(const Eigen::Matrix<double, 1, 6>& J, double residual, double weight) {
+    H.noalias() += weight * J.transpose() * J;
+    b.noalias() += (weight * residual) * J.transpose();
+  }
+};
+
+// One solve of (H + lambda diag H) xi = -b; false if the system is not positive definite.
+bool solve_step(const NormalEquations& eq, double lambda, Vector6d* xi) {
+  Matrix6d H = eq.H;
+  H.diagonal() *= 1.0 + lambda;
+  H.diagonal().array() += 1e-9;
+  const Eigen::LDLT<Matrix6d> ldlt(H);
+  if (ldlt.info() != Eigen::Success || !ldlt.isPositive()) return false;
+  *xi = -ldlt.solve(eq.b);
+  return xi->allFinite();
+}
+
+// Levenberg-Marquardt around any `linearise(T) -> NormalEquations`; `pixels_per_radian` turns a step into pixels for stopping.
+template <class Linearise>
+NormalEquations minimise(const Linearise& linearise, int max_iterations, double pixels_per_radian, double min_step_px,
+                         SE3* T) {
+  NormalEquations current = linearise(*T);
+  double lambda = 1e-4;
+  int iteration = 0;
+  for (; iteration < max_iterations; ++iteration) {
+    Vector6d xi;
+    if (!solve_step(current, lambda, &xi)) break;
+    const SE3 candidate = SE3::exp(xi) * *T;
+    const double predicted_px = std::sqrt(xi.dot(current.H * xi) / std::max(1, current.stats.inliers));
+    NormalEquations next = linearise(candidate);
+    if (next.stats.cost <= current.stats.cost) {
+      *T = candidate;
+      current = std::move(next);
+      lambda = std::max(1e-6, lambda * 0.1);
+      if (predicted_px < min_step_px) break;
+    } else {
+      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < 1e-3 || lambda > 1e3) break;
+      lambda = std::max(1e-2, lambda * 10);
+    }
+  }
+  current.stats.iterations = iteration;
+  current.stats.information = current.H;
+  return current;
+}
+
+// Share of the depth's uncertainty in a residual along `normal`: w = 1 / (1 + s^2), s in pixels.
+double depth_weight(const Eigen::Matrix<double, 2, 3>& J_pi, const Eigen::Vector3d& t, const Eigen::Vector2d& normal,
+                    double idepth_sigma) {
+  const double s = normal.dot(J_pi * t) * idepth_sigma;
+  return 1.0 / (1.0 + s * s);
+}
+
+class EdgeCost {
+ public:
+  EdgeCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
+      : level_(current.levels[level]), cloud_(cloud), scale_(std::ldexp(1.0, -level)), params_(params),
+        photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {}
+
+  NormalEquations operator()(const SE3& T_cur_ref) const {
+    NormalEquations eq;
+    const Eigen::Matrix3d R = T_cur_ref.R();
+    const Eigen::Vector3d t = T_cur_ref.translation();
+    double square_sum = 0, cost = 0;
+    for (size_t i = 0; i < cloud_.points.size(); ++i) {
+      const CloudPoint& point = cloud_.points[i];
+      const Projection p = project(level_.pinhole, R, t, point.ray, point.idepth);
+      if (!p.valid || !level_.pinhole.contains(p.px, 2)) continue;
+      ++eq.stats.visible;
+      cost += add_edge(point, p, t, &eq, &square_sum);
+      if (photometric_) cost += add_photometric(cloud_.gradient_patches[i], point, p, &eq);
+    }
+    // Points that leave the view cost as much as points without a match.
+    cost += double(cloud_.points.size() - eq.stats.visible) * miss_cost();
+    eq.stats.cost = cost / std::max<size_t>(1, cloud_.points.size());
+    eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(square_sum / eq.stats.inliers) : 0.0;
+    return eq;
+  }
+
+ private:
+  double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
+  double robust_cost(double r) const {
+    return params_.robust == "huber" ? huber_cost(r, params_.huber_px)
+                                     : 3.0 * std::log1p(r * r / (5.0 * params_.huber_px * params_.huber_px));
+  }
+  double robust_weight(double r) const {
+    return params_.robust == "huber" ? huber_weight(r, params_.huber_px) : student_t_weight(r, params_.huber_px);
+  }
+
+  // Returns the cost of the point: Eq. (edgeerror), truncated.
+  double add_edge(const CloudPoint& point, const Projection& p, const Eigen::Vector3d& t, NormalEquations* eq,
+                  double* square_sum) const {
+    const int n = level_.field.nearest(float(p.px.x()), float(p.px.y()));
+    if (n < 0) return miss_cost();
+    const EdgePixel& edge = level_.edges.pixels[n];
+    if (edge.normal().dot(point.normal) < params_.min_normal_cosine) return miss_cost();
+    const Eigen::Vector2d g = edge.normal().cast<double>();
+    const Eigen::Vector2d d = p.px - edge.position().cast<double>();
+    const double r = g.dot(d);  // Eq. (edgeerror)
+    const double tangent = g.x() * d.y() - g.y() * d.x();
+    if (std::abs(r) > params_.truncation_normal_px || std::abs(tangent) > params_.truncation_tangent_px)
+      return miss_cost();
+    const Eigen::Matrix<double, 1, 6> J = g.transpose() * pose_jacobian(level_.pinhole, p.Y, point.idepth);
+    const double w_depth = depth_weight(projection_jacobian(level_.pinhole, p.Y), t, g, point.idepth_sigma);
+    eq->add(J, r, w_depth * robust_weight(r));
+    *square_sum += r * r;
+    ++eq->stats.inliers;
+    return w_depth * robust_cost(r) + (1.0 - w_depth) * std::min(robust_cost(r), miss_cost());
+  }
+
+  // Eq. (photometricerror) with F the gradient magnitude, normalised patch by patch.
+  double add_photometric(const PatchTemplate& patch, const CloudPoint& point, const Projection& p,
+                         NormalEquations* eq) const {
+    const PatchDifference d =
+        compare_patch(level_.gradient_magnitude.view(), patch, float(p.px.x()), float(p.px.y()));
+    if (!d.usable) return 0;
+    const double rms = std::sqrt(double(d.mean_square));
+    const double w = params_.photometric_weight * huber_weight(rms, params_.patch_huber);
+    const Eigen::Matrix<double, 2, 6> J = pose_jacobian(level_.pinhole, p.Y, point.idepth);
+    eq->H.noalias() += w * J.transpose() * patch.information * J;
+    eq->b.noalias() += w * J.transpose() * d.gradient;
+    return params_.photometric_weight * huber_cost(rms, params_.patch_huber);
+  }
+
+  const PyramidLevel& level_;
+  const ReferenceCloud& cloud_;
+  double scale_;
+  const AlignmentParams& params_;
+  bool photometric_;
+};
+
+class PatchCost {
+ public:
+  PatchCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
+      : level_(current.levels[level]), cloud_(cloud), patches_(cloud.patches[level]), params_(params) {}
+
+  NormalEquations operator()(const SE3& T_cur_ref) const {
+    NormalEquations eq;
+    const Eigen::Matrix3d R = T_cur_ref.R();
+    const Eigen::Vector3d t = T_cur_ref.translation();
+    const double miss = huber_cost(std::sqrt(2.0), params_.patch_huber);  // as an unrelated patch
+    double cost = 0;
+    int usable = 0;
+    for (size_t i = 0; i < patches_.size(); ++i) {
+      if (!patches_[i].usable) continue;
+      ++usable;
+      const Projection p = project(level_.pinhole, R, t, cloud_.points[i].ray, cloud_.points[i].idepth);
+      const PatchDifference d =
+          p.valid ? compare_patch(level_.gray.view(), patches_[i], float(p.px.x()), float(p.px.y())) : PatchDifference();
+      if (!d.usable) {
+        cost += miss;
+        continue;
+      }
+      const double rms = std::sqrt(double(d.mean_square));
+      const double w = huber_weight(rms, params_.patch_huber);
+      const Eigen::Matrix<double, 2, 6> J = pose_jacobian(level_.pinhole, p.Y, cloud_.points[i].idepth);
+      eq.H.noalias() += w * J.transpose() * patches_[i].information * J;
+      eq.b.noalias() += w * J.transpose() * d.gradient;
+      cost += huber_cost(rms, params_.patch_huber);
+      ++eq.stats.inliers;
+    }
+    eq.stats.visible = usable;
+    eq.stats.cost = usable > 0 ? cost / usable : miss;
+    return eq;
+  }
+
+ private:
+  const PyramidLevel& level_;
+  const ReferenceCloud& cloud_;
+  const PatchTemplates& patches_;
+  const AlignmentParams& params_;
+};
+
+}  // namespace
+
+void AlignmentParams::visit(ParamVisitor& v) {
+  v.integer("patch_finest_level", patch_finest_level, 1, 7, "the coarse start by patches ends on this pyramid level");
+  v.integer("patch_iterations", patch_iterations, 1, 100, "at most, each level");
+  v.number("patch_huber", patch_huber, 0.05, 5, "Huber width on the rms of a normalised patch difference");
+  v.integer("edge_iterations", edge_iterations, 1, 100, "at most, each level");
+  v.number("huber_px", huber_px, 0.1, 10, "width of the robust weight on edge residuals, pixels");
+  v.number("truncation_normal_px", truncation_normal_px, 0.5, 15, "matches beyond this along the edge normal are misses");
+  v.number("truncation_tangent_px", truncation_tangent_px, 0.5, 15, "matches beyond this along the edge are misses");
+  v.number("min_normal_cosine", min_normal_cosine, -1, 1, "orientation gate between the two edge normals, signed");
+  v.text("robust", robust, {"huber", "student_t"}, "robust weight of edge residuals");
+  v.boolean("photometric", photometric, "add the image-gradient cost to the finest level (slower)");
+  v.number("photometric_weight", photometric_weight, 0, 100, "its weight against edge residuals in pixels");
+  v.number("degraded_share", degraded_share, 0, 1, "inlier share below which a frame is DEGRADED");
+  v.number("degraded_residual_px", degraded_residual_px, 0.1, 10, "rms residual above which a frame is DEGRADED, pixels");
+  v.number("lost_share", lost_share, 0, 1, "inlier share below which a frame is LOST");
+  v.integer("min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
+  v.number("weak_sigma", weak_sigma, 1e-5, 1, "a direction with a larger standard deviation (share of depth, rad) is weak");
+}
+
+EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray, double idepth,
+                           const Eigen::Vector2d& match, const Eigen::Vector2d& normal) {
+  const Projection p = project(camera, T_cur_ref.R(), T_cur_ref.translation(), ray, idepth);
+  return {normal.dot(p.px - match), normal.transpose() * pose_jacobian(camera, p.Y, idepth)};
+}
+
+double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
+                     const AlignmentParams& params, SE3* T_cur_ref) {
+  double cost = 2.0;
+  for (int level = coarsest; level >= finest; --level) {
+    const PatchCost patch_cost(current, cloud, level, params);
+    cost = minimise(patch_cost, params.patch_iterations, current.levels[level].pinhole.fx, 0.02, T_cur_ref).stats.cost;
+  }
+  return cost;
+}
+
+AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
+                           const AlignmentParams& params, SE3* T_cur_ref) {
+  const EdgeCost edge_cost(current, cloud, level, params);
+  return minimise(edge_cost, params.edge_iterations, current.levels[level].pinhole.fx, 0.005, T_cur_ref).stats;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,24 @@
+#include "edgevo/alignment/reference_cloud.h"
+
+#include <cmath>
+
+namespace edgevo {
+
+ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid, std::vector<CloudPoint> points,
+                                    bool with_gradient_patches) {
+  ReferenceCloud cloud;
+  cloud.pyramid = std::move(pyramid);
+  cloud.points = std::move(points);
+  std::vector<Eigen::Vector2f> positions(cloud.points.size());
+  for (size_t l = 0; l < cloud.pyramid->levels.size(); ++l) {
+    const float s = std::ldexp(1.0f, -int(l));
+    for (size_t i = 0; i < positions.size(); ++i) positions[i] = s * cloud.points[i].px;
+    const PyramidLevel& level = cloud.pyramid->levels[l];
+    cloud.patches.push_back(l == 0 ? PatchTemplates() : cut_patches(level.gray.view(), positions));
+    if (l == 0 && with_gradient_patches)
+      cloud.gradient_patches = cut_patches(level.gradient_magnitude.view(), positions);
+  }
+  return cloud;
+}
+
+}  // namespace edgevo
