@@ -70,7 +70,7 @@ double depth_weight(const Eigen::Matrix<double, 2, 3>& J_pi, const Eigen::Vector
 class EdgeCost {
  public:
   EdgeCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
-      : level_(current.levels[level]), cloud_(cloud), scale_(std::ldexp(1.0, -level)), params_(params),
+      : level_(current.levels[level]), cloud_(cloud), params_(params),
         photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {}
 
   NormalEquations operator()(const SE3& T_cur_ref) const {
@@ -140,7 +140,6 @@ class EdgeCost {
 
   const PyramidLevel& level_;
   const ReferenceCloud& cloud_;
-  double scale_;
   const AlignmentParams& params_;
   bool photometric_;
 };

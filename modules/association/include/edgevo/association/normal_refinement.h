@@ -1,0 +1,32 @@
+#pragma once
+// One-dimensional Lucas-Kanade along an edge normal (LESSONS.md section 9): moves a match along its normal until the warped host
+// patch of intensity, at zero mean and unit deviation, fits best. Removes the pull of the nearest neighbour towards the prediction.
+#include "edgevo/association/association_params.h"
+#include "edgevo/association/warp.h"
+
+namespace edgevo {
+
+/// A host patch ready for refinement along one direction of the target image.
+struct NormalTemplate {
+  Patch value;                 ///< zero mean, unit deviation
+  Patch slope;                 ///< d value / d shift along the normal, the normalisation's share taken out
+  double slope_square = 0;     ///< sum of slope^2
+};
+
+/// False where the patch leaves the image or is flat.
+bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
+                          const Eigen::Vector2d& normal_target, int radius, NormalTemplate* out);
+
+struct NormalRefinement {
+  bool accepted = false;
+  Eigen::Vector2d px;          ///< start + move * normal
+  double move_px = 0;
+  double zncc_loss = 2;        ///< 1 - ZNCC at the end
+};
+/// At most params.refine_iterations steps, stops at 0.02 px; not accepted where it moves over refine_max_move_px or the patch
+/// does not fit (refine_max_zncc_loss).
+NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
+                                     const Eigen::Vector2d& start, const Eigen::Vector2d& normal,
+                                     const AssociationParams& params);
+
+}  // namespace edgevo

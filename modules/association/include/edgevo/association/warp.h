@@ -1,0 +1,38 @@
+#pragma once
+// Local affine warp from a host image to a target image, and patches of the host as they should look in the target.
+#include <Eigen/Core>
+#include <array>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/se3.h"
+#include "edgevo/edges/plane.h"
+
+namespace edgevo {
+
+/// d p_target / d p_host (2x2) of a surface patch of constant depth, by predicted rotation, translation and depth.
+Eigen::Matrix2d patch_warp(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host, double idepth);
+
+/// Where an edge normal of the host points in the target: the unit vector along A^-T n.
+Eigen::Vector2d warp_normal(const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_host);
+
+constexpr int kMaxPatchRadius = 5;
+constexpr int kMaxPatchPixels = (2 * kMaxPatchRadius + 1) * (2 * kMaxPatchRadius + 1);
+
+/// Square patch, row by row, (2 radius + 1) pixels a side.
+struct Patch {
+  int radius = 0;
+  std::array<float, kMaxPatchPixels> value;
+  int side() const { return 2 * radius + 1; }
+  int size() const { return side() * side(); }
+};
+
+/// The host patch around px_host as the target will see it: value at host position px_host + A^-1 (u, v). False outside the image.
+template <class T>
+bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host, int radius,
+                   Patch* patch);
+
+/// The patch around (x, y) of an image, not warped. False outside the image.
+template <class T>
+bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Patch* patch);
+
+}  // namespace edgevo

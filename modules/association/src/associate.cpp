@@ -1,0 +1,206 @@
+#include "edgevo/association/associate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "edgevo/alignment/projection.h"
+#include "edgevo/association/normal_refinement.h"
+#include "edgevo/association/patch_cost.h"
+#include "edgevo/association/uncertainty.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kMaxCandidates = 64;
+
+// Edge pixels along the edge on both sides of `centre`, with arc length from it.
+struct Walk {
+  std::array<int, kMaxCandidates> pixel;
+  std::array<double, kMaxCandidates> arc;  // pixels, negative before the centre
+  int count = 0;
+};
+
+Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
+  Walk walk;
+  std::array<int, kMaxCandidates / 2> before, after;
+  std::array<double, kMaxCandidates / 2> arc_before, arc_after;
+  const auto go = [&](int step, auto& pixel, auto& arc) {
+    int n = 0;
+    double length = 0;
+    for (int i = centre, j = edges.neighbour(i, step); j >= 0 && n < kMaxCandidates / 2 - 1; i = j, j = edges.neighbour(j, step)) {
+      length += (edges.pixels[j].position() - edges.pixels[i].position()).norm();
+      if (length > half_length) break;
+      pixel[n] = j;
+      arc[n++] = length;
+    }
+    return n;
+  };
+  const int n_before = go(-1, before, arc_before), n_after = go(+1, after, arc_after);
+  for (int k = n_before - 1; k >= 0; --k) walk.pixel[walk.count] = before[k], walk.arc[walk.count++] = -arc_before[k];
+  walk.pixel[walk.count] = centre, walk.arc[walk.count++] = 0;
+  for (int k = 0; k < n_after; ++k) walk.pixel[walk.count] = after[k], walk.arc[walk.count++] = arc_after[k];
+  return walk;
+}
+
+struct TemplateMatch {
+  bool found = false;
+  int best = 0;                 // index into the walk
+  double cost = 2, confidence = 0, offset = 0;  // offset: sub-pixel, in candidates, [-0.5, 0.5]
+};
+
+TemplateMatch match_template(const Patch& patch, const ImageView<float>& magnitude, const EdgeMap& edges, const Walk& walk,
+                             double sigma_c) {
+  TemplateMatch m;
+  std::array<double, kMaxCandidates> cost;
+  for (int k = 0; k < walk.count; ++k) {
+    const EdgePixel& e = edges.pixels[walk.pixel[k]];
+    cost[k] = patch_cost(patch, magnitude, e.x, e.y);
+    if (cost[k] < cost[m.best]) m.best = k;
+  }
+  m.cost = cost[m.best];
+  m.confidence = aml_confidence(cost.data(), walk.count, m.cost, sigma_c);
+  m.found = m.cost < 2.0;
+  if (m.best > 0 && m.best + 1 < walk.count) {
+    const double a = cost[m.best - 1], b = cost[m.best + 1], curvature = a - 2 * m.cost + b;
+    if (curvature > 1e-9 && a < 2.0 && b < 2.0) m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
+  }
+  return m;
+}
+
+// Position between the best candidate and its neighbour on the edge.
+Eigen::Vector2d position_on_edge(const EdgeMap& edges, const Walk& walk, const TemplateMatch& m) {
+  const Eigen::Vector2d at = edges.pixels[walk.pixel[m.best]].position().cast<double>();
+  const int neighbour = m.best + (m.offset > 0 ? 1 : -1);
+  if (m.offset == 0 || neighbour < 0 || neighbour >= walk.count) return at;
+  const Eigen::Vector2d next = edges.pixels[walk.pixel[neighbour]].position().cast<double>();
+  return at + std::abs(m.offset) * (next - at);
+}
+
+// The nearest edge pixel that passes the gates on distance and orientation; -1 if none.
+int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen::Vector2d& predicted_normal,
+              const AssociationParams& params) {
+  const int n = target.field.nearest(float(p.x()), float(p.y()));
+  if (n < 0) return -1;
+  const EdgePixel& e = target.edges.pixels[n];
+  const Eigen::Vector2d g = e.normal().cast<double>();
+  if (g.dot(predicted_normal) < params.min_normal_cosine) return -1;
+  const Eigen::Vector2d d = e.position().cast<double>() - p;
+  return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= 2.0 * params.max_normal_px ? n : -1;
+}
+
+// Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was found.
+bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int centre, const AssociationParams& params,
+                        Match* match) {
+  const PyramidLevel& host = q.host->finest();
+  const PyramidLevel& target = q.target->finest();
+  const Walk walk = walk_along_edge(target.edges, centre, match->search_px);
+  for (int side = params.patch_side; side <= params.max_patch_side; side += 2) {
+    Patch patch;
+    if (!sample_warped(host.gradient_magnitude.view(), q.px_host, A, side / 2, &patch) || !divide_by_mean(&patch)) return false;
+    const TemplateMatch m =
+        match_template(patch, target.gradient_magnitude.view(), target.edges, walk, params.sigma_c);
+    match->patch_side = side;
+    match->cost = m.cost;
+    match->match_confidence = m.confidence;
+    if (!m.found || m.cost > params.max_cost) return false;
+    if (m.confidence < params.tau_m && match->search_px > params.tau_lambda_px) continue;  // ambiguous: grow the patch
+    match->px = position_on_edge(target.edges, walk, m);
+    match->normal = target.edges.pixels[walk.pixel[m.best]].normal().cast<double>();
+    return true;
+  }
+  return false;
+}
+
+void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, const AssociationParams& params, Match* match) {
+  NormalTemplate patch;
+  if (!make_normal_template(q.host->finest().gray.view(), q.px_host, A, match->normal, params.refine_radius, &patch)) {
+    match->kind = MatchKind::kNone;
+    return;
+  }
+  const NormalRefinement r =
+      refine_along_normal(patch, q.target->finest().gray.view(), match->px, match->normal, params);
+  if (!r.accepted) {
+    match->kind = MatchKind::kNone;
+    return;
+  }
+  match->px = r.px;
+  match->refined = true;
+}
+
+void weigh(const AssociationParams& params, Match* match) {
+  match->inv_sigma_normal = 1.0 / (match->refined ? params.sigma_refined_px : params.sigma_normal_px);
+  match->inv_sigma_tangent =
+      match->kind == MatchKind::kPhotometric && params.sigma_tangent_px > 0 ? 1.0 / params.sigma_tangent_px : 0.0;
+}
+
+}  // namespace
+
+void AssociationParams::visit(ParamVisitor& v) {
+  v.number("k_p", k_p, 0, 100, "gain of the pose uncertainty in the search length");
+  v.number("k_mu", k_mu, 0, 100, "gain of the depth uncertainty in the search length");
+  v.number("min_search_px", min_search_px, 0, 15, "floor of the half search length, pixels");
+  v.number("max_search_px", max_search_px, 0, 30, "cap of the half search length, pixels");
+  v.boolean("photometric", photometric, "search along the edge by patches (paper); false: edge matches only");
+  v.integer("patch_side", patch_side, 3, 11, "first patch size S_p, odd, pixels");
+  v.integer("max_patch_side", max_patch_side, 3, 11, "patches grow up to tau_S, odd, pixels");
+  v.number("max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
+  v.number("sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
+  v.number("tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");
+  v.number("tau_lambda_px", tau_lambda_px, 0, 30, "searches up to this half length skip the confidence check, pixels");
+  v.number("min_depth_confidence", min_depth_confidence, 0, 100, "ambiguous matches below it keep their depth fixed, 1/px");
+  v.number("sigma_p_floor_px", sigma_p_floor_px, 0.01, 10, "floor of the projection sigma in the depth confidence, pixels");
+  v.number("max_normal_px", max_normal_px, 0.5, 15, "an edge match lies within this of the prediction, pixels");
+  v.number("min_normal_cosine", min_normal_cosine, -1, 1, "orientation gate, signed");
+  v.boolean("refine", refine, "one-dimensional refinement along the edge normal");
+  v.integer("refine_radius", refine_radius, 1, 4, "its patch has 2 r + 1 pixels a side");
+  v.integer("refine_iterations", refine_iterations, 1, 50, "at most");
+  v.number("refine_max_move_px", refine_max_move_px, 0.1, 10, "a refinement that moves further is rejected, pixels");
+  v.number("refine_max_zncc_loss", refine_max_zncc_loss, 0.01, 1, "1 - ZNCC above which a refinement is rejected");
+  v.number("k_m", k_m, 0.1, 10, "matches further along the edge than this share of the search length are searched again");
+  v.number("sigma_normal_px", sigma_normal_px, 0.01, 10, "of an edge match along the normal, pixels");
+  v.number("sigma_refined_px", sigma_refined_px, 0.01, 10, "of a refined match along the normal, pixels");
+  v.number("sigma_tangent_px", sigma_tangent_px, 0, 100, "of a photometric match along the edge, pixels; 0: unused");
+}
+
+Match associate(const AssociationQuery& q, const AssociationParams& params) {
+  Match match;
+  const PyramidLevel& target = q.target->finest();
+  const Pinhole& camera = target.pinhole;
+  const Eigen::Vector3d ray = camera.ray(q.px_host);
+  const Projection p = project(camera, q.T_target_host.R(), q.T_target_host.translation(), ray, q.idepth);
+  if (!p.valid || !camera.contains(p.px, 3)) return match;
+  const Eigen::Matrix2d A = patch_warp(camera, q.T_target_host, q.px_host, q.idepth);
+  const int centre = find_edge(target, p.px, warp_normal(A, q.normal_host), params);
+  if (centre < 0) return match;
+
+  const EdgePixel& edge = target.edges.pixels[centre];
+  match.normal = edge.normal().cast<double>();
+  const Eigen::Matrix2d Sigma_p = projection_covariance(camera, p.Y, q.idepth, q.pose_covariance);
+  const DepthMotion depth = depth_motion(camera, q.T_target_host, ray, q.idepth, q.idepth_sigma);
+  match.search_px = std::clamp(search_half_length(Sigma_p, depth, match.normal, params.k_p, params.k_mu),
+                               params.min_search_px, std::max(params.min_search_px, params.max_search_px));
+  match.depth_confidence = depth_confidence(Sigma_p, depth.direction, match.normal, params.sigma_p_floor_px);
+
+  if (params.photometric && search_photometric(q, A, centre, params, &match)) {
+    match.kind = MatchKind::kPhotometric;
+  } else {
+    if (params.photometric && match.cost > 0 && match.cost > params.max_cost) return match;  // looks like something else
+    // The foot of the projection on the edge's tangent: an edge match says nothing along the edge.
+    match.normal = edge.normal().cast<double>();
+    match.px = p.px + match.normal * match.normal.dot(edge.position().cast<double>() - p.px);
+    match.kind = match.depth_confidence < params.min_depth_confidence ? MatchKind::kEdgeFixed : MatchKind::kEdge;
+  }
+  if (params.refine) refine(q, A, params, &match);
+  weigh(params, &match);
+  return match;
+}
+
+bool needs_update(const Match& match, double residual_normal_px, double residual_tangent_px,
+                  const AssociationParams& params) {
+  constexpr double kMaxSigmas = 3.5;
+  if (std::abs(residual_normal_px) * match.inv_sigma_normal > kMaxSigmas) return true;
+  return std::abs(residual_tangent_px) > params.k_m * std::max(match.search_px, params.min_search_px);  // Eq. (distancecheck)
+}
+
+}  // namespace edgevo

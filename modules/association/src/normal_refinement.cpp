@@ -1,0 +1,87 @@
+#include "edgevo/association/normal_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+constexpr double kStopPx = 0.02;
+constexpr float kMinDeviation = 1.5f;  // gray levels
+
+// To zero mean and unit deviation; returns the deviation, 0 if flat.
+float normalise(Patch* patch) {
+  const int n = patch->size();
+  float sum = 0, square = 0;
+  for (int i = 0; i < n; ++i) sum += patch->value[i], square += patch->value[i] * patch->value[i];
+  const float mean = sum / float(n);
+  const float deviation = std::sqrt(std::max(0.0f, square / float(n) - mean * mean));
+  if (!(deviation >= kMinDeviation)) return 0;
+  for (int i = 0; i < n; ++i) patch->value[i] = (patch->value[i] - mean) / deviation;
+  return deviation;
+}
+
+}  // namespace
+
+bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
+                          const Eigen::Vector2d& normal_target, int radius, NormalTemplate* out) {
+  // One pixel more on each side, for central differences.
+  Patch wide;
+  if (!sample_warped(host, px_host, A_target_host, radius + 1, &wide)) return false;
+  const int side = 2 * radius + 1, wide_side = wide.side();
+  out->value.radius = out->slope.radius = radius;
+  for (int v = 0; v < side; ++v)
+    for (int u = 0; u < side; ++u) {
+      const float* c = &wide.value[(v + 1) * wide_side + u + 1];
+      out->value.value[v * side + u] = *c;
+      out->slope.value[v * side + u] = 0.5f * (float(normal_target.x()) * (c[1] - c[-1]) +
+                                               float(normal_target.y()) * (c[wide_side] - c[-wide_side]));
+    }
+  const float deviation = normalise(&out->value);
+  if (deviation == 0) return false;
+  const int n = side * side;
+  float mean = 0, along = 0;
+  for (int i = 0; i < n; ++i) {
+    out->slope.value[i] /= deviation;
+    mean += out->slope.value[i];
+    along += out->slope.value[i] * out->value.value[i];
+  }
+  mean /= float(n), along /= float(n);
+  double square = 0;
+  for (int i = 0; i < n; ++i) {
+    out->slope.value[i] -= mean + along * out->value.value[i];
+    square += double(out->slope.value[i]) * out->slope.value[i];
+  }
+  out->slope_square = square;
+  return square > 1e-3 * n;
+}
+
+NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
+                                     const Eigen::Vector2d& start, const Eigen::Vector2d& normal,
+                                     const AssociationParams& params) {
+  NormalRefinement result;
+  const int n = patch.value.size();
+  double move = 0;
+  for (int iteration = 0; iteration <= params.refine_iterations; ++iteration) {
+    const Eigen::Vector2d px = start + move * normal;
+    Patch current;
+    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || normalise(&current) == 0) return result;
+    float correlation = 0, gradient = 0;
+    for (int i = 0; i < n; ++i) {
+      correlation += current.value[i] * patch.value.value[i];
+      gradient += patch.slope.value[i] * (current.value[i] - patch.value.value[i]);
+    }
+    const double step = -double(gradient) / patch.slope_square;
+    result.px = px;
+    result.move_px = move;
+    result.zncc_loss = 1.0 - double(correlation) / n;
+    if (std::abs(step) < kStopPx) break;
+    if (iteration == params.refine_iterations) return result;
+    move += std::clamp(step, -1.0, 1.0);
+    if (std::abs(move) > params.refine_max_move_px) return result;
+  }
+  result.accepted = result.zncc_loss < params.refine_max_zncc_loss;
+  return result;
+}
+
+}  // namespace edgevo

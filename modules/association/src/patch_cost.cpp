@@ -1,0 +1,27 @@
+#include "edgevo/association/patch_cost.h"
+
+#include <cmath>
+
+namespace edgevo {
+
+bool divide_by_mean(Patch* patch) {
+  float sum = 0;
+  const int n = patch->size();
+  for (int i = 0; i < n; ++i) sum += patch->value[i];
+  const float mean = sum / float(n);
+  if (!(mean > 1.0f)) return false;
+  const float scale = 1.0f / mean;
+  for (int i = 0; i < n; ++i) patch->value[i] *= scale;
+  return true;
+}
+
+double patch_cost(const Patch& prepared, const ImageView<float>& gradient_magnitude, double x, double y) {
+  Patch target;
+  if (!sample_patch(gradient_magnitude, x, y, prepared.radius, &target) || !divide_by_mean(&target)) return 2.0;
+  float sum = 0;
+  const int n = prepared.size();
+  for (int i = 0; i < n; ++i) sum += std::abs(target.value[i] - prepared.value[i]);
+  return double(sum) / n;
+}
+
+}  // namespace edgevo
