@@ -1,6 +1,46 @@
+#include <cstdio>
+#include <memory>
+
 #include "commands.h"
-#include "edgevo/core/error.h"
+#ifdef EDGEVO_HAS_evaluation
+#include "edgevo/evaluation/evaluate.h"
+#endif
 
 namespace edgevo::app {
+#ifdef EDGEVO_HAS_evaluation
+namespace {
+
+struct EvalArguments {
+  std::string trajectory, ground_truth;
+  bool json = false;
+  int frames_total = 0;
+};
+
+int run_eval(const EvalArguments& args) {
+  EvaluationOptions options;
+  if (args.frames_total > 0) options.frames_total = args.frames_total;
+  const TrajectoryEvaluation e =
+      evaluate(read_trajectory(args.trajectory), read_trajectory(args.ground_truth), options);
+  std::fputs((args.json ? to_json(e) : to_table(e)).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+void add_eval_command(CLI::App& app, Action* action) {
+  auto args = std::make_shared<EvalArguments>();
+  CLI::App* cmd = app.add_subcommand("eval", "Compare a trajectory with ground truth: ATE, drift, scale, completion");
+  cmd->add_option("TRAJECTORY", args->trajectory, "TUM (8 numbers a line) or KITTI (12) trajectory")->required();
+  cmd->add_option("GROUNDTRUTH", args->ground_truth, "TUM or KITTI ground truth; TUM may have a rate of its own")
+      ->required();
+  cmd->add_flag("--json", args->json, "print JSON instead of a table");
+  cmd->add_option("--frames-total", args->frames_total,
+                  "number of images that were put in, for completion and the blocks of ATE200; without it, frames.csv "
+                  "beside TRAJECTORY, times.txt beside GROUNDTRUTH, or the ground truth's lines tell")
+      ->check(CLI::PositiveNumber);
+  cmd->callback([=] { *action = [=] { return run_eval(*args); }; });
+}
+#else
 void add_eval_command(CLI::App&, Action*) {}
+#endif
 }  // namespace edgevo::app
