@@ -74,6 +74,12 @@ inline SE3 T_zup_world() {
   return {R, Eigen::Vector3d::Zero()};
 }
 
+/// What the numbers in a file mean, for its header: "metre (scale from odometry)" or "arbitrary (...)".
+inline std::string unit_statement(const Run& run) {
+  return run.is_metric() ? "metre (scale from " + run.scale_source + ")"
+                         : "arbitrary (scale of a monocular run; set --scale for metres)";
+}
+
 /// From the run's world to the world of the map files: z up, x forward, origin at the first pose of the vehicle. With a
 /// known mount "up" is the vehicle's; else the camera is taken to look straight ahead (T_zup_world). The lever arm is in
 /// metres and is therefore left out while the scale is arbitrary: the origin is then the first camera.

@@ -1,0 +1,151 @@
+#include "edgevo/occupancy/octree_map.h"
+
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "edgevo/core/output_file.h"
+#include "segment_inserter.h"
+
+namespace edgevo {
+namespace {
+
+using octomap::OcTree;
+
+// Voxels of an empty map: nothing tells a size.
+constexpr double kResolutionWithoutPoints = 0.1;
+// Equal children are merged now and then, so that the memory of a long run stays near that of the finished map.
+constexpr size_t kBatchesBetweenPruning = 32;
+
+double median_depth(const Run& run, const PointFilter& filter) {
+  std::vector<double> depths;
+  for (const KeyframeRecord& keyframe : run.keyframes)
+    for (const EdgePoint& p : keyframe.points)
+      if (filter.keeps(p)) depths.push_back(1.0 / double(p.idepth));
+  if (depths.empty()) return 0;
+  const auto middle = depths.begin() + std::ptrdiff_t(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+// Two significant digits, so that "auto" gives a length that one can read and type again.
+double round_to_two_digits(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return std::round(x / unit) * unit;
+}
+
+double length_or_share(double given, double share, double median, double without_points) {
+  if (given > 0) return given;
+  return median > 0 ? round_to_two_digits(share * median) : without_points;
+}
+
+std::unique_ptr<OcTree> empty_tree(double resolution, const OccupancyParams& params) {
+  auto tree = std::make_unique<OcTree>(resolution);
+  tree->setProbHit(params.prob_hit);
+  tree->setProbMiss(params.prob_miss);
+  return tree;
+}
+
+// Joins a segment's map into `total`: occupied in any wins, else free in any.
+void join_segment(OcTree* segment, OcTree* total) {
+  segment->expand();  // so that each leaf is one voxel with one key
+  for (auto leaf = segment->begin_leafs(), end = segment->end_leafs(); leaf != end; ++leaf) {
+    const octomap::OcTreeNode* there = total->search(leaf.getKey());
+    float value = leaf->getLogOdds();
+    if (there) {
+      const float other = there->getLogOdds();
+      const bool any_occupied = segment->isNodeOccupied(*leaf) || total->isNodeOccupied(there);
+      value = any_occupied ? std::max(value, other) : std::min(value, other);
+    }
+    total->setNodeValue(leaf.getKey(), value, /*lazy_eval=*/true);
+  }
+}
+
+using Keyframes = std::vector<const KeyframeRecord*>;
+
+std::map<int, Keyframes> keyframes_by_segment(const Run& run) {
+  std::map<int, Keyframes> segments;
+  for (const KeyframeRecord& keyframe : run.keyframes)
+    if (keyframe.T_world_cam.is_finite()) segments[keyframe.segment].push_back(&keyframe);
+  return segments;
+}
+
+void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionLimits& limits, OcTree* tree,
+                    OctreeStats* stats) {
+  const SE3 T_map = T_map_world(run);
+  SegmentInserter inserter(run.pinhole, limits, tree, stats);
+  for (size_t k = 0; k < keyframes.size(); ++k) {
+    inserter.insert(*keyframes[k], T_map * keyframes[k]->T_world_cam);
+    if (k % kBatchesBetweenPruning == kBatchesBetweenPruning - 1) tree->prune();
+  }
+}
+
+void count_leaves(const OcTree& tree, OctreeStats* stats) {
+  for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf)
+    ++(tree.isNodeOccupied(*leaf) ? stats->occupied_leaves : stats->free_leaves);
+}
+
+// The header that octomap's own writer would leave, with comments of ours: its readers skip them. (Its writers also print to
+// stderr, hence only the parts of them that write nodes are used.)
+std::string header(const char* first_line, const std::string& comments, const OcTree& tree) {
+  std::ostringstream out;
+  out.precision(10);  // the resolution must read back as it is
+  out << first_line << "\n# (feel free to add / change comments, but leave the first line as it is!)\n"
+      << comments << "#\nid " << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution()
+      << "\ndata\n";
+  return out.str();
+}
+
+std::string comments_of(const Run& run) {
+  return "# edges of edgevo; axes: x forward, y left, z up\n# unit: " + unit_statement(run) + "\n";
+}
+
+}  // namespace
+
+OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
+  params.check();
+  stats_.points = count_points(run, params.points);
+  stats_.median_depth = median_depth(run, params.points);
+  stats_.resolution = length_or_share(params.given_resolution(), params.resolution_share, stats_.median_depth,
+                                      kResolutionWithoutPoints);
+  stats_.max_range = length_or_share(params.given_max_range(), params.max_range_share, stats_.median_depth, 0);
+  const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma, params.carve_stop_sigmas};
+
+  tree_ = empty_tree(stats_.resolution, params);
+  for (const auto& [segment, keyframes] : keyframes_by_segment(run)) {
+    auto own = empty_tree(stats_.resolution, params);
+    insert_segment(run, keyframes, limits, own.get(), &stats_);
+    if (tree_->size() == 0) tree_ = std::move(own);
+    else join_segment(own.get(), tree_.get());
+  }
+  tree_->updateInnerOccupancy();
+  tree_->prune();
+  count_leaves(*tree_, &stats_);
+  comments_ = comments_of(run);
+}
+
+OctreeMap::~OctreeMap() = default;
+OctreeMap::OctreeMap(OctreeMap&&) noexcept = default;
+OctreeMap& OctreeMap::operator=(OctreeMap&&) noexcept = default;
+
+void OctreeMap::write_bt(const std::string& path) const {
+  // Occupied and free children merge only after their probabilities are gone: do that in a copy.
+  OcTree copy(*tree_);
+  copy.toMaxLikelihood();
+  copy.prune();
+  std::ostringstream nodes;
+  if (copy.getRoot()) copy.writeBinaryNode(nodes, copy.getRoot());
+  write_file(path, header("# Octomap OcTree binary file", comments_, copy) + nodes.str());
+}
+
+void OctreeMap::write_ot(const std::string& path) const {
+  std::ostringstream nodes;
+  tree_->writeData(nodes);
+  write_file(path, header("# Octomap OcTree file", comments_, *tree_) + nodes.str());
+}
+
+}  // namespace edgevo

@@ -1,0 +1,73 @@
+#include "segment_inserter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
+
+}  // namespace
+
+SegmentInserter::SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
+                                 OctreeStats* stats)
+    : pinhole_(pinhole), limits_(limits), tree_(tree), stats_(stats) {}
+
+void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
+  free_.clear();
+  ray_ends_.clear();
+  for (const EdgePoint& p : keyframe.points) {
+    if (!limits_.points.keeps(p)) continue;
+    const Eigen::Vector3d p_cam = point_in_camera(pinhole_, p);
+    mark(p_cam, T_map_cam, p.observations);
+    const double relative_sigma = double(p.idepth_sigma) / double(p.idepth);
+    if (relative_sigma <= limits_.carve_max_relative_sigma) carve(p_cam, T_map_cam, relative_sigma);
+  }
+  update_tree();
+  ++batch_;
+  ++stats_->batches;
+}
+
+void SegmentInserter::mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations) {
+  if (p_cam.norm() > limits_.max_range) {
+    ++stats_->beyond_range;
+    return;
+  }
+  octomap::OcTreeKey key;
+  if (!tree_->coordToKeyChecked(to_octomap(T_map_cam * p_cam), key)) {
+    ++stats_->out_of_bounds;
+    return;
+  }
+  const auto [entry, is_new] = seen_until_.emplace(key, batch_);
+  entry->second = std::max(entry->second, batch_ + std::max(observations, 1) - 1);
+}
+
+void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma) {
+  const double range = p_cam.norm();
+  // To first order, sigma of depth over depth equals sigma of inverse depth over inverse depth.
+  const double margin = std::max(limits_.carve_stop_sigmas * relative_sigma * range, std::sqrt(3.0) * tree_->getResolution());
+  const double length = std::min(range - margin, limits_.max_range);
+  if (length <= 0) return;
+  const octomap::point3d origin = to_octomap(T_map_cam.translation());
+  const octomap::point3d end = to_octomap(T_map_cam * (p_cam * (length / range)));
+  octomap::OcTreeKey origin_key, end_key;
+  // computeRayKeys() would print a warning for ends out of bounds.
+  if (!tree_->coordToKeyChecked(origin, origin_key) || !tree_->coordToKeyChecked(end, end_key)) return;
+  if (!ray_ends_.insert(end_key).second) return;
+  tree_->computeRayKeys(origin, end, ray_);
+  free_.insert(ray_.begin(), ray_.end());
+  ++stats_->rays;
+}
+
+void SegmentInserter::update_tree() {
+  constexpr bool kLazy = true;
+  for (const octomap::OcTreeKey& key : free_)
+    if (seen_until_.find(key) == seen_until_.end()) tree_->updateNode(key, tree_->getProbMissLog(), kLazy);
+  for (auto it = seen_until_.begin(); it != seen_until_.end();) {
+    tree_->updateNode(it->first, tree_->getProbHitLog(), kLazy);
+    it = it->second > batch_ ? std::next(it) : seen_until_.erase(it);
+  }
+}
+
+}  // namespace edgevo

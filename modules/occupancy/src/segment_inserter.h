@@ -1,0 +1,46 @@
+#pragma once
+// Keyframe after keyframe of one segment into an octree, each as one batch.
+#include <octomap/OcTree.h>
+
+#include <unordered_map>
+
+#include "edgevo/core/point_filter.h"
+#include "edgevo/core/records.h"
+#include "edgevo/occupancy/octree_map.h"
+
+namespace edgevo {
+
+/// What is fixed for the whole map; lengths in its unit.
+struct InsertionLimits {
+  PointFilter points;
+  double max_range = 0;
+  double carve_max_relative_sigma = 0;
+  double carve_stop_sigmas = 0;
+};
+
+class SegmentInserter {
+ public:
+  /// `tree` and `stats` outlive this.
+  SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree, OctreeStats* stats);
+
+  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). `T_map_cam`: its pose in the map's world.
+  void insert(const KeyframeRecord& keyframe, const SE3& T_map_cam);
+
+ private:
+  void mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations);
+  void carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma);
+  void update_tree();
+
+  const Pinhole pinhole_;
+  const InsertionLimits limits_;
+  octomap::OcTree* const tree_;
+  OctreeStats* const stats_;
+
+  int batch_ = 0;  ///< number of the keyframe within the segment
+  /// Voxels with a point, and the last batch that sees it. Each is updated once a batch, so the order does not matter.
+  std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> seen_until_;
+  octomap::KeySet free_, ray_ends_;  ///< of the batch at hand
+  octomap::KeyRay ray_;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,99 @@
+#include "edgevo/occupancy/edge_ply.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "synthetic_run.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The vertex as a reader on a little-endian machine sees it.
+#pragma pack(push, 1)
+struct Vertex {
+  float xyz[3];
+  uint8_t rgb[3];
+  float idepth, idepth_sigma;
+  int32_t keyframe, observations;
+};
+#pragma pack(pop)
+
+struct Ply {
+  std::string header;
+  std::vector<Vertex> vertices;
+};
+
+Ply read_ply(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string bytes = text.str();
+  const std::string end = "end_header\n";
+  const size_t body = bytes.find(end) + end.size();
+  Ply ply{bytes.substr(0, body), {}};
+  ply.vertices.resize((bytes.size() - body) / sizeof(Vertex));
+  std::memcpy(ply.vertices.data(), bytes.data() + body, ply.vertices.size() * sizeof(Vertex));
+  EXPECT_EQ(body + ply.vertices.size() * sizeof(Vertex), bytes.size()) << "bytes left over";
+  return ply;
+}
+
+edgevo::Run two_keyframes() {
+  edgevo::Run run;
+  run.pinhole = testing::test_pinhole();
+  run.keyframes.resize(2);
+  run.keyframes[1].T_world_cam = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())), {1, 0.5, -2});
+  for (int k = 0; k < 2; ++k) {
+    EdgePoint p = testing::edge_point(run.pinhole, run.keyframes[k].T_world_cam, {0.5, -0.25, 8}, 0.02, 3 + k);
+    p.gray = uint8_t(100 + 100 * k);
+    run.keyframes[k].points = {p};
+  }
+  run.keyframes[0].points.push_back(testing::edge_point(run.pinhole, SE3(), {0, 0, 5}, 0.02, 1));  // seen once
+  return run;
+}
+
+TEST(EdgePly, HoldsThePointsZUpWithTheirProperties) {
+  const std::string path = ::testing::TempDir() + "/edgevo.ply";
+  EXPECT_EQ(write_edge_ply(two_keyframes(), PointFilter(), path), 2);
+  const Ply ply = read_ply(path);
+  ASSERT_EQ(ply.vertices.size(), 2u);
+  EXPECT_THAT(ply.header, HasSubstr("format binary_little_endian 1.0\n"));
+  EXPECT_THAT(ply.header, HasSubstr("element vertex 2\n"));
+  for (int k = 0; k < 2; ++k) {
+    const Vertex& v = ply.vertices[size_t(k)];
+    EXPECT_NEAR(v.xyz[0], 8, 1e-4);      // forward
+    EXPECT_NEAR(v.xyz[1], -0.5, 1e-4);   // left
+    EXPECT_NEAR(v.xyz[2], 0.25, 1e-4);   // up
+    EXPECT_EQ(v.rgb[0], 100 + 100 * k);
+    EXPECT_EQ(v.rgb[2], 100 + 100 * k);
+    EXPECT_EQ(v.keyframe, k);
+    EXPECT_EQ(v.observations, 3 + k);
+    EXPECT_NEAR(v.idepth_sigma / v.idepth, 0.02, 1e-5);
+  }
+}
+
+TEST(EdgePly, HeaderTellsTheUnit) {
+  const std::string path = ::testing::TempDir() + "/edgevo_unit.ply";
+  edgevo::Run run = two_keyframes();
+  write_edge_ply(run, PointFilter(), path);
+  EXPECT_THAT(read_ply(path).header, HasSubstr("comment unit: arbitrary"));
+  run.scale_source = "odometry";
+  write_edge_ply(run, PointFilter(), path);
+  EXPECT_THAT(read_ply(path).header, HasSubstr("comment unit: metre (scale from odometry)"));
+}
+
+TEST(EdgePly, EmptyRunGivesAFileWithoutVertices) {
+  const std::string path = ::testing::TempDir() + "/edgevo_empty.ply";
+  EXPECT_EQ(write_edge_ply(edgevo::Run(), PointFilter(), path), 0);
+  const Ply ply = read_ply(path);
+  EXPECT_THAT(ply.header, HasSubstr("element vertex 0\n"));
+  EXPECT_TRUE(ply.vertices.empty());
+}
+
+}  // namespace
+}  // namespace edgevo

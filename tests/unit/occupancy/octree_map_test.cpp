@@ -1,0 +1,239 @@
+#include "edgevo/occupancy/octree_map.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <octomap/OcTree.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "edgevo/core/error.h"
+#include "synthetic_run.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::pole_and_wall;
+
+OccupancyParams fixed_size(const char* resolution = "0.1") {
+  OccupancyParams params;
+  params.resolution = resolution;
+  params.max_range = "15";
+  return params;
+}
+
+octomap::point3d in_map(const edgevo::Run& run, const Eigen::Vector3d& p_world) {
+  const Eigen::Vector3d p = T_map_world(run) * p_world;
+  return {float(p.x()), float(p.y()), float(p.z())};
+}
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+enum class Voxel { kUnknown, kFree, kOccupied };
+
+Voxel at(const octomap::OcTree& tree, const edgevo::Run& run, const Eigen::Vector3d& p_world) {
+  const auto* node = tree.search(in_map(run, p_world));
+  if (!node) return Voxel::kUnknown;
+  return tree.isNodeOccupied(node) ? Voxel::kOccupied : Voxel::kFree;
+}
+
+double occupied_share(const octomap::OcTree& tree, const edgevo::Run& run, const std::vector<Eigen::Vector3d>& points) {
+  int n = 0;
+  for (const auto& p : points) n += at(tree, run, p) == Voxel::kOccupied;
+  return double(n) / double(points.size());
+}
+
+TEST(OctreeMap, EndpointsAreOccupiedRaysAreFreeTheRestIsUnknown) {
+  const auto scene = pole_and_wall(1, 5);
+  const OctreeMap map(scene.run, fixed_size());
+  EXPECT_EQ(occupied_share(map.tree(), scene.run, scene.wall), 1.0);
+  EXPECT_EQ(at(map.tree(), scene.run, {0, 0, 2}), Voxel::kFree);
+  EXPECT_EQ(at(map.tree(), scene.run, {0, 0, 12}), Voxel::kUnknown) << "behind the wall";
+  EXPECT_EQ(at(map.tree(), scene.run, {0, -5, 2}), Voxel::kUnknown) << "outside the view";
+}
+
+// In each of ten keyframes, rays to the wall cross every voxel of the pole; eight keyframes matched the pole.
+TEST(OctreeMap, ThinEdgeSurvivesTheRaysOfManyKeyframes) {
+  const auto scene = pole_and_wall(10, 8);
+  const OctreeMap map(scene.run, fixed_size());
+  EXPECT_GE(occupied_share(map.tree(), scene.run, scene.pole), 0.95);
+  EXPECT_EQ(occupied_share(map.tree(), scene.run, scene.wall), 1.0);
+}
+
+// The other side of the same coin: an edge that is not there (seen twice, then looked through) goes away.
+TEST(OctreeMap, WrongPointsAreCarvedAway) {
+  const auto scene = pole_and_wall(10, 2);
+  const OctreeMap map(scene.run, fixed_size());
+  EXPECT_EQ(occupied_share(map.tree(), scene.run, scene.pole), 0.0);
+}
+
+TEST(OctreeMap, UncertainPointsCarveNothing) {
+  auto scene = pole_and_wall(1, 5);
+  for (EdgePoint& p : scene.run.keyframes[0].points) p.idepth_sigma = 0.1f * p.idepth;
+  const OctreeMap map(scene.run, fixed_size());
+  EXPECT_EQ(map.stats().rays, 0);
+  EXPECT_EQ(map.stats().free_leaves, 0);
+  EXPECT_GT(map.stats().occupied_leaves, 500);
+}
+
+TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
+  edgevo::Run run;
+  run.pinhole = testing::test_pinhole();
+  run.keyframes.resize(1);
+  run.keyframes[0].points = {testing::edge_point(run.pinhole, SE3(), {0.05, 0.05, 10}, 0.04, 5)};
+  const OctreeMap map(run, fixed_size());  // three sigmas: 1.2
+  EXPECT_EQ(at(map.tree(), run, {0.05 * 0.86, 0.05 * 0.86, 8.6}), Voxel::kFree);
+  EXPECT_EQ(at(map.tree(), run, {0.05 * 0.9, 0.05 * 0.9, 9.0}), Voxel::kUnknown);
+  EXPECT_EQ(at(map.tree(), run, {0.05, 0.05, 10}), Voxel::kOccupied);
+}
+
+TEST(OctreeMap, NothingIsMappedBeyondTheRange) {
+  const auto scene = pole_and_wall(1, 5);
+  OccupancyParams params = fixed_size();
+  params.max_range = "7";
+  const OctreeMap map(scene.run, params);
+  EXPECT_EQ(occupied_share(map.tree(), scene.run, scene.wall), 0.0);
+  EXPECT_EQ(map.stats().beyond_range, int(scene.wall.size()));
+  EXPECT_EQ(at(map.tree(), scene.run, {0, 0, 6.5}), Voxel::kFree) << "rays carve up to the range";
+  EXPECT_EQ(at(map.tree(), scene.run, {0, 0, 7.5}), Voxel::kUnknown);
+}
+
+// A second segment whose scale went wrong sees a wall behind that of the first.
+TEST(OctreeMap, SegmentsDoNotEraseEachOther) {
+  auto first = pole_and_wall(1, 3);
+  auto second = pole_and_wall(12, 3);
+  edgevo::Run run = first.run;
+  for (KeyframeRecord keyframe : second.run.keyframes) {
+    keyframe.segment = 1;
+    keyframe.points.clear();
+    for (const auto& p : second.wall)
+      keyframe.points.push_back(testing::edge_point(run.pinhole, keyframe.T_world_cam, 1.3 * p, 0.01, 4));
+    run.keyframes.push_back(keyframe);
+  }
+  EXPECT_EQ(occupied_share(OctreeMap(run, fixed_size()).tree(), run, first.wall), 1.0);
+  for (KeyframeRecord& keyframe : run.keyframes) keyframe.segment = 0;
+  EXPECT_LT(occupied_share(OctreeMap(run, fixed_size()).tree(), run, first.wall), 0.9)
+      << "in one segment those rays do count, or this test shows nothing";
+}
+
+TEST(OctreeMap, SizesFollowTheMedianDepth) {
+  const auto scene = pole_and_wall(2, 5);
+  const OctreeMap map(scene.run, OccupancyParams());
+  EXPECT_NEAR(map.stats().median_depth, 10, 0.1);
+  EXPECT_NEAR(map.stats().resolution, 0.2, 1e-12);
+  EXPECT_NEAR(map.tree().getResolution(), 0.2, 1e-12);
+  EXPECT_NEAR(map.stats().max_range, 20, 1e-9);
+}
+
+TEST(OctreeMap, BothFilesReadBackTheSame) {
+  const auto scene = pole_and_wall(3, 5);
+  const OctreeMap map(scene.run, fixed_size());
+  const std::string prefix = ::testing::TempDir() + "/edgevo_reload";
+  map.write_bt(prefix + ".bt");
+  map.write_ot(prefix + ".ot");
+  octomap::OcTree bt(prefix + ".bt");
+  std::unique_ptr<octomap::AbstractOcTree> read(octomap::AbstractOcTree::read(prefix + ".ot"));
+  const auto* ot = dynamic_cast<const octomap::OcTree*>(read.get());
+  ASSERT_NE(ot, nullptr);
+  EXPECT_EQ(ot->getNumLeafNodes(), map.tree().getNumLeafNodes());
+  for (const octomap::OcTree* tree : {&std::as_const(bt), ot}) {
+    EXPECT_NEAR(tree->getResolution(), 0.1, 1e-12);
+    EXPECT_EQ(occupied_share(*tree, scene.run, scene.wall), 1.0);
+    EXPECT_EQ(occupied_share(*tree, scene.run, scene.pole), 1.0);
+    EXPECT_EQ(at(*tree, scene.run, {0, 0, 2}), Voxel::kFree);
+    EXPECT_EQ(at(*tree, scene.run, {0, 0, 12}), Voxel::kUnknown);
+  }
+}
+
+TEST(OctreeMap, EmptyRunGivesValidEmptyFiles) {
+  const OctreeMap map(edgevo::Run{}, OccupancyParams{});
+  EXPECT_EQ(map.tree().size(), 0u);
+  EXPECT_GT(map.stats().resolution, 0);
+  const std::string prefix = ::testing::TempDir() + "/edgevo_empty";
+  map.write_bt(prefix + ".bt");
+  map.write_ot(prefix + ".ot");
+  octomap::OcTree bt(0.5);
+  EXPECT_TRUE(bt.readBinary(prefix + ".bt"));
+  EXPECT_EQ(bt.size(), 0u);
+  std::unique_ptr<octomap::AbstractOcTree> ot(octomap::AbstractOcTree::read(prefix + ".ot"));
+  ASSERT_NE(ot, nullptr);
+  EXPECT_EQ(ot->size(), 0u);
+}
+
+TEST(OctreeMap, SameRunSameBytesWithoutAWordOnStderr) {
+  const auto scene = pole_and_wall(5, 5);
+  const std::string path = ::testing::TempDir() + "/edgevo_same.ot";
+  const auto bytes = [&] {
+    OctreeMap(scene.run, OccupancyParams()).write_ot(path);
+    return content(path);
+  };
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(bytes(), bytes());
+  OctreeMap(scene.run, OccupancyParams()).write_bt(path);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(OctreeMap, HeadersTellTheUnit) {
+  auto scene = pole_and_wall(1, 5);
+  const std::string path = ::testing::TempDir() + "/edgevo_unit.bt";
+  OctreeMap(scene.run, OccupancyParams()).write_bt(path);
+  EXPECT_THAT(content(path), HasSubstr("# unit: arbitrary"));
+  scene.run.scale_source = "gps";
+  OctreeMap(scene.run, OccupancyParams()).write_bt(path);
+  EXPECT_THAT(content(path), HasSubstr("# unit: metre (scale from gps)"));
+}
+
+TEST(OctreeMap, FullDiskIsTold) {
+  const OctreeMap map(pole_and_wall(1, 5).run, fixed_size());
+  try {
+    map.write_bt("/dev/full");
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("No space left on device"));
+  }
+}
+
+TEST(OctreeMap, PointsOutOfTheTreeAreCountedNotCarved) {
+  edgevo::Run run;
+  run.pinhole = testing::test_pinhole();
+  run.keyframes.resize(1);
+  run.keyframes[0].T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 1e6));
+  run.keyframes[0].points = {testing::edge_point(run.pinhole, run.keyframes[0].T_world_cam, {0, 0, 1e6 + 5}, 0.01, 5)};
+  const OctreeMap map(run, fixed_size());
+  EXPECT_EQ(map.stats().out_of_bounds, 1);
+  EXPECT_EQ(map.tree().size(), 0u);
+}
+
+TEST(OccupancyParams, TellsWhatALengthMayBe) {
+  OccupancyParams params;
+  for (const char* bad : {"", "0", "-1", "0.2m", "nan", "inf", "small"}) {
+    params.resolution = bad;
+    EXPECT_THROW(params.check(), InputError) << bad;
+  }
+  params.resolution = "0.25";
+  params.check();
+  EXPECT_EQ(params.given_resolution(), 0.25);
+}
+
+TEST(OccupancyParams, WrittenValuesReadBack) {
+  OccupancyParams written;
+  written.resolution = "0.3";
+  written.points.min_observations = 7;
+  const std::string text = write_params([&](ParamVisitor& v) { written.visit(v); });
+  OccupancyParams read;
+  read_params(text, "test", [&](ParamVisitor& v) { read.visit(v); });
+  EXPECT_EQ(read.resolution, "0.3");
+  EXPECT_EQ(read.max_range, "auto");
+  EXPECT_EQ(read.points.min_observations, 7);
+}
+
+}  // namespace
+}  // namespace edgevo
