@@ -1,0 +1,72 @@
+#!/bin/sh
+# Installs the distribution packages that edgevo is built from (Debian 12 names). Quiet and quick when all is there.
+#
+#   share/install_dependencies.sh            install what is missing (as root, or through sudo)
+#   share/install_dependencies.sh --list     print the package names, one a line, and do nothing
+#
+# Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
+set -eu
+
+# compiler and tools | mathematics and images | MRPT, ViSP, OctoMap | command line, JSON, tests
+PACKAGES="
+build-essential cmake ninja-build pkg-config git ca-certificates
+libeigen3-dev libopencv-dev libceres-dev
+libmrpt-maps-dev libmrpt-hwdrivers-dev libmrpt-gui-dev mrpt-apps libvisp-dev liboctomap-dev octomap-tools
+libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev
+"
+
+fail() {
+  echo "install_dependencies.sh: $1" >&2
+  exit 2
+}
+
+is_installed() {
+  [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+missing_packages() {
+  for package in $PACKAGES; do
+    is_installed "$package" || echo "$package"
+  done
+}
+
+# Debian 12 is what edgevo is developed on; what is newer may work.
+check_system() {
+  [ -r /etc/os-release ] || fail "this system is not known (no /etc/os-release); edgevo needs Debian 12 or newer"
+  . /etc/os-release
+  case "${ID:-unknown} ${VERSION_ID:-testing}" in
+    "debian 12") ;;
+    "debian 1"[3-9] | "debian testing" | "ubuntu 2"[3-9].*)
+      echo "install_dependencies.sh: edgevo was tried on Debian 12 only, not on ${PRETTY_NAME:-this system}" >&2 ;;
+    *) fail "${PRETTY_NAME:-this system} is not known; edgevo needs Debian 12 or newer. Packages: see --list" ;;
+  esac
+}
+
+run_as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null; then
+    sudo "$@"
+  else
+    fail "neither root nor sudo; ask an administrator for: apt-get install --no-install-recommends $missing"
+  fi
+}
+
+apt() {
+  run_as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 "$@" >/dev/null ||
+    fail "apt-get $1 failed; see the lines above, and check the network and /etc/apt"
+}
+
+if [ "${1:-}" = --list ]; then
+  printf '%s\n' $PACKAGES
+  exit 0
+fi
+[ $# -eq 0 ] || fail "unknown option $1; see the head of this script"
+
+command -v dpkg-query >/dev/null || { check_system; fail "dpkg-query is missing"; }
+missing=$(missing_packages | tr '\n' ' ')
+[ -z "$missing" ] && exit 0
+check_system
+echo "Installing: $missing" >&2
+apt update
+apt install -y --no-install-recommends $missing
