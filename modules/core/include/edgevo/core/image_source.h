@@ -24,8 +24,12 @@ class ImageSource {
   virtual std::optional<int> size() const = 0;
   /// "KITTI odometry", "rawlog", ...; for `edgevo info` and summary.yaml.
   virtual std::string kind() const = 0;
+  /// The name of this camera in its source, such as the sensor label of a rawlog; empty where cameras have no names.
+  virtual std::string label() const { return {}; }
   /// What else `edgevo info` should tell, as name and value.
   virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
+  /// The times of all frames, where they are known without decoding the images; else empty.
+  virtual std::vector<Timestamp> times() const { return {}; }
   /// Ground truth in the TUM format lying beside the images; empty if there is none.
   virtual std::string ground_truth_path() const { return {}; }
 

@@ -1,0 +1,49 @@
+#include "edgevo/mrpt_bridge/image_file.h"
+
+#include <fstream>
+#include <iterator>
+#include <opencv2/imgcodecs.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "gray_conversion.h"
+#include "image_integrity.h"
+
+namespace edgevo {
+namespace {
+
+constexpr const char* kReplaceImage = "restore the image or leave the frame out with --frames A:B";
+
+std::string read_bytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw InputError(path, "the image cannot be read", kReplaceImage);
+  return bytes;
+}
+
+cv::Mat decode(const std::string& bytes) try {
+  const cv::Mat encoded(1, int(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
+  return cv::imdecode(encoded, cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION);
+} catch (const cv::Exception&) {
+  return {};
+}
+
+}  // namespace
+
+GrayImage read_gray_image(const std::string& path) {
+  const std::string bytes = read_bytes(path);
+  const std::string damage = image_damage(bytes);
+  if (!damage.empty()) throw InputError(path, "the image does not decode: " + damage, kReplaceImage);
+  const cv::Mat pixels = decode(bytes);
+  if (pixels.empty()) throw InputError(path, "the image does not decode", kReplaceImage);
+  return to_gray(pixels, path);
+}
+
+void write_png(const std::string& path, const GrayImage& image) {
+  const cv::Mat pixels(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
+  std::vector<uint8_t> encoded;
+  cv::imencode(".png", pixels, encoded);
+  write_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
+}
+
+}  // namespace edgevo

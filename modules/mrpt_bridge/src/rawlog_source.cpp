@@ -1,0 +1,156 @@
+#include "edgevo/mrpt_bridge/rawlog_source.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/image_file.h"
+#include "edgevo/mrpt_bridge/rawlog_reader.h"
+#include "edgevo/mrpt_bridge/rawlog_writer.h"
+#include "rawlog_camera.h"
+#include "rawlog_images_folder.h"
+#include "rawlog_survey.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> labels(const RawlogSurvey& survey) {
+  std::vector<std::string> result;
+  for (const SurveyedCamera& camera : survey.cameras) result.push_back(camera.label);
+  return result;
+}
+
+const SurveyedCamera& choose_camera(const RawlogSurvey& survey, const RawlogSourceOptions& options) {
+  if (survey.cameras.empty() && !survey.damage.empty()) throw InputError(survey.damage, "no image came before", "");
+  if (survey.cameras.empty())
+    throw InputError(options.path, "no image in it",
+                     "record CObservationImage, CObservationStereoImages or CObservation3DRangeScan with intensity");
+  if (options.sensor_label.empty()) {
+    if (survey.cameras.size() == 1) return survey.cameras.front();
+    throw InputError(options.path, "several cameras: " + survey.list(), "choose one with --sensor LABEL");
+  }
+  if (const SurveyedCamera* camera = survey.find(options.sensor_label)) return *camera;
+  throw InputError(options.path, "no images of the sensor '" + options.sensor_label + "'; there are " + survey.list(),
+                   "did you mean --sensor " + nearest_name(options.sensor_label, labels(survey)) + "?");
+}
+
+class RawlogSource : public ImageSource {
+ public:
+  RawlogSource(const RawlogSourceOptions& options, const RawlogSurvey& survey, const SurveyedCamera& chosen)
+      : path_(options.path),
+        survey_(survey),
+        chosen_(chosen),
+        camera_(options.camera ? *options.camera
+                               : from_mrpt(chosen.camera, path_ + ", calibration of " + chosen.label + " (or give --camera)")),
+        own_calibration_(options.camera.has_value()),
+        images_folder_(chosen.external ? find_images_folder(path_) : std::string()),
+        reader_(path_) {}
+
+  const Camera& camera() const override { return camera_; }
+  std::optional<SE3> T_vehicle_cam() const override { return chosen_.T_vehicle_cam; }
+  std::optional<int> size() const override {
+    if (!survey_.complete) return std::nullopt;
+    return int(chosen_.times.size());
+  }
+  std::string kind() const override { return "rawlog"; }
+  std::string label() const override { return chosen_.label; }
+  std::vector<std::pair<std::string, std::string>> details() const override;
+  std::vector<Timestamp> times() const override { return survey_.complete ? chosen_.times : std::vector<Timestamp>(); }
+  std::string ground_truth_path() const override {
+    const std::string beside = rawlog_stem(path_) + "_groundtruth_tum.txt";
+    std::error_code ignored;
+    return fs::exists(beside, ignored) ? beside : std::string();
+  }
+  std::optional<Frame> next() override;
+  bool skip() override {
+    if (!advance()) return false;
+    ++index_;
+    return true;
+  }
+
+ private:
+  std::optional<RawlogImage> advance();
+  Frame read(const RawlogImage& image);
+  GrayImage pixels(const mrpt::img::CImage& image, const std::string& where) const;
+
+  std::string path_;
+  RawlogSurvey survey_;
+  SurveyedCamera chosen_;
+  Camera camera_;
+  bool own_calibration_;
+  std::string images_folder_;
+  RawlogReader reader_;
+  mrpt::obs::CObservation::Ptr current_;  // keeps alive what a RawlogImage points into
+  int index_ = 0;
+  std::optional<Timestamp> previous_;
+  bool done_ = false;
+};
+
+std::vector<std::pair<std::string, std::string>> RawlogSource::details() const {
+  std::vector<std::pair<std::string, std::string>> result;
+  result.emplace_back("sensor", chosen_.label + " (" + chosen_.kind + ")");
+  result.emplace_back("all cameras", survey_.list());
+  result.emplace_back("images", chosen_.external ? "external, in " + images_folder_ : "embedded");
+  std::string others;
+  for (const auto& [name, count] : survey_.others)
+    others += (others.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  if (!others.empty()) result.emplace_back("other observations", others);
+  if (!survey_.complete) result.emplace_back("note", "the rawlog is long; counted are its first 256 MB");
+  if (!survey_.damage.empty()) result.emplace_back("damage", survey_.damage);
+  return result;
+}
+
+// Moves on to the next image of the chosen camera.
+std::optional<RawlogImage> RawlogSource::advance() {
+  while (!done_) {
+    done_ = true;  // stays so if the reader throws
+    current_ = reader_.next();
+    if (!current_) break;
+    done_ = false;
+    auto image = find_image(*current_);
+    if (image && image->label == chosen_.label) return image;
+  }
+  return std::nullopt;
+}
+
+std::optional<Frame> RawlogSource::next() {
+  const auto image = advance();
+  if (!image) return std::nullopt;
+  done_ = true;  // stays so if read() throws
+  Frame frame = read(*image);
+  done_ = false;
+  ++index_;
+  return frame;
+}
+
+Frame RawlogSource::read(const RawlogImage& image) {
+  const std::string where = path_ + ", frame " + std::to_string(index_) + " of " + chosen_.label;
+  if (!image.has_time) throw InputError(where, "it has no time", "record it with a time stamp");
+  if (previous_) check_time_increases(*previous_, image.time, where);
+  if (!own_calibration_ && *image.camera != chosen_.camera)
+    throw InputError(where, "the calibration differs from that of the first frame", "give one for all with --camera");
+  Frame frame{index_, image.time, pixels(*image.image, where)};
+  check_image_size(frame.image, camera_.pinhole, where);
+  previous_ = image.time;
+  return frame;
+}
+
+GrayImage RawlogSource::pixels(const mrpt::img::CImage& image, const std::string& where) const {
+  if (!image.isExternallyStored()) return from_mrpt(image, where);
+  const fs::path file = image.getExternalStorageFile();
+  const fs::path folder = images_folder_.empty() ? find_images_folder(path_) : images_folder_;
+  return read_gray_image((folder / file).string());  // an absolute name stays what it is
+}
+
+}  // namespace
+
+std::unique_ptr<ImageSource> open_rawlog(const RawlogSourceOptions& options) {
+  const RawlogSurvey survey = survey_rawlog(options.path);
+  return std::make_unique<RawlogSource>(options, survey, choose_camera(survey, options));
+}
+
+}  // namespace edgevo

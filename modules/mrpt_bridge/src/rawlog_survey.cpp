@@ -1,0 +1,61 @@
+#include "rawlog_survey.h"
+
+#include "edgevo/core/error.h"
+#include "edgevo/mrpt_bridge/rawlog_reader.h"
+#include "gz_archive.h"
+#include "rawlog_camera.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int64_t kSurveyLimit = int64_t(256) << 20;  // bytes of the compressed file; one to two seconds
+
+void add_image(const RawlogImage& image, RawlogSurvey* survey) {
+  auto* camera = const_cast<SurveyedCamera*>(survey->find(image.label));
+  if (!camera) {
+    survey->cameras.push_back(
+        {image.label, image.kind, {}, *image.camera, image.T_vehicle_cam, image.image->isExternallyStored()});
+    camera = &survey->cameras.back();
+  }
+  camera->times.push_back(image.time);
+}
+
+}  // namespace
+
+const SurveyedCamera* RawlogSurvey::find(const std::string& label) const {
+  for (const SurveyedCamera& camera : cameras)
+    if (camera.label == label) return &camera;
+  return nullptr;
+}
+
+std::string RawlogSurvey::list() const {
+  std::string text;
+  for (const SurveyedCamera& camera : cameras)
+    text += (text.empty() ? "" : ", ") + (camera.label.empty() ? "''" : camera.label) + " (" +
+            std::to_string(camera.times.size()) + " images)";
+  return text;
+}
+
+RawlogSurvey survey_rawlog(const std::string& path) {
+  const std::string damage = gz_checksum_damage(path, kSurveyLimit);
+  if (!damage.empty()) throw InputError(path, damage, "copy the rawlog again");
+  RawlogSurvey survey;
+  RawlogReader reader(path);
+  try {
+    while (const auto observation = reader.next()) {
+      if (const auto image = find_image(*observation))
+        add_image(*image, &survey);
+      else
+        ++survey.others[observation->GetRuntimeClass()->className];
+      if (reader.position() > kSurveyLimit) {
+        survey.complete = false;
+        break;
+      }
+    }
+  } catch (const InputError& e) {
+    survey.damage = e.what();
+  }
+  return survey;
+}
+
+}  // namespace edgevo
