@@ -1,0 +1,95 @@
+// What a BaProblem must look like, and whether there is anything to solve.
+#include <cmath>
+
+#include "bundle_adjustment_window.h"
+#include "edgevo/core/error.h"
+
+namespace edgevo::ba {
+namespace {
+
+[[noreturn]] void malformed(const std::string& what, const std::string& remedy) {
+  throw InputError("bundle adjustment", what, remedy);
+}
+
+bool is_index(int i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; }
+
+void check_points(const BaProblem& problem) {
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    if (!is_index(problem.points[i].host, problem.poses.size()))
+      malformed("the host of point " + std::to_string(i) + " is not a pose", "host is an index into poses");
+}
+
+void check_observations(const BaProblem& problem) {
+  int last_point = 0;
+  for (std::size_t i = 0; i < problem.observations.size(); ++i) {
+    const BaObservation& o = problem.observations[i];
+    const std::string name = "observation " + std::to_string(i);
+    if (!is_index(o.point, problem.points.size())) malformed(name + " has no point", "point is an index into points");
+    if (!is_index(o.target, problem.poses.size())) malformed(name + " has no pose", "target is an index into poses");
+    if (o.target == problem.points[o.point].host)
+      malformed(name + " is of a point in its own host", "leave it out: it says nothing");
+    if (o.point < last_point) malformed(name + " is out of order", "sort observations by point");
+    last_point = o.point;
+  }
+}
+
+void check_prior(const BaProblem& problem) {
+  const BaPrior& prior = *problem.prior;
+  const auto n = static_cast<Eigen::Index>(6 * prior.pose_ids.size());
+  if (prior.linearization.size() != prior.pose_ids.size() || prior.H.rows() != n || prior.H.cols() != n ||
+      prior.b.size() != n)
+    malformed("the sizes of the prior disagree", "n poses need n linearisation points, a 6n x 6n H and 6n values in b");
+  for (const int id : prior.pose_ids) {
+    std::size_t found = 0;
+    for (const int pose_id : problem.pose_ids) found += pose_id == id;
+    if (found != 1)
+      malformed("the prior names pose " + std::to_string(id) + ", which pose_ids holds " + std::to_string(found) + " times",
+                "marginalise poses that leave the window");
+  }
+}
+
+bool is_finite(const BaPoint& p) { return p.ray.allFinite() && std::isfinite(p.idepth); }
+
+bool is_finite(const BaObservation& o) {
+  return o.px.allFinite() && o.normal.allFinite() && std::isfinite(o.inv_sigma_normal) &&
+         std::isfinite(o.inv_sigma_tangent);
+}
+
+bool is_finite(const BaPrior& prior) {
+  for (const SE3& T : prior.linearization)
+    if (!T.is_finite()) return false;
+  return prior.H.allFinite() && prior.b.allFinite() && std::isfinite(prior.constant);
+}
+
+}  // namespace
+
+void check_problem(const BaProblem& problem) {
+  if (!problem.pose_ids.empty() && problem.pose_ids.size() != problem.poses.size())
+    malformed("pose_ids and poses differ in size", "name every pose, or none");
+  check_points(problem);
+  check_observations(problem);
+  if (problem.prior) check_prior(problem);
+}
+
+bool is_finite(const BaProblem& problem) {
+  for (const BaPose& pose : problem.poses)
+    if (!pose.T_cam_world.is_finite()) return false;
+  for (const BaPoint& p : problem.points)
+    if (!is_finite(p)) return false;
+  for (const BaObservation& o : problem.observations)
+    if (!is_finite(o)) return false;
+  const Pinhole& c = problem.pinhole;
+  return std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy) &&
+         (!problem.prior || is_finite(*problem.prior));
+}
+
+bool has_unknowns(const BaProblem& problem) {
+  bool free_pose = false;
+  for (const BaPose& pose : problem.poses) free_pose |= !pose.fixed;
+  if (free_pose && (!problem.observations.empty() || problem.prior)) return true;
+  for (const BaObservation& o : problem.observations)
+    if (!problem.points[o.point].fixed) return true;
+  return false;
+}
+
+}  // namespace edgevo::ba

@@ -1,0 +1,59 @@
+#pragma once
+// Normal equations of a window: one pass over the observations gives the robust cost, the pose system, and the Schur
+// complement of the inverse depths.
+//
+// All sums are first taken per (host, target) pair in the target's own perturbation; since J_host = -J_target Ad(T_t_h), the
+// blocks of the world poses follow by congruence, once a pair and not once an observation.
+#include <array>
+#include <vector>
+
+#include "bundle_adjustment_window.h"
+
+namespace edgevo::ba {
+
+/// Poses' 6x6 blocks are ordered as the window's poses, fixed ones included. H and S are symmetric and full.
+struct NormalEquations {
+  double cost = 0;                         ///< sum of Huber costs
+  Eigen::MatrixXd H;                       ///< sum w J^T J over poses
+  Eigen::VectorXd b;                       ///< sum w J^T r
+  Eigen::MatrixXd S;                       ///< sum over free points E E^T / information: H - S is the Schur complement
+  Eigen::VectorXd s;                       ///< sum over free points E gradient / information
+  std::vector<double> idepth_information;  ///< per window point, sum w (dr/drho)^2
+  std::vector<double> idepth_gradient;     ///< per window point, sum w r dr/drho
+  std::vector<Vector6d> coupling;          ///< per window observation, E = sum w J_target^T dr/drho
+  std::vector<Matrix6d> adjoint;           ///< of T_target_host, host * n + target: J_host = -J_target Ad
+};
+
+/// Below this a point's depth is held: no parallax, nothing to divide by.
+constexpr double kMinIdepthInformation = 1e-12;
+
+/// Scratch of the pass, kept between iterations so that the hot loop never allocates.
+class NormalEquationsBuilder {
+ public:
+  NormalEquationsBuilder(const Window& window, double huber_width);
+  void build(const State& state, NormalEquations* out);
+
+ private:
+  using Pack = Eigen::Array2d;  ///< two doubles, one register on every 64-bit target
+  struct PairSums {
+    std::array<Pack, 12> H;  ///< upper 2x2 blocks of a 6x6 matrix, row by row
+    std::array<Pack, 3> b;
+  };
+  using SchurBlock = std::array<Pack, 18>;  ///< 6x6, row by row
+
+  void reset(const State& state, NormalEquations* out);
+  void add_point(const WindowPoint& point, int host, int point_index, double idepth, NormalEquations* out);
+  void eliminate(const WindowPoint& point, int point_index, NormalEquations* out);
+  void scatter_pairs(int host, NormalEquations* out);
+  void scatter_schur(int host, NormalEquations* out);
+
+  const Window& window_;
+  double huber_width_;
+  int n_;
+  std::vector<RelativePose> relative_;  ///< host * n + target
+  std::vector<PairSums> pairs_;         ///< host * n + target
+  std::vector<SchurBlock> schur_;       ///< of the host at hand: target_row * n + target_col, row >= col
+  std::vector<Vector6d> schur_b_;       ///< of the host at hand, per target
+};
+
+}  // namespace edgevo::ba
