@@ -1,0 +1,35 @@
+#pragma once
+// MRPT objects into a gzip file (.rawlog, .simplemap, .3Dscene), every write checked.
+//
+// mrpt::io::CFileGZOutputStream ignores the result of its close, which is where a full disk shows. Each object is serialised to
+// memory first, so that an InputError of ours never passes through MRPT's code, which would rewrite it.
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/serialization/CSerializable.h>
+#include <zlib.h>
+
+#include <string>
+
+#include "edgevo/core/output_file.h"
+
+namespace edgevo {
+
+class ObjectFile {
+ public:
+  /// Throws InputError, as all of these do.
+  explicit ObjectFile(const std::string& path);
+  ~ObjectFile();
+  ObjectFile(const ObjectFile&) = delete;
+  ObjectFile& operator=(const ObjectFile&) = delete;
+
+  void write(const mrpt::serialization::CSerializable& object);
+  void close();
+
+ private:
+  void deflate_bytes(const void* bytes, size_t count, int flush);
+
+  OutputFile file_;
+  mrpt::io::CMemoryStream memory_;
+  z_stream gzip_{};
+};
+
+}  // namespace edgevo

@@ -1,0 +1,112 @@
+#include "edgevo/mrpt_bridge/playback_writer.h"
+
+#include <mrpt/obs/CObservationImage.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "edge_scan.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/image_file.h"
+#include "edgevo/mrpt_bridge/playback_pose.h"
+#include "object_file.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// MRPT looks for the images of NAME.rawlog in NAME_Images.
+constexpr const char* kImageFolder = "playback_Images";
+constexpr const char* kRawlog = "playback.rawlog";
+
+mrpt::obs::CObservationImage image_observation(const FrameRecord& frame, const std::string& file, const Camera& camera,
+                                               const SE3& T_vehicle_cam, const std::string& label) {
+  mrpt::obs::CObservationImage obs;
+  obs.timestamp = to_mrpt(frame.time);
+  obs.sensorLabel = label;
+  obs.cameraPose = to_mrpt(T_vehicle_cam);
+  obs.cameraParams = to_mrpt(camera);
+  obs.image.setExternalStorage(file);
+  return obs;
+}
+
+mrpt::obs::CObservationRobotPose pose_observation(const FrameRecord& frame, const Run& run) {
+  mrpt::obs::CObservationRobotPose obs;
+  obs.timestamp = to_mrpt(frame.time);
+  obs.sensorLabel = "EDGE_VO";
+  obs.pose = vehicle_pose_pdf(run, *frame.T_world_cam, frame.covariance);
+  return obs;
+}
+
+mrpt::obs::CObservationOdometry odometry_observation(const FrameRecord& frame, const Run& run) {
+  mrpt::obs::CObservationOdometry obs;
+  obs.timestamp = to_mrpt(frame.time);
+  obs.sensorLabel = "EDGE_VO_ODO";
+  obs.odometry = mrpt::poses::CPose2D(to_mrpt(T_map_vehicle(run, *frame.T_world_cam)));
+  return obs;
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
+  throw InputError(path.string(), "cannot be written: " + error.message(), "move it away or give another -o");
+}
+
+}  // namespace
+
+PlaybackWriter::PlaybackWriter(std::string folder, const Camera& camera, std::string sensor_label)
+    : folder_(std::move(folder)), camera_(camera), sensor_label_(std::move(sensor_label)) {
+  make_output_folder((fs::path(folder_) / kImageFolder).string());
+}
+
+void PlaybackWriter::add_frame(const Frame& frame) {
+  const std::string name = prepare_image(frame.index, ".png");
+  write_png((fs::path(folder_) / kImageFolder / name).string(), frame.image);
+  images_.emplace_back(frame.index, name);
+}
+
+void PlaybackWriter::add_frame_link(int frame_index, const std::string& image_path) {
+  const std::string name = prepare_image(frame_index, fs::path(image_path).extension().string());
+  const fs::path link = fs::path(folder_) / kImageFolder / name;
+  std::error_code error;
+  fs::create_symlink(fs::absolute(image_path), link, error);
+  if (error) fail(link, error);
+  images_.emplace_back(frame_index, name);
+}
+
+std::string PlaybackWriter::prepare_image(int frame_index, const std::string& extension) {
+  char stem[32];
+  std::snprintf(stem, sizeof stem, "frame_%06d", frame_index);
+  const std::string name = stem + extension;
+  // A link that an earlier run left must go, or writing through it would change the image of the source.
+  const fs::path path = fs::path(folder_) / kImageFolder / name;
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) fail(path, error);
+  return name;
+}
+
+void PlaybackWriter::finish(const Run& run, const PointFilter& filter) const {
+  const SE3 T_vehicle_cam = T_map_world(run);
+  const std::map<int, std::string> images(images_.begin(), images_.end());
+  std::map<int, const KeyframeRecord*> keyframes;
+  for (const KeyframeRecord& keyframe : run.keyframes) keyframes[keyframe.frame_index] = &keyframe;
+
+  ObjectFile out((fs::path(folder_) / kRawlog).string());
+  for (const FrameRecord& frame : run.frames) {
+    if (const auto image = images.find(frame.index); image != images.end())
+      out.write(image_observation(frame, image->second, camera_, T_vehicle_cam, sensor_label_));
+    if (!frame.T_world_cam || !frame.T_world_cam->is_finite()) continue;
+    out.write(pose_observation(frame, run));
+    out.write(odometry_observation(frame, run));
+    if (const auto keyframe = keyframes.find(frame.index); keyframe != keyframes.end())
+      out.write(*make_edge_scan(*keyframe->second, run.pinhole, filter, T_vehicle_cam));
+  }
+  out.close();
+}
+
+}  // namespace edgevo

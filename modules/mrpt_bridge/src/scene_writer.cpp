@@ -1,0 +1,146 @@
+#include "edgevo/mrpt_bridge/scene_writer.h"
+
+#include <mrpt/img/color_maps.h>
+#include <mrpt/opengl/CGridPlaneXY.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CPointCloudColoured.h>
+#include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/stock_objects.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+#include "object_file.h"
+
+namespace edgevo {
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+
+constexpr std::array<std::array<uint8_t, 3>, 5> kSegmentColours = {
+    {{230, 60, 40}, {40, 120, 230}, {40, 170, 80}, {200, 120, 20}, {150, 60, 190}}};
+
+mrpt::img::TColor segment_colour(int segment) {
+  const auto& c = kSegmentColours[size_t(std::max(segment, 0)) % kSegmentColours.size()];
+  return {c[0], c[1], c[2]};
+}
+
+void append_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, mrpt::opengl::CSetOfLines* lines) {
+  lines->appendLine(a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
+}
+
+mrpt::opengl::CSetOfLines::Ptr make_lines(const mrpt::img::TColor& colour, float width, const std::string& name) {
+  auto lines = mrpt::opengl::CSetOfLines::Create();
+  lines->setColor_u8(colour);
+  lines->setLineWidth(width);
+  lines->setName(name);
+  return lines;
+}
+
+void add_trajectory(const Run& run, mrpt::opengl::COpenGLScene* scene) {
+  const SE3 T_map = T_map_world(run);
+  std::map<int, std::vector<Eigen::Vector3d>> by_segment;
+  for (const FrameRecord& frame : run.frames)
+    if (frame.T_world_cam && frame.T_world_cam->is_finite())
+      by_segment[frame.segment].push_back(T_map * frame.T_world_cam->translation());
+  for (const auto& [segment, positions] : by_segment) {
+    auto lines = make_lines(segment_colour(segment), 2, "trajectory " + std::to_string(segment));
+    for (size_t i = 1; i < positions.size(); ++i) append_line(positions[i - 1], positions[i], lines.get());
+    scene->insert(lines);
+  }
+}
+
+// The frame of a camera's image at the distance `size`, and the four edges to it.
+void append_frustum(const SE3& T_map_cam, const Pinhole& pinhole, double size, mrpt::opengl::CSetOfLines* lines) {
+  const double right = pinhole.width - 1, bottom = pinhole.height - 1;
+  std::array<Eigen::Vector3d, 4> corners = {pinhole.ray({0, 0}), pinhole.ray({right, 0}), pinhole.ray({right, bottom}),
+                                            pinhole.ray({0, bottom})};
+  for (Eigen::Vector3d& corner : corners) corner = T_map_cam * Eigen::Vector3d(size * corner);
+  for (size_t i = 0; i < 4; ++i) {
+    append_line(corners[i], corners[(i + 1) % 4], lines);
+    append_line(T_map_cam.translation(), corners[i], lines);
+  }
+}
+
+void add_frusta(const Run& run, double size, mrpt::opengl::COpenGLScene* scene) {
+  const SE3 T_map = T_map_world(run);
+  auto lines = make_lines(mrpt::img::TColor(90, 90, 90), 1, "keyframes");
+  for (const KeyframeRecord& keyframe : run.keyframes)
+    if (keyframe.T_world_cam.is_finite()) append_frustum(T_map * keyframe.T_world_cam, run.pinhole, size, lines.get());
+  scene->insert(lines);
+}
+
+struct Cloud {
+  Points points;             ///< world of the map files
+  std::vector<float> depth;  ///< in the host camera
+};
+
+Cloud gather(const Run& run, const PointFilter& filter, int max_points) {
+  const SE3 T_map = T_map_world(run);
+  const int kept = count_points(run, filter).kept;
+  const int step = std::max(1, (kept + max_points - 1) / max_points);
+  Cloud cloud;
+  int n = 0;
+  for (const KeyframeRecord& keyframe : run.keyframes) {
+    const SE3 T_map_cam = T_map * keyframe.T_world_cam;
+    if (!T_map_cam.is_finite()) continue;
+    for (const EdgePoint& p : keyframe.points) {
+      if (!filter.keeps(p) || n++ % step != 0) continue;
+      cloud.points.push_back((T_map_cam * point_in_camera(run.pinhole, p)).cast<float>());
+      cloud.depth.push_back(1 / p.idepth);
+    }
+  }
+  return cloud;
+}
+
+/// Value at `share` of the sorted order; 0 for nothing.
+float percentile(std::vector<float> values, double share) {
+  if (values.empty()) return 0;
+  const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+void add_cloud(const Cloud& cloud, mrpt::opengl::COpenGLScene* scene) {
+  std::vector<float> heights;
+  for (const auto& p : cloud.points) heights.push_back(p.z());
+  const float low = percentile(heights, 0.05), high = percentile(heights, 0.95);
+  const float span = std::max(high - low, 1e-6f);
+  auto object = mrpt::opengl::CPointCloudColoured::Create();
+  object->setName("edges");
+  object->setPointSize(2);
+  for (const auto& p : cloud.points) {
+    float r = 0, g = 0, b = 0;
+    mrpt::img::colormap(mrpt::img::cmJET, std::clamp((p.z() - low) / span, 0.f, 1.f), r, g, b);
+    object->push_back(p.x(), p.y(), p.z(), r, g, b);
+  }
+  scene->insert(object);
+}
+
+void add_ground(mrpt::opengl::COpenGLScene* scene) {
+  auto grid = mrpt::opengl::CGridPlaneXY::Create(-20, 20, -20, 20, 0, 1);
+  grid->setColor_u8(mrpt::img::TColor(200, 200, 200));
+  scene->insert(grid);
+  scene->insert(mrpt::opengl::stock_objects::CornerXYZSimple(1.0f));
+}
+
+}  // namespace
+
+void write_scene(const Run& run, const PointFilter& filter, const std::string& path, const SceneOptions& options) {
+  // Frusta of a fiftieth of the median depth can be told apart in most maps and do not hide the edges.
+  constexpr float kFrustumShare = 0.02f;
+  const Cloud cloud = gather(run, filter, std::max(options.max_points, 1));
+  mrpt::opengl::COpenGLScene scene;
+  add_ground(&scene);
+  add_cloud(cloud, &scene);
+  add_trajectory(run, &scene);
+  const float depth = percentile(cloud.depth, 0.5);
+  add_frusta(run, double(depth > 0 ? kFrustumShare * depth : kFrustumShare), &scene);
+  ObjectFile out(path);
+  out.write(scene);
+  out.close();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,68 @@
+#include "edgevo/mrpt_bridge/scene_writer.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CPointCloudColoured.h>
+#include <mrpt/opengl/CSetOfLines.h>
+
+#include "edgevo/core/error.h"
+#include "playback_test_run.h"
+
+namespace edgevo {
+namespace {
+
+class SceneWriterTest : public testing::FolderTest {
+ protected:
+  mrpt::opengl::COpenGLScene written(const edgevo::Run& run, const SceneOptions& options = {}) const {
+    write_scene(run, PointFilter(), path("scene.3Dscene"), options);
+    mrpt::opengl::COpenGLScene scene;
+    EXPECT_TRUE(scene.loadFromFile(path("scene.3Dscene")));
+    return scene;
+  }
+  template <class T>
+  static std::shared_ptr<T> object(mrpt::opengl::COpenGLScene& scene, const std::string& name) {
+    return std::dynamic_pointer_cast<T>(scene.getByName(name));
+  }
+};
+
+TEST_F(SceneWriterTest, HoldsTrajectoryKeyframesAndEdges) {
+  auto scene = written(testing::small_run());
+  const auto trajectory = object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0");
+  const auto keyframes = object<mrpt::opengl::CSetOfLines>(scene, "keyframes");
+  const auto edges = object<mrpt::opengl::CPointCloudColoured>(scene, "edges");
+  ASSERT_TRUE(trajectory && keyframes && edges);
+  EXPECT_EQ(trajectory->size(), 6u);    // seven poses
+  EXPECT_EQ(keyframes->size(), 3u * 8);
+  ASSERT_EQ(edges->size(), 15u);
+  const auto p = edges->getPoint3Df(1);
+  EXPECT_NEAR(p.x, 7, 1e-4);      // forward
+  EXPECT_NEAR(p.y, -0.5, 1e-4);   // left
+  EXPECT_NEAR(p.z, -0.25, 1e-4);  // up
+}
+
+TEST_F(SceneWriterTest, SegmentsAreNotJoinedByALine) {
+  edgevo::Run run = testing::small_run();
+  for (size_t i = 4; i < run.frames.size(); ++i) run.frames[i].segment = 1;
+  auto scene = written(run);
+  EXPECT_EQ(object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0")->size(), 2u);
+  EXPECT_EQ(object<mrpt::opengl::CSetOfLines>(scene, "trajectory 1")->size(), 3u);
+}
+
+TEST_F(SceneWriterTest, ManyPointsAreThinnedOut) {
+  SceneOptions options;
+  options.max_points = 4;
+  auto scene = written(testing::small_run(), options);
+  EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 4u);
+}
+
+TEST_F(SceneWriterTest, EmptyRunGivesAScene) {
+  auto scene = written(edgevo::Run());
+  EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 0u);
+}
+
+TEST_F(SceneWriterTest, FullDiskIsTold) {
+  EXPECT_THROW(write_scene(testing::small_run(), PointFilter(), "/dev/full"), InputError);
+}
+
+}  // namespace
+}  // namespace edgevo
