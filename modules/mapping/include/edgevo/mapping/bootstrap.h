@@ -1,0 +1,57 @@
+#pragma once
+// Two-view bootstrap: corners are followed from the first view until their parallax allows an essential matrix; the frames in
+// between are placed by PnP. Says at every frame why it is not ready yet.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgevo/core/se3.h"
+#include "edgevo/core/timestamp.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/mapping/mapping_params.h"
+
+namespace edgevo {
+
+/// A frame of the bootstrap with its pose; the first view is the origin.
+struct BootstrapView {
+  int frame_index = 0;
+  Timestamp time;
+  std::shared_ptr<const FramePyramid> pyramid;  ///< empty for frames whose image was not kept
+  SE3 T_cam_first;
+  bool placed = false;                          ///< false: PnP failed, no pose
+};
+
+/// A corner triangulated from the two views, in the first camera.
+struct BootstrapCorner {
+  Eigen::Vector2d px_first, px_last;
+  double idepth_first = 0, idepth_last = 0;
+};
+
+struct BootstrapResult {
+  std::vector<BootstrapView> views;   ///< all frames from the first view to the last
+  std::vector<BootstrapCorner> corners;
+  double parallax_deg = 0;            ///< median
+};
+
+struct BootstrapStatus {
+  std::optional<BootstrapResult> result;
+  std::string reason;                 ///< why there is no result yet, a short sentence
+};
+
+class Bootstrap {
+ public:
+  Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);
+  ~Bootstrap();
+
+  /// Next frame. Corners are followed on histogram-equalised images, so that a changing exposure does no harm.
+  [[nodiscard]] BootstrapStatus add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid);
+  /// Forgets everything.
+  void reset();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace edgevo

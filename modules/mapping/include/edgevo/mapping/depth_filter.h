@@ -1,0 +1,103 @@
+#pragma once
+// Depth of edge points: search along the epipolar line among edges of compatible direction, fuse as Gaussians with a count of
+// outliers, smooth along the edge.
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+#include "edgevo/association/association_params.h"
+#include "edgevo/core/random.h"
+#include "edgevo/mapping/keyframe.h"
+#include "edgevo/mapping/mapping_params.h"
+
+namespace edgevo {
+
+/// Where the inverse depth of a new point may lie.
+struct IdepthRange {
+  double low = 0, high = 0;
+};
+
+enum class EpipolarOutcome {
+  kFound,
+  kNoBaseline,     ///< the segment is too short to tell anything
+  kOutOfView,
+  kNoMatch,        ///< no edge of compatible direction looks alike
+  kAmbiguous,      ///< two places look alike
+};
+
+struct EpipolarMatch {
+  EpipolarOutcome outcome = EpipolarOutcome::kNoMatch;
+  double idepth = 0, idepth_sigma = 0;
+  Eigen::Vector2d px;
+};
+
+/// Looks for the host point in the target image over the inverse depths of `range`.
+EpipolarMatch search_epipolar(const FramePyramid& host, const FramePyramid& target, const Eigen::Vector2d& px_host,
+                              const Eigen::Vector2d& normal_host, const SE3& T_target_host, const IdepthRange& range,
+                              const DepthFilterParams& params, const AssociationParams& association);
+
+/// Inverse depth at which the ray (rotated into the target: R x) meets target pixel `px`, using the image axis along which the
+/// epipolar line runs; not finite where there is no baseline.
+double triangulate_idepth(const Pinhole& camera, const Eigen::Vector3d& rotated_ray, const Eigen::Vector3d& t,
+                          const Eigen::Vector2d& px, const Eigen::Vector2d& epipolar_direction);
+
+/// New immature points on the edges of `keyframe`: one a cell, none where `occupied` says so, spread by `random`. `range(px)` gives
+/// the inverse depths to search.
+template <class Range>
+std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const std::vector<bool>& occupied_cells,
+                                                const Range& range, const DepthFilterParams& params, Random* random);
+
+/// Cells of `cell_px` pixels over an image, row by row.
+struct CellGrid {
+  CellGrid(int width, int height, int cell_px)
+      : cell(cell_px), columns((width + cell_px - 1) / cell_px), rows((height + cell_px - 1) / cell_px) {}
+  int index(double x, double y) const { return int(y) / cell * columns + int(x) / cell; }
+  int size() const { return columns * rows; }
+  int cell, columns, rows;
+};
+
+/// One observation of every living immature point of `host` in a frame at T_target_host.
+void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
+                   const AssociationParams& association, Keyframe* host);
+
+/// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills points with more
+/// outliers than 2 + agreements.
+void fuse(const EpipolarMatch& measurement, ImmaturePoint* point);
+
+/// Pulls inverse depths towards those of their neighbours on the same edge that agree with them.
+void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params, std::vector<ImmaturePoint>* points);
+
+template <class Range>
+std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const std::vector<bool>& occupied_cells,
+                                                const Range& range, const DepthFilterParams& params, Random* random) {
+  const EdgeMap& edges = keyframe.pyramid->finest().edges;
+  const CellGrid grid(edges.width, edges.height, params.cell_px);
+  // Reservoir sampling: each edge pixel of a cell is equally likely to stand for it.
+  std::vector<int> chosen(grid.size(), -1), seen(grid.size(), 0);
+  for (int i = 0; i < int(edges.pixels.size()); ++i) {
+    const int c = grid.index(edges.pixels[i].x, edges.pixels[i].y);
+    if (!occupied_cells[c] && random->below(++seen[c]) == 0) chosen[c] = i;
+  }
+  std::vector<int> picked;
+  for (int i : chosen)
+    if (i >= 0) picked.push_back(i);
+  for (size_t k = picked.size(); k > 1; --k) std::swap(picked[k - 1], picked[random->below(int(k))]);
+  if (int(picked.size()) > params.max_new_points) picked.resize(params.max_new_points);
+  std::sort(picked.begin(), picked.end());
+
+  std::vector<ImmaturePoint> points;
+  points.reserve(picked.size());
+  for (int i : picked) {
+    ImmaturePoint p;
+    p.px = edges.pixels[i].position().template cast<double>();
+    p.normal = edges.pixels[i].normal().template cast<double>();
+    p.edge_pixel = i;
+    const IdepthRange r = range(p.px);
+    p.idepth = 0.5 * (r.low + r.high);
+    p.idepth_sigma = 0.25 * (r.high - r.low);  // the search covers two sigma to each side
+    points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace edgevo

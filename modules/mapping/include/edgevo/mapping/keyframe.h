@@ -1,0 +1,62 @@
+#pragma once
+// Keyframes and the edge points they host.
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "edgevo/association/associate.h"
+#include "edgevo/core/se3.h"
+#include "edgevo/core/timestamp.h"
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+
+/// A point's match in another keyframe of the window.
+struct Observation {
+  int keyframe_id = 0;
+  Match match;
+};
+
+/// An edge point with a depth good enough to track by and to adjust.
+struct MapPoint {
+  Eigen::Vector2d px;            ///< in the host image, sub-pixel
+  Eigen::Vector2d normal;        ///< unit gradient in the host image
+  double idepth = 0;             ///< 1/z in the host frame
+  double idepth_sigma = 0;
+  int edge_pixel = -1;           ///< index into the host's EdgeMap
+  std::vector<Observation> observations;  ///< ascending keyframe_id
+  int misses = 0;                ///< keyframes that should have seen it and did not
+
+  const Observation* find(int keyframe_id) const {
+    for (const Observation& o : observations)
+      if (o.keyframe_id == keyframe_id) return &o;
+    return nullptr;
+  }
+};
+
+/// An edge point whose depth is still being found.
+struct ImmaturePoint {
+  Eigen::Vector2d px, normal;
+  int edge_pixel = -1;
+  double idepth = 0, idepth_sigma = 0;
+  int good = 0, bad = 0;         ///< depth observations that agreed, and that did not
+  int age = 0;                   ///< keyframes since it was made
+  bool dead = false;
+};
+
+struct Keyframe {
+  int id = 0;                    ///< ascending over the whole run
+  int frame_index = 0;
+  Timestamp time;
+  std::shared_ptr<const FramePyramid> pyramid;
+  SE3 T_cam_world;
+  std::vector<MapPoint> points;
+  std::vector<ImmaturePoint> immature;  ///< ascending edge_pixel
+};
+
+/// Motion from keyframe `host` to keyframe `target`.
+inline SE3 relative_pose(const Keyframe& target, const Keyframe& host) {
+  return target.T_cam_world * host.T_cam_world.inverse();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,88 @@
+#pragma once
+// The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames, handing out the reference that
+// the next frames are tracked against. One thread at a time; reference() hands out immutable values.
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgevo/alignment/reference_cloud.h"
+#include "edgevo/core/random.h"
+#include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/window.h"
+
+namespace edgevo {
+
+/// What a frame is tracked against: the newest keyframe's cloud, and where the window's keyframes stand. Immutable once handed out.
+struct Reference {
+  int keyframe_id = 0;
+  SE3 T_ref_world;
+  ReferenceCloud cloud;
+  std::map<int, SE3> T_keyframe_world;  ///< of all keyframes in the window
+};
+
+struct TrackedFrame {
+  int frame_index = 0;
+  Timestamp time;
+  std::shared_ptr<const FramePyramid> pyramid;
+  int reference_id = 0;       ///< keyframe that T_cam_ref refers to
+  SE3 T_cam_ref;
+  Matrix6d covariance = Matrix6d::Zero();
+  bool make_keyframe = false;
+};
+
+/// Milliseconds of CPU time by stage.
+using StageTimes = std::vector<std::pair<std::string, double>>;
+
+struct MapUpdate {
+  int keyframe_id = -1;       ///< of the keyframe made of this frame; -1 if none
+  WindowStats stats;          ///< of the adjustment, if there was one
+  StageTimes times;
+};
+
+class Mapper {
+ public:
+  Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
+         uint64_t seed);
+
+  /// Builds the first window of a segment in the first view's frame. Returns an empty string, or why the two views make no map. Ids
+  /// of the two keyframes are then first_id() and first_id() + 1.
+  [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
+  /// One tracked frame: updates immature depths, and makes it a keyframe if asked for.
+  MapUpdate process(const TrackedFrame& frame);
+  /// Closes the segment: all keyframes retire, the window is empty.
+  void close();
+
+  std::shared_ptr<const Reference> reference() const { return reference_; }
+  const Window& window() const { return window_; }
+  int next_id() const { return next_id_; }
+  /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
+  std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }
+
+ private:
+  void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
+  void seed_points(Keyframe* keyframe);
+  void publish();
+
+  Pinhole pinhole_;
+  MappingParams params_;
+  AssociationParams association_;
+  bool gradient_patches_;
+  Random random_;
+  Window window_;
+  std::shared_ptr<const Reference> reference_;
+  std::vector<Keyframe> retired_;
+  int next_id_ = 0;
+};
+
+/// Should this frame become a keyframe?
+struct KeyframeDecision {
+  bool needed = false;
+  double flow_px = 0;        ///< rms image motion of the cloud by the translation alone
+  double view_share = 1;     ///< of the cloud, still in view
+};
+KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
+                                 int frames_since_keyframe, const KeyframeParams& params);
+
+}  // namespace edgevo

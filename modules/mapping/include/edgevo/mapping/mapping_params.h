@@ -1,0 +1,75 @@
+#pragma once
+#include <string>
+
+#include "edgevo/core/params.h"
+
+namespace edgevo {
+
+struct BootstrapParams {
+  int max_corners = 1200;
+  double min_disparity = 0.016;     ///< median, share of the image width
+  double min_parallax_deg = 0.7;    ///< median, rotation taken out
+  double ransac_px = 0.7;
+  int min_tracks = 80;
+  double min_inlier_share = 0.6;
+  int max_frames = 90;              ///< then a new first view is taken
+  double median_depth = 10.0;       ///< of the first map; this sets the arbitrary unit
+
+  void visit(ParamVisitor& v);
+};
+
+struct DepthFilterParams {
+  int max_new_points = 1200;        ///< a keyframe
+  int cell_px = 12;                 ///< one new point a cell
+  double prior_low = 0.4, prior_high = 2.5;   ///< search range around the depths seen nearby
+  double far_low = 0.02, far_high = 8.0;      ///< where none is near: times the median inverse depth
+  double min_epipolar_cosine = 0.25;
+  double min_normal_cosine = 0.7;
+  double max_edge_distance_px = 1.5;
+  double max_cost = 0.30;
+  double max_cost_ratio = 0.75;     ///< best over second best further than 2.5 px away
+  double sigma_edge_px = 0.5, sigma_epipolar_px = 0.3;
+  bool refine = true;               ///< one-dimensional refinement along the normal at the found crossing
+  int max_age_keyframes = 4;
+  double smoothing_weight = 0.3;
+  double smoothing_reach_px = 14;
+
+  void visit(ParamVisitor& v);
+};
+
+struct KeyframeParams {
+  double flow_px = 18;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
+  double min_flow_px = 4;           ///< below it no keyframe at all: standstill or pure rotation
+  double min_view_share = 0.75;
+  int max_frames = 15;
+
+  void visit(ParamVisitor& v);
+};
+
+struct WindowParams {
+  int keyframes = 7;
+  int max_points = 2000;
+  double max_projected_sigma_px = 1.5;  ///< an immature point joins below it
+  int min_matches = 2;                  ///< keyframes that must match a point before it joins
+  int activation_cell_px = 14;
+  std::string solver = "schur";
+  std::string gauge = "fixed";          ///< "fixed": two oldest poses; "prior": marginalisation prior
+  int ba_iterations = 8;
+  int ba_update_iterations = 3;         ///< after the matches were updated
+  double ba_huber = 1.5;
+  bool photometric = false;             ///< image-gradient cost in the BA, Eq. (photometricerror)
+  int max_cloud_points = 1500;
+
+  void visit(ParamVisitor& v);
+};
+
+struct MappingParams {
+  BootstrapParams bootstrap;
+  DepthFilterParams depth_filter;
+  KeyframeParams keyframe;
+  WindowParams window;
+
+  void visit(ParamVisitor& v);
+};
+
+}  // namespace edgevo

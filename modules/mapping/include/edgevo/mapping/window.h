@@ -1,0 +1,76 @@
+#pragma once
+// The sliding window of keyframes: association with a new keyframe, activation of immature points, local bundle adjustment with match
+// updates, removal of the oldest keyframe.
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "edgevo/alignment/reference_cloud.h"
+#include "edgevo/mapping/bundle_adjustment.h"
+#include "edgevo/mapping/keyframe.h"
+#include "edgevo/mapping/mapping_params.h"
+
+namespace edgevo {
+
+/// Health of the window after an adjustment; see LESSONS.md section 6 for what is normal.
+struct WindowStats {
+  int observations = 0;
+  int points = 0;
+  int matched_in_newest = 0;
+  int photometric = 0;             ///< matches with a 2-D residual
+  int fixed_depth = 0;             ///< points whose depth was held
+  double cost_per_observation = 0;
+  int updated_matches = 0;
+};
+
+class Window {
+ public:
+  Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
+
+  std::deque<Keyframe>& keyframes() { return keyframes_; }
+  const std::deque<Keyframe>& keyframes() const { return keyframes_; }
+  Keyframe& newest() { return keyframes_.back(); }
+  const Keyframe& newest() const { return keyframes_.back(); }
+  bool full() const { return int(keyframes_.size()) > params_.keyframes; }
+  int active_points() const;
+
+  void add(Keyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
+
+  /// Matches all active points with the newest keyframe; `pose_covariance` is that of its tracking. Returns the number of matches.
+  int associate_newest(const Matrix6d& pose_covariance);
+
+  /// Turns immature points into active ones where they are certain enough (at least `min_good` depth observations, `min_matches`
+  /// keyframes that match), spread over the newest image. Returns how many.
+  int activate(int min_good, int min_matches);
+
+  /// Adjusts poses and depths, updates matches that moved, adjusts again, drops what does not fit.
+  WindowStats adjust();
+
+  /// Scale of the map held by a prior on the second pose: used until the window first moves on.
+  void hold_bootstrap_scale();
+
+  /// Takes the oldest keyframe out and returns it with its points as they stand.
+  Keyframe remove_oldest();
+
+  /// The points seen in the newest keyframe, in its frame.
+  std::vector<CloudPoint> cloud() const;
+
+ private:
+  AssociationQuery query(const Keyframe& host, const MapPoint& point, const Keyframe& target) const;
+  BaProblem build_problem(std::vector<MapPoint*>* points) const;
+  void take_result(const BaProblem& problem, const BaResult& result, const std::vector<MapPoint*>& points);
+  int update_matches(const BaResult& result, const std::vector<MapPoint*>& points);
+  void drop_unfit(const BaResult& result, const std::vector<MapPoint*>& points);
+  void apply_gauge(BaProblem* problem) const;
+  bool try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches);
+
+  Pinhole pinhole_;
+  WindowParams params_;
+  AssociationParams association_;
+  std::unique_ptr<BundleAdjuster> adjuster_;
+  std::deque<Keyframe> keyframes_;
+  std::optional<BaPrior> prior_;
+  bool bootstrap_gauge_ = false;  // prior_ is that of hold_bootstrap_scale
+};
+
+}  // namespace edgevo

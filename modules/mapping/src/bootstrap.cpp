@@ -1,0 +1,246 @@
+#include "edgevo/mapping/bootstrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include "edgevo/core/random.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kMaxForwardBackwardPx = 0.7;
+constexpr size_t kMaxKeptViews = 14;  // pyramids kept between the two views; the others keep their corners only
+constexpr int kMinPnpPoints = 20;
+
+using Points = std::vector<cv::Point2f>;
+
+cv::Mat equalised(const FramePyramid& pyramid) {
+  const Plane<uint8_t>& gray = pyramid.finest().gray;
+  cv::Mat out;
+  cv::equalizeHist(cv::Mat(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0))), out);
+  return out;
+}
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0;
+  std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
+  return v[v.size() / 2];
+}
+
+cv::Mat camera_matrix(const Pinhole& p) {
+  return (cv::Mat_<double>(3, 3) << p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1);
+}
+
+SE3 to_se3(const cv::Mat& R, const cv::Mat& t) {
+  Eigen::Matrix3d rotation;
+  for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.at<double>(i / 3, i % 3);
+  return {rotation, Eigen::Vector3d(t.at<double>(0), t.at<double>(1), t.at<double>(2))};
+}
+
+std::string sentence(const char* pattern, double a, double b) {
+  char text[160];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+// Inverse depths in both cameras of a corner seen at rays a (first) and b (last); false behind a camera or without parallax.
+bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double* idepth_first,
+                 double* idepth_last) {
+  // depth_b b = depth_a R a + t, least squares over the two depths.
+  Eigen::Matrix<double, 3, 2> A;
+  A << b, -(T_last_first.R() * a);
+  const Eigen::Vector2d depth = (A.transpose() * A).ldlt().solve(A.transpose() * T_last_first.translation());
+  if (!(depth.x() > 1e-6) || !(depth.y() > 1e-6)) return false;
+  *idepth_last = 1.0 / depth.x();
+  *idepth_first = 1.0 / depth.y();
+  return true;
+}
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+struct Bootstrap::Impl {
+  Pinhole pinhole;
+  BootstrapParams params;
+  Random random{0};
+  std::vector<BootstrapView> views;
+  std::vector<Points> corners_in_view;  // for each view, where the corners still alive now were
+  cv::Mat previous;
+
+  void start(BootstrapView view, cv::Mat image) {
+    views.clear();
+    corners_in_view.clear();
+    Points corners;
+    cv::goodFeaturesToTrack(image, corners, params.max_corners, 0.005, std::max(5.0, pinhole.width / 120.0));
+    for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
+    view.placed = true;
+    views.push_back(std::move(view));
+    corners_in_view.push_back(std::move(corners));
+    previous = std::move(image);
+  }
+
+  // Follows the corners into `image`; those that fail the forward-backward check are struck out of every view.
+  void follow(BootstrapView view, cv::Mat image) {
+    const Points& from = corners_in_view.back();
+    Points to, back;
+    std::vector<uchar> ok, ok_back;
+    std::vector<float> error;
+    const cv::Size window(21, 21);
+    const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01);
+    if (!from.empty()) {
+      cv::calcOpticalFlowPyrLK(previous, image, from, to, ok, error, window, 4, stop);
+      back = from;
+      cv::calcOpticalFlowPyrLK(image, previous, to, back, ok_back, error, window, 4, stop);
+    }
+    std::vector<size_t> alive;
+    for (size_t i = 0; i < from.size(); ++i) {
+      const bool inside = to[i].x >= 0 && to[i].y >= 0 && to[i].x < pinhole.width && to[i].y < pinhole.height;
+      if (ok[i] && ok_back[i] && inside && cv::norm(back[i] - from[i]) < kMaxForwardBackwardPx) alive.push_back(i);
+    }
+    corners_in_view.push_back(std::move(to));
+    for (Points& points : corners_in_view) {
+      for (size_t k = 0; k < alive.size(); ++k) points[k] = points[alive[k]];
+      points.resize(alive.size());
+    }
+    views.push_back(std::move(view));
+    previous = std::move(image);
+    thin_views();
+  }
+
+  // Keeps memory bounded: of many views in between, every other image goes.
+  void thin_views() {
+    size_t kept = 0;
+    for (const BootstrapView& v : views) kept += v.pyramid != nullptr;
+    if (kept <= kMaxKeptViews) return;
+    bool drop = false;
+    for (size_t i = 1; i + 1 < views.size(); ++i) {
+      if (!views[i].pyramid) continue;
+      if (drop) views[i].pyramid.reset();
+      drop = !drop;
+    }
+  }
+
+  BootstrapStatus try_two_views() {
+    const Points& a = corners_in_view.front();
+    const Points& b = corners_in_view.back();
+    std::vector<double> motion;
+    for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
+    const double disparity = median(motion), needed = params.min_disparity * pinhole.width;
+    if (disparity < needed) return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on", disparity, needed)};
+    const cv::Mat K = camera_matrix(pinhole);
+    cv::Mat inliers, R, t;
+    const cv::Mat E = cv::findEssentialMat(a, b, K, cv::RANSAC, 0.999, params.ransac_px, inliers);
+    if (E.rows != 3) return {std::nullopt, "no essential matrix fits the corners"};
+    const int agreeing = cv::countNonZero(inliers);
+    if (agreeing < params.min_inlier_share * double(a.size()))
+      return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed", 100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
+    cv::recoverPose(E, a, b, K, R, t, inliers);
+    return build_result(to_se3(R, t), inliers);
+  }
+
+  BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {
+    const Points& a = corners_in_view.front();
+    const Points& b = corners_in_view.back();
+    BootstrapResult result;
+    std::vector<double> parallax, depths;
+    std::vector<int> used;
+    for (size_t i = 0; i < a.size(); ++i) {
+      if (!inliers.at<uchar>(int(i))) continue;
+      BootstrapCorner c;
+      c.px_first = {a[i].x, a[i].y};
+      c.px_last = {b[i].x, b[i].y};
+      const Eigen::Vector3d ray_a = pinhole.ray(c.px_first), ray_b = pinhole.ray(c.px_last);
+      if (!triangulate(T_last_first, ray_a, ray_b, &c.idepth_first, &c.idepth_last)) continue;
+      parallax.push_back(angle_between(T_last_first.R() * ray_a, ray_b) * 180.0 / M_PI);
+      depths.push_back(1.0 / c.idepth_first);
+      result.corners.push_back(c);
+      used.push_back(int(i));
+    }
+    if (int(used.size()) < params.min_tracks / 2)
+      return {std::nullopt, sentence("only %.0f corners lie in front of both views, %.0f needed", double(used.size()), params.min_tracks / 2.0)};
+    result.parallax_deg = median(parallax);
+    if (result.parallax_deg < params.min_parallax_deg)
+      return {std::nullopt, sentence("median parallax %.2f deg, %.2f deg needed: the motion is mostly rotation, or the scene far away", result.parallax_deg, params.min_parallax_deg)};
+    const double scale = params.median_depth / median(depths);
+    for (BootstrapCorner& c : result.corners) c.idepth_first /= scale, c.idepth_last /= scale;
+    views.back().T_cam_first = SE3(T_last_first.rotation(), T_last_first.translation() * scale);
+    views.back().placed = true;
+    place_views_between(result, used);
+    result.views = views;
+    return {std::move(result), ""};
+  }
+
+  // PnP of each view in between, from the triangulated corners.
+  void place_views_between(const BootstrapResult& result, const std::vector<int>& used) {
+    std::vector<cv::Point3f> object;
+    for (const BootstrapCorner& c : result.corners) {
+      const Eigen::Vector3d p = pinhole.ray(c.px_first) / c.idepth_first;
+      object.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+    }
+    if (int(object.size()) < kMinPnpPoints) return;
+    const Vector6d whole = views.back().T_cam_first.log();
+    for (size_t v = 1; v + 1 < views.size(); ++v) {
+      Points image;
+      for (int i : used) image.push_back(corners_in_view[v][i]);
+      const SE3 guess = SE3::exp(whole * (double(v) / double(views.size() - 1)));
+      cv::Mat R(3, 3, CV_64F), rvec, tvec(3, 1, CV_64F);
+      for (int i = 0; i < 9; ++i) R.at<double>(i / 3, i % 3) = guess.R()(i / 3, i % 3);
+      for (int i = 0; i < 3; ++i) tvec.at<double>(i) = guess.translation()[i];
+      cv::Rodrigues(R, rvec);
+      views[v].placed = cv::solvePnP(object, image, camera_matrix(pinhole), cv::noArray(), rvec, tvec, true);
+      if (!views[v].placed) continue;
+      cv::Rodrigues(rvec, R);
+      views[v].T_cam_first = to_se3(R, tvec);
+    }
+  }
+};
+
+Bootstrap::Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed) : impl_(new Impl) {
+  impl_->pinhole = pinhole;
+  impl_->params = params;
+  impl_->random = Random::derive(seed, 1);
+}
+Bootstrap::~Bootstrap() = default;
+
+void Bootstrap::reset() {
+  impl_->views.clear();
+  impl_->corners_in_view.clear();
+}
+
+BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid) {
+  cv::Mat image = equalised(*pyramid);
+  BootstrapView view;
+  view.frame_index = frame_index;
+  view.time = time;
+  view.pyramid = std::move(pyramid);
+  if (impl_->views.empty()) {
+    impl_->start(std::move(view), std::move(image));
+    const int found = int(impl_->corners_in_view.back().size());
+    if (found < impl_->params.min_tracks) {
+      reset();
+      return {std::nullopt, sentence("only %.0f corners in the image, %.0f needed", found, impl_->params.min_tracks)};
+    }
+    return {std::nullopt, "first view taken"};
+  }
+  BootstrapView again = view;
+  cv::Mat image_again = image;
+  impl_->follow(std::move(view), std::move(image));
+  const int alive = int(impl_->corners_in_view.back().size());
+  if (alive < impl_->params.min_tracks || int(impl_->views.size()) > impl_->params.max_frames) {
+    const bool few = alive < impl_->params.min_tracks;
+    impl_->start(std::move(again), std::move(image_again));
+    if (int(impl_->corners_in_view.back().size()) < impl_->params.min_tracks) reset();
+    return {std::nullopt, few ? sentence("only %.0f corners could be followed, %.0f needed; new first view", alive, impl_->params.min_tracks)
+                              : "too little motion for too long; new first view"};
+  }
+  return impl_->try_two_views();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,56 @@
+#pragma once
+// What the window already knows about depth in an image: smallest and largest inverse depth near a pixel.
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "edgevo/mapping/depth_filter.h"
+
+namespace edgevo {
+
+class IdepthPrior {
+ public:
+  IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params)
+      : params_(params), grid_(pinhole.width, pinhole.height, params.cell_px), low_(grid_.size(), kNone), high_(grid_.size(), 0) {}
+
+  void add(const Eigen::Vector2d& px, double idepth) {
+    const int c = grid_.index(px.x(), px.y());
+    low_[c] = std::min(low_[c], idepth);
+    high_[c] = std::max(high_[c], idepth);
+    all_.push_back(idepth);
+  }
+
+  bool occupied(int cell) const { return high_[cell] > 0; }
+  const CellGrid& grid() const { return grid_; }
+
+  /// Search range at `px`: around what lies in the 5x5 cells about it, else around the median of the image.
+  IdepthRange range(const Eigen::Vector2d& px) {
+    const int column = int(px.x()) / grid_.cell, row = int(px.y()) / grid_.cell;
+    double low = kNone, high = 0;
+    for (int r = std::max(0, row - 2); r <= std::min(grid_.rows - 1, row + 2); ++r)
+      for (int c = std::max(0, column - 2); c <= std::min(grid_.columns - 1, column + 2); ++c) {
+        low = std::min(low, low_[r * grid_.columns + c]);
+        high = std::max(high, high_[r * grid_.columns + c]);
+      }
+    if (high > 0) return {params_.prior_low * low, params_.prior_high * high};
+    return {params_.far_low * median(), params_.far_high * median()};
+  }
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::infinity();
+
+  double median() {
+    if (median_ == 0 && !all_.empty()) {
+      std::nth_element(all_.begin(), all_.begin() + all_.size() / 2, all_.end());
+      median_ = all_[all_.size() / 2];
+    }
+    return median_ > 0 ? median_ : 1.0;
+  }
+
+  const DepthFilterParams& params_;
+  CellGrid grid_;
+  std::vector<double> low_, high_, all_;
+  double median_ = 0;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,163 @@
+#include "edgevo/mapping/mapper.h"
+
+#include <time.h>
+
+#include <algorithm>
+
+#include "edgevo/alignment/projection.h"
+#include "idepth_prior.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kMinFirstPoints = 100;         // fewer do not make a map
+constexpr double kMaxFirstCost = 1.2;        // Huber cost an observation above which the two views do not fit
+
+double thread_cpu_ms() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
+}
+
+// Runs `work` and notes its CPU time under `name`.
+template <class Work>
+auto timed(const char* name, StageTimes* times, const Work& work) {
+  const double start = thread_cpu_ms();
+  struct Note {
+    const char* name;
+    StageTimes* times;
+    double start;
+    ~Note() { times->emplace_back(name, thread_cpu_ms() - start); }
+  } note{name, times, start};
+  return work();
+}
+
+// Search range from the triangulated corner nearest to a pixel.
+IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px,
+                       const DepthFilterParams& params) {
+  double best = std::numeric_limits<double>::infinity(), idepth = 1;
+  for (const BootstrapCorner& c : corners) {
+    const double d = ((in_last ? c.px_last : c.px_first) - px).squaredNorm();
+    if (d < best) best = d, idepth = in_last ? c.idepth_last : c.idepth_first;
+  }
+  return {params.prior_low * idepth, params.prior_high * idepth};
+}
+
+}  // namespace
+
+Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
+               bool gradient_patches, uint64_t seed)
+    : pinhole_(pinhole), params_(params), association_(association), gradient_patches_(gradient_patches),
+      random_(Random::derive(seed, 2)), window_(pinhole, params.window, association) {}
+
+std::string Mapper::initialise(const BootstrapResult& bootstrap) {
+  window_ = Window(pinhole_, params_.window, association_);
+  const BootstrapView& first = bootstrap.views.front();
+  const BootstrapView& last = bootstrap.views.back();
+  std::vector<Keyframe> pair(2);
+  for (int k = 0; k < 2; ++k) {
+    const BootstrapView& view = k == 0 ? first : last;
+    pair[k].id = next_id_ + k;
+    pair[k].frame_index = view.frame_index;
+    pair[k].time = view.time;
+    pair[k].pyramid = view.pyramid;
+    pair[k].T_cam_world = view.T_cam_first;
+    const std::vector<bool> free(CellGrid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px).size(), false);
+    pair[k].immature = make_immature_points(
+        pair[k], free, [&](const Eigen::Vector2d& px) { return range_near(bootstrap.corners, k == 1, px, params_.depth_filter); },
+        params_.depth_filter, &random_);
+  }
+  for (const BootstrapView& view : bootstrap.views) {
+    if (!view.placed || !view.pyramid) continue;
+    for (Keyframe& k : pair)
+      if (view.frame_index != k.frame_index)
+        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter, association_, &k);
+  }
+  for (Keyframe& k : pair) {
+    smooth_along_edges(k.pyramid->finest().edges, params_.depth_filter, &k.immature);
+    window_.add(std::move(k));
+  }
+  window_.hold_bootstrap_scale();
+  window_.activate(1, 1);
+  WindowStats stats = window_.adjust();
+  stats = window_.adjust();
+  if (stats.points < kMinFirstPoints)
+    return "only " + std::to_string(stats.points) + " edge points matched in the two views";
+  if (stats.cost_per_observation > kMaxFirstCost) return "the edges of the two views do not fit one rigid scene";
+  next_id_ += 2;
+  publish();
+  return {};
+}
+
+MapUpdate Mapper::process(const TrackedFrame& frame) {
+  MapUpdate update;
+  const auto& known = reference_->T_keyframe_world;
+  const auto reference_pose = known.find(frame.reference_id);
+  // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to help.
+  if (reference_pose == known.end()) return update;
+  const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
+  timed("depth_filter", &update.times, [&] {
+    for (Keyframe& host : window_.keyframes())
+      if (!host.immature.empty())
+        update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter, association_, &host);
+  });
+  if (frame.make_keyframe) make_keyframe(frame, T_cam_world, &update);
+  return update;
+}
+
+void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update) {
+  Keyframe keyframe;
+  keyframe.id = next_id_++;
+  keyframe.frame_index = frame.frame_index;
+  keyframe.time = frame.time;
+  keyframe.pyramid = frame.pyramid;
+  keyframe.T_cam_world = T_cam_world;
+  update->keyframe_id = keyframe.id;
+  window_.add(std::move(keyframe));
+
+  timed("association", &update->times, [&] { window_.associate_newest(frame.covariance); });
+  timed("activation", &update->times, [&] {
+    for (Keyframe& host : window_.keyframes())
+      smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
+    window_.activate(2, params_.window.min_matches);
+  });
+  timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
+  timed("window", &update->times, [&] {
+    if (window_.full()) retired_.push_back(window_.remove_oldest());
+    seed_points(&window_.newest());
+    publish();
+  });
+}
+
+// Drops immature points that are dead or too old, and makes new ones in the newest keyframe where the map has none.
+void Mapper::seed_points(Keyframe* keyframe) {
+  for (Keyframe& host : window_.keyframes()) {
+    auto& points = host.immature;
+    for (ImmaturePoint& p : points) p.dead |= ++p.age > params_.depth_filter.max_age_keyframes;
+    points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }), points.end());
+  }
+  IdepthPrior prior(pinhole_, params_.depth_filter);
+  for (const CloudPoint& p : window_.cloud()) prior.add(p.px.cast<double>(), p.idepth);
+  std::vector<bool> occupied(prior.grid().size());
+  for (int c = 0; c < prior.grid().size(); ++c) occupied[c] = prior.occupied(c);
+  keyframe->immature = make_immature_points(
+      *keyframe, occupied, [&](const Eigen::Vector2d& px) { return prior.range(px); }, params_.depth_filter, &random_);
+}
+
+void Mapper::publish() {
+  auto reference = std::make_shared<Reference>();
+  const Keyframe& newest = window_.newest();
+  reference->keyframe_id = newest.id;
+  reference->T_ref_world = newest.T_cam_world;
+  reference->cloud = make_reference_cloud(newest.pyramid, window_.cloud(), gradient_patches_);
+  for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
+  reference_ = std::move(reference);
+}
+
+void Mapper::close() {
+  for (Keyframe& k : window_.keyframes()) retired_.push_back(std::move(k));
+  window_.keyframes().clear();
+  reference_.reset();
+}
+
+}  // namespace edgevo

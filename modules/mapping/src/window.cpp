@@ -1,0 +1,333 @@
+#include "edgevo/mapping/window.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/alignment/projection.h"
+#include "edgevo/association/uncertainty.h"
+#include "edgevo/mapping/depth_filter.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kMaxMisses = 3;       // a point that more keyframes than this should have seen is dropped
+constexpr double kDropSigmas = 4.0; // observations beyond this after the last adjustment are dropped
+constexpr double kViewBorderPx = 6;
+
+bool in_view(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host, double idepth,
+             Eigen::Vector2d* px) {
+  const Projection p = project(camera, T_target_host.R(), T_target_host.translation(), camera.ray(px_host), idepth);
+  if (!p.valid || !camera.contains(p.px, kViewBorderPx)) return false;
+  *px = p.px;
+  return true;
+}
+
+// Covariance of a window pose against another one after an adjustment: small beside the tracking covariance.
+Matrix6d settled_covariance() { return 1e-8 * Matrix6d::Identity(); }
+
+}  // namespace
+
+Window::Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association)
+    : pinhole_(pinhole), params_(params), association_(association), adjuster_(make_bundle_adjuster(params.solver)) {}
+
+int Window::active_points() const {
+  int n = 0;
+  for (const Keyframe& k : keyframes_) n += int(k.points.size());
+  return n;
+}
+
+AssociationQuery Window::query(const Keyframe& host, const MapPoint& point, const Keyframe& target) const {
+  AssociationQuery q;
+  q.host = host.pyramid.get();
+  q.target = target.pyramid.get();
+  q.px_host = point.px;
+  q.normal_host = point.normal;
+  q.idepth = point.idepth;
+  q.idepth_sigma = point.idepth_sigma;
+  q.T_target_host = relative_pose(target, host);
+  q.pose_covariance = settled_covariance();
+  return q;
+}
+
+int Window::associate_newest(const Matrix6d& pose_covariance) {
+  int matches = 0;
+  const Keyframe& target = newest();
+  for (Keyframe& host : keyframes_) {
+    if (host.id == target.id) continue;
+    const SE3 T_target_host = relative_pose(target, host);
+    for (MapPoint& point : host.points) {
+      Eigen::Vector2d px;
+      if (!in_view(pinhole_, T_target_host, point.px, point.idepth, &px)) continue;
+      AssociationQuery q = query(host, point, target);
+      q.pose_covariance = pose_covariance;
+      const Match match = associate(q, association_);
+      if (match.kind == MatchKind::kNone) {
+        ++point.misses;
+        continue;
+      }
+      point.observations.push_back({target.id, match});
+      ++matches;
+    }
+  }
+  return matches;
+}
+
+bool Window::try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches) {
+  MapPoint point;
+  point.px = candidate.px;
+  point.normal = candidate.normal;
+  point.idepth = candidate.idepth;
+  point.idepth_sigma = candidate.idepth_sigma;
+  point.edge_pixel = candidate.edge_pixel;
+  for (const Keyframe& target : keyframes_) {
+    if (target.id == host->id) continue;
+    Eigen::Vector2d px;
+    if (!in_view(pinhole_, relative_pose(target, *host), point.px, point.idepth, &px)) continue;
+    const Match match = associate(query(*host, point, target), association_);
+    if (match.kind != MatchKind::kNone) point.observations.push_back({target.id, match});
+  }
+  if (int(point.observations.size()) < min_matches) return false;
+  host->points.push_back(std::move(point));
+  return true;
+}
+
+int Window::activate(int min_good, int min_matches) {
+  const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
+  std::vector<int> count(grid.size(), 0);
+  int active = 0;
+  Eigen::Vector2d px;
+  for (const Keyframe& host : keyframes_) {
+    const SE3 T = relative_pose(newest(), host);
+    for (const MapPoint& p : host.points) {
+      ++active;
+      if (host.id == newest().id)
+        ++count[grid.index(p.px.x(), p.px.y())];
+      else if (in_view(pinhole_, T, p.px, p.idepth, &px))
+        ++count[grid.index(px.x(), px.y())];
+    }
+  }
+  int activated = 0;
+  // First one point a cell, then two: the newest hosts first, they will be seen longest.
+  for (int per_cell = 1; per_cell <= 2; ++per_cell)
+    for (auto host = keyframes_.rbegin(); host != keyframes_.rend(); ++host) {
+      const SE3 T = relative_pose(newest(), *host);
+      for (ImmaturePoint& p : host->immature) {
+        if (active >= params_.max_points) return activated;
+        if (p.dead || p.good < min_good) continue;
+        if (!in_view(pinhole_, T, p.px, p.idepth, &px)) continue;
+        int& here = count[grid.index(px.x(), px.y())];
+        if (here >= per_cell) continue;
+        const SE3& T_view = host->id == newest().id ? relative_pose(keyframes_[keyframes_.size() - 2], *host) : T;
+        const DepthMotion motion = depth_motion(pinhole_, T_view, pinhole_.ray(p.px), p.idepth, p.idepth_sigma);
+        if (motion.sigma_mu_px > params_.max_projected_sigma_px) continue;
+        p.dead = true;  // tried once: it becomes active or is gone
+        if (!try_activate(&*host, p, min_matches)) continue;
+        ++here, ++active, ++activated;
+      }
+    }
+  return activated;
+}
+
+BaProblem Window::build_problem(std::vector<MapPoint*>* points) const {
+  BaProblem problem;
+  problem.pinhole = pinhole_;
+  for (const Keyframe& k : keyframes_) {
+    problem.poses.push_back({k.T_cam_world, false});
+    problem.pose_ids.push_back(k.id);
+  }
+  const auto pose_index = [&](int id) {
+    const auto it = std::lower_bound(problem.pose_ids.begin(), problem.pose_ids.end(), id);
+    return int(it - problem.pose_ids.begin());
+  };
+  for (size_t h = 0; h < keyframes_.size(); ++h)
+    for (const MapPoint& p : keyframes_[h].points) {
+      if (p.observations.empty()) continue;
+      bool fixed = true;
+      for (const Observation& o : p.observations) {
+        fixed = fixed && o.match.kind == MatchKind::kEdgeFixed;
+        problem.observations.push_back({int(problem.points.size()), pose_index(o.keyframe_id), o.match.px, o.match.normal,
+                                        o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
+      }
+      problem.points.push_back({int(h), pinhole_.ray(p.px), p.idepth, fixed});
+      points->push_back(const_cast<MapPoint*>(&p));
+    }
+  apply_gauge(&problem);
+  return problem;
+}
+
+void Window::apply_gauge(BaProblem* problem) const {
+  if (problem->poses.empty()) return;
+  problem->prior = prior_;
+  const bool marginalised = prior_ && !bootstrap_gauge_;
+  if (marginalised) return;  // the prior holds position, rotation and scale
+  problem->poses[0].fixed = true;
+  if (!bootstrap_gauge_ && problem->poses.size() > 2) problem->poses[1].fixed = true;
+}
+
+void Window::hold_bootstrap_scale() {
+  if (keyframes_.size() < 2) return;
+  const SE3& T_cam_world = keyframes_[1].T_cam_world;
+  const SE3 T_1_0 = relative_pose(keyframes_[1], keyframes_[0]);
+  // Moving camera 1 along the baseline changes its translation by b = t / |t|: held to 1e-4 of the baseline.
+  BaPrior prior;
+  prior.pose_ids = {keyframes_[1].id};
+  prior.linearization = {T_cam_world};
+  const Eigen::Vector3d baseline = T_1_0.translation();
+  const double sigma = 1e-4 * baseline.norm();
+  prior.H = Eigen::MatrixXd::Zero(6, 6);
+  prior.H.topLeftCorner<3, 3>() = baseline.normalized() * baseline.normalized().transpose() / (sigma * sigma);
+  prior.b = Eigen::VectorXd::Zero(6);
+  prior_ = prior;
+  bootstrap_gauge_ = true;
+}
+
+void Window::take_result(const BaProblem& problem, const BaResult& result, const std::vector<MapPoint*>& points) {
+  for (size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].T_cam_world = problem.poses[i].T_cam_world;
+  for (size_t i = 0; i < points.size(); ++i) {
+    points[i]->idepth = problem.points[i].idepth;
+    if (result.idepth_sigma[i] > 0) points[i]->idepth_sigma = result.idepth_sigma[i];
+  }
+}
+
+int Window::update_matches(const BaResult& result, const std::vector<MapPoint*>& points) {
+  int updated = 0;
+  size_t k = 0;  // observations stand in the order of build_problem
+  size_t next = 0;
+  for (Keyframe& host : keyframes_)
+    for (MapPoint& p : host.points) {
+      if (next >= points.size() || points[next] != &p) continue;
+      ++next;
+      std::vector<Observation> kept;
+      kept.reserve(p.observations.size());
+      for (Observation& o : p.observations) {
+        const size_t index = k++;
+        if (!needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index], association_)) {
+          kept.push_back(std::move(o));
+          continue;
+        }
+        ++updated;
+        const auto target = std::find_if(keyframes_.begin(), keyframes_.end(),
+                                         [&](const Keyframe& f) { return f.id == o.keyframe_id; });
+        const Match match = associate(query(host, p, *target), association_);
+        if (match.kind != MatchKind::kNone) kept.push_back({o.keyframe_id, match});
+      }
+      p.observations = std::move(kept);
+    }
+  return updated;
+}
+
+void Window::drop_unfit(const BaResult& result, const std::vector<MapPoint*>& points) {
+  size_t k = 0;
+  for (MapPoint* p : points) {
+    std::vector<Observation> kept;
+    for (Observation& o : p->observations) {
+      const double sigmas = std::abs(result.residual_normal_px[k++]) * o.match.inv_sigma_normal;
+      if (sigmas < kDropSigmas)
+        kept.push_back(std::move(o));
+      else
+        ++p->misses;
+    }
+    p->observations = std::move(kept);
+  }
+  for (Keyframe& host : keyframes_) {
+    auto gone = std::remove_if(host.points.begin(), host.points.end(), [](const MapPoint& p) {
+      return p.observations.empty() || p.misses > kMaxMisses || !(p.idepth > 0);
+    });
+    host.points.erase(gone, host.points.end());
+  }
+}
+
+WindowStats Window::adjust() {
+  WindowStats stats;
+  BaOptions options;
+  options.huber_width = params_.ba_huber;
+  options.max_iterations = params_.ba_iterations;
+  std::vector<MapPoint*> points;
+  BaProblem problem = build_problem(&points);
+  BaResult result = adjuster_->solve(&problem, options);
+  if (!result.usable) return stats;
+  take_result(problem, result, points);
+  if (params_.ba_update_iterations > 0) {
+    stats.updated_matches = update_matches(result, points);
+    options.max_iterations = params_.ba_update_iterations;
+    points.clear();
+    problem = build_problem(&points);
+    result = adjuster_->solve(&problem, options);
+    if (!result.usable) return stats;
+    take_result(problem, result, points);
+  }
+  stats.observations = int(problem.observations.size());
+  stats.points = int(problem.points.size());
+  stats.cost_per_observation = result.final_cost / std::max(1, stats.observations);
+  for (const BaPoint& p : problem.points) stats.fixed_depth += p.fixed;
+  for (const BaObservation& o : problem.observations) {
+    stats.photometric += o.inv_sigma_tangent > 0;
+    stats.matched_in_newest += o.target + 1 == int(keyframes_.size());
+  }
+  drop_unfit(result, points);
+  return stats;
+}
+
+Keyframe Window::remove_oldest() {
+  const int id = keyframes_.front().id;
+  if (params_.gauge == "prior") {
+    std::vector<MapPoint*> points;
+    const BaProblem problem = build_problem(&points);
+    BaOptions options;
+    options.huber_width = params_.ba_huber;
+    std::vector<bool> drop;
+    prior_ = marginalize(problem, id, options, &drop);
+    for (size_t i = 0; i < points.size(); ++i)
+      if (drop[i]) points[i]->observations.clear();
+  } else {
+    prior_.reset();
+  }
+  bootstrap_gauge_ = false;
+  Keyframe oldest = std::move(keyframes_.front());
+  keyframes_.pop_front();
+  for (Keyframe& host : keyframes_) {
+    for (MapPoint& p : host.points)
+      p.observations.erase(std::remove_if(p.observations.begin(), p.observations.end(),
+                                          [&](const Observation& o) { return o.keyframe_id == id; }),
+                           p.observations.end());
+    host.points.erase(std::remove_if(host.points.begin(), host.points.end(),
+                                     [](const MapPoint& p) { return p.observations.empty(); }),
+                      host.points.end());
+  }
+  return oldest;
+}
+
+std::vector<CloudPoint> Window::cloud() const {
+  std::vector<CloudPoint> cloud;
+  const Keyframe& reference = newest();
+  for (const Keyframe& host : keyframes_) {
+    const SE3 T = relative_pose(reference, host);
+    for (const MapPoint& p : host.points) {
+      CloudPoint c;
+      if (host.id == reference.id) {
+        c = {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
+      } else {
+        const Observation* seen = p.find(reference.id);
+        if (!seen) continue;
+        const Eigen::Vector3d Y = T.R() * pinhole_.ray(p.px) + p.idepth * T.translation();
+        if (!(Y.z() > kMinProjectedDepth)) continue;
+        const Eigen::Vector2d px = pinhole_.project(Y);
+        if (!pinhole_.contains(px)) continue;
+        // rho' = rho / Y_z, and so does its sigma to first order.
+        c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(), seen->match.normal.cast<float>()};
+      }
+      cloud.push_back(c);
+    }
+  }
+  // Where there are more than needed, every k-th of the evenly ordered points stays.
+  const size_t limit = size_t(params_.max_cloud_points);
+  if (cloud.size() > limit) {
+    std::vector<CloudPoint> thinned;
+    thinned.reserve(limit);
+    for (size_t i = 0; i < limit; ++i) thinned.push_back(cloud[i * cloud.size() / limit]);
+    cloud.swap(thinned);
+  }
+  return cloud;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,41 @@
+#pragma once
+// The odometry: frames in, poses and edge points out. The way of one image:
+//   Frame -> edge pyramid -> alignment -> (keyframe?) -> association -> window BA -> map -> records
+// States: BOOTSTRAPPING until two views make a map; TRACKING or DEGRADED while frames align; LOST when one does not. A loss keeps
+// everything: the old map is tried for some frames more while a new bootstrap runs, and when that succeeds a new segment begins, joined
+// to the old one by constant velocity (position, heading and, by equal speed, scale); FrameRecord::segment tells the join.
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "edgevo/core/image.h"
+#include "edgevo/core/records.h"
+#include "edgevo/odometry/odometry_params.h"
+
+namespace edgevo {
+
+struct OdometryOptions {
+  uint64_t seed = 1;
+  bool realtime = false;   ///< tracking and mapping in two threads: faster, and not bit-identical from run to run
+  std::function<void(const std::string&)> log;  ///< one line at each change of state; may be empty
+};
+
+class Odometry {
+ public:
+  /// Throws InputError for an unusable camera or detector.
+  Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options);
+  ~Odometry();
+
+  /// The next frame, in time order. The record holds what is known now; poses found later (bootstrap) and final poses come with
+  /// finish(). Throws InputError if the image does not have the camera's size.
+  const FrameRecord& process(const Frame& frame);
+
+  /// Ends the run and returns everything: call once, also after an exception from the source.
+  Run finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace edgevo

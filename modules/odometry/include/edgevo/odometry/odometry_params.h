@@ -1,0 +1,26 @@
+#pragma once
+#include "edgevo/alignment/alignment_params.h"
+#include "edgevo/association/association_params.h"
+#include "edgevo/edges/edge_detector.h"
+#include "edgevo/mapping/mapping_params.h"
+
+namespace edgevo {
+
+struct RecoveryParams {
+  int max_frames = 10;  ///< after a loss the old map is tried for so many frames beside a new bootstrap
+
+  void visit(ParamVisitor& v);
+};
+
+/// All parameters of a run, group by group as in params/default.yaml.
+struct OdometryParams {
+  EdgeParams edges;
+  AlignmentParams alignment;
+  AssociationParams association;
+  MappingParams mapping;
+  RecoveryParams recovery;
+
+  void visit(ParamVisitor& v);
+};
+
+}  // namespace edgevo

@@ -1,0 +1,91 @@
+#include "mapping_thread.h"
+
+namespace edgevo {
+namespace {
+constexpr size_t kMaxQueue = 6;  // beyond it only keyframes are taken
+}
+
+MappingThread::MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update)
+    : mapper_(mapper), own_thread_(own_thread), on_update_(std::move(on_update)) {
+  if (own_thread_) thread_ = std::thread([this] { loop(); });
+}
+
+MappingThread::~MappingThread() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void MappingThread::run(const TrackedFrame& frame) {
+  const MapUpdate update = mapper_->process(frame);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    reference_ = mapper_->reference();
+    if (frame.make_keyframe) --keyframes_pending_;
+  }
+  on_update_(frame, update);
+}
+
+void MappingThread::submit(TrackedFrame frame) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (own_thread_ && !frame.make_keyframe && queue_.size() >= kMaxQueue) {
+      ++left_out_;
+      return;
+    }
+    if (frame.make_keyframe) ++keyframes_pending_;
+    if (own_thread_) queue_.push_back(std::move(frame));
+  }
+  if (own_thread_)
+    wake_.notify_one();
+  else
+    run(frame);
+}
+
+void MappingThread::loop() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  for (;;) {
+    wake_.wait(lock, [this] { return stop_ || !queue_.empty(); });
+    if (queue_.empty()) return;
+    const TrackedFrame frame = std::move(queue_.front());
+    queue_.pop_front();
+    busy_ = true;
+    lock.unlock();
+    try {
+      if (!failure_) run(frame);
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+    lock.lock();
+    busy_ = false;
+    if (queue_.empty()) idle_.notify_all();
+  }
+}
+
+void MappingThread::wait_idle() {
+  if (!own_thread_) return;
+  std::unique_lock<std::mutex> lock(mutex_);
+  idle_.wait(lock, [this] { return queue_.empty() && !busy_; });
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+bool MappingThread::keyframe_pending() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return keyframes_pending_ > 0;
+}
+
+std::shared_ptr<const Reference> MappingThread::reference() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return reference_;
+}
+
+void MappingThread::refresh() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  reference_ = mapper_->reference();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,221 @@
+#include "edgevo/odometry/odometry.h"
+
+#include <time.h>
+
+#include "edgevo/alignment/tracker.h"
+#include "mapping_thread.h"
+#include "run_records.h"
+
+namespace edgevo {
+namespace {
+
+double thread_cpu_ms() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
+}
+
+}  // namespace
+
+struct Odometry::Impl {
+  Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
+      : params(p), options(o), builder(camera, p.edges), bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
+        mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
+        records(camera.pinhole),
+        mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {}
+
+  // ---- one frame -------------------------------------------------------------------------------------------------
+
+  const FrameRecord& process(const Frame& frame) {
+    FrameRecord& record = records.begin_frame(frame);
+    const double start = thread_cpu_ms();
+    const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);
+    record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
+    record.edges = int(pyramid->finest().edges.pixels.size());
+    if (lost) ++frames_lost;
+    if (has_map && frames_lost <= params.recovery.max_frames) track_frame(frame, pyramid, &record);
+    if (!has_map || lost) bootstrap_frame(frame, pyramid, &record);
+    return record;
+  }
+
+  void track_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
+    const double start = thread_cpu_ms();
+    change_reference(mapping.reference());
+    const TrackResult result = track(*pyramid, reference->cloud, starts(), params.alignment);
+    record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
+    record->inlier_share = result.stats.inlier_share();
+    record->residual_px = result.stats.residual_px;
+    record->note = result.reason;
+    if (result.verdict == TrackingState::kLost || (lost && result.verdict != TrackingState::kTracking)) {
+      if (!lost) lose(frame, result.reason);
+      record->state = TrackingState::kLost;
+      return;
+    }
+    if (lost) say(frame, "tracking resumed in the old map");
+    lost = false;
+    record->state = result.verdict;
+    record->covariance = result.covariance;
+    records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
+    follow_motion(result.T_cur_ref);
+    submit(frame, pyramid, result);
+  }
+
+  std::vector<SE3> starts() const {
+    if (!lost) return motion_hypotheses(T_last_ref, velocity);
+    const Vector6d drift = velocity.log() * double(frames_lost + 1);
+    return {SE3::exp(drift) * T_last_ref, T_last_ref, SE3::exp(0.5 * drift) * T_last_ref};
+  }
+
+  // The constant-velocity model is fed with good frames only; after a gap with the mean over the gap.
+  void follow_motion(const SE3& T_cur_ref) {
+    const SE3 motion = T_cur_ref * T_last_ref.inverse();
+    velocity = frames_lost == 0 ? motion : SE3::exp(motion.log() / double(frames_lost + 1));
+    T_last_ref = T_cur_ref;
+    frames_lost = 0;
+  }
+
+  void submit(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, const TrackResult& result) {
+    TrackedFrame tracked;
+    tracked.frame_index = frame.index;
+    tracked.time = frame.time;
+    tracked.pyramid = pyramid;
+    tracked.reference_id = reference->keyframe_id;
+    tracked.T_cam_ref = result.T_cur_ref;
+    tracked.covariance = result.covariance;
+    const KeyframeDecision decision = decide_keyframe(builder.pinhole(), reference->cloud, result.T_cur_ref,
+                                                      ++frames_since_keyframe, params.mapping.keyframe);
+    tracked.make_keyframe = decision.needed && !mapping.keyframe_pending();
+    if (tracked.make_keyframe) frames_since_keyframe = 0;
+    mapping.submit(std::move(tracked));
+  }
+
+  // A new keyframe became the reference: re-express the last pose against it.
+  void change_reference(std::shared_ptr<const Reference> newest) {
+    if (newest == reference) return;
+    if (reference) {
+      const auto old = newest->T_keyframe_world.find(reference->keyframe_id);
+      const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference->T_ref_world;
+      T_last_ref = T_last_ref * T_old_world * newest->T_ref_world.inverse();
+    }
+    reference = std::move(newest);
+  }
+
+  // ---- bootstrap and segments --------------------------------------------------------------------------------------
+
+  void bootstrap_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
+    const double start = thread_cpu_ms();
+    BootstrapStatus status = bootstrap.add(frame.index, frame.time, pyramid);
+    if (status.result) {
+      mapping.wait_idle();
+      if (has_map) close_segment();
+      status.reason = mapper.initialise(*status.result);
+      bootstrap.reset();
+      if (status.reason.empty()) begin_segment(frame, *status.result, record);
+    }
+    record->stage_ms.emplace_back("bootstrap", thread_cpu_ms() - start);
+    if (record->segment >= 0) return;
+    // After a loss a frame stays LOST until there is something to follow again.
+    const bool nothing_to_follow = record->edges < kMinEdges;
+    record->state = ever_tracked && (nothing_to_follow || lost_at == frame.index) ? TrackingState::kLost
+                                                                                  : TrackingState::kBootstrapping;
+    record->note = (record->note.empty() ? "" : record->note + "; ") + status.reason;
+  }
+
+  void begin_segment(const Frame& frame, const BootstrapResult& result, FrameRecord* record) {
+    ++segment;
+    mapping.refresh();
+    reference = mapping.reference();
+    records.begin_segment(segment, result);
+    place_bootstrap_frames(result);
+    const SE3& T_cur = reference->T_ref_world;
+    T_last_ref = SE3();
+    const auto before = records.pose_before(frame.index, segment);
+    velocity = before ? T_cur * before->inverse() : SE3();
+    frames_since_keyframe = 0;
+    has_map = ever_tracked = true;
+    lost = false;
+    frames_lost = 0;
+    record->note.clear();
+    say(frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " + std::to_string(segment));
+  }
+
+  // Frames between the two views get their pose from the finished map; those whose image is gone keep the one of PnP.
+  void place_bootstrap_frames(const BootstrapResult& result) {
+    for (const BootstrapView& view : result.views) {
+      FrameRecord* record = records.find(view.frame_index);
+      if (!record || !view.placed) continue;
+      SE3 T_cam_ref = view.T_cam_first * reference->T_ref_world.inverse();
+      if (view.frame_index == result.views.front().frame_index)
+        T_cam_ref = reference->T_keyframe_world.begin()->second * reference->T_ref_world.inverse();
+      else if (view.frame_index == result.views.back().frame_index)
+        T_cam_ref = SE3();
+      else if (view.pyramid) {
+        const TrackResult r = track(*view.pyramid, reference->cloud, {T_cam_ref}, params.alignment);
+        if (r.verdict != TrackingState::kLost) T_cam_ref = r.T_cur_ref, record->covariance = r.covariance;
+        record->inlier_share = r.stats.inlier_share();
+        record->residual_px = r.stats.residual_px;
+      }
+      record->state = TrackingState::kTracking;
+      record->note.clear();
+      records.place(record, segment, reference->keyframe_id, T_cam_ref, reference->T_ref_world);
+    }
+  }
+
+  void lose(const Frame& frame, const std::string& reason) {
+    lost = true;
+    lost_at = frame.index;
+    frames_lost = 0;
+    bootstrap.reset();
+    say(frame, "LOST: " + reason);
+  }
+
+  void close_segment() {
+    mapper.close();
+    records.retire(mapper.take_retired(), segment);
+    reference.reset();
+    has_map = false;
+  }
+
+  // ---- records --------------------------------------------------------------------------------------------------------
+
+  // Called by the mapping thread.
+  void note_update(const TrackedFrame& frame, const MapUpdate& update) {
+    records.note_mapping(frame.frame_index, update);
+    records.retire(mapper.take_retired(), segment);
+  }
+
+  Run finish() {
+    mapping.wait_idle();
+    if (has_map) close_segment();
+    return records.finish();
+  }
+
+  void say(const Frame& frame, const std::string& what) const {
+    if (options.log) options.log("frame " + std::to_string(frame.index) + ": " + what);
+  }
+
+  static constexpr int kMinEdges = 200;
+
+  OdometryParams params;
+  OdometryOptions options;
+  PyramidBuilder builder;
+  Bootstrap bootstrap;
+  Mapper mapper;
+  RunRecords records;
+  MappingThread mapping;  // last but the state: its thread ends before what it uses
+
+  std::shared_ptr<const Reference> reference;
+  SE3 T_last_ref, velocity;
+  int frames_since_keyframe = 0;
+  int segment = -1, lost_at = -1, frames_lost = 0;
+  bool has_map = false, lost = false, ever_tracked = false;
+};
+
+Odometry::Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
+    : impl_(std::make_unique<Impl>(camera, params, options)) {}
+Odometry::~Odometry() = default;
+
+const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
+Run Odometry::finish() { return impl_->finish(); }
+
+}  // namespace edgevo

@@ -1,0 +1,17 @@
+#include "edgevo/odometry/odometry_params.h"
+
+namespace edgevo {
+
+void RecoveryParams::visit(ParamVisitor& v) {
+  v.integer("max_frames", max_frames, 0, 1000, "after a loss the old map is tried for so many frames");
+}
+
+void OdometryParams::visit(ParamVisitor& v) {
+  { const auto g = v.group("edges"); edges.visit(v); }
+  { const auto g = v.group("alignment"); alignment.visit(v); }
+  { const auto g = v.group("association"); association.visit(v); }
+  { const auto g = v.group("mapping"); mapping.visit(v); }
+  { const auto g = v.group("recovery"); recovery.visit(v); }
+}
+
+}  // namespace edgevo

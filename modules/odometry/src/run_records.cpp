@@ -1,0 +1,136 @@
+#include "run_records.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kVelocityFrames = 6;  // the join of two segments takes the mean velocity over so many frames
+
+KeyframeRecord to_record(const Keyframe& k, int segment) {
+  KeyframeRecord record;
+  record.frame_index = k.frame_index;
+  record.time = k.time;
+  record.segment = segment;
+  record.T_world_cam = k.T_cam_world.inverse();
+  record.points.reserve(k.points.size());
+  const ImageView<uint8_t> gray = k.pyramid->finest().gray.view();
+  for (const MapPoint& p : k.points) {
+    EdgePoint e;
+    e.px = p.px.cast<float>();
+    e.normal = p.normal.cast<float>();
+    e.idepth = float(p.idepth);
+    e.idepth_sigma = float(p.idepth_sigma);
+    e.observations = int(p.observations.size());
+    e.gray = gray.at(int(std::lround(e.px.x())), int(std::lround(e.px.y())));
+    record.points.push_back(e);
+  }
+  return record;
+}
+
+// From a segment's map to the world: lengths grow by the scale, inverse depths shrink.
+void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
+  k->T_world_cam = T_world_map.apply(k->T_world_cam);
+  const float s = float(1.0 / T_world_map.scale);
+  for (EdgePoint& p : k->points) p.idepth *= s, p.idepth_sigma *= s;
+}
+
+}  // namespace
+
+RunRecords::RunRecords(const Pinhole& pinhole) : pinhole_(pinhole) {}
+
+FrameRecord& RunRecords::begin_frame(const Frame& frame) {
+  FrameRecord record;
+  record.index = frame.index;
+  record.time = frame.time;
+  position_[frame.index] = frames_.size();
+  frames_.push_back(std::move(record));
+  return frames_.back();
+}
+
+FrameRecord* RunRecords::find(int frame_index) {
+  const auto it = position_.find(frame_index);
+  return it == position_.end() ? nullptr : &frames_[it->second];
+}
+
+void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap) {
+  Sim3 T_world_map;
+  std::vector<const FrameRecord*> last;  // newest first
+  for (auto f = frames_.rbegin(); f != frames_.rend() && last.size() < kVelocityFrames; ++f)
+    if (f->T_world_cam_live && f->segment == segment - 1) last.push_back(&*f);
+  const BootstrapView& first_view = bootstrap.views.front();
+  const BootstrapView& last_view = bootstrap.views.back();
+  if (last.size() >= 2) {
+    const FrameRecord &newest = *last.front(), &oldest = *last.back();
+    const Eigen::Vector3d here = newest.T_world_cam_live->translation();
+    const double span = seconds_between(oldest.time, newest.time);
+    const Eigen::Vector3d velocity = (here - oldest.T_world_cam_live->translation()) / span;
+    const double new_speed = last_view.T_cam_first.inverse().translation().norm() /
+                             seconds_between(first_view.time, last_view.time);
+    if (velocity.norm() > 1e-9 && new_speed > 1e-9) T_world_map.scale = velocity.norm() / new_speed;
+    const double gap = seconds_between(newest.time, first_view.time);
+    T_world_map.rigid = SE3(newest.T_world_cam_live->rotation(), here + gap * velocity);
+  }
+  T_world_map_.resize(segment + 1);
+  T_world_map_[segment] = T_world_map;
+}
+
+void RunRecords::place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map) {
+  Hook hook{keyframe_id, T_cam_ref, T_cam_ref * T_ref_map};
+  record->segment = segment;
+  record->T_world_cam_live = T_world_map_[segment].apply(hook.T_cam_map_live.inverse());
+  hooks_[record->index] = hook;
+}
+
+std::optional<SE3> RunRecords::pose_before(int frame_index, int segment) const {
+  auto it = hooks_.lower_bound(frame_index);
+  if (it == hooks_.begin()) return std::nullopt;
+  --it;
+  if (frames_[position_.at(it->first)].segment != segment) return std::nullopt;
+  return it->second.T_cam_map_live;
+}
+
+void RunRecords::note_mapping(int frame_index, const MapUpdate& update) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  mapping_times_[frame_index] = update.times;
+}
+
+void RunRecords::retire(std::vector<Keyframe> keyframes, int segment) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const Keyframe& k : keyframes) keyframes_[k.id] = to_record(k, segment);
+}
+
+Run RunRecords::finish() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Run run;
+  run.pinhole = pinhole_;
+  std::map<int, int> position;  // keyframe id -> run.keyframes
+  for (auto& [id, keyframe] : keyframes_) {
+    move_to_world(T_world_map_[keyframe.segment], &keyframe);
+    position[id] = int(run.keyframes.size());
+    if (FrameRecord* frame = find(keyframe.frame_index)) frame->is_keyframe = true;
+    run.keyframes.push_back(std::move(keyframe));
+  }
+  for (FrameRecord& frame : frames_) {
+    const auto times = mapping_times_.find(frame.index);
+    if (times != mapping_times_.end())
+      frame.stage_ms.insert(frame.stage_ms.end(), times->second.begin(), times->second.end());
+    const auto hook = hooks_.find(frame.index);
+    if (hook == hooks_.end()) continue;
+    const Sim3& T_world_map = T_world_map_[frame.segment];
+    Vector6d unit = Vector6d::Ones();
+    unit.head<3>().setConstant(T_world_map.scale);
+    frame.covariance = unit.asDiagonal() * frame.covariance * unit.asDiagonal();
+    const auto keyframe = position.find(hook->second.keyframe_id);
+    if (keyframe == position.end()) continue;
+    frame.reference_keyframe = keyframe->second;
+    const SE3 T_ref_cam = hook->second.T_cam_ref.inverse();
+    const SE3 T_ref_cam_scaled(T_ref_cam.rotation(), T_world_map.scale * T_ref_cam.translation());
+    frame.T_world_cam = run.keyframes[keyframe->second].T_world_cam * T_ref_cam_scaled;
+  }
+  run.frames.assign(std::make_move_iterator(frames_.begin()), std::make_move_iterator(frames_.end()));
+  return run;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,53 @@
+#pragma once
+// Collects what a run leaves behind. Poses are kept relative to keyframes until the end, so that every frame profits from the final
+// keyframe poses. The mapping thread may call note_mapping and retire; everything else belongs to the tracking thread.
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "edgevo/core/image.h"
+#include "edgevo/core/records.h"
+#include "edgevo/mapping/mapper.h"
+
+namespace edgevo {
+
+class RunRecords {
+ public:
+  explicit RunRecords(const Pinhole& pinhole);
+
+  FrameRecord& begin_frame(const Frame& frame);
+  FrameRecord* find(int frame_index);
+
+  /// Fixes where a segment's map lies in the world: the first at the origin, a later one by constant velocity from the last pose.
+  void begin_segment(int segment, const BootstrapResult& bootstrap);
+  /// Hangs a frame on a keyframe and notes its live pose.
+  void place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map);
+  /// T_cam_map of the last placed frame of `segment` before `frame_index`.
+  std::optional<SE3> pose_before(int frame_index, int segment) const;
+
+  void note_mapping(int frame_index, const MapUpdate& update);
+  void retire(std::vector<Keyframe> keyframes, int segment);
+
+  /// Final poses and keyframes. Call once.
+  Run finish();
+
+ private:
+  struct Hook {  // what a frame hangs on
+    int keyframe_id = -1;
+    SE3 T_cam_ref;
+    SE3 T_cam_map_live;
+  };
+
+  Pinhole pinhole_;
+  std::deque<FrameRecord> frames_;
+  std::map<int, size_t> position_;          // frame index -> frames_
+  std::map<int, Hook> hooks_;               // by frame index
+  std::vector<Sim3> T_world_map_;           // by segment
+  std::mutex mutex_;                        // guards what follows
+  std::map<int, StageTimes> mapping_times_; // by frame index
+  std::map<int, KeyframeRecord> keyframes_; // by keyframe id; pose and points still in the segment's map
+};
+
+}  // namespace edgevo
