@@ -1,20 +1,18 @@
 #include "edgevo/core/params.h"
 
-#include <mrpt/containers/yaml.h>
-
-#include <cmath>
 #include <algorithm>
-#include <fstream>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "block_yaml.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
 
 namespace edgevo {
 namespace {
-
-using Yaml = mrpt::containers::yaml;
 
 std::string one_line(std::string text) {
   for (char& c : text)
@@ -22,11 +20,14 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// Ten digits where they say it all, else as many as it takes to read the same value back.
 std::string format_number(double value) {
-  std::ostringstream out;
-  out.precision(10);
-  out << value;
-  return out.str();
+  char buffer[64];
+  const auto text = [&](std::to_chars_result end) { return std::string(buffer, end.ptr); };
+  const std::string rounded = text(std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 10));
+  double back = 0;
+  std::from_chars(rounded.data(), rounded.data() + rounded.size(), back);
+  return back == value ? rounded : text(std::to_chars(buffer, buffer + sizeof buffer, value));
 }
 
 // Gathers the dotted names of all keys, for "did you mean" and for finding unknown ones.
@@ -51,104 +52,107 @@ class KeyCollector : public ParamVisitor {
   std::vector<std::string> prefix_;
 };
 
-// Scalars of a YAML document by dotted name, as text.
-using Scalars = std::vector<std::pair<std::string, std::string>>;
-
-void flatten(const Yaml& node, const std::string& name, const std::string& where, Scalars* out) {
-  if (node.isMap()) {
-    for (const auto& [key, value] : node.asMap()) {
-      const std::string child = Yaml(key).as<std::string>();
-      flatten(Yaml(value), name.empty() ? child : name + "." + child, where, out);
-    }
-  } else if (node.isScalar()) {
-    out->emplace_back(name, node.as<std::string>());
-  } else if (!node.isNullNode()) {
-    throw InputError(where, name + " holds a list, but every parameter is one value", "write `key: value`");
-  }
-}
+// What was given: the text of a value, and where it stands (for messages).
+struct Given {
+  std::string text, where;
+};
+using GivenValues = std::map<std::string, Given>;
 
 // Writes given texts into the fields of the same dotted name.
 class Assigner : public ParamVisitor {
  public:
-  Assigner(const Scalars& scalars, std::string where) : where_(std::move(where)) {
-    for (const auto& [key, value] : scalars) values_[key] = value;
-  }
+  explicit Assigner(const GivenValues& values) : values_(&values) {}
 
   void number(const char* key, double& value, double min, double max, const char*) override {
-    const std::string* given = find(key);
+    const Given* given = find(key);
     if (!given) return;
-    const double parsed = to_number(key, *given);
-    if (!(parsed >= min && parsed <= max)) out_of_range(key, *given, format_number(min), format_number(max));
+    const double parsed = to_number(*given, key);
+    if (!(parsed >= min && parsed <= max)) out_of_range(*given, key, format_number(min), format_number(max));
     value = parsed;
   }
   void integer(const char* key, int& value, int min, int max, const char*) override {
-    const std::string* given = find(key);
+    const Given* given = find(key);
     if (!given) return;
-    const double parsed = to_number(key, *given);
-    if (parsed != std::floor(parsed)) fail(key, *given, "is not a whole number");
-    if (!(parsed >= min && parsed <= max)) out_of_range(key, *given, std::to_string(min), std::to_string(max));
+    const double parsed = to_number(*given, key);
+    if (parsed != std::floor(parsed)) fail(*given, key, "is not a whole number");
+    if (!(parsed >= min && parsed <= max)) out_of_range(*given, key, std::to_string(min), std::to_string(max));
     value = int(parsed);
   }
   void boolean(const char* key, bool& value, const char*) override {
-    const std::string* given = find(key);
+    const Given* given = find(key);
     if (!given) return;
-    if (*given != "true" && *given != "false") fail(key, *given, "is neither true nor false");
-    value = *given == "true";
+    if (given->text != "true" && given->text != "false") fail(*given, key, "is neither true nor false");
+    value = given->text == "true";
   }
   void text(const char* key, std::string& value, const std::vector<std::string>& choices, const char*) override {
-    const std::string* given = find(key);
+    const Given* given = find(key);
     if (!given) return;
-    if (!choices.empty() && std::find(choices.begin(), choices.end(), *given) == choices.end()) {
+    if (!choices.empty() && std::find(choices.begin(), choices.end(), given->text) == choices.end()) {
       std::string list;
       for (const std::string& c : choices) list += (list.empty() ? "" : ", ") + c;
-      fail(key, *given, "is not one of " + list + "; did you mean " + nearest_name(*given, choices) + "?");
+      fail(*given, key, "is not one of " + list + "; did you mean " + nearest_name(given->text, choices) + "?");
     }
-    value = *given;
+    value = given->text;
   }
   void begin_group(const char* key) override { prefix_.push_back(prefix() + key); }
   void end_group() override { prefix_.pop_back(); }
 
  private:
   std::string prefix() const { return prefix_.empty() ? "" : prefix_.back() + "."; }
-  const std::string* find(const char* key) const {
-    const auto it = values_.find(prefix() + key);
-    return it == values_.end() ? nullptr : &it->second;
+  const Given* find(const char* key) const {
+    const auto it = values_->find(prefix() + key);
+    return it == values_->end() ? nullptr : &it->second;
   }
-  double to_number(const char* key, const std::string& given) const {
-    size_t used = 0;
+  double to_number(const Given& given, const char* key) const {
+    const char* const end = given.text.data() + given.text.size();
     double parsed = 0;
-    try {
-      parsed = std::stod(given, &used);
-    } catch (const std::exception&) {
-      used = 0;
-    }
-    if (used == 0 || used != given.size()) fail(key, given, "is not a number");
+    const auto result = std::from_chars(given.text.data(), end, parsed);
+    if (result.ec != std::errc() || result.ptr != end) fail(given, key, "is not a number");
     return parsed;
   }
-  [[noreturn]] void fail(const char* key, const std::string& given, const std::string& why) const {
-    throw InputError(where_, prefix() + key + ": '" + one_line(given) + "' " + why, "");
+  [[noreturn]] void fail(const Given& given, const char* key, const std::string& why) const {
+    throw InputError(given.where, prefix() + key + ": '" + one_line(given.text) + "' " + why, "");
   }
-  [[noreturn]] void out_of_range(const char* key, const std::string& given, const std::string& min,
+  [[noreturn]] void out_of_range(const Given& given, const char* key, const std::string& min,
                                  const std::string& max) const {
-    fail(key, given, "is out of range; it must be between " + min + " and " + max);
+    fail(given, key, "is out of range; it must be between " + min + " and " + max);
   }
 
-  std::string where_;
-  std::map<std::string, std::string> values_;
+  const GivenValues* values_;
   std::vector<std::string> prefix_;
 };
 
-void assign(const Scalars& scalars, const std::string& where, const VisitParams& visit) {
+std::string leaf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+// The known key of the same last name, wherever it is; else the nearest.
+std::string suggestion(const std::string& key, const std::vector<std::string>& known) {
+  std::vector<std::string> same_leaf;
+  for (const std::string& k : known)
+    if (leaf(k) == leaf(key)) same_leaf.push_back(k);
+  return nearest_name(key, same_leaf.empty() ? known : same_leaf);
+}
+
+void check_known(const YamlEntry& entry, const std::string& where, const KeyCollector& known) {
+  if (std::find(known.keys.begin(), known.keys.end(), entry.key) != known.keys.end()) {
+    if (!entry.has_value) throw InputError(where, entry.key + " has no value", "write `key: value`");
+  } else if (!known.groups.count(entry.key)) {
+    throw InputError(where, "unknown parameter '" + one_line(entry.key) + "'",
+                     "did you mean '" + suggestion(entry.key, known.keys) + "'?");
+  } else if (entry.has_value) {
+    throw InputError(where, entry.key + " is a group of parameters, not a value", "give its keys, indented, below it");
+  }
+}
+
+void assign(const std::vector<YamlEntry>& entries, const std::string& file, const VisitParams& visit) {
   KeyCollector known;
   visit(known);
-  for (const auto& [key, value] : scalars) {
-    if (std::find(known.keys.begin(), known.keys.end(), key) != known.keys.end()) continue;
-    if (known.groups.count(key))
-      throw InputError(where, key + " is a group of parameters, not a value", "give its keys, indented, below it");
-    throw InputError(where, "unknown parameter '" + one_line(key) + "'",
-                     "did you mean '" + nearest_name(key, known.keys) + "'?");
+  GivenValues values;
+  for (const YamlEntry& entry : entries) {
+    const std::string where = entry.line > 0 ? file + ":" + std::to_string(entry.line) : file;
+    check_known(entry, where, known);
+    if (entry.has_value) values[entry.key] = {entry.value, where};
   }
-  Assigner assigner(scalars, where);
+  Assigner assigner(values);
   visit(assigner);
 }
 
@@ -167,7 +171,7 @@ class Writer : public ParamVisitor {
   void text(const char* key, std::string& value, const std::vector<std::string>& choices, const char* help) override {
     std::string list;
     for (const std::string& c : choices) list += (list.empty() ? "" : " | ") + c;
-    line(key, value.empty() ? "''" : value, help, list);
+    line(key, yaml_scalar(value), help, list);
   }
   void begin_group(const char* key) override {
     out_ << std::string(indent_, ' ') << key << ":\n";
@@ -190,31 +194,19 @@ class Writer : public ParamVisitor {
 }  // namespace
 
 void read_params(const std::string& yaml_text, const std::string& where, const VisitParams& visit) {
-  Scalars scalars;
-  try {
-    if (yaml_text.find_first_not_of(" \t\r\n") == std::string::npos) return;
-    flatten(Yaml::FromText(yaml_text), "", where, &scalars);
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& e) {
-    throw InputError(where, "is not readable as YAML", "check indentation and colons");
-  }
-  assign(scalars, where, visit);
+  assign(parse_block_yaml(yaml_text, where), where, visit);
 }
 
 void read_params_file(const std::string& path, const VisitParams& visit) {
-  std::ifstream in(path);
-  std::stringstream text;
-  if (!in || !(text << in.rdbuf()))
-    throw InputError(path, "cannot be read", "give the path of a parameter file such as params/default.yaml");
-  read_params(text.str(), path, visit);
+  read_params(read_file(path, "give the path of a parameter file such as params/default.yaml"), path, visit);
 }
 
 void set_param(const std::string& assignment, const VisitParams& visit) {
+  const std::string where = "--set " + one_line(assignment);
   const size_t eq = assignment.find('=');
   if (eq == std::string::npos || eq == 0)
-    throw InputError("--set " + assignment, "is not KEY=VALUE", "write for example --set mapping.window=9");
-  assign({{assignment.substr(0, eq), assignment.substr(eq + 1)}}, "--set " + assignment, visit);
+    throw InputError(where, "is not KEY=VALUE", "write for example --set mapping.window=9");
+  assign({{assignment.substr(0, eq), assignment.substr(eq + 1), true, 0}}, where, visit);
 }
 
 std::string write_params(const VisitParams& visit, int indent, bool comments) {

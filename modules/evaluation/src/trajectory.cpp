@@ -4,10 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
 
 namespace edgevo {
 namespace {
@@ -81,14 +80,6 @@ StampedPose parse_kitti(const Fields& f, int row, const std::string& where) {
   return {Timestamp{row * Timestamp::kTicksPerSecond}, SE3(R, M.col(3))};
 }
 
-std::string read_text(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(text << in.rdbuf())) || in.bad())
-    throw InputError(path, "cannot be read", "give the path of a TUM or KITTI trajectory file");
-  return text.str();
-}
-
 }  // namespace
 
 std::string_view to_string(TrajectoryFormat format) { return format == TrajectoryFormat::kTum ? "TUM" : "KITTI"; }
@@ -124,6 +115,8 @@ Trajectory parse_trajectory(std::string_view text, const std::string& where) {
   return trajectory;
 }
 
-Trajectory read_trajectory(const std::string& path) { return parse_trajectory(read_text(path), path); }
+Trajectory read_trajectory(const std::string& path) {
+  return parse_trajectory(read_file(path, "give the path of a TUM or KITTI trajectory file"), path);
+}
 
 }  // namespace edgevo

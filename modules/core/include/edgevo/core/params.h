@@ -50,8 +50,10 @@ class ParamVisitor {
 
 using VisitParams = std::function<void(ParamVisitor&)>;
 
-/// Overwrites the fields that `yaml_text` names. `where` (a file name) opens each error message.
-/// Throws InputError: not YAML, unknown key (with the nearest known one), wrong type, out of range, not a choice.
+/// Overwrites the fields that `yaml_text` names. Each error message opens with `where` (a file name) and the line.
+/// The text is the plain part of YAML: nested `key: value` lines indented with blanks, comments, quoted texts.
+/// Throws InputError: not readable, unknown key (with the nearest known one), key given twice or without a value, wrong
+/// type, out of range, not a choice. Then some fields may be overwritten already: throw the struct away.
 void read_params(const std::string& yaml_text, const std::string& where, const VisitParams& visit);
 
 /// As read_params, from a file. Throws InputError if it cannot be read.

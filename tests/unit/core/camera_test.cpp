@@ -1,0 +1,171 @@
+// The camera model, against OpenCV with the calibration of TUM's fr1 sequences.
+#include "edgevo/core/camera.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "edgevo/core/error.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+
+Camera fr1() {
+  Camera c;
+  c.pinhole = {517.306408, 516.469215, 318.643040, 255.313989, 640, 480};
+  c.distortion = {0.262383, -0.953104, -0.005358, 0.002628, 1.163314};
+  return c;
+}
+
+cv::Mat K_of(const Pinhole& p) { return (cv::Mat_<double>(3, 3) << p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1); }
+cv::Mat D_of(const Distortion& d) { return (cv::Mat_<double>(1, 5) << d.k1, d.k2, d.p1, d.p2, d.k3); }
+
+Eigen::Vector2d normalised(const Pinhole& p, double u, double v) { return p.ray({u, v}).head<2>(); }
+
+TEST(Camera, DistortsAsOpenCvDoes) {
+  const Camera c = fr1();
+  for (double v = 0; v < 480; v += 37)
+    for (double u = 0; u < 640; u += 37) {
+      const Eigen::Vector2d x = normalised(c.pinhole, u, v);
+      std::vector<cv::Point2d> projected;
+      cv::projectPoints(std::vector<cv::Point3d>{{x.x(), x.y(), 1.0}}, cv::Vec3d(), cv::Vec3d(), K_of(c.pinhole),
+                        D_of(c.distortion), projected);
+      const Eigen::Vector2d d = c.distort(x);
+      EXPECT_NEAR(c.pinhole.fx * d.x() + c.pinhole.cx, projected[0].x, 1e-9);
+      EXPECT_NEAR(c.pinhole.fy * d.y() + c.pinhole.cy, projected[0].y, 1e-9);
+    }
+}
+
+TEST(Camera, UndistortsAsOpenCvDoes) {
+  const Camera c = fr1();
+  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 1000, 1e-14);
+  for (double v = 0; v < 480; v += 37)
+    for (double u = 0; u < 640; u += 37) {
+      std::vector<cv::Point2d> theirs;
+      cv::undistortPoints(std::vector<cv::Point2d>{{u, v}}, theirs, K_of(c.pinhole), D_of(c.distortion),
+                          cv::noArray(), cv::noArray(), until);
+      Eigen::Vector2d ours;
+      ASSERT_TRUE(c.undistort(normalised(c.pinhole, u, v), &ours));
+      EXPECT_NEAR(ours.x(), theirs[0].x, 1e-8) << u << " " << v;
+      EXPECT_NEAR(ours.y(), theirs[0].y, 1e-8) << u << " " << v;
+    }
+}
+
+TEST(Camera, UndistortInvertsDistortOverTheImage) {
+  const Camera c = fr1();
+  for (double v = 0; v < 480; v += 13)
+    for (double u = 0; u < 640; u += 13) {
+      const Eigen::Vector2d x = normalised(c.pinhole, u, v);
+      Eigen::Vector2d back;
+      ASSERT_TRUE(c.undistort(x, &back)) << u << " " << v;
+      EXPECT_LT((c.distort(back) - x).norm(), 1e-12);
+    }
+}
+
+TEST(Camera, UndistortSaysWhereTheModelFoldsOver) {
+  Camera c = fr1();
+  c.distortion = {-0.5, 0, 0, 0, 0};  // r (1 - r^2/2) grows only up to r = 0.816, where it is 0.544
+  Eigen::Vector2d x;
+  EXPECT_TRUE(c.undistort({0.5, 0}, &x));
+  EXPECT_FALSE(c.undistort({0.6, 0}, &x));
+}
+
+TEST(Camera, WithoutDistortionNothingMoves) {
+  Camera c = fr1();
+  c.distortion = {};
+  EXPECT_TRUE(c.distortion.is_zero());
+  EXPECT_FALSE(fr1().distortion.is_zero());
+  EXPECT_EQ(c.distort({0.3, -0.2}), Eigen::Vector2d(0.3, -0.2));
+  const UndistortionMaps maps = make_undistortion_maps(c);
+  for (int v : {0, 100, 479})
+    for (int u : {0, 5, 639}) {
+      EXPECT_NEAR(maps.x[size_t(v * 640 + u)], u, 1e-4);
+      EXPECT_NEAR(maps.y[size_t(v * 640 + u)], v, 1e-4);
+    }
+}
+
+TEST(UndistortionMaps, AreThoseOfOpenCv) {
+  const Camera c = fr1();
+  const UndistortionMaps maps = make_undistortion_maps(c);
+  ASSERT_EQ(maps.x.size(), 640u * 480u);
+  ASSERT_EQ(maps.y.size(), 640u * 480u);
+  cv::Mat map_x, map_y;
+  cv::initUndistortRectifyMap(K_of(c.pinhole), D_of(c.distortion), cv::noArray(), K_of(c.pinhole), cv::Size(640, 480),
+                              CV_32FC1, map_x, map_y);
+  double worst = 0;
+  for (int v = 0; v < 480; ++v)
+    for (int u = 0; u < 640; ++u)
+      worst = std::max({worst, std::abs(double(maps.x[size_t(v * 640 + u)] - map_x.at<float>(v, u))),
+                        std::abs(double(maps.y[size_t(v * 640 + u)] - map_y.at<float>(v, u)))});
+  EXPECT_LT(worst, 2e-4);  // floats of up to 640
+}
+
+TEST(Pinhole, RayAndProjectionAreInverse) {
+  const Pinhole p = fr1().pinhole;
+  const Eigen::Vector2d px(123.4, 345.6);
+  EXPECT_LT((p.project(7.5 * p.ray(px)) - px).norm(), 1e-12);
+  EXPECT_EQ(p.project({0, 0, 2}), Eigen::Vector2d(p.cx, p.cy));
+}
+
+TEST(Pinhole, ALevelHalvesCoordinatesAndRoundsSizesUp) {
+  Pinhole p{700, 710, 600.5, 180.25, 1241, 375};
+  const Pinhole level = p.at_level(2);
+  EXPECT_EQ(level.width, 311);   // 1241 -> 621 -> 311, as cv::pyrDown
+  EXPECT_EQ(level.height, 94);   // 375 -> 188 -> 94
+  const Eigen::Vector3d point(0.7, -0.3, 5);
+  EXPECT_LT((level.project(point) - p.project(point) / 4).norm(), 1e-12);
+  cv::Mat image(375, 1241, CV_8U, cv::Scalar(0)), half, quarter;
+  cv::pyrDown(image, half);
+  cv::pyrDown(half, quarter);
+  EXPECT_EQ(quarter.size(), cv::Size(level.width, level.height));
+  EXPECT_EQ(p.at_level(0).width, 1241);
+}
+
+TEST(Pinhole, ContainsCountsPixelCentres) {
+  const Pinhole p{500, 500, 5, 4, 10, 8};
+  EXPECT_TRUE(p.contains({0, 0}));
+  EXPECT_TRUE(p.contains({9, 7}));
+  EXPECT_FALSE(p.contains({9.01, 7}));
+  EXPECT_FALSE(p.contains({-0.01, 0}));
+  EXPECT_FALSE(p.contains({1.9, 4}, 2));
+  EXPECT_TRUE(p.contains({2, 5}, 2));
+  EXPECT_FALSE(p.contains({std::nan(""), 4}));
+}
+
+std::string complaint(const Camera& c) {
+  try {
+    c.check("cam.txt");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Camera, CheckNamesWhatIsWrong) {
+  EXPECT_EQ(complaint(fr1()), "");
+  Camera c = fr1();
+  c.pinhole.width = 0;
+  EXPECT_THAT(complaint(c), HasSubstr("cam.txt: image size 0x480 is not positive"));
+  c = fr1();
+  c.pinhole.fy = -1;
+  EXPECT_THAT(complaint(c), HasSubstr("focal lengths must be positive"));
+  c = fr1();
+  c.pinhole.fx = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(complaint(c), HasSubstr("focal lengths must be positive"));
+  c = fr1();
+  c.pinhole.cx = 700;
+  EXPECT_THAT(complaint(c), HasSubstr("principal point lies outside"));
+  c = fr1();
+  c.pinhole.cy = std::nan("");
+  EXPECT_THAT(complaint(c), HasSubstr("principal point lies outside"));
+  c = fr1();
+  c.distortion.k3 = std::nan("");
+  EXPECT_THAT(complaint(c), HasSubstr("a distortion coefficient is not a number"));
+}
+
+}  // namespace
+}  // namespace edgevo

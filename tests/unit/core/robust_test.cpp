@@ -1,0 +1,35 @@
+#include "edgevo/core/robust.h"
+
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+TEST(Robust, HuberWeightIsOneInsideAndFallsOutside) {
+  EXPECT_EQ(huber_weight(0, 1.5), 1.0);
+  EXPECT_EQ(huber_weight(-1.5, 1.5), 1.0);
+  EXPECT_DOUBLE_EQ(huber_weight(3.0, 1.5), 0.5);
+  EXPECT_DOUBLE_EQ(huber_weight(-6.0, 1.5), 0.25);
+}
+
+TEST(Robust, HuberCostHasTheWeightAsItsDerivative) {
+  constexpr double h = 1e-6, width = 1.3;
+  for (double r : {-5.0, -1.4, -1.2, -0.1, 0.0, 0.7, 1.29, 1.31, 8.0}) {
+    const double slope = (huber_cost(r + h, width) - huber_cost(r - h, width)) / (2 * h);
+    EXPECT_NEAR(slope, huber_weight(r, width) * r, 1e-6) << r;
+  }
+  EXPECT_NEAR(huber_cost(width - 1e-12, width), huber_cost(width + 1e-12, width), 1e-11);
+}
+
+TEST(Robust, StudentTWeightIsTheScoreOfItsDensity) {
+  // -d/dr log p(r) = w(r) r / sigma^2 for p ~ (1 + (r/sigma)^2/dof)^-((dof+1)/2).
+  constexpr double h = 1e-5, sigma = 0.7, dof = 5;
+  const auto minus_log = [&](double r) { return 0.5 * (dof + 1) * std::log1p(r * r / (sigma * sigma * dof)); };
+  for (double r : {-4.0, -0.5, 0.0, 0.3, 2.0}) {
+    const double slope = (minus_log(r + h) - minus_log(r - h)) / (2 * h);
+    EXPECT_NEAR(slope, student_t_weight(r, sigma, dof) * r / (sigma * sigma), 1e-8) << r;
+  }
+}
+
+}  // namespace
+}  // namespace edgevo
