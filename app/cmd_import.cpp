@@ -1,6 +1,61 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/datasets/ground_truth.h"
+#include "edgevo/mrpt_bridge/rawlog_import.h"
+#include "edgevo/mrpt_bridge/rawlog_writer.h"
+#include "progress.h"
+#include "source_options.h"
 
 namespace edgevo::app {
-void add_import_command(CLI::App&, Action*) {}
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same_place(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored);
+}
+
+// Neither the rawlog nor the folder of its images may be what is being read.
+void check_output(const std::string& source, const std::string& rawlog) {
+  if (fs::path(rawlog).extension() != ".rawlog")
+    throw InputError(rawlog, "does not end in .rawlog", "name the output OUT.rawlog, so that the MRPT tools know it");
+  const fs::path images = rawlog_stem(rawlog) + "_Images";
+  if (is_same_place(source, rawlog) || is_same_place(source, images) || is_same_place(source + "/images", images))
+    throw InputError(rawlog, "would overwrite its own source " + source, "give another name for the output");
+}
+
+int import(const SourceOptions& options, const std::string& rawlog) {
+  check_output(options.path, rawlog);
+  const auto source = open_source(options);
+  const std::string truth = ground_truth_tum(options, *source);
+  const std::string stem = rawlog_stem(rawlog);
+  if (fs::path(rawlog).has_parent_path()) make_output_folder(fs::path(rawlog).parent_path().string());
+  if (!truth.empty()) write_file(stem + "_groundtruth_tum.txt", truth);
+  int count = 0;
+  {
+    Progress progress("importing", source->size());
+    count = import_rawlog(*source, rawlog, [&](int done) { progress.update(done); });
+  }
+  std::printf("%s: %d frames, images in %s_Images%s\n", rawlog.c_str(), count, stem.c_str(),
+              truth.empty() ? "" : ", ground truth beside it");
+  return 0;
+}
+
+}  // namespace
+
+void add_import_command(CLI::App& app, Action* action) {
+  CLI::App* command = app.add_subcommand("import", "turn a source into an MRPT rawlog with its images beside it");
+  auto options = std::make_shared<SourceOptions>();
+  auto rawlog = std::make_shared<std::string>();
+  add_source_options(*command, options.get());
+  command->add_option("OUT.rawlog", *rawlog, "the rawlog to write; its images go to OUT_Images")->required();
+  command->callback([=] { *action = [=] { return import(*options, *rawlog); }; });
+}
+
 }  // namespace edgevo::app

@@ -1,0 +1,31 @@
+// `edgevo` layout: images/, times.txt, camera.txt, groundtruth_tum.txt.
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "sequence.h"
+
+namespace edgevo {
+
+namespace fs = std::filesystem;
+
+bool is_edgevo_layout(const std::string& folder) {
+  std::error_code ignored;
+  return fs::is_directory(fs::path(folder) / "images", ignored);
+}
+
+Sequence read_edgevo_layout(const SourceOptions& options) {
+  const fs::path root = options.path;
+  const std::string images = (root / "images").string(), times = (root / "times.txt").string();
+  Sequence sequence;
+  sequence.kind = "edgevo folder";
+  sequence.images = list_images(images);
+  if (existing(times).empty())
+    throw InputError(times, "is missing", "write seconds, one line an image, or give " + images + " with --camera and --fps");
+  sequence.times = read_times(times);
+  check_counts(sequence.images, sequence.times, times, images);
+  sequence.camera = choose_camera(options, (root / "camera.txt").string());
+  sequence.ground_truth_path = existing((root / "groundtruth_tum.txt").string());
+  return sequence;
+}
+
+}  // namespace edgevo

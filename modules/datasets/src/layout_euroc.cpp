@@ -1,0 +1,83 @@
+// EuRoC (ASL): mav0/camN/{data.csv, data/, sensor.yaml}, mav0/state_groundtruth_estimate0/data.csv; times in ns.
+#include <charconv>
+#include <filesystem>
+
+#include "camera_yaml.h"
+#include "edgevo/core/error.h"
+#include "euroc.h"
+#include "sequence.h"
+#include "text_file.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The user may name the sequence or its mav0/.
+fs::path mav_folder(const std::string& folder) {
+  std::error_code ignored;
+  const fs::path inside = fs::path(folder) / "mav0";
+  return fs::is_directory(inside, ignored) ? inside : fs::path(folder);
+}
+
+}  // namespace
+
+bool is_euroc_layout(const std::string& folder) {
+  std::error_code ignored;
+  return fs::is_directory(mav_folder(folder) / "cam0", ignored);
+}
+
+Timestamp parse_nanoseconds(const std::string& text, const std::string& where) {
+  int64_t ns = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), ns);
+  constexpr int64_t kLargest = INT64_MAX - 100;
+  if (error != std::errc() || stop != text.data() + text.size() || ns < 0 || ns > kLargest)
+    throw InputError(where, "does not begin with a time in whole nanoseconds", "restore the file");
+  return Timestamp::from_nanoseconds(ns);
+}
+
+std::string euroc_camera_folder(const SourceOptions& options) {
+  const std::string name = options.sensor_label.empty() ? "cam0" : options.sensor_label;
+  const fs::path folder = mav_folder(options.path) / name;
+  if (existing((folder / "data.csv").string()).empty())
+    throw InputError(options.path, "no camera '" + name + "' (" + (folder / "data.csv").string() + " is missing)",
+                     "name one of its cameras with --sensor, such as cam0");
+  return folder.string();
+}
+
+SE3 read_euroc_T_body_cam(const std::string& camera_folder) {
+  const std::string path = (fs::path(camera_folder) / "sensor.yaml").string();
+  const auto T = yaml_numbers(parse_flat_yaml(read_text_file(path), path), {"t_bs.data", "t_bs"}, path);
+  if (T.size() != 16) throw InputError(path, "T_BS is not a 4x4 matrix", "restore the file");
+  Eigen::Matrix3d R;
+  R << T[0], T[1], T[2], T[4], T[5], T[6], T[8], T[9], T[10];
+  if ((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 || R.determinant() < 0)
+    throw InputError(path, "T_BS is not a rigid motion", "restore the file");
+  return {R, Eigen::Vector3d(T[3], T[7], T[11])};
+}
+
+std::string euroc_ground_truth_path(const std::string& folder) {
+  return existing((mav_folder(folder) / "state_groundtruth_estimate0" / "data.csv").string());
+}
+
+Sequence read_euroc_layout(const SourceOptions& options) {
+  const fs::path camera_folder = euroc_camera_folder(options);
+  const std::string list = (camera_folder / "data.csv").string();
+  Sequence sequence;
+  sequence.kind = "EuRoC";
+  for (const TextLine& line : split_lines(read_text_file(list), list)) {
+    const auto fields = split_fields(line.text, ',');
+    if (fields.size() != 2 || fields[1].empty())
+      throw InputError(line.where, "is not `time,file name`", "restore data.csv");
+    sequence.times.push_back(parse_nanoseconds(fields[0], line.where));
+    sequence.images.push_back((camera_folder / "data" / fields[1]).string());
+  }
+  if (sequence.images.empty()) throw InputError(list, "names no images", "restore data.csv");
+  sequence.camera = choose_camera(options, (camera_folder / "sensor.yaml").string());
+  sequence.details.emplace_back("camera folder", camera_folder.filename().string());
+  if (const std::string truth = euroc_ground_truth_path(options.path); !truth.empty())
+    sequence.details.emplace_back("ground truth", truth + " (EuRoC format)");
+  return sequence;
+}
+
+}  // namespace edgevo

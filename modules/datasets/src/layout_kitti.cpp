@@ -1,0 +1,88 @@
+// KITTI odometry: sequences/NN/{image_0..3, calib.txt, times.txt}, poses/NN.txt.
+#include <algorithm>
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "edgevo/datasets/camera_file.h"
+#include "edgevo/mrpt_bridge/image_file.h"
+#include "kitti.h"
+#include "sequence.h"
+#include "text_file.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> camera_folders(const std::string& folder) {
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (const char* name : {"image_0", "image_1", "image_2", "image_3"})
+    if (fs::is_directory(fs::path(folder) / name, ignored)) found.push_back(name);
+  return found;
+}
+
+// calib.txt has the projection but not the size, which is that of the images.
+Camera camera_from_projection(const std::array<double, 12>& P, const std::string& first_image, const std::string& where) {
+  const GrayImage image = read_gray_image(first_image);
+  Camera camera;
+  camera.pinhole = {P[0], P[5], P[2], P[6], image.width, image.height};
+  camera.check(where);
+  return camera;
+}
+
+}  // namespace
+
+bool is_kitti_layout(const std::string& folder) {
+  return !camera_folders(folder).empty() && !existing((fs::path(folder) / "calib.txt").string()).empty();
+}
+
+std::string kitti_camera_folder(const SourceOptions& options) {
+  const auto found = camera_folders(options.path);
+  if (options.sensor_label.empty()) return found.front();
+  if (std::find(found.begin(), found.end(), options.sensor_label) != found.end()) return options.sensor_label;
+  std::string list;
+  for (const std::string& name : found) list += (list.empty() ? "" : ", ") + name;
+  throw InputError(options.path, "no camera '" + options.sensor_label + "'; there are " + list,
+                   "did you mean --sensor " + nearest_name(options.sensor_label, found) + "?");
+}
+
+std::array<double, 12> read_kitti_projection(const SourceOptions& options, const std::string& camera_folder) {
+  const std::string path = (fs::path(options.path) / "calib.txt").string();
+  const std::string key = std::string("P") + camera_folder.back() + ":";
+  for (TextLine line : split_lines(read_text_file(path), path)) {
+    if (line.text.rfind(key, 0) != 0) continue;
+    line.text.erase(0, key.size());
+    const auto numbers = parse_numbers(line, 12, key + " and the 3x4 projection matrix, row by row");
+    std::array<double, 12> P{};
+    std::copy(numbers.begin(), numbers.end(), P.begin());
+    return P;
+  }
+  throw InputError(path, "no line '" + key + "'", "give the calibration with --camera, or restore calib.txt");
+}
+
+std::string kitti_poses_path(const std::string& folder) {
+  const fs::path root = fs::path(folder + "/").parent_path();  // without trailing slashes
+  return existing((root / ".." / ".." / "poses" / (root.filename().string() + ".txt")).string());
+}
+
+Sequence read_kitti_layout(const SourceOptions& options) {
+  const fs::path root = options.path;
+  const std::string name = kitti_camera_folder(options);
+  const std::string images = (root / name).string(), times = (root / "times.txt").string();
+  Sequence sequence;
+  sequence.kind = "KITTI odometry";
+  sequence.images = list_images(images);
+  sequence.times = read_times(times);
+  check_counts(sequence.images, sequence.times, times, images);
+  sequence.camera = options.camera_file.empty()
+                        ? camera_from_projection(read_kitti_projection(options, name), sequence.images.front(),
+                                                 (root / "calib.txt").string())
+                        : read_camera_file(options.camera_file);
+  sequence.details.emplace_back("camera folder", name);
+  if (const std::string poses = kitti_poses_path(options.path); !poses.empty())
+    sequence.details.emplace_back("ground truth", poses + " (KITTI format)");
+  return sequence;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,63 @@
+// TUM RGB-D: rgb.txt (`time file` a line), rgb/, groundtruth.txt; the cameras' calibrations are published on its page.
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "edgevo/datasets/camera_file.h"
+#include "sequence.h"
+#include "text_file.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Published {
+  const char* name;
+  Camera camera;
+};
+
+// "Intrinsic Camera Calibration of the Kinect" of the dataset's page; freiburg3 is rectified.
+const Published kPublished[] = {
+    {"freiburg1", {{517.306408, 516.469215, 318.643040, 255.313989, 640, 480},
+                   {0.262383, -0.953104, -0.005358, 0.002628, 1.163314}}},
+    {"freiburg2", {{520.908620, 521.007327, 325.141442, 249.701764, 640, 480},
+                   {0.231222, -0.784899, -0.003257, -0.000105, 0.917205}}},
+    {"freiburg3", {{535.4, 539.2, 320.1, 247.6, 640, 480}, {}}},
+};
+
+Camera tum_camera(const SourceOptions& options, Sequence* sequence) {
+  if (!options.camera_file.empty()) return read_camera_file(options.camera_file);
+  const std::string folder = fs::path(fs::weakly_canonical(options.path)).filename().string();
+  for (const Published& published : kPublished) {
+    if (folder.find(published.name) == std::string::npos) continue;
+    sequence->details.emplace_back("calibration", std::string("published for ") + published.name);
+    return published.camera;
+  }
+  throw InputError(options.path, "the folder's name holds none of freiburg1, freiburg2, freiburg3",
+                   "give the camera's file with --camera");
+}
+
+}  // namespace
+
+bool is_tum_layout(const std::string& folder) { return !existing((fs::path(folder) / "rgb.txt").string()).empty(); }
+
+Sequence read_tum_layout(const SourceOptions& options) {
+  const fs::path root = options.path;
+  const std::string list = (root / "rgb.txt").string();
+  Sequence sequence;
+  sequence.kind = "TUM RGB-D";
+  for (const TextLine& line : split_lines(read_text_file(list), list)) {
+    const auto fields = split_fields(line.text);
+    Timestamp time;
+    if (fields.size() != 2 || !parse_seconds(fields[0], &time))
+      throw InputError(line.where, "is not a time and a file name", "restore rgb.txt");
+    sequence.times.push_back(time);
+    sequence.images.push_back((root / fields[1]).string());
+  }
+  if (sequence.images.empty()) throw InputError(list, "names no images", "restore rgb.txt");
+  sequence.camera = tum_camera(options, &sequence);
+  sequence.ground_truth_path = existing((root / "groundtruth.txt").string());
+  return sequence;
+}
+
+}  // namespace edgevo

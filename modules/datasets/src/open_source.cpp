@@ -1,0 +1,92 @@
+#include "edgevo/datasets/open_source.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+
+#include "edgevo/core/error.h"
+#include "edgevo/datasets/camera_file.h"
+#include "edgevo/mrpt_bridge/rawlog_source.h"
+#include "sequence.h"
+#include "subsampled_source.h"
+#include "text_file.h"
+#include "video_source.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+void refuse_label(const SourceOptions& options) {
+  if (options.sensor_label.empty()) return;
+  throw InputError(options.path, "no sensor '" + options.sensor_label + "': it has one camera, without a name",
+                   "leave --sensor out");
+}
+
+struct Layout {
+  bool (*recognises)(const std::string& folder);
+  Sequence (*read)(const SourceOptions& options);
+  bool has_labels;  // its cameras have names to choose by
+};
+
+constexpr Layout kLayouts[] = {
+    {is_edgevo_layout, read_edgevo_layout, false},
+    {is_kitti_layout, read_kitti_layout, true},
+    {is_tum_layout, read_tum_layout, false},
+    {is_euroc_layout, read_euroc_layout, true},
+};
+
+bool is_anything(const std::string&) { return true; }
+
+constexpr Layout kPlainFolder = {is_anything, read_image_folder, false};
+
+std::unique_ptr<ImageSource> open_folder(const SourceOptions& options) {
+  const auto known = std::find_if(std::begin(kLayouts), std::end(kLayouts),
+                                  [&](const Layout& layout) { return layout.recognises(options.path); });
+  const Layout& layout = known == std::end(kLayouts) ? kPlainFolder : *known;
+  if (!layout.has_labels) refuse_label(options);
+  return play(layout.read(options));
+}
+
+std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
+  RawlogSourceOptions rawlog{options.path, options.sensor_label, std::nullopt};
+  if (!options.camera_file.empty()) rawlog.camera = read_camera_file(options.camera_file);
+  return open_rawlog(rawlog);
+}
+
+std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
+  std::error_code ignored;
+  if (options.path.rfind("camera:", 0) == 0) return open_live_camera(options);
+  if (!fs::exists(options.path, ignored)) throw InputError(options.path, "no such file or folder", "check the path");
+  if (fs::is_directory(options.path, ignored)) return open_folder(options);
+  if (fs::path(options.path).extension() == ".rawlog") return open_rawlog_file(options);
+  refuse_label(options);
+  return open_video(options);
+}
+
+int parse_frame_number(const std::string& text, const std::string& where) {
+  const double value = parse_number(text, where);
+  if (value < 0 || value > std::numeric_limits<int>::max() || value != int(value))
+    throw InputError(where, "'" + text + "' is not a frame number", "count from 0");
+  return int(value);
+}
+
+}  // namespace
+
+void set_frame_range(const std::string& text, SourceOptions* options) {
+  const std::string where = "--frames " + text;
+  const size_t colon = text.find(':');
+  if (colon == std::string::npos) throw InputError(where, "is not A:B", "give for example --frames 0:300");
+  const std::string first = text.substr(0, colon), last = text.substr(colon + 1);
+  options->first = first.empty() ? 0 : parse_frame_number(first, where);
+  options->last = last.empty() ? std::nullopt : std::optional<int>(parse_frame_number(last, where));
+  if (options->last && *options->last <= options->first)
+    throw InputError(where, "holds no frame", "A:B means frames A to B-1, so B must be larger than A");
+}
+
+std::unique_ptr<ImageSource> open_source(const SourceOptions& options) {
+  return subsample(open_whole(options), options);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,24 @@
+#include "rate.h"
+
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+
+namespace edgevo {
+namespace {
+
+bool is_plausible(double fps) { return std::isfinite(fps) && fps >= 1e-3 && fps <= 1e5; }
+
+}  // namespace
+
+Rate choose_rate(double given, double own) {
+  if (given != 0) {
+    if (!is_plausible(given)) throw InputError("--fps", "is not a rate between 0.001 and 100000", "give frames a second");
+    return {given, fixed(given, 3) + " frames a second, as given by --fps"};
+  }
+  if (is_plausible(own)) return {own, fixed(own, 3) + " frames a second, as the file says"};
+  return {30, "30 frames a second assumed; give --fps if that is wrong"};
+}
+
+}  // namespace edgevo

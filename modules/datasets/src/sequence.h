@@ -1,0 +1,52 @@
+#pragma once
+// What every folder layout amounts to: a list of image files with times, and a camera. A layout is a function from a folder
+// to this value; playing it is the same for all.
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgevo/core/image_source.h"
+#include "edgevo/datasets/open_source.h"
+
+namespace edgevo {
+
+struct Sequence {
+  std::string kind;
+  std::vector<std::string> images;  ///< paths, in order
+  std::vector<Timestamp> times;     ///< one for each; whether they increase is checked frame by frame
+  Camera camera;
+  std::string ground_truth_path;    ///< TUM format; may be empty
+  std::vector<std::pair<std::string, std::string>> details;
+};
+
+std::unique_ptr<ImageSource> play(Sequence sequence);
+
+/// Image files of a folder by name, numbers in names by value ("frame_9" before "frame_10"). Throws InputError if there are none.
+std::vector<std::string> list_images(const std::string& folder);
+
+/// Times, one decimal number of seconds a line. Throws InputError.
+std::vector<Timestamp> read_times(const std::string& path);
+
+/// Throws InputError unless `times` and `images` are as many.
+void check_counts(const std::vector<std::string>& images, const std::vector<Timestamp>& times,
+                  const std::string& times_path, const std::string& images_folder);
+
+/// The camera file the user gave, else `own` if that exists, else InputError asking for --camera.
+Camera choose_camera(const SourceOptions& options, const std::string& own);
+
+/// `path` if such a file exists, else empty.
+std::string existing(const std::string& path);
+
+bool is_edgevo_layout(const std::string& folder);
+bool is_kitti_layout(const std::string& folder);
+bool is_tum_layout(const std::string& folder);
+bool is_euroc_layout(const std::string& folder);
+
+Sequence read_edgevo_layout(const SourceOptions& options);
+Sequence read_kitti_layout(const SourceOptions& options);
+Sequence read_tum_layout(const SourceOptions& options);
+Sequence read_euroc_layout(const SourceOptions& options);
+Sequence read_image_folder(const SourceOptions& options);
+
+}  // namespace edgevo

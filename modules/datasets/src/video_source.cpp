@@ -1,0 +1,152 @@
+#include "video_source.h"
+
+#include <chrono>
+#include <cmath>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
+#include "rate.h"
+#include "sequence.h"
+#include "text_file.h"
+
+namespace edgevo {
+namespace {
+
+// OpenCV's back ends announce on stderr each format that they do not know.
+class QuietOpenCv {
+ public:
+  QuietOpenCv() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
+  ~QuietOpenCv() { cv::utils::logging::setLogLevel(before_); }
+  QuietOpenCv(const QuietOpenCv&) = delete;
+  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
+
+ private:
+  cv::utils::logging::LogLevel before_;
+};
+
+GrayImage to_gray(const cv::Mat& bgr) {
+  GrayImage gray{bgr.cols, bgr.rows, std::vector<uint8_t>(bgr.total())};
+  cv::Mat target(bgr.rows, bgr.cols, CV_8UC1, gray.pixels.data());
+  if (bgr.channels() == 1)
+    bgr.copyTo(target);
+  else
+    cv::cvtColor(bgr, target, cv::COLOR_BGR2GRAY);
+  return gray;
+}
+
+// cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well before its
+// own count is told as damaged; counts are estimates, so a few frames are not.
+class VideoSource : public ImageSource {
+ public:
+  VideoSource(const SourceOptions& options, cv::VideoCapture capture)
+      : path_(options.path),
+        camera_(choose_camera(options, "")),
+        capture_(std::move(capture)),
+        rate_(choose_rate(options.fps, capture_.get(cv::CAP_PROP_FPS))) {
+    const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
+    if (count >= 1 && count < 1e9) count_ = int(count);
+  }
+
+  const Camera& camera() const override { return camera_; }
+  std::optional<int> size() const override { return count_; }
+  std::string kind() const override { return "video"; }
+  std::vector<std::pair<std::string, std::string>> details() const override { return {{"times", rate_.says}}; }
+
+  std::optional<Frame> next() override {
+    if (!skip()) return std::nullopt;
+    cv::Mat pixels;
+    const int index = index_ - 1;
+    const std::string where = path_ + ", frame " + std::to_string(index);
+    done_ = true;  // stays so if a check throws
+    if (!capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
+      throw InputError(where, "the image does not decode", "convert the video again");
+    Frame frame{index, rate_.time(index), to_gray(pixels)};
+    check_image_size(frame.image, camera_.pinhole, where);
+    done_ = false;
+    return frame;
+  }
+  bool skip() override {
+    if (done_) return false;
+    if (capture_.grab()) {
+      ++index_;
+      return true;
+    }
+    done_ = true;
+    if (count_ && index_ < *count_ - std::max(2, *count_ / 50))
+      throw InputError(path_, "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
+                       "the video is damaged; convert it again");
+    return false;
+  }
+
+ private:
+  std::string path_;
+  Camera camera_;
+  cv::VideoCapture capture_;
+  Rate rate_;
+  std::optional<int> count_;
+  int index_ = 0;
+  bool done_ = false;
+};
+
+class LiveCamera : public ImageSource {
+ public:
+  LiveCamera(const SourceOptions& options, cv::VideoCapture capture)
+      : path_(options.path), camera_(choose_camera(options, "")), capture_(std::move(capture)) {}
+
+  const Camera& camera() const override { return camera_; }
+  std::optional<int> size() const override { return std::nullopt; }
+  std::string kind() const override { return "live camera"; }
+
+  std::optional<Frame> next() override {
+    cv::Mat pixels;
+    if (!capture_.grab()) return std::nullopt;
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+    if (!capture_.retrieve(pixels) || pixels.empty()) return std::nullopt;
+    Frame frame{index_, Timestamp::from_nanoseconds(ns), to_gray(pixels)};
+    const std::string where = path_ + ", frame " + std::to_string(index_);
+    if (index_ > 0) check_time_increases(previous_, frame.time, where);
+    check_image_size(frame.image, camera_.pinhole, where);
+    previous_ = frame.time;
+    ++index_;
+    return frame;
+  }
+
+ private:
+  std::string path_;
+  Camera camera_;
+  cv::VideoCapture capture_;
+  Timestamp previous_;
+  int index_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<ImageSource> open_video(const SourceOptions& options) {
+  const QuietOpenCv quiet;
+  cv::VideoCapture capture;
+  try {
+    capture.open(options.path, cv::CAP_FFMPEG);
+  } catch (const cv::Exception&) {
+  }
+  if (!capture.isOpened())
+    throw InputError(options.path, "is neither a rawlog nor a video that can be read",
+                     "give a .rawlog, a dataset folder, a folder of images or a video");
+  return std::make_unique<VideoSource>(options, std::move(capture));
+}
+
+std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
+  const QuietOpenCv quiet;
+  const std::string number = options.path.substr(options.path.find(':') + 1);
+  const double index = parse_number(number, options.path);
+  if (index < 0 || index > 255 || index != std::floor(index))
+    throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
+  cv::VideoCapture capture;
+  if (!capture.open(int(index))) throw InputError(options.path, "the camera does not open", "check that it is plugged in");
+  return std::make_unique<LiveCamera>(options, std::move(capture));
+}
+
+}  // namespace edgevo
