@@ -19,16 +19,19 @@ void check_points(const BaProblem& problem) {
       malformed("the host of point " + std::to_string(i) + " is not a pose", "host is an index into poses");
 }
 
+[[noreturn]] void malformed_observation(std::size_t i, const std::string& what, const std::string& remedy) {
+  malformed("observation " + std::to_string(i) + " " + what, remedy);
+}
+
 void check_observations(const BaProblem& problem) {
   int last_point = 0;
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     const BaObservation& o = problem.observations[i];
-    const std::string name = "observation " + std::to_string(i);
-    if (!is_index(o.point, problem.points.size())) malformed(name + " has no point", "point is an index into points");
-    if (!is_index(o.target, problem.poses.size())) malformed(name + " has no pose", "target is an index into poses");
+    if (!is_index(o.point, problem.points.size())) malformed_observation(i, "has no point", "point is an index into points");
+    if (!is_index(o.target, problem.poses.size())) malformed_observation(i, "has no pose", "target is an index into poses");
     if (o.target == problem.points[o.point].host)
-      malformed(name + " is of a point in its own host", "leave it out: it says nothing");
-    if (o.point < last_point) malformed(name + " is out of order", "sort observations by point");
+      malformed_observation(i, "is of a point in its own host", "leave it out: it says nothing");
+    if (o.point < last_point) malformed_observation(i, "is out of order", "sort observations by point");
     last_point = o.point;
   }
 }

@@ -7,48 +7,44 @@
 namespace edgevo::ba {
 namespace {
 
-using Pack = Eigen::Array2d;
+inline Rows both(double x) { return Rows{x, x}; }
+// {a[0] + a[1], b[0] + b[1]}
+inline Rows sums(Rows a, Rows b) { return Rows{a[0], b[0]} + Rows{a[1], b[1]}; }
 
-// One residual row: its value, its six derivatives by the target pose, and the one by inverse depth.
-struct Row {
-  double r;
-  double J[6];
-  double J_idepth;
-};
-
-// The row's function f . (u, v, 1), of p = (u, v, 1) = Y / Y_z; s = rho / Y_z, t the pair's translation over Y_z.
-inline void evaluate_row(const double* f, double u, double v, double s, const double* t, Row* row) {
-  const double projected = f[0] * u + f[1] * v;
-  row->r = projected + f[2];
-  row->J[0] = s * f[0];
-  row->J[1] = s * f[1];
-  row->J[2] = -s * projected;
-  row->J[3] = -v * projected - f[1];  // p x (f0, f1, -projected)
-  row->J[4] = f[0] + u * projected;
-  row->J[5] = u * f[1] - v * f[0];
-  row->J_idepth = f[0] * t[0] + f[1] * t[1] - projected * t[2];
+inline void add_scaled(double k, const PackedVector6& v, PackedVector6* out) {
+  for (int i = 0; i < 3; ++i) out->x[i] += both(k) * v.x[i];
 }
 
-inline Pack pack(const double* x) { return Pack(x[0], x[1]); }
-
-Matrix6d unpack(const std::array<Pack, 12>& H) {
-  Matrix6d M;
-  int k = 0;
-  for (int i = 0; i < 6; ++i)
-    for (int j = i / 2; j < 3; ++j, ++k) M.block<1, 2>(i, 2 * j) = H[k].matrix().transpose();
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < i; ++j) M(i, j) = M(j, i);
-  return M;
-}
-
-Matrix6d unpack(const std::array<Pack, 18>& S) {
-  Matrix6d M;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 3; ++j) M.block<1, 2>(i, 2 * j) = S[3 * i + j].matrix().transpose();
-  return M;
+Vector6d to_vector(const PackedVector6& v) {
+  Vector6d out;
+  for (int i = 0; i < 6; ++i) out[i] = v.x[i / 2][i % 2];
+  return out;
 }
 
 }  // namespace
+
+// One observation: residual and derivatives of its two rows, and what the loss makes of them.
+struct NormalEquationsBuilder::Derivatives {
+  Rows r;
+  Rows J[6];      // by the target pose
+  Rows J_idepth;
+  double weight;
+  double cost;
+};
+
+Matrix6d NormalEquationsBuilder::to_matrix(const PairSums& pair) {
+  Matrix6d M;
+  int k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j, ++k) M(i, j) = M(j, i) = pair.H[k][0] + pair.H[k][1];
+  return M;
+}
+
+Matrix6d NormalEquationsBuilder::to_matrix(const SchurBlock& block) {
+  Matrix6d M;
+  for (int i = 0; i < 6; ++i) M.row(i) = to_vector(block.row[i]);
+  return M;
+}
 
 NormalEquationsBuilder::NormalEquationsBuilder(const Window& window, double huber_width)
     : window_(window),
@@ -66,8 +62,7 @@ void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
       const int pair = h * n_ + t;
       relative_[pair] = relative_pose(state.poses[t], state.poses[h]);
       out->adjoint[pair] = (state.poses[t] * state.poses[h].inverse()).adjoint();
-      pairs_[pair].H.fill(Pack::Zero());
-      pairs_[pair].b.fill(Pack::Zero());
+      pairs_[pair] = PairSums{};
     }
   out->cost = 0;
   out->H.setZero(6 * n_, 6 * n_);
@@ -82,8 +77,8 @@ void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
 void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
   reset(state, out);
   for (int h = 0; h < n_; ++h) {
-    for (SchurBlock& block : schur_) block.fill(Pack::Zero());
-    for (Vector6d& b : schur_b_) b.setZero();
+    for (SchurBlock& block : schur_) block = SchurBlock{};
+    for (PackedVector6& b : schur_b_) b = PackedVector6{};
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& point = window_.points[i];
       add_point(point, h, i, state.idepth[point.index], out);
@@ -94,77 +89,91 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
   }
 }
 
+// J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth = g . t / Y_z.
+inline bool NormalEquationsBuilder::differentiate(const RelativePose& T, const WindowPoint& point, double idepth,
+                                                  const WindowObservation& o, Derivatives* d) const {
+  const double x = point.ray[0], y = point.ray[1], z = point.ray[2];
+  const double* R = T.R;
+  const double* t = T.t;
+  const double Y_z = R[6] * x + R[7] * y + R[8] * z + idepth * t[2];
+  if (!(Y_z > kMinDepthRatio)) return false;
+  const double inv = 1.0 / Y_z;
+  const Rows u = both((R[0] * x + R[1] * y + R[2] * z + idepth * t[0]) * inv);
+  const Rows v = both((R[3] * x + R[4] * y + R[5] * z + idepth * t[1]) * inv);
+  const Rows s = both(idepth * inv);
+  const Rows f0 = o.f[0], f1 = o.f[1], projected = f0 * u + f1 * v;
+  d->r = projected + o.f[2];
+  d->J[0] = s * f0;
+  d->J[1] = s * f1;
+  d->J[2] = -s * projected;
+  d->J[3] = -v * projected - f1;
+  d->J[4] = u * projected + f0;
+  d->J[5] = u * f1 - v * f0;
+  d->J_idepth = (f0 * both(t[0]) + f1 * both(t[1]) - projected * both(t[2])) * both(inv);
+
+  const Rows rr = d->r * d->r;
+  const double squared = rr[0] + rr[1];
+  d->weight = 1;
+  d->cost = 0.5 * squared;
+  if (squared > huber_width_ * huber_width_) {
+    const double norm = std::sqrt(squared);
+    d->weight = huber_width_ / norm;
+    d->cost = huber_width_ * (norm - 0.5 * huber_width_);
+  }
+  return true;
+}
+
+inline void NormalEquationsBuilder::add_to_pair(const Derivatives& d, PairSums* sums) {
+  const Rows w = both(d.weight), w_r = w * d.r;
+  int entry = 0;
+  for (int i = 0; i < 6; ++i) {
+    sums->b[i] += w_r * d.J[i];
+    const Rows w_J = w * d.J[i];
+    for (int j = i; j < 6; ++j, ++entry) sums->H[entry] += w_J * d.J[j];
+  }
+}
+
 void NormalEquationsBuilder::add_point(const WindowPoint& point, int host, int point_index, double idepth,
                                        NormalEquations* out) {
-  const double x = point.ray[0], y = point.ray[1], z = point.ray[2];
-  double information = 0, gradient = 0, cost = 0;
+  const RelativePose* relative = &relative_[host * n_];
+  PairSums* pairs = &pairs_[host * n_];
+  PackedVector6* coupling = out->coupling.data();
+  Rows depth = both(0);  // information, gradient
+  double cost = 0;
   for (int k = point.begin; k < point.end; ++k) {
     const WindowObservation& o = window_.observations[k];
-    const int pair = host * n_ + o.target;
-    const double* R = relative_[pair].R;
-    const double* t = relative_[pair].t;
-    const double Y_z = R[6] * x + R[7] * y + R[8] * z + idepth * t[2];
-    if (!(Y_z > kMinDepthRatio)) {
+    Derivatives d;
+    if (!differentiate(relative[o.target], point, idepth, o, &d)) {
       cost += huber_cost(o.hidden_residual, huber_width_);
-      out->coupling[k].setZero();
+      coupling[k] = PackedVector6{};
       continue;
     }
-    const double inv = 1.0 / Y_z;
-    const double u = (R[0] * x + R[1] * y + R[2] * z + idepth * t[0]) * inv;
-    const double v = (R[3] * x + R[4] * y + R[5] * z + idepth * t[1]) * inv;
-    const double t_scaled[3] = {t[0] * inv, t[1] * inv, t[2] * inv};
-    Row n, d;
-    evaluate_row(o.normal, u, v, idepth * inv, t_scaled, &n);
-    evaluate_row(o.tangent, u, v, idepth * inv, t_scaled, &d);
-
-    const double squared = n.r * n.r + d.r * d.r;
-    const double norm = std::sqrt(squared);
-    const bool inlier = norm <= huber_width_;
-    const double w = inlier ? 1.0 : huber_width_ / norm;
-    cost += inlier ? 0.5 * squared : huber_width_ * (norm - 0.5 * huber_width_);
-
-    const double wn = w * n.J_idepth, wd = w * d.J_idepth;
-    information += wn * n.J_idepth + wd * d.J_idepth;
-    gradient += wn * n.r + wd * d.r;
-
-    const Pack Jn[3] = {pack(n.J), pack(n.J + 2), pack(n.J + 4)};
-    const Pack Jd[3] = {pack(d.J), pack(d.J + 2), pack(d.J + 4)};
-    PairSums& sums = pairs_[pair];
-    const double rn = w * n.r, rd = w * d.r;
-    for (int j = 0; j < 3; ++j) {
-      sums.b[j] += rn * Jn[j] + rd * Jd[j];
-      out->coupling[k].segment<2>(2 * j) = (wn * Jn[j] + wd * Jd[j]).matrix();
-    }
-    int entry = 0;
-    for (int i = 0; i < 6; ++i) {
-      const double a = w * n.J[i], c = w * d.J[i];
-      for (int j = i / 2; j < 3; ++j, ++entry) sums.H[entry] += a * Jn[j] + c * Jd[j];
-    }
+    cost += d.cost;
+    const Rows w_idepth = both(d.weight) * d.J_idepth;
+    depth += sums(w_idepth * d.J_idepth, w_idepth * d.r);
+    for (int i = 0; i < 3; ++i) coupling[k].x[i] = sums(w_idepth * d.J[2 * i], w_idepth * d.J[2 * i + 1]);
+    add_to_pair(d, &pairs[o.target]);
   }
   out->cost += cost;
-  out->idepth_information[point_index] = information;
-  out->idepth_gradient[point_index] = gradient;
+  out->idepth_information[point_index] = depth[0];
+  out->idepth_gradient[point_index] = depth[1];
 }
 
 void NormalEquationsBuilder::eliminate(const WindowPoint& point, int point_index, NormalEquations* out) {
   const double inv = 1.0 / out->idepth_information[point_index];
   const double step = out->idepth_gradient[point_index] * inv;
+  const WindowObservation* observations = window_.observations.data();
   for (int i = point.begin; i < point.end; ++i) {
-    const Vector6d& e_row = out->coupling[i];
-    const int row = window_.observations[i].target;
-    schur_b_[row] += step * e_row;
-    double q[6];
-    for (int k = 0; k < 6; ++k) q[k] = inv * e_row[k];
+    const int row = observations[i].target;
+    const PackedVector6 e_row = out->coupling[i];
+    add_scaled(step, e_row, &schur_b_[row]);
+    PackedVector6 q{};
+    add_scaled(inv, e_row, &q);
     // Targets ascend, so blocks on and below the diagonal are filled; two matches in one target also meet crosswise.
-    for (int j = point.begin; j < point.end && window_.observations[j].target <= row; ++j) {
-      SchurBlock& block = schur_[row * n_ + window_.observations[j].target];
-      const double* e = out->coupling[j].data();
-      const Pack e0 = pack(e), e1 = pack(e + 2), e2 = pack(e + 4);
-      for (int k = 0; k < 6; ++k) {
-        block[3 * k] += q[k] * e0;
-        block[3 * k + 1] += q[k] * e1;
-        block[3 * k + 2] += q[k] * e2;
-      }
+    for (int j = point.begin; j < point.end && observations[j].target <= row; ++j) {
+      const PackedVector6 e = out->coupling[j];
+      SchurBlock& block = schur_[row * n_ + observations[j].target];
+      for (int k = 0; k < 6; ++k) add_scaled(q.x[k / 2][k % 2], e, &block.row[k]);
     }
   }
 }
@@ -174,12 +183,12 @@ void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
   for (int target = 0; target < n_; ++target) {
     if (target == host) continue;
     const int t = 6 * target;
-    const PairSums& sums = pairs_[host * n_ + target];
+    const PairSums& pair = pairs_[host * n_ + target];
     const Matrix6d& Ad = out->adjoint[host * n_ + target];
-    const Matrix6d A = unpack(sums.H);
+    const Matrix6d A = to_matrix(pair);
     const Matrix6d A_Ad = A * Ad;
     Vector6d b;
-    b << sums.b[0].matrix(), sums.b[1].matrix(), sums.b[2].matrix();
+    for (int i = 0; i < 6; ++i) b[i] = pair.b[i][0] + pair.b[i][1];
     out->H.block<6, 6>(t, t) += A;
     out->H.block<6, 6>(t, h) -= A_Ad;
     out->H.block<6, 6>(h, t) -= A_Ad.transpose();
@@ -198,7 +207,7 @@ void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
     for (int row = 0; row < n_; ++row) {
       if (row == host) continue;
       const bool lower = row >= col;
-      Matrix6d M = unpack(schur_[lower ? row * n_ + col : col * n_ + row]);
+      Matrix6d M = to_matrix(schur_[lower ? row * n_ + col : col * n_ + row]);
       if (!lower) M.transposeInPlace();
       out->S.block<6, 6>(6 * row, 6 * col) += M;
       with_host.noalias() += Ad[row].transpose() * M;
@@ -206,8 +215,9 @@ void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
     out->S.block<6, 6>(h, 6 * col) -= with_host;
     out->S.block<6, 6>(6 * col, h) -= with_host.transpose();
     out->S.block<6, 6>(h, h) += with_host * Ad[col];
-    out->s.segment<6>(6 * col) += schur_b_[col];
-    out->s.segment<6>(h) -= Ad[col].transpose() * schur_b_[col];
+    const Vector6d b = to_vector(schur_b_[col]);
+    out->s.segment<6>(6 * col) += b;
+    out->s.segment<6>(h) -= Ad[col].transpose() * b;
   }
 }
 

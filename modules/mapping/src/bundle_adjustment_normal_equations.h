@@ -4,12 +4,16 @@
 //
 // All sums are first taken per (host, target) pair in the target's own perturbation; since J_host = -J_target Ad(T_t_h), the
 // blocks of the world poses follow by congruence, once a pair and not once an observation.
-#include <array>
 #include <vector>
 
 #include "bundle_adjustment_window.h"
 
 namespace edgevo::ba {
+
+/// Six doubles in three registers.
+struct PackedVector6 {
+  Rows x[3];
+};
 
 /// Poses' 6x6 blocks are ordered as the window's poses, fixed ones included. H and S are symmetric and full.
 struct NormalEquations {
@@ -20,7 +24,7 @@ struct NormalEquations {
   Eigen::VectorXd s;                       ///< sum over free points E gradient / information
   std::vector<double> idepth_information;  ///< per window point, sum w (dr/drho)^2
   std::vector<double> idepth_gradient;     ///< per window point, sum w r dr/drho
-  std::vector<Vector6d> coupling;          ///< per window observation, E = sum w J_target^T dr/drho
+  std::vector<PackedVector6> coupling;     ///< per window observation, E = sum w J_target^T dr/drho
   std::vector<Matrix6d> adjoint;           ///< of T_target_host, host * n + target: J_host = -J_target Ad
 };
 
@@ -34,14 +38,22 @@ class NormalEquationsBuilder {
   void build(const State& state, NormalEquations* out);
 
  private:
-  using Pack = Eigen::Array2d;  ///< two doubles, one register on every 64-bit target
+  struct Derivatives;
+  /// Both rows of all observations of a (host, target) pair, the lanes to be added up at the end.
   struct PairSums {
-    std::array<Pack, 12> H;  ///< upper 2x2 blocks of a 6x6 matrix, row by row
-    std::array<Pack, 3> b;
+    Rows H[21];  ///< upper triangle of a 6x6 matrix, row by row
+    Rows b[6];
   };
-  using SchurBlock = std::array<Pack, 18>;  ///< 6x6, row by row
+  struct SchurBlock {
+    PackedVector6 row[6];
+  };
+  static Matrix6d to_matrix(const PairSums& sums);
+  static Matrix6d to_matrix(const SchurBlock& block);
+  static void add_to_pair(const Derivatives& d, PairSums* sums);
 
   void reset(const State& state, NormalEquations* out);
+  bool differentiate(const RelativePose& T, const WindowPoint& point, double idepth, const WindowObservation& o,
+                     Derivatives* d) const;
   void add_point(const WindowPoint& point, int host, int point_index, double idepth, NormalEquations* out);
   void eliminate(const WindowPoint& point, int point_index, NormalEquations* out);
   void scatter_pairs(int host, NormalEquations* out);
@@ -53,7 +65,7 @@ class NormalEquationsBuilder {
   std::vector<RelativePose> relative_;  ///< host * n + target
   std::vector<PairSums> pairs_;         ///< host * n + target
   std::vector<SchurBlock> schur_;       ///< of the host at hand: target_row * n + target_col, row >= col
-  std::vector<Vector6d> schur_b_;       ///< of the host at hand, per target
+  std::vector<PackedVector6> schur_b_;  ///< of the host at hand, per target
 };
 
 }  // namespace edgevo::ba

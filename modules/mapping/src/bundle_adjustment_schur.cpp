@@ -20,6 +20,13 @@ constexpr double kMaxLambda = 1e16;
 // Marquardt's scaling; bounded below, so that a pose that nothing observes stays where it is.
 double damping_scale(double information) { return std::clamp(information, 1e-6, 1e32); }
 
+PackedVector6 pack(const Vector6d& v) { return {{Rows{v[0], v[1]}, Rows{v[2], v[3]}, Rows{v[4], v[5]}}}; }
+
+inline double dot(const PackedVector6& a, const PackedVector6& b) {
+  const Rows sum = a.x[0] * b.x[0] + a.x[1] * b.x[1] + a.x[2] * b.x[2];
+  return sum[0] + sum[1];
+}
+
 struct Step {
   Eigen::VectorXd poses;       ///< 6 rows a pose, zero for fixed ones
   std::vector<double> idepth;  ///< per window point
@@ -114,17 +121,17 @@ bool Minimizer::solve_poses() {
 void Minimizer::solve_idepths() {
   const double lambda = damping_.lambda();
   const int n = window_.pose_count;
-  std::vector<Vector6d> relative(n);
+  std::vector<PackedVector6> relative(n);  // step of each target as seen from the host
   for (int h = 0; h < n; ++h) {
     const Vector6d host = step_.poses.segment<6>(6 * h);
-    for (int t = 0; t < n; ++t) relative[t] = step_.poses.segment<6>(6 * t) - now_.adjoint[h * n + t] * host;
+    for (int t = 0; t < n; ++t) relative[t] = pack(step_.poses.segment<6>(6 * t) - now_.adjoint[h * n + t] * host);
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& p = window_.points[i];
       const double information = now_.idepth_information[i];
       step_.idepth[i] = 0;
       if (p.fixed || !(information > kMinIdepthInformation)) continue;
       double residual = now_.idepth_gradient[i];
-      for (int k = p.begin; k < p.end; ++k) residual += now_.coupling[k].dot(relative[window_.observations[k].target]);
+      for (int k = p.begin; k < p.end; ++k) residual += dot(now_.coupling[k], relative[window_.observations[k].target]);
       const double x = -residual / (information * (1.0 + lambda));
       step_.idepth[i] = x;
       step_.predicted_decrease += 0.5 * x * (lambda * information * x - now_.idepth_gradient[i]);

@@ -25,10 +25,13 @@ struct RelativePose {
 };
 RelativePose relative_pose(const SE3& T_target_world, const SE3& T_host_world);
 
-/// r_n = normal . (u, v, 1), r_t = tangent . (u, v, 1) for the normalised image point (u, v) in the target; both whitened.
+/// Two doubles in one register, on every 64-bit machine: here the normal row (0) and the tangent row (1) of an observation.
+/// The compiler's vector type rather than Eigen's arrays, which go through memory when they are put together from scalars.
+using Rows = double __attribute__((vector_size(16)));
+
+/// Whitened residual f[0] u + f[1] v + f[2] for the normalised image point (u, v) in the target.
 struct WindowObservation {
-  double normal[3];
-  double tangent[3];
+  Rows f[3];
   double hidden_residual;  ///< whitened residual charged when behind the camera
   int target;
   int index;  ///< in BaProblem::observations
