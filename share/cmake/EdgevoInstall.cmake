@@ -1,10 +1,13 @@
 # Install rules: the exported CMake package, parameters and what else stands beside the binaries.
 include(CMakePackageConfigHelpers)
-install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
+set(EDGEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
+set(EDGEVO_MRPT_COMPONENTS containers obs maps opengl poses img io)  # of all modules together
+install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
+  ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
+  DESTINATION ${EDGEVO_PACKAGE_DIR})
 install(DIRECTORY params datasets DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
+install(PROGRAMS share/install_dependencies.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,25 @@
+// make_outputs OUT: writes the outputs of a synthetic run, for stock_tools.sh.
+#include <cstdio>
+
+#include "run_outputs.h"
+#include "synthetic_run.h"
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_outputs OUT\n");
+    return 2;
+  }
+  try {
+    const auto made = edgevo::testing::synthetic_run();
+    edgevo::app::RunOutputs outputs(argv[1], made.camera, {});
+    for (const auto& frame : made.run.frames)
+      if (!outputs.add_frame(edgevo::testing::synthetic_frame(made.camera, frame))) break;
+    edgevo::app::RunInfo info;
+    info.command_line = {"make_outputs", argv[1]};
+    info.camera = made.camera;
+    outputs.finish(made.run, info);
+  } catch (const edgevo::InputError& e) {
+    std::fprintf(stderr, "make_outputs: %s\n", e.what());
+    return 2;
+  }
+}

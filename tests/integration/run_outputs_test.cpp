@@ -1,0 +1,241 @@
+#include "run_outputs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mrpt/containers/yaml.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "run_outputs_summary.h"
+#include "run_outputs_text.h"
+#include "synthetic_run.h"
+
+namespace edgevo::app {
+namespace {
+
+namespace fs = std::filesystem;
+using mrpt::containers::yaml;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const char* const kFiles[] = {"trajectory_tum.txt", "trajectory_live_tum.txt", "trajectory_kitti.txt", "frames.csv",
+                              "edges.ply",          "edges.bt",                "edges.ot",             "keyframes.simplemap",
+                              "playback.rawlog",    "scene.3Dscene",           "summary.yaml"};
+
+std::string content(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells(1);
+  for (char c : row)
+    if (c == ',') cells.emplace_back();
+    else cells.back() += c;
+  return cells;
+}
+
+class RunOutputsTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(::testing::TempDir()) /
+              ("edgevo_run_outputs_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static void write(const fs::path& folder, const edgevo::Run& run, const Camera& camera) {
+    RunOutputs outputs(folder.string(), camera, {});
+    for (const FrameRecord& frame : run.frames)
+      if (!outputs.add_frame(testing::synthetic_frame(camera, frame))) break;
+    RunInfo info;
+    info.command_line = {"edgevo", "run", "a \"quoted\" folder"};
+    info.source_kind = "synthetic";
+    info.camera = camera;
+    info.params_yaml = "edges:\n  percentile: 0.9\nseed: 3\n";
+    info.notes = {{"bootstrap", "took 4 frames: not enough parallax"}};
+    outputs.finish(run, info);
+  }
+  static std::string message_of(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no InputError";
+  }
+
+  fs::path folder_;
+  const testing::SyntheticRun made_ = testing::synthetic_run();
+};
+
+TEST_F(RunOutputsTest, WritesEveryFile) {
+  write(folder_ / "new/parents", made_.run, made_.camera);
+  for (const char* file : kFiles) EXPECT_GT(content(folder_ / "new/parents" / file).size(), 100u) << file;
+  EXPECT_TRUE(fs::exists(folder_ / "new/parents/playback_Images/frame_000044.png"));
+}
+
+TEST_F(RunOutputsTest, SameRunSameBytes) {
+  write(folder_ / "a", made_.run, made_.camera);
+  write(folder_ / "b", made_.run, made_.camera);
+  for (const char* file : kFiles) {
+    if (std::string(file) == "summary.yaml") continue;
+    EXPECT_EQ(content(folder_ / "a" / file), content(folder_ / "b" / file)) << file;
+  }
+}
+
+TEST_F(RunOutputsTest, SummaryIsYamlWithTheCounts) {
+  write(folder_, made_.run, made_.camera);
+  const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
+  EXPECT_EQ(s["command"].as<std::string>(), "edgevo run a \"quoted\" folder");
+  EXPECT_EQ(s["frames"]["total"].as<int>(), 45);
+  EXPECT_EQ(s["frames"]["lost"].as<int>(), 5);
+  EXPECT_EQ(s["frames"]["bootstrapping"].as<int>(), 4);
+  EXPECT_EQ(s["frames"]["tracking"].as<int>(), 36);
+  EXPECT_NEAR(s["frames"]["coverage"].as<double>(), 40.0 / 45, 1e-4);
+  EXPECT_EQ(s["trajectory"]["segments"].as<int>(), 2);
+  EXPECT_EQ(s["trajectory"]["keyframes"].as<int>(), int(made_.run.keyframes.size()));
+  EXPECT_EQ(s["map"]["points"].as<int>(), 400 * int(made_.run.keyframes.size()));
+  EXPECT_GT(s["map"]["points_exported"].as<int>(), 1000);
+  EXPECT_GT(s["map"]["voxel_leaves_occupied"].as<int>(), 100);
+  EXPECT_FALSE(s["scale"]["metric"].as<bool>());
+  EXPECT_NEAR(s["timing"]["stages_ms"]["edges"]["median"].as<double>(), 6.2, 1e-6);  // of 4.0, 4.1, ... 8.4
+  EXPECT_NEAR(s["timing"]["stages_ms"]["edges"]["max"].as<double>(), 8.4, 1e-6);
+  EXPECT_NEAR(s["timing"]["stages_ms"]["edges"]["p95"].as<double>(), 8.2, 1e-6);  // the 43rd of 45
+  EXPECT_EQ(s["timing"]["stages_ms"]["ba"]["frames"].as<int>(), int(made_.run.keyframes.size()));
+  EXPECT_GT(s["memory"]["peak_mb"].as<double>(), 1);
+  EXPECT_GT(s["timing"]["cpu_ms_per_frame"].as<double>(), 0);
+  EXPECT_EQ(s["parameters"]["edges"]["percentile"].as<double>(), 0.9);
+  EXPECT_EQ(s["parameters"]["seed"].as<int>(), 3);
+  EXPECT_EQ(s["camera"]["k1"].as<double>(), -0.05);
+  EXPECT_FALSE(s["edgevo"]["git"].as<std::string>().empty());
+  EXPECT_NE(s["libraries"]["octomap"].as<std::string>(), "none");
+}
+
+TEST_F(RunOutputsTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
+  const auto rows = lines_of(frames_csv(made_.run));
+  ASSERT_EQ(rows.size(), 46u);
+  EXPECT_EQ(rows[0],
+            "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,ms_edges,ms_alignment,ms_ba");
+  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,4.100,2.000,");
+  EXPECT_EQ(rows[21],
+            "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 needed,6.000,2.000,");
+  EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,8.200,2.000,20.000");
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 12u) << row;
+}
+
+TEST_F(RunOutputsTest, TumTrajectoriesHoldTheFramesThatHavePoses) {
+  const auto final_lines = lines_of(trajectory_tum(made_.run, PoseKind::kFinal));
+  const auto live_lines = lines_of(trajectory_tum(made_.run, PoseKind::kLive));
+  EXPECT_EQ(final_lines.size(), 4u + 40);
+  EXPECT_EQ(live_lines.size(), 4u + 36);
+  EXPECT_THAT(final_lines[0], StartsWith("# edgevo: T_world_cam"));
+  EXPECT_THAT(final_lines[2], StartsWith("# unit: arbitrary"));
+  EXPECT_EQ(final_lines[4], "1670000000.0000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000");
+}
+
+TEST_F(RunOutputsTest, TumQuaternionsHaveAPositiveW) {
+  edgevo::Run run;
+  run.frames.resize(1);
+  run.frames[0].T_world_cam = SE3(Eigen::Quaterniond(-0.8, 0.6, 0, 0), Eigen::Vector3d(1, -2, 3));
+  EXPECT_EQ(lines_of(trajectory_tum(run, PoseKind::kFinal))[4],
+            "0.0000000 1.000000000 -2.000000000 3.000000000 -0.600000000 0.000000000 0.000000000 0.800000000");
+}
+
+TEST_F(RunOutputsTest, KittiTrajectoryStandsStillWhereThereIsNoPose) {
+  const auto rows = lines_of(trajectory_kitti(made_.run));
+  ASSERT_EQ(rows.size(), 45u);
+  for (int i = 20; i < 25; ++i) EXPECT_EQ(rows[size_t(i)], rows[19]);
+  EXPECT_NE(rows[25], rows[24]);
+  edgevo::Run late;
+  late.frames.resize(2);
+  EXPECT_THAT(lines_of(trajectory_kitti(late))[0], StartsWith("1.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.0"));
+}
+
+TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
+  edgevo::Run run;
+  run.pinhole = made_.run.pinhole;
+  write(folder_, run, made_.camera);
+  const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
+  EXPECT_EQ(s["frames"]["total"].as<int>(), 0);
+  EXPECT_THAT(s["map"]["note"].as<std::string>(), HasSubstr("valid but empty"));
+}
+
+TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
+  fs::create_directories(folder_);
+  fs::create_symlink("/dev/full", folder_ / "frames.csv");
+  EXPECT_EQ(message_of([&] { write(folder_, made_.run, made_.camera); }),
+            (folder_ / "frames.csv").string() +
+                ": cannot be written: No space left on device; free space or give another -o; what was written so far is kept");
+  const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
+  EXPECT_EQ(s["not_written"].asSequence().size(), 1u);
+  EXPECT_EQ(s["not_written"](0).as<std::string>(), "frames.csv");
+  for (const char* file : kFiles) {
+    if (std::string(file) == "frames.csv") continue;
+    EXPECT_GT(content(folder_ / file).size(), 100u) << file;
+  }
+}
+
+TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
+  fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
+  RunOutputs outputs(folder_.string(), made_.camera, {});
+  int added = 0;
+  for (const FrameRecord& frame : made_.run.frames) {
+    if (!outputs.add_frame(testing::synthetic_frame(made_.camera, frame))) break;
+    ++added;
+  }
+  EXPECT_EQ(added, 3);
+  EXPECT_THAT(message_of([&] { outputs.finish(made_.run, {}); }), HasSubstr("frame_000003.png: cannot be written"));
+  EXPECT_EQ(lines_of(content(folder_ / "frames.csv")).size(), 46u);
+  EXPECT_GT(content(folder_ / "playback.rawlog").size(), 1000u);
+}
+
+TEST_F(RunOutputsTest, OutputFolderThatIsAFileIsRefused) {
+  std::ofstream(folder_) << "a file";
+  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, {}); }), HasSubstr("is a file"));
+  EXPECT_EQ(content(folder_), "a file");
+}
+
+TEST_F(RunOutputsTest, WrongOccupancyParametersAreToldBeforeTheRun) {
+  OccupancyParams occupancy;
+  occupancy.resolution = "fine";
+  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, occupancy); }), HasSubstr("occupancy.resolution"));
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+// A file system of 300 kB: the images fill it. Needs the right to mount.
+TEST_F(RunOutputsTest, FullFileSystemKeepsWhatFitted) {
+  fs::create_directories(folder_);
+  if (mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=300k") != 0)
+    GTEST_SKIP() << "NOT TESTED: a full file system (mount refused: " << std::strerror(errno)
+                 << "); run as root with CAP_SYS_ADMIN. /dev/full stands in for it in the other tests.";
+  const std::string message = message_of([&] { write(folder_, made_.run, made_.camera); });
+  const bool first_image = fs::exists(folder_ / "playback_Images/frame_000000.png");
+  umount(folder_.c_str());
+  EXPECT_THAT(message, HasSubstr("cannot be written: No space left on device; free space or give another -o"));
+  EXPECT_TRUE(first_image);
+}
+
+TEST(YamlQuoted, SurvivesAnyText) {
+  const std::string nasty = "a \"b\" \\c: #d\n- {e}";
+  EXPECT_EQ(yaml::FromText("key: " + yaml_quoted(nasty))["key"].as<std::string>(), nasty);
+}
+
+}  // namespace
+}  // namespace edgevo::app

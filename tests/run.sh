@@ -1,0 +1,38 @@
+#!/bin/sh
+# Builds edgevo and runs its tests; works from a bare clone. The last lines are ctest's summary.
+#
+#   tests/run.sh              everything: Release build in build/release, all tests
+#   tests/run.sh --quick      unit tests only, no benchmarks built
+#   tests/run.sh --sanitize   the tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan
+#
+# JOBS=N sets how many compilers run at a time (default: as many as there are cores). With CI=true warnings are errors.
+set -eu
+cd "$(dirname "$0")/.."
+
+folder=build/release
+label_filter=
+benchmarks=ON
+build_options="-DCMAKE_BUILD_TYPE=Release -DEDGEVO_SANITIZE="
+case "${1:-}" in
+  "") ;;
+  --quick)
+    label_filter="-L unit"
+    benchmarks=OFF ;;
+  --sanitize)
+    folder=build/asan
+    benchmarks=OFF
+    build_options="-DCMAKE_BUILD_TYPE=RelWithDebInfo -DEDGEVO_SANITIZE=address,undefined"
+    # UBSan goes on after an error unless told; a test must not pass then.
+    export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1" ;;
+  *)
+    echo "run.sh: unknown option $1; see the head of this script" >&2
+    exit 2 ;;
+esac
+[ "${CI:-}" = true ] && warnings=ON || warnings=OFF
+command -v ccache >/dev/null && launcher=ccache || launcher=
+
+share/install_dependencies.sh
+cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks \
+  -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher
+cmake --build "$folder" --parallel "${JOBS:-$(nproc)}"
+ctest --test-dir "$folder" --output-on-failure --parallel 2 $label_filter
