@@ -113,7 +113,7 @@ TEST_F(RunOutputsTest, SummaryIsYamlWithTheCounts) {
   EXPECT_EQ(s["trajectory"]["keyframes"].as<int>(), int(made_.run.keyframes.size()));
   EXPECT_EQ(s["map"]["points"].as<int>(), 400 * int(made_.run.keyframes.size()));
   EXPECT_GT(s["map"]["points_exported"].as<int>(), 1000);
-  EXPECT_GT(s["map"]["voxel_leaves_occupied"].as<int>(), 100);
+  EXPECT_GT(s["map"]["voxels_occupied"].as<int>(), 100);
   EXPECT_FALSE(s["scale"]["metric"].as<bool>());
   EXPECT_NEAR(s["timing"]["stages_ms"]["edges"]["median"].as<double>(), 6.2, 1e-6);  // of 4.0, 4.1, ... 8.4
   EXPECT_NEAR(s["timing"]["stages_ms"]["edges"]["max"].as<double>(), 8.4, 1e-6);

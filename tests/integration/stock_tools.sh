@@ -35,6 +35,12 @@ runs() {  # runs LOG COMMAND...: the command ends well; rawlog-edit polls the ke
 summary() { sed -n "s/^  $1: *//p" "$out/summary.yaml" | head -1; }  # summary KEY, of the second level
 observations() { sed -n "s|^Sensor (Label/Occurs.*: *$1 / *\([0-9]*\) /.*|\1|p" info.log; }
 
+images_found() {
+  local n=0 name
+  while read -r name; do [ -s "playback_Images/${name##*/}" ] && n=$((n + 1)); done < <(grep -o 'frame_[0-9]*\.[a-z]*' list.log | sort -u)
+  echo $n
+}
+
 frames=$(($(wc -l <"$out/frames.csv") - 1))
 poses=$(grep -vc '^#' "$out/trajectory_tum.txt")
 keyframes=$(awk -F, 'NR > 1 && $5 == 1' "$out/frames.csv" | wc -l)
@@ -47,7 +53,8 @@ check "images in the rawlog" "$(observations CAM0)" -eq "$frames"
 check "poses in the rawlog" "$(observations EDGE_VO)" -eq "$poses"
 check "odometry in the rawlog" "$(observations EDGE_VO_ODO)" -eq "$poses"
 check "keyframe scans in the rawlog" "$(observations EDGE_VO_POINTS)" -eq "$keyframes"
-runs describe.log rawlog-edit --describe -i playback.rawlog  # fails when an image is not where the rawlog says
+runs list.log rawlog-edit --list-images -i playback.rawlog
+check "images that the rawlog names and that are there" "$(images_found)" -eq "$frames"
 runs export.log rawlog-edit --export-txt -i playback.rawlog
 check "exported poses" "$(grep -vc '^%' playback_EDGE_VO.txt)" -eq "$poses"
 check "exported odometry" "$(grep -vc '^%' playback_EDGE_VO_ODO.txt)" -eq "$poses"
@@ -71,11 +78,15 @@ check "occupied voxels in MRPT's octomap" "$(sed -n 's/.*writing \([0-9]*\) voxe
 
 # Our own octrees.
 runs compare.log compare_octrees edges.ot edges.ot
-check "leaves that compare_octrees finds" "$(sed -n 's/^Expanded num. leafs: //p' compare.log)" -gt 0
+check "voxels that compare_octrees finds in edges.ot" "$(sed -n 's/^Expanded num. leafs: //p' compare.log)" -eq \
+  $(($(summary voxels_occupied) + $(summary voxels_free)))
 check "difference of the octree from itself (KLD 0)" "$(grep -c '^KLD: 0$' compare.log)" -eq 1
 runs bt.log bt2vrml edges.bt
 voxels=$(sed -n 's/.*writing \([0-9]*\) voxels.*/\1/p' bt.log)
 check "occupied voxels in edges.bt" "$voxels" -gt 0
-check "boxes that bt2vrml drew" "$(grep -c 'geometry Box' edges.bt.wrl)" -eq "$voxels"
+# Boxes may stand for eight, 64, ... voxels each.
+check "voxels in the boxes that bt2vrml drew" "$(awk -v s="$(summary voxel_size)" \
+  '/geometry Box/ { for (i = 1; i <= NF; i++) if ($i == "size") n += int($(i + 1) / s + 0.5)^3 } END { print n + 0 }' \
+  edges.bt.wrl)" -eq "$(summary voxels_occupied)"
 
 [ "$failures" -eq 0 ] || { echo "stock_tools: $failures checks failed" >&2; exit 1; }
