@@ -84,9 +84,11 @@ void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionL
   }
 }
 
-void count_leaves(const OcTree& tree, OctreeStats* stats) {
-  for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf)
-    ++(tree.isNodeOccupied(*leaf) ? stats->occupied_leaves : stats->free_leaves);
+void count_voxels(const OcTree& tree, OctreeStats* stats) {
+  for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf) {
+    const int levels = int(tree.getTreeDepth()) - int(leaf.getDepth());  // above the finest
+    (tree.isNodeOccupied(*leaf) ? stats->occupied_voxels : stats->free_voxels) += int64_t{1} << (3 * levels);
+  }
 }
 
 // The header that octomap's own writer would leave, with comments of ours: its readers skip them. (Its writers also print to
@@ -124,7 +126,7 @@ OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
   }
   tree_->updateInnerOccupancy();
   tree_->prune();
-  count_leaves(*tree_, &stats_);
+  count_voxels(*tree_, &stats_);
   comments_ = comments_of(run);
 }
 

@@ -80,8 +80,8 @@ TEST(OctreeMap, UncertainPointsCarveNothing) {
   for (EdgePoint& p : scene.run.keyframes[0].points) p.idepth_sigma = 0.1f * p.idepth;
   const OctreeMap map(scene.run, fixed_size());
   EXPECT_EQ(map.stats().rays, 0);
-  EXPECT_EQ(map.stats().free_leaves, 0);
-  EXPECT_GT(map.stats().occupied_leaves, 500);
+  EXPECT_EQ(map.stats().free_voxels, 0);
+  EXPECT_GT(map.stats().occupied_voxels, 500);
 }
 
 TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
@@ -144,6 +144,9 @@ TEST(OctreeMap, BothFilesReadBackTheSame) {
   const auto* ot = dynamic_cast<const octomap::OcTree*>(read.get());
   ASSERT_NE(ot, nullptr);
   EXPECT_EQ(ot->getNumLeafNodes(), map.tree().getNumLeafNodes());
+  octomap::OcTree expanded(*ot);
+  expanded.expand();
+  EXPECT_EQ(int64_t(expanded.getNumLeafNodes()), map.stats().occupied_voxels + map.stats().free_voxels);
   for (const octomap::OcTree* tree : {&std::as_const(bt), ot}) {
     EXPECT_NEAR(tree->getResolution(), 0.1, 1e-12);
     EXPECT_EQ(occupied_share(*tree, scene.run, scene.wall), 1.0);

@@ -17,6 +17,7 @@
 //
 // Cost: about as many voxel visits as rays times range over resolution; see README.md. Not thread-safe; no OpenMP, whose
 // number of threads octomap's own insertion would reset. A run without points gives an empty, valid map.
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -40,7 +41,7 @@ struct OctreeStats {
   int rays = 0;              ///< rays that carved, after those with the same end voxel were dropped
   int beyond_range = 0;      ///< kept points not marked because they lie beyond max_range
   int out_of_bounds = 0;     ///< kept points outside the octree (32768 voxels from the origin)
-  int occupied_leaves = 0, free_leaves = 0;  ///< after pruning
+  int64_t occupied_voxels = 0, free_voxels = 0;  ///< of the finest size
 };
 
 class OctreeMap {

@@ -1,0 +1,239 @@
+#include "run_outputs_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo_build_info.h"
+
+namespace edgevo::app {
+namespace {
+
+// Writes `key: value` lines with two spaces of indent a level.
+class YamlWriter {
+ public:
+  void open(const std::string& key) { line(key, ""), ++depth_; }
+  void close() { --depth_; }
+  void text(const std::string& key, const std::string& value) { line(key, yaml_quoted(value)); }
+  void integer(const std::string& key, long value) { line(key, std::to_string(value)); }
+  void number(const std::string& key, double value, int decimals) { line(key, fixed(value, decimals)); }
+  void boolean(const std::string& key, bool value) { line(key, value ? "true" : "false"); }
+  void list(const std::string& key, const std::vector<std::string>& values) {
+    std::string joined;
+    for (const std::string& v : values) joined += (joined.empty() ? "" : ", ") + yaml_quoted(v);
+    line(key, "[" + joined + "]");
+  }
+  /// Lines that are YAML already, below `key`.
+  void block(const std::string& key, const std::string& yaml) {
+    if (yaml.empty()) return line(key, "{}");
+    open(key);
+    std::istringstream lines(yaml);
+    for (std::string one; std::getline(lines, one);) text_ += indent() + one + '\n';
+    close();
+  }
+  std::string str() const { return text_; }
+
+ private:
+  std::string indent() const { return std::string(size_t(2 * depth_), ' '); }
+  void line(const std::string& key, const std::string& value) {
+    text_ += indent() + key + (value.empty() ? ":" : ": " + value) + '\n';
+  }
+  std::string text_;
+  int depth_ = 0;
+};
+
+void write_versions(YamlWriter* y) {
+  y->open("edgevo");
+  y->text("version", build_info::kVersion);
+  y->text("git", build_info::kGitHash);
+  y->text("build_type", build_info::kBuildType);
+  y->text("compiler", build_info::kCompiler);
+  y->close();
+  y->open("libraries");
+  y->text("mrpt", build_info::kMrpt);
+  y->text("opencv", build_info::kOpenCv);
+  y->text("ceres", build_info::kCeres);
+  y->text("octomap", build_info::kOctomap);
+  y->text("eigen", build_info::kEigen);
+  y->close();
+}
+
+void write_source(const RunInfo& info, YamlWriter* y) {
+  std::string command;
+  for (const std::string& word : info.command_line) command += (command.empty() ? "" : " ") + word;
+  y->text("command", command);
+  y->open("source");
+  y->text("kind", info.source_kind);
+  y->text("path", info.source_path);
+  y->boolean("interrupted", info.interrupted);
+  y->close();
+}
+
+void write_camera(const Camera& camera, YamlWriter* y) {
+  const Pinhole& p = camera.pinhole;
+  const Distortion& d = camera.distortion;
+  y->open("camera");
+  y->integer("width", p.width);
+  y->integer("height", p.height);
+  for (const auto& [key, value] : {std::pair("fx", p.fx), {"fy", p.fy}, {"cx", p.cx}, {"cy", p.cy}, {"k1", d.k1}, {"k2", d.k2},
+                                   {"p1", d.p1}, {"p2", d.p2}, {"k3", d.k3}})
+    y->number(key, value, 9);
+  y->close();
+}
+
+void write_scale(const Run& run, YamlWriter* y) {
+  y->open("scale");
+  y->text("source", run.scale_source);
+  y->boolean("metric", run.is_metric());
+  y->text("unit", unit_statement(run));
+  y->close();
+}
+
+int with_pose(const Run& run) {
+  return int(std::count_if(run.frames.begin(), run.frames.end(), [](const auto& f) { return f.T_world_cam.has_value(); }));
+}
+
+void write_frames(const Run& run, YamlWriter* y) {
+  const auto in_state = [&](TrackingState s) {
+    return std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == s; });
+  };
+  const int posed = with_pose(run);
+  y->open("frames");
+  y->integer("total", long(run.frames.size()));
+  y->integer("bootstrapping", in_state(TrackingState::kBootstrapping));
+  y->integer("tracking", in_state(TrackingState::kTracking));
+  y->integer("degraded", in_state(TrackingState::kDegraded));
+  y->integer("lost", in_state(TrackingState::kLost));
+  y->integer("with_pose", posed);
+  y->number("coverage", run.frames.empty() ? 0.0 : double(posed) / double(run.frames.size()), 4);
+  y->close();
+}
+
+// Sum of the steps within segments.
+double path_length(const Run& run) {
+  double length = 0;
+  const FrameRecord* last = nullptr;
+  for (const FrameRecord& frame : run.frames) {
+    if (!frame.T_world_cam) continue;
+    if (last && last->segment == frame.segment)
+      length += (frame.T_world_cam->translation() - last->T_world_cam->translation()).norm();
+    last = &frame;
+  }
+  return length;
+}
+
+void write_trajectory(const Run& run, YamlWriter* y) {
+  std::set<int> segments;
+  for (const FrameRecord& frame : run.frames)
+    if (frame.segment >= 0) segments.insert(frame.segment);
+  y->open("trajectory");
+  y->integer("segments", long(segments.size()));
+  y->integer("keyframes", long(run.keyframes.size()));
+  y->number("path_length", path_length(run), 6);
+  y->close();
+}
+
+void write_map(const Run& run, const OctreeStats& map, YamlWriter* y) {
+  y->open("map");
+  y->text("axes", "x forward, y left, z up");
+  y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)" : "of the first camera, taken to look ahead");
+  y->integer("points", map.points.total);
+  y->integer("points_exported", map.points.kept);
+  y->integer("points_invalid", map.points.invalid);
+  y->integer("points_uncertain", map.points.uncertain);
+  y->integer("points_unconfirmed", map.points.unconfirmed);
+  y->number("median_depth", map.median_depth, 6);
+  y->number("voxel_size", map.resolution, 6);
+  y->number("voxel_range", map.max_range, 6);
+  y->integer("voxel_points_beyond_range", map.beyond_range);
+  y->integer("voxel_points_out_of_bounds", map.out_of_bounds);
+  y->integer("voxel_rays", map.rays);
+  y->integer("voxels_occupied", map.occupied_voxels);
+  y->integer("voxels_free", map.free_voxels);
+  if (map.points.kept == 0) y->text("note", "no point passed the filter: the map files are valid but empty");
+  y->close();
+}
+
+/// Smallest value that `share` of the sorted values do not exceed (nearest rank).
+double percentile(const std::vector<double>& sorted, double share) {
+  const auto rank = size_t(std::ceil(share * double(sorted.size())));
+  return sorted[std::max<size_t>(rank, 1) - 1];
+}
+
+void write_stage(const std::string& stage, std::vector<double> ms, YamlWriter* y) {
+  std::sort(ms.begin(), ms.end());
+  double sum = 0;
+  for (double v : ms) sum += v;
+  y->open(stage);
+  y->integer("frames", long(ms.size()));
+  y->number("mean", sum / double(ms.size()), 3);
+  y->number("median", percentile(ms, 0.5), 3);
+  y->number("p95", percentile(ms, 0.95), 3);
+  y->number("max", ms.back(), 3);
+  y->close();
+}
+
+void write_stages(const Run& run, YamlWriter* y) {
+  std::vector<std::pair<std::string, std::vector<double>>> stages;  // in the order of first appearance
+  for (const FrameRecord& frame : run.frames) {
+    for (const auto& [name, ms] : frame.stage_ms) {
+      auto stage = std::find_if(stages.begin(), stages.end(), [&, &n = name](const auto& s) { return s.first == n; });
+      if (stage == stages.end()) stage = stages.insert(stages.end(), {name, {}});
+      stage->second.push_back(ms);
+    }
+  }
+  if (stages.empty()) return;  // MRPT's YAML reader refuses a key without a value
+  y->open("stages_ms");
+  for (const auto& [name, ms] : stages) write_stage(name, ms, y);
+  y->close();
+}
+
+void write_timing(const SummaryInput& input, YamlWriter* y) {
+  const double frames = std::max<double>(1, double(input.run.frames.size()));
+  y->open("timing");
+  y->number("wall_s", input.use.wall_s, 3);
+  y->number("wall_ms_per_frame", 1000 * input.use.wall_s / frames, 3);
+  y->number("cpu_ms_per_frame", 1000 * input.use.cpu_s / frames, 3);
+  y->number("outputs_wall_s", input.use_with_outputs.wall_s - input.use.wall_s, 3);
+  write_stages(input.run, y);
+  y->close();
+  y->open("memory");
+  y->number("peak_mb", input.use_with_outputs.peak_memory_mb, 1);
+  y->close();
+}
+
+}  // namespace
+
+std::string yaml_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') (quoted += '\\') += c;
+    else if (c == '\n') quoted += "\\n";
+    else if (c == '\t') quoted += "\\t";
+    else if (static_cast<unsigned char>(c) < 0x20) quoted += ' ';
+    else quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string summary_yaml(const SummaryInput& input) {
+  YamlWriter y;
+  write_versions(&y);
+  write_source(input.info, &y);
+  write_camera(input.info.camera, &y);
+  write_scale(input.run, &y);
+  write_frames(input.run, &y);
+  write_trajectory(input.run, &y);
+  write_map(input.run, input.octree, &y);
+  write_timing(input, &y);
+  y.list("not_written", input.not_written);
+  if (!input.info.notes.empty()) y.open("notes");
+  for (const auto& [key, value] : input.info.notes) y.text(key, value);
+  if (!input.info.notes.empty()) y.close();
+  y.block("parameters", input.info.params_yaml);
+  return y.str();
+}
+
+}  // namespace edgevo::app

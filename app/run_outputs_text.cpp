@@ -1,0 +1,95 @@
+#include "run_outputs_text.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "edgevo/core/output_file.h"
+
+namespace edgevo::app {
+namespace {
+
+// A nanometre of a position in metres, a nanoradian of a rotation.
+constexpr int kDecimals = 9;
+
+const std::optional<SE3>& pose_of(const FrameRecord& frame, PoseKind kind) {
+  return kind == PoseKind::kFinal ? frame.T_world_cam : frame.T_world_cam_live;
+}
+
+bool is_usable(const std::optional<SE3>& T) { return T && T->is_finite(); }
+
+void append_tum_line(const FrameRecord& frame, const SE3& T, std::string* text) {
+  *text += to_string(frame.time);
+  for (int i = 0; i < 3; ++i) append_fixed(&(*text += ' '), T.translation()[i], kDecimals);
+  const Eigen::Vector4d q = T.rotation().coeffs() * (T.rotation().w() < 0 ? -1 : 1);
+  for (int i = 0; i < 4; ++i) append_fixed(&(*text += ' '), q[i], kDecimals);
+  *text += '\n';
+}
+
+std::string one_cell(std::string note) {
+  std::replace(note.begin(), note.end(), ',', ';');
+  std::replace(note.begin(), note.end(), '"', '\'');
+  std::replace_if(note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return note;
+}
+
+std::vector<std::string> stages_of(const Run& run) {
+  std::vector<std::string> stages;
+  for (const FrameRecord& frame : run.frames)
+    for (const auto& [stage, ms] : frame.stage_ms)
+      if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
+  return stages;
+}
+
+void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages, std::string* text) {
+  *text += std::to_string(frame.index) + ',' + to_string(frame.time) + ',' + std::string(to_string(frame.state)) + ',' +
+           std::to_string(frame.segment) + ',' + (frame.is_keyframe ? '1' : '0') + ',';
+  append_fixed(text, frame.inlier_share, 4);
+  append_fixed(&(*text += ','), frame.residual_px, 4);
+  *text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note);
+  for (const std::string& stage : stages) {
+    *text += ',';
+    const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(), [&](const auto& s) { return s.first == stage; });
+    if (ran != frame.stage_ms.end()) append_fixed(text, ran->second, 3);
+  }
+  *text += '\n';
+}
+
+}  // namespace
+
+std::string trajectory_tum(const Run& run, PoseKind kind) {
+  std::string text = kind == PoseKind::kFinal
+                         ? "# edgevo: T_world_cam of each frame that has a pose, re-expressed from the final keyframe poses\n"
+                         : "# edgevo: T_world_cam of each frame that had a pose, as it was known when the frame came\n";
+  text += "# axes: camera x right, y down, z forward; world: those of the first camera\n"
+          "# unit: " + unit_statement(run) + "\n"
+          "# t tx ty tz qx qy qz qw\n";
+  for (const FrameRecord& frame : run.frames)
+    if (const auto& T = pose_of(frame, kind); is_usable(T)) append_tum_line(frame, *T, &text);
+  return text;
+}
+
+std::string trajectory_kitti(const Run& run) {
+  std::string text;
+  SE3 T;
+  for (const FrameRecord& frame : run.frames) {
+    if (is_usable(frame.T_world_cam)) T = *frame.T_world_cam;
+    const Eigen::Matrix4d m = T.matrix();
+    for (int i = 0; i < 12; ++i) {
+      if (i > 0) text += ' ';
+      append_fixed(&text, m(i / 4, i % 4), kDecimals);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string frames_csv(const Run& run) {
+  const std::vector<std::string> stages = stages_of(run);
+  std::string text = "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note";
+  for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
+  text += '\n';
+  for (const FrameRecord& frame : run.frames) append_csv_row(frame, stages, &text);
+  return text;
+}
+
+}  // namespace edgevo::app
