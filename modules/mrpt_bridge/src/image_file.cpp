@@ -1,5 +1,6 @@
 #include "edgevo/mrpt_bridge/image_file.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <opencv2/imgcodecs.hpp>
@@ -15,10 +16,11 @@ namespace {
 constexpr const char* kReplaceImage = "restore the image or leave the frame out with --frames A:B";
 
 std::string read_bytes(const std::string& path) {
+  std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw InputError(path, "the image cannot be read", kReplaceImage);
-  return bytes;
+  if (!file || std::filesystem::is_directory(path, ignored))  // a folder opens, but throws when read
+    throw InputError(path, "the image is missing or cannot be read", kReplaceImage);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 cv::Mat decode(const std::string& bytes) try {

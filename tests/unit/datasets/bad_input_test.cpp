@@ -1,0 +1,136 @@
+// Broken input: one clear line (what, where, what to do), and the frames before it are handed out.
+#include "edgevo/datasets/open_source.h"
+#include "unit/datasets/temp_sequence.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_of;
+using test::frames_before_error;
+using test::read_text;
+using test::TempFolder;
+using test::write_text;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class BadFolder : public ::testing::Test {
+ protected:
+  BadFolder() { test::write_edgevo_layout(folder_.path(), 4); }
+  std::unique_ptr<ImageSource> open() const {
+    SourceOptions options;
+    options.path = folder_.path();
+    return open_source(options);
+  }
+  std::string open_error() const {
+    return error_of([&] { open(); });
+  }
+  TempFolder folder_;
+};
+
+TEST(BadSource, MissingPath) {
+  SourceOptions options;
+  options.path = "/nowhere/at/all";
+  EXPECT_EQ(error_of([&] { open_source(options); }), "/nowhere/at/all: no such file or folder; check the path");
+}
+
+TEST(BadSource, EmptyFolder) {
+  TempFolder folder;
+  SourceOptions options;
+  options.path = folder.path();
+  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr(folder.path() + ": the folder holds no images"));
+}
+
+TEST(BadSource, NeitherRawlogNorVideo) {
+  TempFolder folder;
+  write_text(folder / "letter.txt", "Dear camera");
+  SourceOptions options;
+  options.path = folder / "letter.txt";
+  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("is neither a rawlog nor a video"));
+}
+
+TEST(BadSource, FolderOfImagesWithoutCamera) {
+  TempFolder folder;
+  test::write_images(folder / "pictures", 1);
+  SourceOptions options;
+  options.path = folder / "pictures";
+  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("no calibration; give the camera's file with --camera"));
+}
+
+TEST_F(BadFolder, NoImages) {
+  fs::remove_all(folder_ / "images");
+  fs::create_directories(folder_ / "images");
+  EXPECT_THAT(open_error(), HasSubstr("/images: the folder holds no images"));
+}
+
+TEST_F(BadFolder, ImageThatIsNoImage) {
+  write_text(folder_ / "images/000002.png", "this is text");
+  const auto source = open();
+  EXPECT_EQ(frames_before_error(*source, "000002.png: the image does not decode"), 2);
+}
+
+TEST_F(BadFolder, EmptyImage) {
+  write_text(folder_ / "images/000001.png", "");
+  EXPECT_EQ(frames_before_error(*open(), "000001.png: the image does not decode: the file is empty"), 1);
+}
+
+TEST_F(BadFolder, PngCutShort) {
+  const std::string path = folder_ / "images/000003.png", bytes = read_text(path);
+  for (const size_t length : {bytes.size() - 1, bytes.size() - 12, bytes.size() / 2, size_t(20)}) {
+    write_text(path, bytes.substr(0, length));
+    EXPECT_EQ(frames_before_error(*open(), "the file is cut short"), 3) << length << " bytes";
+  }
+}
+
+TEST_F(BadFolder, PngWithAFlippedBit) {
+  const std::string path = folder_ / "images/000003.png";
+  std::string bytes = read_text(path);
+  bytes[bytes.size() / 2] ^= 4;
+  write_text(path, bytes);
+  EXPECT_EQ(frames_before_error(*open(), "checksum"), 3);
+}
+
+TEST_F(BadFolder, ImageIsAFolder) {
+  fs::remove(folder_ / "images/000002.png");
+  fs::create_directories(folder_ / "images/000002.png");
+  EXPECT_EQ(frames_before_error(*open(), "000002.png: the image"), 2);
+}
+
+TEST_F(BadFolder, SizeThatDiffersFromTheCamera) {
+  write_png(folder_ / "images/000001.png", test::make_image(1, 25, 16));
+  EXPECT_EQ(frames_before_error(*open(), "the image is 25x16, but the camera model is for 24x16"), 1);
+}
+
+TEST_F(BadFolder, TimesThatDoNotIncrease) {
+  write_text(folder_ / "times.txt", "0\n0.1\n0.1\n0.3\n");
+  EXPECT_EQ(frames_before_error(*open(), "(frame 2): its time 0.1000000 s is not after the frame before"), 2);
+  write_text(folder_ / "times.txt", "0\n0.1\n0.2\n0.15\n");
+  EXPECT_EQ(frames_before_error(*open(), "(frame 3): its time 0.1500000 s"), 3);
+}
+
+TEST_F(BadFolder, CountsThatDiffer) {
+  write_text(folder_ / "times.txt", "0\n0.1\n0.2\n");
+  EXPECT_THAT(open_error(), AllOf(HasSubstr("times.txt: 3 times for 4 images"), HasSubstr("one time for each image")));
+}
+
+TEST_F(BadFolder, TimeThatIsNone) {
+  write_text(folder_ / "times.txt", "0\n0.1\nnoon\n0.3\n");
+  EXPECT_THAT(open_error(), HasSubstr("times.txt, line 3: is not a time"));
+}
+
+TEST_F(BadFolder, MissingTimesOrCamera) {
+  fs::remove(folder_ / "camera.txt");
+  EXPECT_THAT(open_error(), AllOf(HasSubstr("camera.txt is missing"), HasSubstr("--camera")));
+  fs::remove(folder_ / "times.txt");
+  EXPECT_THAT(open_error(), HasSubstr("times.txt: is missing"));
+}
+
+TEST_F(BadFolder, LabelWhereThereAreNone) {
+  SourceOptions options;
+  options.path = folder_.path();
+  options.sensor_label = "CAM7";
+  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("no sensor 'CAM7'"));
+}
+
+}  // namespace
+}  // namespace edgevo
