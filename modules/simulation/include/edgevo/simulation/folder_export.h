@@ -1,0 +1,31 @@
+#pragma once
+// Writes rendered frames as a folder in the `edgevo` layout, which every reader of this project knows:
+//
+//   images/000000.png ..     8-bit gray, numbered as in the scene
+//   times.txt                seconds, one line an image
+//   camera.txt               fx fy cx cy k1 k2 p1 p2 width height k3
+//   groundtruth_tum.txt      t tx ty tz qx qy qz qw: T_world_cam in metres, the first camera written is the identity
+//   depth/000000.pfm ..      on demand: z in metres as 32-bit floats (PFM, rows from the bottom up), 0 for sky, at the
+//                            pixels of the undistorted image
+//   SOURCE.md                what it is and how to make it again
+#include <functional>
+#include <string>
+
+#include "edgevo/simulation/scene_renderer.h"
+
+namespace edgevo {
+
+struct FolderExport {
+  int begin = 0, end = -1;  ///< frames begin <= index < end; end -1: to the last
+  bool depth = false;
+  int threads = 2;          ///< the bytes do not depend on it
+};
+
+/// Called with the number of frames done, one call at a time.
+using OnFrameDone = std::function<void(int)>;
+
+/// Throws InputError: no frame in the range, something cannot be written. Existing files of these names are overwritten.
+void export_folder(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
+                   const OnFrameDone& on_frame_done = {});
+
+}  // namespace edgevo

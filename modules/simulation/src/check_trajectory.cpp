@@ -1,0 +1,35 @@
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "edgevo/simulation/scene.h"
+
+namespace edgevo {
+namespace {
+
+// The way from a to b crosses the surface.
+bool crosses(const Surface& s, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const Eigen::Vector3d normal = s.side_u.cross(s.side_v);
+  const double da = normal.dot(a - s.origin), db = normal.dot(b - s.origin);
+  if ((da > 0) == (db > 0)) return false;
+  const Eigen::Vector3d p = a + (b - a) * (da / (da - db)) - s.origin;
+  const double u = s.side_v.cross(normal).dot(p) / normal.squaredNorm();
+  const double v = normal.cross(s.side_u).dot(p) / normal.squaredNorm();
+  return u >= 0 && v >= 0 && u <= 1 && v <= 1 && (!s.is_triangle || u + v <= 1);
+}
+
+}  // namespace
+
+void check_trajectory(const Scene& scene) {
+  for (int i = 0; i + 1 < scene.size(); ++i) {
+    const Eigen::Vector3d& a = scene.T_scene_cam[size_t(i)].translation();
+    const Eigen::Vector3d& b = scene.T_scene_cam[size_t(i) + 1].translation();
+    for (const Surface& s : scene.world->surfaces)
+      if (s.is_solid && crosses(s, a, b))
+        throw InputError("scene " + scene.name,
+                         "the camera passes through a wall between frames " + std::to_string(i) + " and " + std::to_string(i + 1),
+                         "move the way points, or change motion.lane_offset or world.density");
+  }
+}
+
+}  // namespace edgevo

@@ -1,0 +1,17 @@
+#pragma once
+// A drive along way points: rounded corners, speed held down in turns, an optional turn on the spot.
+#include <string>
+#include <vector>
+
+#include "scene_params.h"
+
+namespace edgevo {
+
+struct PathPoint {
+  double x, y, yaw;  ///< metres, radians from the x axis to the left
+};
+
+/// Where the vehicle is at each frame. Throws InputError: the way ends before the frames do, or a leg is too short for the turn.
+std::vector<PathPoint> drive_along(const SceneParams& params, const std::string& where);
+
+}  // namespace edgevo

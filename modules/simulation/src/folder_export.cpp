@@ -1,0 +1,119 @@
+#include "edgevo/simulation/folder_export.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <opencv2/imgcodecs.hpp>
+#include <thread>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+
+namespace edgevo {
+namespace {
+
+std::string numbered(const std::string& folder, int index, const char* extension) {
+  const std::string digits = std::to_string(index);
+  return folder + "/" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + extension;
+}
+
+void write_png(const std::string& path, const GrayImage& image) {
+  const cv::Mat view(image.height, image.width, CV_8U, const_cast<uint8_t*>(image.pixels.data()));
+  std::vector<uint8_t> bytes;
+  cv::imencode(".png", view, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+// PFM: rows from the bottom up, a negative scale for little endian.
+void write_pfm(const std::string& path, const std::vector<float>& depth, int width, int height) {
+  std::string bytes = "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
+  for (int v = height - 1; v >= 0; --v)
+    bytes.append(reinterpret_cast<const char*>(depth.data() + size_t(v) * width), size_t(width) * sizeof(float));
+  write_file(path, bytes);
+}
+
+std::string camera_text(const Camera& camera) {
+  const Pinhole& p = camera.pinhole;
+  const Distortion& d = camera.distortion;
+  std::string text = "# fx fy cx cy k1 k2 p1 p2 width height k3\n";
+  for (double value : {p.fx, p.fy, p.cx, p.cy, d.k1, d.k2, d.p1, d.p2}) text += fixed(value, 7) + " ";
+  return text + std::to_string(p.width) + " " + std::to_string(p.height) + " " + fixed(d.k3, 7) + "\n";
+}
+
+std::string pose_line(Timestamp time, const SE3& T) {
+  std::string line = to_string(time);
+  const Eigen::Vector3d& t = T.translation();
+  const Eigen::Quaterniond& q = T.rotation();
+  for (double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) line += " " + fixed(value, 9);
+  return line + "\n";
+}
+
+std::string source_text(const Scene& scene, int begin, int end) {
+  const std::string seed = std::to_string(scene.seed), frames = std::to_string(begin) + ":" + std::to_string(end);
+  return "# Rendered scene `" + scene.name + "`\n\nFrames " + frames + ", seed " + seed +
+         ". Rendered by edgevo; nothing in it was photographed or taken from others.\nPoses and depth are exact, in metres. Again: `edgevo simulate " +
+         scene.name + " --seed " + seed + " --frames " + frames + " -o FOLDER`\n";
+}
+
+void write_texts(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
+  const Scene& scene = renderer.scene();
+  const SE3 T_first_scene = scene.T_scene_cam[size_t(begin)].inverse();
+  std::string times, truth = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
+  for (int i = begin; i < end; ++i) {
+    const Timestamp time = scene.times[size_t(i)];
+    times += to_string(time) + "\n";
+    truth += pose_line(time, T_first_scene * scene.T_scene_cam[size_t(i)]);
+  }
+  write_file(folder + "/times.txt", times);
+  write_file(folder + "/groundtruth_tum.txt", truth);
+  write_file(folder + "/camera.txt", camera_text(scene.camera));
+  write_file(folder + "/SOURCE.md", source_text(scene, begin, end));
+}
+
+// Runs job(i) for begin <= i < end on some threads; the first exception ends all and is thrown on.
+void run_parallel(int begin, int end, int threads, const std::function<void(int)>& job) {
+  std::atomic<int> next{begin};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (int i = next++; i < end; i = next++) try {
+        job(i);
+      } catch (...) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = end;
+      }
+  };
+  std::vector<std::thread> others;
+  for (int t = 1; t < threads; ++t) others.emplace_back(work);
+  work();
+  for (std::thread& thread : others) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+void export_folder(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
+                   const OnFrameDone& on_frame_done) {
+  const int begin = options.begin, end = options.end < 0 ? renderer.size() : options.end;
+  if (begin < 0 || begin >= end || end > renderer.size())
+    throw InputError("scene " + renderer.scene().name,
+                     "frames " + std::to_string(begin) + ":" + std::to_string(end) + " are not in it",
+                     "it has frames 0:" + std::to_string(renderer.size()));
+  make_output_folder(folder + "/images");
+  if (options.depth) make_output_folder(folder + "/depth");
+  write_texts(renderer, folder, begin, end);
+  std::mutex mutex;
+  int done = 0;
+  run_parallel(begin, end, std::max(1, options.threads), [&](int i) {
+    write_png(numbered(folder + "/images", i, ".png"), renderer.render_image(i));
+    if (options.depth)
+      write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i), renderer.camera().pinhole.width,
+                renderer.camera().pinhole.height);
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (on_frame_done) on_frame_done(++done);
+  });
+}
+
+}  // namespace edgevo

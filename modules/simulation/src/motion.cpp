@@ -1,0 +1,67 @@
+#include "motion.h"
+
+#include <cmath>
+
+#include "drive_path.h"
+#include "edgevo/core/error.h"
+#include "smooth_noise.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kRadian = 3.14159265358979323846 / 180;
+constexpr uint64_t kMotionPurpose = 0x6d6f74696f6e;
+
+std::vector<SE3> drive(const SceneParams& params, Random random, const std::string& where) {
+  const MotionParams& m = params.motion;
+  const std::vector<PathPoint> way = drive_along(params, where);
+  const SmoothNoise pitch(&random, m.sway_hz), roll(&random, m.sway_hz), yaw(&random, m.sway_hz), lift(&random, m.sway_hz);
+  std::vector<SE3> poses;
+  for (size_t i = 0; i < way.size(); ++i) {
+    const double t = double(i) / params.rate_hz, sway = m.sway_deg * kRadian;
+    const Eigen::Vector3d position(way[i].x, way[i].y, m.height + m.sway_m * lift(t));
+    poses.push_back(look(position, way[i].yaw - m.look_right_deg * kRadian + sway / 3 * yaw(t),
+                         m.look_down_deg * kRadian + sway * pitch(t), sway * roll(t)));
+  }
+  return poses;
+}
+
+// Moves about the first way point, always looking near the second. Time is stretched so that the mean speed is right.
+std::vector<SE3> hand(const SceneParams& params, Random random) {
+  const MotionParams& m = params.motion;
+  const SmoothNoise x(&random, 0.25), y(&random, 0.25), z(&random, 0.25);
+  const SmoothNoise yaw(&random, m.sway_hz), down(&random, m.sway_hz), roll(&random, m.sway_hz);
+  const auto position = [&](double t) -> Eigen::Vector3d {
+    return params.way_points[0] + 0.55 * m.amplitude * Eigen::Vector3d(x(t), y(t), z(t));
+  };
+  double length = 0;
+  constexpr double kStep = 0.01, kSeconds = 200;
+  for (double t = 0; t < kSeconds; t += kStep) length += (position(t + kStep) - position(t)).norm();
+  const double pace = m.speed / (length / kSeconds), sway = m.sway_deg * kRadian;
+  std::vector<SE3> poses;
+  for (int i = 0; i < params.frames; ++i) {
+    const double t = double(i) / params.rate_hz;
+    const Eigen::Vector3d p = position(pace * t), view = params.way_points[1] - p;
+    poses.push_back(look(p, std::atan2(view.y(), view.x()) + sway * yaw(t),
+                         std::atan2(-view.z(), view.head<2>().norm()) + sway * down(t), sway * roll(t)));
+  }
+  return poses;
+}
+
+}  // namespace
+
+SE3 look(const Eigen::Vector3d& position, double yaw, double down, double roll) {
+  const Eigen::Vector3d forward(std::cos(yaw) * std::cos(down), std::sin(yaw) * std::cos(down), -std::sin(down));
+  const Eigen::Vector3d level = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
+  const Eigen::Vector3d right = Eigen::AngleAxisd(roll, forward) * level;
+  Eigen::Matrix3d R;
+  R.col(0) = right, R.col(1) = forward.cross(right), R.col(2) = forward;
+  return {R, position};
+}
+
+std::vector<SE3> make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where) {
+  const Random random = Random::derive(seed, kMotionPurpose);
+  return params.motion.kind == "hand" ? hand(params, random) : drive(params, random, where);
+}
+
+}  // namespace edgevo

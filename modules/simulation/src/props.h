@@ -1,0 +1,24 @@
+#pragma once
+// Things that stand about: houses, trees, cars, lamps.
+#include <string>
+
+#include "world_builder.h"
+
+namespace edgevo {
+
+/// A house whose front runs from `place`'s origin `width` metres to the right, `depth` metres deep.
+void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys, const std::string& wall);
+
+/// A broad-leaved tree, or a conifer, with its foot at the origin of `place`.
+void add_tree(WorldBuilder& b, const Place& place, double height);
+void add_conifer(WorldBuilder& b, const Place& place, double height);
+void add_bush(WorldBuilder& b, const Place& place, double width);
+
+/// A car of 4.3 m whose left side is in front; the origin is below its middle.
+void add_car(WorldBuilder& b, const Place& place);
+
+/// A lamp post of 6 m whose arm reaches out; a post with a sign that faces out.
+void add_lamp(WorldBuilder& b, const Place& place);
+void add_sign(WorldBuilder& b, const Place& place);
+
+}  // namespace edgevo

@@ -1,0 +1,60 @@
+#include "edgevo/simulation/scene.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
+#include "motion.h"
+#include "scene_params.h"
+#include "worlds.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where scenes lie: the source tree while one works in it, else what was installed.
+std::vector<fs::path> scene_folders() { return {EDGEVO_SCENE_SOURCE_DIR, EDGEVO_SCENE_INSTALL_DIR}; }
+
+fs::path find_scene(const std::string& name_or_path) {
+  std::error_code ignored;
+  if (fs::is_regular_file(name_or_path, ignored)) return name_or_path;
+  for (const fs::path& folder : scene_folders())
+    if (fs::is_regular_file(folder / (name_or_path + ".yaml"), ignored)) return folder / (name_or_path + ".yaml");
+  std::string known;
+  for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
+  throw InputError("scene " + name_or_path, "is neither a file nor a known scene",
+                   "give the path of a YAML file or one of " + known);
+}
+
+}  // namespace
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const fs::path& folder : scene_folders())
+    for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+      if (it->path().extension() == ".yaml") names.push_back(it->path().stem().string());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) {
+  const fs::path path = find_scene(name_or_path);
+  const std::string where = path.string();
+  const SceneParams params = parse_scene(read_file(where, "give the path of a scene file"), where);
+  Scene scene;
+  scene.name = path.stem().string();
+  scene.seed = seed.value_or(uint64_t(params.seed));
+  scene.camera = params.camera.camera;
+  scene.noise_sigma = params.camera.noise_sigma;
+  scene.T_scene_cam = make_trajectory(params, scene.seed, where);
+  for (int i = 0; i < params.frames; ++i) scene.times.push_back(Timestamp::from_seconds(i / params.rate_hz));
+  scene.world = std::make_shared<const World>(build_world(params, scene.seed, where));
+  check_trajectory(scene);
+  return scene;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,116 @@
+#pragma once
+// What a scene file holds. Each struct names its keys once, in visit(); see datasets/scenes/*.yaml.
+#include <string>
+#include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/params.h"
+
+namespace edgevo {
+
+struct CameraParams {
+  Camera camera;
+  void visit(ParamVisitor& v) {
+    Pinhole& p = camera.pinhole;
+    Distortion& d = camera.distortion;
+    v.integer("width", p.width, 16, 8192, "pixels");
+    v.integer("height", p.height, 16, 8192, "pixels");
+    v.number("fx", p.fx, 1, 1e5, "focal length, pixels");
+    v.number("fy", p.fy, 1, 1e5, "focal length, pixels");
+    v.number("cx", p.cx, 0, 8192, "principal point, pixels; (0,0) is the centre of the first pixel");
+    v.number("cy", p.cy, 0, 8192, "principal point, pixels");
+    v.number("k1", d.k1, -2, 2, "plumb-bob distortion");
+    v.number("k2", d.k2, -5, 5, "plumb-bob distortion");
+    v.number("p1", d.p1, -0.1, 0.1, "plumb-bob distortion, tangential");
+    v.number("p2", d.p2, -0.1, 0.1, "plumb-bob distortion, tangential");
+    v.number("k3", d.k3, -5, 5, "plumb-bob distortion");
+    v.number("noise_sigma", noise_sigma, 0, 50, "noise of the sensor, gray levels");
+  }
+  double noise_sigma = 1.0;
+};
+
+struct MotionParams {
+  std::string kind = "drive";
+  double speed = 9;            ///< m/s
+  double height = 1.65;        ///< m over the ground (drive)
+  double lane_offset = 0;      ///< m to the right of the way points (drive)
+  double turn_radius = 8;      ///< m (drive)
+  double acceleration = 2.5;   ///< m/s^2, in turns and along the way (drive)
+  double look_right_deg = 0;   ///< the camera looks this far to the right of where it goes (drive)
+  double look_down_deg = 0;    ///< (drive)
+  double sway_deg = 0.25;      ///< standard deviation of pitch and roll; yaw a third of it
+  double sway_m = 0.01;        ///< standard deviation of the height (drive)
+  double sway_hz = 1.2;        ///< typical frequency of the two
+  double pause_at = 0.5;       ///< share of the way where the pure turn happens (drive)
+  double pause_turn_deg = 0;   ///< pure turn on the spot, to the left; 0: none
+  double pause_rate_deg = 30;  ///< degrees a second
+  double amplitude = 0.3;      ///< m, half the range of the movement (hand)
+  void visit(ParamVisitor& v) {
+    v.text("kind", kind, {"drive", "hand"}, "drive along way points, or move about the first one looking at the second");
+    v.number("speed", speed, 0.01, 60, "metres a second");
+    v.number("height", height, 0.05, 50, "drive: metres over the ground");
+    v.number("lane_offset", lane_offset, -50, 50, "drive: metres to the right of the way points");
+    v.number("turn_radius", turn_radius, 0.2, 500, "drive: metres");
+    v.number("acceleration", acceleration, 0.05, 20, "drive: m/s^2, sideways in turns and along the way");
+    v.number("look_right_deg", look_right_deg, -180, 180, "drive: degrees between the way and the view");
+    v.number("look_down_deg", look_down_deg, -80, 80, "drive: degrees under the horizon");
+    v.number("sway_deg", sway_deg, 0, 20, "standard deviation of pitch and roll");
+    v.number("sway_m", sway_m, 0, 1, "drive: standard deviation of the height, metres");
+    v.number("sway_hz", sway_hz, 0.01, 20, "typical frequency of the sway");
+    v.number("pause_at", pause_at, 0, 1, "drive: share of the way where it stops to turn");
+    v.number("pause_turn_deg", pause_turn_deg, -720, 720, "drive: turn on the spot, to the left; 0: none");
+    v.number("pause_rate_deg", pause_rate_deg, 0.1, 360, "drive: degrees a second of that turn");
+    v.number("amplitude", amplitude, 0.001, 100, "hand: half the range of the movement, metres");
+  }
+};
+
+struct WorldParams {
+  std::string kind = "street";
+  std::string walls = "brick plaster stone boards";  ///< kinds of texture, separated by blanks
+  std::string sky = "clouds";
+  double horizon_gray = 222;
+  double haze_per_metre = 0.0015;
+  double sun_azimuth_deg = 130, sun_elevation_deg = 42;
+  double density = 1;  ///< of things that stand about
+  void visit(ParamVisitor& v) {
+    v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza"}, "what is built");
+    v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
+    v.text("sky", sky, {}, "kind of texture for the sky; empty: plain");
+    v.number("horizon_gray", horizon_gray, 0, 255, "gray of the sky at the horizon, which haze fades to");
+    v.number("haze_per_metre", haze_per_metre, 0, 1, "a surface at z metres keeps 1/(1 + haze z) of its brightness");
+    v.number("sun_azimuth_deg", sun_azimuth_deg, -360, 360, "from the x axis to the left");
+    v.number("sun_elevation_deg", sun_elevation_deg, 5, 90, "over the horizon");
+    v.number("density", density, 0, 3, "how many cars, trees and other things stand about");
+  }
+};
+
+struct SceneParams {
+  int seed = 1;
+  int frames = 0;
+  double rate_hz = 10;
+  CameraParams camera;
+  MotionParams motion;
+  WorldParams world;
+  std::vector<Eigen::Vector3d> way_points;  ///< metres
+  void visit(ParamVisitor& v) {
+    v.integer("seed", seed, 0, 1000000000, "everything random follows from it");
+    v.integer("frames", frames, 1, 1000000, "number of images");
+    v.number("rate_hz", rate_hz, 0.1, 1000, "images a second");
+    {
+      auto group = v.group("camera");
+      camera.visit(v);
+    }
+    {
+      auto group = v.group("motion");
+      motion.visit(v);
+    }
+    auto group = v.group("world");
+    world.visit(v);
+  }
+};
+
+/// Reads the text of a scene file. Throws InputError: unknown key, value out of range, no frames, way points that are no
+/// lists of two or three numbers, fewer than two of them, no camera.
+SceneParams parse_scene(const std::string& text, const std::string& where);
+
+}  // namespace edgevo

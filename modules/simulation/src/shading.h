@@ -1,0 +1,19 @@
+#pragma once
+// Brightness of one surface at one pixel: the texture averaged over the pixel's footprint.
+#include "view.h"
+
+namespace edgevo {
+
+/// What shading needs to know besides the surface.
+struct ShadingContext {
+  float pixel_x = 0, pixel_y = 0;  ///< size of a pixel in normalised coordinates: 1/fx, 1/fy
+  float haze_gray = 0, haze_per_metre = 0;
+};
+
+/// Gray (0..255, not clamped) where the ray (x, y, 1) meets the surface.
+float shade(const ViewSurface& view, const ShadingContext& context, float x, float y);
+
+/// Gray of the sky; `view` is the cloud layer.
+float shade_sky(const ViewSurface& view, const ShadingContext& context, float x, float y);
+
+}  // namespace edgevo

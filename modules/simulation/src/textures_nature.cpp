@@ -1,0 +1,128 @@
+// Trees, bushes, rocks and clouds.
+#include <cmath>
+
+#include "texture_kinds.h"
+
+namespace edgevo {
+namespace {
+
+Canvas bark(Random& random) {
+  Canvas c(128, 256, float(random.uniform(60, 105)));
+  for (int i = 0; i < 260; ++i) {
+    const double x = random.uniform(0, 128), y = random.uniform(0, 256), length = random.uniform(15, 60);
+    c.line(x, y, x + random.uniform(-6, 6), y + length, random.uniform(1, 3.5), float(random.uniform(25, 150)), 0.55f);
+  }
+  c.noise(random, 4, 5, 20);
+  return c;
+}
+
+// Leaves in clusters inside an outline; those drawn last are the brightest, as the sun comes from above.
+void leaves(Canvas* c, Random& random, int clusters, int per_cluster, double spread, double leaf,
+            const std::function<bool(double, double)>& inside) {
+  for (int k = 0; k < clusters; ++k) {
+    const double x = random.uniform(0, c->width()), y = random.uniform(0, c->height());
+    if (!inside(x / c->width(), y / c->height())) continue;
+    const double light = random.uniform(0.55, 1.1) * (1.15 - 0.5 * y / c->height()) * (0.45 + 0.55 * k / clusters);
+    for (int i = 0; i < per_cluster; ++i) {
+      const double size = leaf * random.uniform(0.6, 1.3);
+      const double px = x + spread * random.normal(), py = y + 0.8 * spread * random.normal();
+      if (px < 6 || py < 6 || px > c->width() - 6 || py > c->height() - 6) continue;  // must not wrap around
+      const float tone = float(light * (50 + 95 * i / per_cluster) + random.uniform(-18, 18));
+      c->ellipse(px, py, size, size * random.uniform(0.35, 0.65), random.uniform(0, 3.1416), tone);
+    }
+  }
+}
+
+void branch(Canvas* c, Random& random, double x, double y, double heading, double length, double width) {
+  if (length < 12) return;
+  const double nx = x + length * std::cos(heading), ny = y + length * std::sin(heading);
+  c->line(x, y, nx, ny, width, float(random.uniform(35, 70)));
+  for (int i = 0; i < 2; ++i)
+    branch(c, random, nx, ny, heading + random.uniform(-0.75, 0.75), length * random.uniform(0.65, 0.85), width * 0.65);
+}
+
+Canvas crown(Random& random) {
+  const int n = 512;
+  Canvas c(n, n, 60);
+  c.cut_out();
+  branch(&c, random, n / 2.0, n - 7, -1.5708, 95, 13);
+  const double phase = random.uniform(0, 6.283), bumps = 3 + random.below(3);
+  leaves(&c, random, 330, 30, 17, 5.5, [&](double x, double y) {
+    const double dx = (x - 0.5) / 0.42, dy = (y - 0.46) / 0.40, a = std::atan2(dy, dx);
+    return dx * dx + dy * dy < 0.85 + 0.22 * std::sin(bumps * a + phase);
+  });
+  return c;
+}
+
+Canvas conifer(Random& random) {
+  const int w = 256, h = 512;
+  Canvas c(w, h, 50);
+  c.cut_out();
+  c.line(w / 2.0, h - 5, w / 2.0, 20, 7, 45);
+  for (double y = 18; y < h - 40; y += 5) {
+    const double reach = (0.08 + 0.92 * y / h) * 0.46 * w * random.uniform(0.7, 1.05);
+    for (int side = -1; side <= 1; side += 2) {
+      const double tip_x = w / 2.0 + side * reach, tip_y = y + 0.35 * reach;
+      const float tone = float(random.uniform(35, 115));
+      c.line(w / 2.0, y, tip_x, tip_y, random.uniform(3, 6), tone);
+      for (double t = 0.25; t < 1; t += 0.13)
+        c.line(w / 2.0 + side * reach * t, y + 0.35 * reach * t, w / 2.0 + side * reach * (t + 0.08),
+               y + 0.35 * reach * t + random.uniform(6, 16), 2.5, tone + float(random.uniform(-20, 20)));
+    }
+  }
+  return c;
+}
+
+Canvas bush(Random& random) {
+  const int w = 512, h = 256;
+  Canvas c(w, h, 55);
+  c.cut_out();
+  const double phase = random.uniform(0, 6.283);
+  leaves(&c, random, 420, 26, 11, 4.5, [&](double x, double y) {
+    const double outline = 0.35 + 0.12 * std::sin(9 * x + phase) + 0.06 * std::sin(23 * x + 2 * phase);
+    return x > 0.06 && x < 0.94 && y > outline + 1.4 * std::pow(std::abs(x - 0.5), 2);
+  });
+  c.rect(24, h - 26, w - 24, h - 1, 42);
+  return c;
+}
+
+Canvas reeds(Random& random) {
+  const int w = 512, h = 256;
+  Canvas c(w, h, 90);
+  c.cut_out();
+  for (int i = 0; i < 520; ++i) {
+    const double x = random.uniform(12, w - 12), top = random.uniform(8, 130);
+    c.line(x, h - 3, x + random.uniform(-9, 9), top, random.uniform(1.4, 3), float(random.uniform(55, 175)));
+    if (random.uniform() < 0.15) c.ellipse(x, top + 8, 3, 9, 0, 55);
+  }
+  return c;
+}
+
+Canvas rock(Random& random) {
+  Canvas c(256, 256, float(random.uniform(110, 160)));
+  c.noise(random, 3, 7, 65, 0.75f);
+  for (int i = 0; i < 14; ++i)
+    c.line(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256), 1.5, 50, 0.6f);
+  c.grain(random, 8);
+  return c;
+}
+
+Canvas clouds(Random& random) {
+  Canvas c(512, 512, 0);
+  c.noise(random, 2, 8, 1.9f, 0.55f);
+  for (int y = 0; y < 512; ++y)
+    for (int x = 0; x < 512; ++x) {
+      const float cover = 1 / (1 + std::exp(-6 * c.at(x, y)));
+      c.at(x, y) = 172 + 72 * cover + 10 * c.at(x, y);
+    }
+  return c;
+}
+
+}  // namespace
+
+std::vector<TextureKind> nature_textures() {
+  return {{"bark", 1, 2, bark},   {"crown", 5, 5, crown}, {"conifer", 4, 8, conifer}, {"bush", 2.4, 1.2, bush},
+          {"reeds", 2.4, 1.2, reeds}, {"rock", 1, 1, rock},   {"clouds", 1800, 1800, clouds}};
+}
+
+}  // namespace edgevo

@@ -1,0 +1,153 @@
+#include "view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+using Polygon = std::vector<Eigen::Vector3d>;
+
+// The part of a convex polygon where plane.dot(p) >= offset.
+Polygon clip(const Polygon& polygon, const Eigen::Vector3d& plane, double offset) {
+  Polygon kept;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector3d &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double da = plane.dot(a) - offset, db = plane.dot(b) - offset;
+    if (da >= 0) kept.push_back(a);
+    if ((da >= 0) != (db >= 0)) kept.push_back(a + (b - a) * (da / (da - db)));
+  }
+  return kept;
+}
+
+// Half the opening of the view in normalised coordinates, lens distortion included.
+Eigen::Vector4d view_limits(const Camera& camera) {
+  const Pinhole& p = camera.pinhole;
+  Eigen::Vector4d limits(0, 0, 0, 0);
+  for (int i = 0; i <= 8; ++i)
+    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-1, i / 8.0 * p.height), Eigen::Vector2d(p.width, i / 8.0 * p.height),
+                                      Eigen::Vector2d(i / 8.0 * p.width, -1), Eigen::Vector2d(i / 8.0 * p.width, p.height)}) {
+      const Eigen::Vector2d distorted = p.ray(px).head<2>();
+      Eigen::Vector2d x = distorted;
+      if (!camera.distortion.is_zero() && !camera.undistort(distorted, &x)) continue;
+      limits[0] = std::min(limits[0], x.x()), limits[1] = std::max(limits[1], x.x());
+      limits[2] = std::min(limits[2], x.y()), limits[3] = std::max(limits[3], x.y());
+    }
+  return limits;
+}
+
+Polygon clip_to_view(Polygon polygon, const Eigen::Vector4d& limits) {
+  polygon = clip(polygon, {0, 0, 1}, kNear);
+  polygon = clip(polygon, {1, 0, -limits[0]}, 0);
+  polygon = clip(polygon, {-1, 0, limits[1]}, 0);
+  polygon = clip(polygon, {0, 1, -limits[2]}, 0);
+  return clip(polygon, {0, -1, limits[3]}, 0);
+}
+
+// A ball that no ray within the limits meets: a quick test before the exact one.
+bool is_out_of_view(const Eigen::Vector3d& centre, double radius, const Eigen::Vector4d& limits) {
+  const double x = centre.x(), y = centre.y(), z = centre.z();
+  const auto outside = [&](double distance, double slope) { return distance < -radius * std::sqrt(1 + slope * slope); };
+  return z < -radius || outside(x - limits[0] * z, limits[0]) || outside(limits[1] * z - x, limits[1]) ||
+         outside(y - limits[2] * z, limits[2]) || outside(limits[3] * z - y, limits[3]);
+}
+
+// Bounds in the image of a polygon in front of the camera. A distorting lens bends its sides: they are sampled.
+void bound(const Polygon& polygon, const Camera& camera, ViewSurface* view) {
+  const Pinhole& p = camera.pinhole;
+  const int steps = camera.distortion.is_zero() ? 1 : 8;
+  Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
+  for (size_t i = 0; i < polygon.size(); ++i)
+    for (int k = 0; k < steps; ++k) {
+      const Eigen::Vector3d point = polygon[i] + (polygon[(i + 1) % polygon.size()] - polygon[i]) * (double(k) / steps);
+      const Eigen::Vector2d x = camera.distort(point.head<2>() / point.z());
+      const Eigen::Array2d px(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
+      low = low.min(px), high = high.max(px);
+    }
+  const double margin = camera.distortion.is_zero() ? 1 : 3;
+  view->col_begin = std::clamp(int(std::floor(low.x() - margin)), 0, p.width);
+  view->col_end = std::clamp(int(std::ceil(high.x() + margin)) + 1, 0, p.width);
+  view->row_begin = std::clamp(int(std::floor(low.y() - margin)), 0, p.height);
+  view->row_end = std::clamp(int(std::ceil(high.y() + margin)) + 1, 0, p.height);
+}
+
+// Solves f.x (u - cx)/fx + f.y (v - cy)/fy + f.z >= 0 for the column u.
+void set_limits(const Pinhole& p, ViewSurface* view) {
+  for (const Eigen::Vector3d& f : view->inside) {
+    const double a = f.x() / p.fx, b = f.y() / p.fy, c = f.z() - a * p.cx - b * p.cy;
+    if (a > 0)
+      view->left[view->left_count++] = {-b / a, -c / a};
+    else if (a < 0)
+      view->right[view->right_count++] = {-b / a, -c / a};
+    else
+      view->always[view->always_count++] = {b, c};
+  }
+}
+
+// N, A, B and the texture's functions, from the parallelogram in the camera frame.
+void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
+                   ViewSurface* view) {
+  const Eigen::Vector3d normal = side_u.cross(side_v);
+  const Eigen::Vector3d dual_u = side_v.cross(normal) / normal.squaredNorm();
+  const Eigen::Vector3d dual_v = normal.cross(side_u) / normal.squaredNorm();
+  const Eigen::Vector3d N = normal / normal.dot(origin);
+  const Eigen::Vector3d A = dual_u - dual_u.dot(origin) * N;
+  const Eigen::Vector3d B = dual_v - dual_v.dot(origin) * N;
+  view->idepth = N;
+  view->inside[0] = A, view->inside[1] = N - A, view->inside[2] = B, view->inside[3] = N - B;
+  view->inside[4] = Eigen::Vector3d(-N.x(), -N.y(), 1 / kNear - N.z());
+  const Surface& s = *view->surface;
+  if (s.is_triangle) view->inside[1] = view->inside[3] = N - A - B;
+  view->u = (view->texture->width() * (s.uv_origin.x() * N + s.uv_size.x() * A)).cast<float>();
+  view->v = (view->texture->height() * (s.uv_origin.y() * N + s.uv_size.y() * B)).cast<float>();
+}
+
+}  // namespace
+
+std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam) {
+  const Eigen::Vector4d limits = view_limits(camera);
+  const SE3 T_cam_scene = T_scene_cam.inverse();
+  const Eigen::Matrix3d R = T_cam_scene.R();
+  std::vector<ViewSurface> views;
+  for (const Surface& s : world.surfaces) {
+    const Eigen::Vector3d origin = R * s.origin + T_cam_scene.translation(), u = R * s.side_u, v = R * s.side_v;
+    if (is_out_of_view(origin + 0.5 * (u + v), 0.5 * (u.norm() + v.norm()), limits)) continue;
+    const double facing = u.cross(v).dot(origin);  // side_u right, side_v down: the normal points away
+    if (std::abs(facing) < 1e-9 || (facing < 0 && !s.is_two_sided)) continue;
+    Polygon outline{origin, origin + u, origin + u + v, origin + v};
+    if (s.is_triangle) outline.erase(outline.begin() + 2);
+    const Polygon seen = clip_to_view(std::move(outline), limits);
+    if (seen.empty()) continue;
+    ViewSurface view;
+    view.surface = &s;
+    view.texture = &world.textures[size_t(s.texture)];
+    view.distance = (origin + 0.5 * (u + v)).norm();
+    bound(seen, camera, &view);
+    if (view.row_begin >= view.row_end || view.col_begin >= view.col_end) continue;
+    set_functions(origin, u, v, &view);
+    set_limits(camera.pinhole, &view);
+    views.push_back(view);
+  }
+  std::stable_sort(views.begin(), views.end(),
+                   [](const ViewSurface& a, const ViewSurface& b) { return a.row_begin < b.row_begin; });
+  return views;
+}
+
+ViewSurface view_sky(const World& world, const SE3& T_scene_cam) {
+  static const Surface layer = [] {
+    Surface s;
+    s.is_tiled = true;
+    return s;
+  }();
+  constexpr double kHeight = 1000, kTile = 1800;  // metres
+  ViewSurface view;
+  view.surface = &layer;
+  view.texture = &world.textures[size_t(world.sky.texture)];
+  const Eigen::Matrix3d R = T_scene_cam.R().transpose();
+  set_functions(R * Eigen::Vector3d(0, 0, kHeight), R * Eigen::Vector3d(kTile, 0, 0), R * Eigen::Vector3d(0, kTile, 0),
+                &view);
+  return view;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,44 @@
+#include "worlds.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "edgevo/core/error.h"
+#include "texture_kinds.h"
+
+namespace edgevo {
+namespace {
+
+std::vector<std::string> wall_kinds(const std::string& list, const std::string& where) {
+  std::istringstream in(list);
+  std::vector<std::string> kinds;
+  for (std::string kind; in >> kind;) {
+    texture_kind(kind, where + ": world.walls");
+    kinds.push_back(kind);
+  }
+  if (kinds.empty()) throw InputError(where, "world.walls names no texture", "write for example walls: brick plaster");
+  return kinds;
+}
+
+Eigen::Vector3d sun_direction(const WorldParams& w) {
+  constexpr double kRadian = 3.14159265358979323846 / 180;
+  const double a = w.sun_azimuth_deg * kRadian, e = w.sun_elevation_deg * kRadian;
+  return {std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e)};
+}
+
+}  // namespace
+
+World build_world(const SceneParams& params, uint64_t seed, const std::string& where) {
+  const WorldParams& w = params.world;
+  WorldBuilder builder(seed, where, sun_direction(w));
+  Site site{params, builder, wall_kinds(w.walls, where)};
+  builder.set_sky(w.sky, float(w.horizon_gray), float(w.haze_per_metre));
+  if (w.kind == "street") build_street(site);
+  if (w.kind == "desk") build_desk(site);
+  if (w.kind == "lakeshore") build_lakeshore(site);
+  if (w.kind == "corridor") build_corridor(site);
+  if (w.kind == "plaza") build_plaza(site);
+  return builder.finish();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,64 @@
+// The written folder: its files, the same bytes from one thread and from two, poses relative to the first written camera.
+#include "edgevo/simulation/folder_export.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fresh_folder(const char* name) {
+  const fs::path path = fs::path(::testing::TempDir()) / name;
+  fs::remove_all(path);
+  return path.string();
+}
+
+std::string content(const std::string& path) { return read_file(path, ""); }
+
+TEST(FolderExport, BytesDoNotDependOnThreads) {
+  const SceneRenderer renderer(load_scene("desk"));
+  FolderExport options;
+  options.begin = 10, options.end = 13, options.depth = true, options.threads = 1;
+  const std::string one = fresh_folder("export_one"), two = fresh_folder("export_two");
+  export_folder(renderer, one, options);
+  options.threads = 2;
+  int calls = 0;
+  export_folder(renderer, two, options, [&](int done) { EXPECT_EQ(done, ++calls); });
+  EXPECT_EQ(calls, 3);
+  for (const char* file : {"images/000010.png", "images/000012.png", "depth/000011.pfm", "times.txt", "camera.txt",
+                           "groundtruth_tum.txt", "SOURCE.md"})
+    EXPECT_EQ(content(one + "/" + file), content(two + "/" + file)) << file;
+}
+
+TEST(FolderExport, FirstPoseIsTheIdentityAndDepthIsExact) {
+  const SceneRenderer renderer(load_scene("desk"));
+  FolderExport options;
+  options.begin = 2, options.end = 4, options.depth = true;
+  const std::string folder = fresh_folder("export_depth");
+  export_folder(renderer, folder, options);
+  EXPECT_THAT(content(folder + "/groundtruth_tum.txt"),
+              ::testing::HasSubstr("0.0666667 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000\n"));
+  const std::string pfm = content(folder + "/depth/000003.pfm"), header = "Pf\n640 480\n-1.0\n";
+  ASSERT_EQ(pfm.size(), header.size() + 640 * 480 * 4);
+  EXPECT_EQ(pfm.substr(0, header.size()), header);
+  float bottom_left = 0;
+  std::memcpy(&bottom_left, pfm.data() + header.size(), sizeof bottom_left);
+  EXPECT_EQ(bottom_left, renderer.render_depth(3)[479 * 640]);
+}
+
+TEST(FolderExport, RangeOutsideIsRefused) {
+  const SceneRenderer renderer(load_scene("desk"));
+  FolderExport options;
+  options.begin = 400, options.end = 100000;
+  EXPECT_THROW(export_folder(renderer, fresh_folder("export_none"), options), InputError);
+}
+
+}  // namespace
+}  // namespace edgevo

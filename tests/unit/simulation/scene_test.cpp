@@ -1,0 +1,153 @@
+// Scene files: what ships is sound, the same seed gives the same bytes, and bad files get one clear line.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "edgevo/core/error.h"
+#include "edgevo/simulation/rendered_source.h"
+#include "edgevo/simulation/scene_renderer.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// The text of a scene that ships, with one thing replaced.
+std::string edited(const std::string& scene, const std::string& what, const std::string& by) {
+  std::ifstream in(std::string(EDGEVO_SOURCE_DIR) + "/datasets/scenes/" + scene + ".yaml");
+  std::stringstream text;
+  text << in.rdbuf();
+  std::string s = text.str();
+  const size_t at = s.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return s.replace(at, what.size(), by);
+}
+
+// Why load_scene refuses that text; empty if it does not.
+std::string refusal(const std::string& text) {
+  const std::string path = (std::filesystem::path(::testing::TempDir()) / "bad_scene.yaml").string();
+  std::ofstream(path) << text;
+  try {
+    load_scene(path);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(BadScene, UnknownKeyOffersTheNearest) {
+  EXPECT_THAT(refusal(edited("desk", "rate_hz:", "rate_hertz:")), AllOf(HasSubstr("rate_hertz"), HasSubstr("rate_hz")));
+  EXPECT_THAT(refusal(edited("desk", "amplitude:", "amplitud:")), HasSubstr("motion.amplitude"));
+}
+
+TEST(BadScene, MissingTextureKind) {
+  EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")), AllOf(HasSubstr("plastre"), HasSubstr("'plaster'")));
+}
+
+TEST(BadScene, NoFrames) {
+  EXPECT_THAT(refusal(edited("desk", "frames: 450", "frames: 0")), HasSubstr("frames"));
+  EXPECT_THAT(refusal(edited("desk", "frames: 450", "")), HasSubstr("frames is missing"));
+}
+
+TEST(BadScene, WayThroughAWall) {
+  EXPECT_THAT(refusal(edited("street", "lane_offset: 1.5", "lane_offset: 11")),
+              AllOf(HasSubstr("through a wall between frames"), Not(HasSubstr("\n"))));
+}
+
+TEST(BadScene, WayTooShort) {
+  EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")), HasSubstr("the way ends at frame"));
+  EXPECT_THAT(refusal(edited("street", "turn_radius: 8", "turn_radius: 300")), HasSubstr("too short for its turn"));
+}
+
+TEST(BadScene, WayPoints) {
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "")), HasSubstr("fewer than two way points"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1.05]")), HasSubstr("list of two or three numbers"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")), HasSubstr("way_points"));
+  EXPECT_THAT(refusal(edited("desk", "way_points:", "other_points:")), HasSubstr("list"));
+}
+
+TEST(BadScene, NoCamera) { EXPECT_THAT(refusal(edited("desk", "  width: 640", "")), HasSubstr("image size")); }
+
+TEST(BadScene, UnknownNameListsWhatThereIs) {
+  try {
+    load_scene("no_such_scene");
+    ADD_FAILURE() << "was accepted";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), AllOf(HasSubstr("no_such_scene"), HasSubstr("desk"), HasSubstr("street")));
+  }
+}
+
+TEST(Scene, NamesHoldWhatShips) {
+  for (const char* name : {"street", "desk"}) EXPECT_THAT(scene_names(), Contains(name));
+}
+
+TEST(Scene, SameSeedSameBytesOtherSeedOtherPlace) {
+  const SceneRenderer first(load_scene("desk", 7)), second(load_scene("desk", 7)), other(load_scene("desk", 8));
+  const RenderedFrame a = first.render(3), b = second.render(3), c = other.render(3);
+  EXPECT_EQ(a.image.pixels, b.image.pixels);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_NE(a.image.pixels, c.image.pixels);
+  EXPECT_NE(a.depth, c.depth);
+}
+
+TEST(Scene, NoiseHasItsStrengthAndDiffersBetweenFrames) {
+  Scene scene = load_scene("desk");
+  scene.noise_sigma = 3;
+  scene.T_scene_cam[1] = scene.T_scene_cam[0];
+  const SceneRenderer renderer(scene);
+  const GrayImage a = renderer.render_image(0), b = renderer.render_image(1);
+  double sum2 = 0;
+  int count = 0;
+  for (size_t i = 0; i < a.pixels.size(); ++i) {
+    if (a.pixels[i] < 20 || a.pixels[i] > 235) continue;  // clamped
+    const double d = double(a.pixels[i]) - double(b.pixels[i]);
+    sum2 += d * d, ++count;
+  }
+  EXPECT_NEAR(std::sqrt(sum2 / count), 3 * std::sqrt(2.0), 0.15);  // 0.1 is rounding's share
+}
+
+TEST(Scene, StreetIsADriveWithTurns) {
+  const Scene scene = load_scene("street");
+  ASSERT_GE(scene.size(), 300);
+  double length = 0, turned = 0;
+  for (int i = 1; i < scene.size(); ++i) {
+    const SE3 step = scene.T_scene_cam[size_t(i) - 1].inverse() * scene.T_scene_cam[size_t(i)];
+    EXPECT_LT(step.translation().norm(), 1.05) << i;
+    EXPECT_LT(step.angle(), 0.1) << i;
+    EXPECT_GT(step.translation().z(), 0.2) << i;
+    length += step.translation().norm();
+    turned += step.angle();
+    EXPECT_NEAR(scene.T_scene_cam[size_t(i)].translation().z(), 1.65, 0.06);
+  }
+  EXPECT_GT(length, 250);
+  EXPECT_GT(turned, 3.1);
+}
+
+TEST(RenderedSource, HandsOutTheRangeInOrder) {
+  RenderedSource source(std::make_shared<SceneRenderer>(load_scene("desk")), 5, 8);
+  EXPECT_EQ(source.size(), 3);
+  EXPECT_EQ(source.next()->index, 5);
+  EXPECT_TRUE(source.skip());
+  const auto frame = source.next();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->index, 7);
+  EXPECT_NEAR(frame->time.seconds(), 7 / 30.0, 1e-6);
+  EXPECT_EQ(frame->image.pixels, source.renderer().render_image(7).pixels);
+  EXPECT_FALSE(source.next());
+  EXPECT_FALSE(source.skip());
+}
+
+TEST(RenderedSource, EmptyRangeIsRefused) {
+  const auto renderer = std::make_shared<SceneRenderer>(load_scene("desk"));
+  EXPECT_THROW(RenderedSource(renderer, 5, 5), InputError);
+  EXPECT_THROW(RenderedSource(renderer, 0, 100000), InputError);
+}
+
+}  // namespace
+}  // namespace edgevo
