@@ -7,11 +7,11 @@
 # Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
 set -eu
 
-# compiler and tools | mathematics and images | MRPT, ViSP, OctoMap | command line, JSON, tests
+# compiler and tools | mathematics, images | MRPT, ViSP, OctoMap and the tools that open our files | command line, JSON, tests
 PACKAGES="
-build-essential cmake ninja-build pkg-config git ca-certificates
-libeigen3-dev libopencv-dev libceres-dev
-libmrpt-maps-dev libmrpt-hwdrivers-dev libmrpt-gui-dev mrpt-apps libvisp-dev liboctomap-dev octomap-tools
+build-essential cmake ninja-build git
+libeigen3-dev libopencv-dev libceres-dev zlib1g-dev
+libmrpt-maps-dev mrpt-apps libvisp-dev liboctomap-dev octomap-tools
 libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev
 "
 
