@@ -34,7 +34,9 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 }  // namespace
 
 RunOutputs::RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy)
-    : folder_(std::move(folder)), occupancy_(occupancy), wall_begin_(std::chrono::steady_clock::now()),
+    : folder_(std::move(folder)),
+      occupancy_(occupancy),
+      wall_begin_(std::chrono::steady_clock::now()),
       cpu_begin_s_(cpu_seconds(usage())) {
   occupancy_.check();
   make_output_folder(folder_);
@@ -44,8 +46,10 @@ RunOutputs::RunOutputs(std::string folder, const Camera& camera, const Occupancy
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
   if (images_failed_) return false;
   try {
-    if (image_path.empty()) playback_->add_frame(frame);
-    else playback_->add_frame_link(frame.index, image_path);
+    if (image_path.empty())
+      playback_->add_frame(frame);
+    else
+      playback_->add_frame_link(frame.index, image_path);
   } catch (const InputError& e) {
     images_failed_ = true;
     note_failure("playback_Images", e);
@@ -56,8 +60,10 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
   SummaryInput summary{run, info, use_until_now(), {}, {}, {}};
   const PointFilter& filter = occupancy_.points;
-  attempt("trajectory_tum.txt", [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kFinal)); });
-  attempt("trajectory_live_tum.txt", [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kLive)); });
+  attempt("trajectory_tum.txt",
+          [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kFinal)); });
+  attempt("trajectory_live_tum.txt",
+          [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kLive)); });
   attempt("trajectory_kitti.txt", [&](const auto& path) { write_file(path, trajectory_kitti(run)); });
   attempt("frames.csv", [&](const auto& path) { write_file(path, frames_csv(run)); });
   attempt("edges.ply", [&](const auto& path) { write_edge_ply(run, filter, path); });

@@ -7,17 +7,21 @@
 //   frames.csv               one row for every frame; timing columns last
 //   edges.ply, edges.bt, edges.ot                           the map (occupancy)
 //   keyframes.simplemap, playback.rawlog + playback_Images, scene.3Dscene   for MRPT's tools (mrpt_bridge)
-//   summary.yaml             versions, parameters, scale, counts, timing, memory, and what could not be written
-// An output folder is created with its parents; results of an earlier run in it are overwritten. The text files but
-// summary.yaml and the ms columns of frames.csv depend on the run alone: the same run gives the same bytes.
+//   summary.yaml             versions, parameters, scale, counts, timing, memory, and what could not be
+//   written
+// An output folder is created with its parents; results of an earlier run in it are overwritten. The text
+// files but summary.yaml and the ms columns of frames.csv depend on the run alone: the same run gives the
+// same bytes.
 //
 // Usage:
 //   RunOutputs outputs(out, camera, options);      // throws when `out` cannot be a folder
 //   while (auto frame = source.next()) {
 //     ...
-//     if (!outputs.add_frame(*frame)) break;       // an image could not be written: end the run, keep what there is
+//     if (!outputs.add_frame(*frame)) break;       // an image could not be written: end the run, keep what
+//     there is
 //   }
-//   outputs.finish(run, info);                     // writes all; one failure does not keep the others from being tried
+//   outputs.finish(run, info);                     // writes all; one failure does not keep the others from
+//   being tried
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -38,9 +42,9 @@ namespace edgevo::app {
 struct RunInfo {
   std::vector<std::string> command_line;
   std::string source_kind, source_path;
-  Camera camera;            ///< as given by the source or --camera
-  std::string params_yaml;  ///< of write_params(), not indented
-  bool interrupted = false; ///< ended by Ctrl-C or by a source that broke: the run is the part up to there
+  Camera camera;             ///< as given by the source or --camera
+  std::string params_yaml;   ///< of write_params(), not indented
+  bool interrupted = false;  ///< ended by Ctrl-C or by a source that broke: the run is the part up to there
   std::vector<std::pair<std::string, std::string>> notes;  ///< anything else, as name and text
 };
 
@@ -51,15 +55,17 @@ struct ResourceUse {
 
 class RunOutputs {
  public:
-  /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, occupancy parameters.
+  /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, occupancy
+  /// parameters.
   RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy);
 
-  /// Writes the frame's image for playback.rawlog; or, if the image is on disk at `image_path` already, links to it. False
-  /// once an image could not be written, and ever after: there is no point in going on, and finish() will tell why.
+  /// Writes the frame's image for playback.rawlog; or, if the image is on disk at `image_path` already, links
+  /// to it. False once an image could not be written, and ever after: there is no point in going on, and
+  /// finish() will tell why.
   [[nodiscard]] bool add_frame(const Frame& frame, const std::string& image_path = {});
 
-  /// Writes everything else. When something could not be written, the rest is still tried, summary.yaml names what is
-  /// missing, and then the first failure is thrown (InputError).
+  /// Writes everything else. When something could not be written, the rest is still tried, summary.yaml names
+  /// what is missing, and then the first failure is thrown (InputError).
   void finish(const Run& run, const RunInfo& info);
 
  private:

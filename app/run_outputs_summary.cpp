@@ -77,8 +77,15 @@ void write_camera(const Camera& camera, YamlWriter* y) {
   y->open("camera");
   y->integer("width", p.width);
   y->integer("height", p.height);
-  for (const auto& [key, value] : {std::pair("fx", p.fx), {"fy", p.fy}, {"cx", p.cx}, {"cy", p.cy}, {"k1", d.k1}, {"k2", d.k2},
-                                   {"p1", d.p1}, {"p2", d.p2}, {"k3", d.k3}})
+  for (const auto& [key, value] : {std::pair("fx", p.fx),
+                                   {"fy", p.fy},
+                                   {"cx", p.cx},
+                                   {"cy", p.cy},
+                                   {"k1", d.k1},
+                                   {"k2", d.k2},
+                                   {"p1", d.p1},
+                                   {"p2", d.p2},
+                                   {"k3", d.k3}})
     y->number(key, value, 9);
   y->close();
 }
@@ -92,7 +99,8 @@ void write_scale(const Run& run, YamlWriter* y) {
 }
 
 int with_pose(const Run& run) {
-  return int(std::count_if(run.frames.begin(), run.frames.end(), [](const auto& f) { return f.T_world_cam.has_value(); }));
+  return int(std::count_if(run.frames.begin(), run.frames.end(),
+                           [](const auto& f) { return f.T_world_cam.has_value(); }));
 }
 
 void write_frames(const Run& run, YamlWriter* y) {
@@ -138,7 +146,8 @@ void write_trajectory(const Run& run, YamlWriter* y) {
 void write_map(const Run& run, const OctreeStats& map, YamlWriter* y) {
   y->open("map");
   y->text("axes", "x forward, y left, z up");
-  y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)" : "of the first camera, taken to look ahead");
+  y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)"
+                                  : "of the first camera, taken to look ahead");
   y->integer("points", map.points.total);
   y->integer("points_exported", map.points.kept);
   y->integer("points_invalid", map.points.invalid);
@@ -179,7 +188,8 @@ void write_stages(const Run& run, YamlWriter* y) {
   std::vector<std::pair<std::string, std::vector<double>>> stages;  // in the order of first appearance
   for (const FrameRecord& frame : run.frames) {
     for (const auto& [name, ms] : frame.stage_ms) {
-      auto stage = std::find_if(stages.begin(), stages.end(), [&, &n = name](const auto& s) { return s.first == n; });
+      auto stage =
+          std::find_if(stages.begin(), stages.end(), [&, &n = name](const auto& s) { return s.first == n; });
       if (stage == stages.end()) stage = stages.insert(stages.end(), {name, {}});
       stage->second.push_back(ms);
     }
@@ -209,11 +219,16 @@ void write_timing(const SummaryInput& input, YamlWriter* y) {
 std::string yaml_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') (quoted += '\\') += c;
-    else if (c == '\n') quoted += "\\n";
-    else if (c == '\t') quoted += "\\t";
-    else if (static_cast<unsigned char>(c) < 0x20) quoted += ' ';
-    else quoted += c;
+    if (c == '"' || c == '\\')
+      (quoted += '\\') += c;
+    else if (c == '\n')
+      quoted += "\\n";
+    else if (c == '\t')
+      quoted += "\\t";
+    else if (static_cast<unsigned char>(c) < 0x20)
+      quoted += ' ';
+    else
+      quoted += c;
   }
   return quoted + '"';
 }

@@ -28,7 +28,8 @@ void append_tum_line(const FrameRecord& frame, const SE3& T, std::string* text) 
 std::string one_cell(std::string note) {
   std::replace(note.begin(), note.end(), ',', ';');
   std::replace(note.begin(), note.end(), '"', '\'');
-  std::replace_if(note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return note;
 }
 
@@ -41,14 +42,16 @@ std::vector<std::string> stages_of(const Run& run) {
 }
 
 void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages, std::string* text) {
-  *text += std::to_string(frame.index) + ',' + to_string(frame.time) + ',' + std::string(to_string(frame.state)) + ',' +
-           std::to_string(frame.segment) + ',' + (frame.is_keyframe ? '1' : '0') + ',';
+  *text += std::to_string(frame.index) + ',' + to_string(frame.time) + ',' +
+           std::string(to_string(frame.state)) + ',' + std::to_string(frame.segment) + ',' +
+           (frame.is_keyframe ? '1' : '0') + ',';
   append_fixed(text, frame.inlier_share, 4);
   append_fixed(&(*text += ','), frame.residual_px, 4);
   *text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note);
   for (const std::string& stage : stages) {
     *text += ',';
-    const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(), [&](const auto& s) { return s.first == stage; });
+    const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
+                                  [&](const auto& s) { return s.first == stage; });
     if (ran != frame.stage_ms.end()) append_fixed(text, ran->second, 3);
   }
   *text += '\n';
@@ -57,12 +60,17 @@ void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& st
 }  // namespace
 
 std::string trajectory_tum(const Run& run, PoseKind kind) {
-  std::string text = kind == PoseKind::kFinal
-                         ? "# edgevo: T_world_cam of each frame that has a pose, re-expressed from the final keyframe poses\n"
-                         : "# edgevo: T_world_cam of each frame that had a pose, as it was known when the frame came\n";
-  text += "# axes: camera x right, y down, z forward; world: those of the first camera\n"
-          "# unit: " + unit_statement(run) + "\n"
-          "# t tx ty tz qx qy qz qw\n";
+  std::string text =
+      kind == PoseKind::kFinal
+          ? "# edgevo: T_world_cam of each frame that has a pose, re-expressed from the final keyframe "
+            "poses\n"
+          : "# edgevo: T_world_cam of each frame that had a pose, as it was known when the frame came\n";
+  text +=
+      "# axes: camera x right, y down, z forward; world: those of the first camera\n"
+      "# unit: " +
+      unit_statement(run) +
+      "\n"
+      "# t tx ty tz qx qy qz qw\n";
   for (const FrameRecord& frame : run.frames)
     if (const auto& T = pose_of(frame, kind); is_usable(T)) append_tum_line(frame, *T, &text);
   return text;

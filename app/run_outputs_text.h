@@ -11,19 +11,21 @@ enum class PoseKind {
   kLive    ///< as known when the frame came
 };
 
-/// TUM format, `t tx ty tz qx qy qz qw`: T_world_cam, one line for each frame that has such a pose, below comment lines that
-/// tell axes and unit. qw >= 0.
+/// TUM format, `t tx ty tz qx qy qz qw`: T_world_cam, one line for each frame that has such a pose, below
+/// comment lines that tell axes and unit. qw >= 0.
 std::string trajectory_tum(const Run& run, PoseKind kind);
 
-/// KITTI odometry format: row-major 3x4 T_world_cam, one line for each frame. The format has neither times nor gaps nor comments:
-/// a frame without a pose repeats the one before it (the identity before the first), as a robot that stands still.
+/// KITTI odometry format: row-major 3x4 T_world_cam, one line for each frame. The format has neither times
+/// nor gaps nor comments: a frame without a pose repeats the one before it (the identity before the first),
+/// as a robot that stands still.
 std::string trajectory_kitti(const Run& run);
 
 /// One row for each frame:
 ///   index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,ms_<stage>...
-/// time in seconds; segment -1: none; keyframe 0 or 1; a stage that did not run in a frame is left empty. Stages come last
-/// (`cut -d, -f1-9` gives what does not depend on the clock), in the order in which they first ran. A note holds no comma
-/// and no quote: both are replaced, so that every reader can split at commas.
+/// time in seconds; segment -1: none; keyframe 0 or 1; a stage that did not run in a frame is left empty.
+/// Stages come last
+/// (`cut -d, -f1-9` gives what does not depend on the clock), in the order in which they first ran. A note
+/// holds no comma and no quote: both are replaced, so that every reader can split at commas.
 std::string frames_csv(const Run& run);
 
 }  // namespace edgevo::app

@@ -25,9 +25,17 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const char* const kFiles[] = {"trajectory_tum.txt", "trajectory_live_tum.txt", "trajectory_kitti.txt", "frames.csv",
-                              "edges.ply",          "edges.bt",                "edges.ot",             "keyframes.simplemap",
-                              "playback.rawlog",    "scene.3Dscene",           "summary.yaml"};
+const char* const kFiles[] = {"trajectory_tum.txt",
+                              "trajectory_live_tum.txt",
+                              "trajectory_kitti.txt",
+                              "frames.csv",
+                              "edges.ply",
+                              "edges.bt",
+                              "edges.ot",
+                              "keyframes.simplemap",
+                              "playback.rawlog",
+                              "scene.3Dscene",
+                              "summary.yaml"};
 
 std::string content(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -46,8 +54,10 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells(1);
   for (char c : row)
-    if (c == ',') cells.emplace_back();
-    else cells.back() += c;
+    if (c == ',')
+      cells.emplace_back();
+    else
+      cells.back() += c;
   return cells;
 }
 
@@ -55,7 +65,8 @@ class RunOutputsTest : public ::testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(::testing::TempDir()) /
-              ("edgevo_run_outputs_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+              ("edgevo_run_outputs_" +
+               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     fs::remove_all(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -131,11 +142,13 @@ TEST_F(RunOutputsTest, SummaryIsYamlWithTheCounts) {
 TEST_F(RunOutputsTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
   const auto rows = lines_of(frames_csv(made_.run));
   ASSERT_EQ(rows.size(), 46u);
-  EXPECT_EQ(rows[0],
-            "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,ms_edges,ms_alignment,ms_ba");
+  EXPECT_EQ(
+      rows[0],
+      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,ms_edges,ms_alignment,ms_ba");
   EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,4.100,2.000,");
   EXPECT_EQ(rows[21],
-            "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 needed,6.000,2.000,");
+            "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
+            "needed,6.000,2.000,");
   EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,8.200,2.000,20.000");
   for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 12u) << row;
 }
@@ -147,15 +160,18 @@ TEST_F(RunOutputsTest, TumTrajectoriesHoldTheFramesThatHavePoses) {
   EXPECT_EQ(live_lines.size(), 4u + 36);
   EXPECT_THAT(final_lines[0], StartsWith("# edgevo: T_world_cam"));
   EXPECT_THAT(final_lines[2], StartsWith("# unit: arbitrary"));
-  EXPECT_EQ(final_lines[4], "1670000000.0000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000");
+  EXPECT_EQ(final_lines[4],
+            "1670000000.0000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 "
+            "1.000000000");
 }
 
 TEST_F(RunOutputsTest, TumQuaternionsHaveAPositiveW) {
   edgevo::Run run;
   run.frames.resize(1);
   run.frames[0].T_world_cam = SE3(Eigen::Quaterniond(-0.8, 0.6, 0, 0), Eigen::Vector3d(1, -2, 3));
-  EXPECT_EQ(lines_of(trajectory_tum(run, PoseKind::kFinal))[4],
-            "0.0000000 1.000000000 -2.000000000 3.000000000 -0.600000000 0.000000000 0.000000000 0.800000000");
+  EXPECT_EQ(
+      lines_of(trajectory_tum(run, PoseKind::kFinal))[4],
+      "0.0000000 1.000000000 -2.000000000 3.000000000 -0.600000000 0.000000000 0.000000000 0.800000000");
 }
 
 TEST_F(RunOutputsTest, KittiTrajectoryStandsStillWhereThereIsNoPose) {
@@ -165,7 +181,8 @@ TEST_F(RunOutputsTest, KittiTrajectoryStandsStillWhereThereIsNoPose) {
   EXPECT_NE(rows[25], rows[24]);
   edgevo::Run late;
   late.frames.resize(2);
-  EXPECT_THAT(lines_of(trajectory_kitti(late))[0], StartsWith("1.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.0"));
+  EXPECT_THAT(lines_of(trajectory_kitti(late))[0],
+              StartsWith("1.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.0"));
 }
 
 TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
@@ -182,7 +199,8 @@ TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
   fs::create_symlink("/dev/full", folder_ / "frames.csv");
   EXPECT_EQ(message_of([&] { write(folder_, made_.run, made_.camera); }),
             (folder_ / "frames.csv").string() +
-                ": cannot be written: No space left on device; free space or give another -o; what was written so far is kept");
+                ": cannot be written: No space left on device; free space or give another -o; what was "
+                "written so far is kept");
   const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
   EXPECT_EQ(s["not_written"].asSequence().size(), 1u);
   EXPECT_EQ(s["not_written"](0).as<std::string>(), "frames.csv");
@@ -201,7 +219,8 @@ TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
     ++added;
   }
   EXPECT_EQ(added, 3);
-  EXPECT_THAT(message_of([&] { outputs.finish(made_.run, {}); }), HasSubstr("frame_000003.png: cannot be written"));
+  EXPECT_THAT(message_of([&] { outputs.finish(made_.run, {}); }),
+              HasSubstr("frame_000003.png: cannot be written"));
   EXPECT_EQ(lines_of(content(folder_ / "frames.csv")).size(), 46u);
   EXPECT_GT(content(folder_ / "playback.rawlog").size(), 1000u);
 }
@@ -215,7 +234,8 @@ TEST_F(RunOutputsTest, OutputFolderThatIsAFileIsRefused) {
 TEST_F(RunOutputsTest, WrongOccupancyParametersAreToldBeforeTheRun) {
   OccupancyParams occupancy;
   occupancy.resolution = "fine";
-  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, occupancy); }), HasSubstr("occupancy.resolution"));
+  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, occupancy); }),
+              HasSubstr("occupancy.resolution"));
   EXPECT_FALSE(fs::exists(folder_));
 }
 
@@ -228,7 +248,8 @@ TEST_F(RunOutputsTest, FullFileSystemKeepsWhatFitted) {
   const std::string message = message_of([&] { write(folder_, made_.run, made_.camera); });
   const bool first_image = fs::exists(folder_ / "playback_Images/frame_000000.png");
   umount(folder_.c_str());
-  EXPECT_THAT(message, HasSubstr("cannot be written: No space left on device; free space or give another -o"));
+  EXPECT_THAT(message,
+              HasSubstr("cannot be written: No space left on device; free space or give another -o"));
   EXPECT_TRUE(first_image);
 }
 

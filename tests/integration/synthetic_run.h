@@ -1,6 +1,6 @@
 #pragma once
-// A run as the odometry would leave it, made without any odometry: a camera that drives along a corridor of edges, with a lost
-// stretch and hence two segments. For the tests of what is written.
+// A run as the odometry would leave it, made without any odometry: a camera that drives along a corridor of
+// edges, with a lost stretch and hence two segments. For the tests of what is written.
 #include <cmath>
 #include <vector>
 
@@ -22,19 +22,22 @@ inline Frame synthetic_frame(const Camera& camera, const FrameRecord& record) {
   frame.image.width = camera.pinhole.width;
   frame.image.height = camera.pinhole.height;
   for (int y = 0; y < frame.image.height; ++y)
-    for (int x = 0; x < frame.image.width; ++x) frame.image.pixels.push_back(uint8_t((x * x + 3 * y + 7 * record.index) >> 3));
+    for (int x = 0; x < frame.image.width; ++x)
+      frame.image.pixels.push_back(uint8_t((x * x + 3 * y + 7 * record.index) >> 3));
   return frame;
 }
 
 /// Points on the two walls, floor and ceiling of a corridor 4 wide and 3 high, seen from `T_world_cam`.
-inline std::vector<EdgePoint> corridor_points(const Pinhole& pinhole, const SE3& T_world_cam, int count, Random* random) {
+inline std::vector<EdgePoint> corridor_points(const Pinhole& pinhole, const SE3& T_world_cam, int count,
+                                              Random* random) {
   std::vector<EdgePoint> points;
   while (int(points.size()) < count) {
     const double along = T_world_cam.translation().z() + random->uniform(2, 12);
     const double across = random->uniform(-1, 1);
     const bool wall = random->below(2) == 0;
     const double side = random->below(2) == 0 ? 1 : -1;
-    const Eigen::Vector3d p_world = wall ? Eigen::Vector3d(2 * side, 1.5 * across, along) : Eigen::Vector3d(2 * across, 1.5 * side, along);
+    const Eigen::Vector3d p_world = wall ? Eigen::Vector3d(2 * side, 1.5 * across, along)
+                                         : Eigen::Vector3d(2 * across, 1.5 * side, along);
     const Eigen::Vector3d p_cam = T_world_cam.inverse() * p_world;
     if (p_cam.z() < 0.5 || !pinhole.contains(pinhole.project(p_cam))) continue;
     EdgePoint p;
@@ -49,8 +52,8 @@ inline std::vector<EdgePoint> corridor_points(const Pinhole& pinhole, const SE3&
   return points;
 }
 
-/// `frames` frames, every third a keyframe with `points` points. Frames 20 to 24 are lost; the first four are filled in after
-/// the bootstrap and have no live pose.
+/// `frames` frames, every third a keyframe with `points` points. Frames 20 to 24 are lost; the first four are
+/// filled in after the bootstrap and have no live pose.
 inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
   SyntheticRun made;
   Run& run = made.run;
@@ -62,7 +65,9 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
     frame.index = i;
     frame.time.ticks = 16'700'000'000'000'000 + 1'000'000 * i;
     const bool lost = i >= 20 && i < 25;
-    frame.state = lost ? TrackingState::kLost : i < 4 ? TrackingState::kBootstrapping : TrackingState::kTracking;
+    frame.state = lost    ? TrackingState::kLost
+                  : i < 4 ? TrackingState::kBootstrapping
+                          : TrackingState::kTracking;
     frame.segment = lost ? -1 : i < 20 ? 0 : 1;
     frame.edges = 1000 + i;
     frame.stage_ms = {{"edges", 4 + 0.1 * i}, {"alignment", 2.0}};
@@ -71,7 +76,8 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
     } else {
       const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.1 * std::sin(0.2 * i), Eigen::Vector3d::UnitY()));
       frame.T_world_cam = SE3(turn, Eigen::Vector3d(0.3 * std::sin(0.1 * i), 0, 0.2 * i));
-      if (i >= 4) frame.T_world_cam_live = SE3(turn, frame.T_world_cam->translation() + Eigen::Vector3d(0.001, 0, 0));
+      if (i >= 4)
+        frame.T_world_cam_live = SE3(turn, frame.T_world_cam->translation() + Eigen::Vector3d(0.001, 0, 0));
       frame.inlier_share = 0.8;
       frame.residual_px = 0.5;
       frame.covariance = 1e-5 * Matrix6d::Identity();

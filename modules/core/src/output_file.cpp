@@ -48,7 +48,8 @@ void OutputFile::close() {
 }
 
 void OutputFile::fail(int error_number) const {
-  throw InputError(path_, std::string("cannot be written: ") + std::strerror(error_number), remedy(error_number));
+  throw InputError(path_, std::string("cannot be written: ") + std::strerror(error_number),
+                   remedy(error_number));
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
@@ -62,8 +63,9 @@ void make_output_folder(const std::string& path) {
   std::filesystem::create_directories(path, error);
   if (!error && std::filesystem::is_directory(path)) return;
   const bool is_file = std::filesystem::exists(path) && !std::filesystem::is_directory(path);
-  throw InputError(path, is_file ? "is a file, but a folder is needed here" : "cannot be created: " + error.message(),
-                   "give the path of a folder that can be created or written to");
+  throw InputError(
+      path, is_file ? "is a file, but a folder is needed here" : "cannot be created: " + error.message(),
+      "give the path of a folder that can be created or written to");
 }
 
 void append_fixed(std::string* text, double value, int decimals) {

@@ -7,10 +7,14 @@ PointCounts count_points(const Run& run, const PointFilter& filter) {
   for (const KeyframeRecord& keyframe : run.keyframes) {
     for (const EdgePoint& p : keyframe.points) {
       ++n.total;
-      if (!PointFilter::is_valid(p)) ++n.invalid;
-      else if (!filter.is_certain(p)) ++n.uncertain;
-      else if (!filter.is_confirmed(p)) ++n.unconfirmed;
-      else ++n.kept;
+      if (!PointFilter::is_valid(p))
+        ++n.invalid;
+      else if (!filter.is_certain(p))
+        ++n.uncertain;
+      else if (!filter.is_confirmed(p))
+        ++n.unconfirmed;
+      else
+        ++n.kept;
     }
   }
   return n;

@@ -7,9 +7,10 @@
 
 namespace edgevo {
 
-/// The points that pass `filter`, given in the frame F by T_F_cam, with sensorPose = identity: whoever inserts the observation
-/// into a map does so from the pose of F. It is the one combination that MRPT 2.5's point maps and octomaps read alike (they
-/// disagree about sensorPose; CObservationPointCloud is worse). Pixel indices are those of the undistorted host image.
+/// The points that pass `filter`, given in the frame F by T_F_cam, with sensorPose = identity: whoever
+/// inserts the observation into a map does so from the pose of F. It is the one combination that MRPT 2.5's
+/// point maps and octomaps read alike (they disagree about sensorPose; CObservationPointCloud is worse).
+/// Pixel indices are those of the undistorted host image.
 mrpt::obs::CObservation3DRangeScan::Ptr make_edge_scan(const KeyframeRecord& keyframe, const Pinhole& pinhole,
                                                        const PointFilter& filter, const SE3& T_F_cam);
 

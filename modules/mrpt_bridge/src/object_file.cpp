@@ -8,13 +8,14 @@
 namespace edgevo {
 namespace {
 
-constexpr int kLevel = 3;               // MRPT's own choice for rawlogs: most of the gain, little of the time
+constexpr int kLevel = 3;  // MRPT's own choice for rawlogs: most of the gain, little of the time
 constexpr int kGzipWindowBits = 15 + 16;  // 15: largest window; 16: gzip header, without time or name
 
 }  // namespace
 
 ObjectFile::ObjectFile(const std::string& path) : file_(path) {
-  if (deflateInit2(&gzip_, kLevel, Z_DEFLATED, kGzipWindowBits, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::bad_alloc();
+  if (deflateInit2(&gzip_, kLevel, Z_DEFLATED, kGzipWindowBits, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
 }
 
 ObjectFile::~ObjectFile() { deflateEnd(&gzip_); }

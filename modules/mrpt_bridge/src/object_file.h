@@ -1,8 +1,9 @@
 #pragma once
 // MRPT objects into a gzip file (.rawlog, .simplemap, .3Dscene), every write checked.
 //
-// mrpt::io::CFileGZOutputStream ignores the result of its close, which is where a full disk shows. Each object is serialised to
-// memory first, so that an InputError of ours never passes through MRPT's code, which would rewrite it.
+// mrpt::io::CFileGZOutputStream ignores the result of its close, which is where a full disk shows. Each
+// object is serialised to memory first, so that an InputError of ours never passes through MRPT's code, which
+// would rewrite it.
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CSerializable.h>
 #include <zlib.h>

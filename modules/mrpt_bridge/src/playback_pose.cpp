@@ -36,7 +36,8 @@ Matrix6d d_mrpt_pose_d_right_tangent(const SE3& T) {
   return J;
 }
 
-mrpt::poses::CPose3DPDFGaussian vehicle_pose_pdf(const Run& run, const SE3& T_world_cam, const Matrix6d& covariance) {
+mrpt::poses::CPose3DPDFGaussian vehicle_pose_pdf(const Run& run, const SE3& T_world_cam,
+                                                 const Matrix6d& covariance) {
   const SE3 V = T_map_vehicle(run, T_world_cam);
   const Matrix6d J = d_mrpt_pose_d_right_tangent(V) * T_map_world(run).adjoint();
   const Matrix6d sigma = J * covariance * J.transpose();

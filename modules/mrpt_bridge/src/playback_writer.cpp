@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 constexpr const char* kImageFolder = "playback_Images";
 constexpr const char* kRawlog = "playback.rawlog";
 
-mrpt::obs::CObservationImage image_observation(const FrameRecord& frame, const std::string& file, const Camera& camera,
-                                               const SE3& T_vehicle_cam, const std::string& label) {
+mrpt::obs::CObservationImage image_observation(const FrameRecord& frame, const std::string& file,
+                                               const Camera& camera, const SE3& T_vehicle_cam,
+                                               const std::string& label) {
   mrpt::obs::CObservationImage obs;
   obs.timestamp = to_mrpt(frame.time);
   obs.sensorLabel = label;

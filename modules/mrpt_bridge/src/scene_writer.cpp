@@ -31,7 +31,8 @@ void append_line(const Eigen::Vector3d& a, const Eigen::Vector3d& b, mrpt::openg
   lines->appendLine(a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
 }
 
-mrpt::opengl::CSetOfLines::Ptr make_lines(const mrpt::img::TColor& colour, float width, const std::string& name) {
+mrpt::opengl::CSetOfLines::Ptr make_lines(const mrpt::img::TColor& colour, float width,
+                                          const std::string& name) {
   auto lines = mrpt::opengl::CSetOfLines::Create();
   lines->setColor_u8(colour);
   lines->setLineWidth(width);
@@ -53,10 +54,11 @@ void add_trajectory(const Run& run, mrpt::opengl::COpenGLScene* scene) {
 }
 
 // The frame of a camera's image at the distance `size`, and the four edges to it.
-void append_frustum(const SE3& T_map_cam, const Pinhole& pinhole, double size, mrpt::opengl::CSetOfLines* lines) {
+void append_frustum(const SE3& T_map_cam, const Pinhole& pinhole, double size,
+                    mrpt::opengl::CSetOfLines* lines) {
   const double right = pinhole.width - 1, bottom = pinhole.height - 1;
-  std::array<Eigen::Vector3d, 4> corners = {pinhole.ray({0, 0}), pinhole.ray({right, 0}), pinhole.ray({right, bottom}),
-                                            pinhole.ray({0, bottom})};
+  std::array<Eigen::Vector3d, 4> corners = {pinhole.ray({0, 0}), pinhole.ray({right, 0}),
+                                            pinhole.ray({right, bottom}), pinhole.ray({0, bottom})};
   for (Eigen::Vector3d& corner : corners) corner = T_map_cam * Eigen::Vector3d(size * corner);
   for (size_t i = 0; i < 4; ++i) {
     append_line(corners[i], corners[(i + 1) % 4], lines);
@@ -68,7 +70,8 @@ void add_frusta(const Run& run, double size, mrpt::opengl::COpenGLScene* scene) 
   const SE3 T_map = T_map_world(run);
   auto lines = make_lines(mrpt::img::TColor(90, 90, 90), 1, "keyframes");
   for (const KeyframeRecord& keyframe : run.keyframes)
-    if (keyframe.T_world_cam.is_finite()) append_frustum(T_map * keyframe.T_world_cam, run.pinhole, size, lines.get());
+    if (keyframe.T_world_cam.is_finite())
+      append_frustum(T_map * keyframe.T_world_cam, run.pinhole, size, lines.get());
   scene->insert(lines);
 }
 
@@ -128,7 +131,8 @@ void add_ground(mrpt::opengl::COpenGLScene* scene) {
 
 }  // namespace
 
-void write_scene(const Run& run, const PointFilter& filter, const std::string& path, const SceneOptions& options) {
+void write_scene(const Run& run, const PointFilter& filter, const std::string& path,
+                 const SceneOptions& options) {
   // Frusta of a fiftieth of the median depth can be told apart in most maps and do not hide the edges.
   constexpr float kFrustumShare = 0.02f;
   const Cloud cloud = gather(run, filter, std::max(options.max_points, 1));

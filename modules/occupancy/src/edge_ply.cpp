@@ -31,11 +31,16 @@ void put_vertex(const EdgePoint& p, const Eigen::Vector3d& p_map, int keyframe, 
 std::string header(const Run& run, int vertices) {
   return "ply\nformat binary_little_endian 1.0\n"
          "comment edge points of edgevo\n"
-         "comment unit: " + unit_statement(run) + "\n"
+         "comment unit: " +
+         unit_statement(run) +
+         "\n"
          "comment axes: x forward, y left, z up; origin at the first " +
-         (run.T_vehicle_cam && run.is_metric() ? "vehicle" : "camera") + " pose\n"
+         (run.T_vehicle_cam && run.is_metric() ? "vehicle" : "camera") +
+         " pose\n"
          "comment idepth: inverse depth in the host keyframe, idepth_sigma: its standard deviation\n"
-         "element vertex " + std::to_string(vertices) + "\n"
+         "element vertex " +
+         std::to_string(vertices) +
+         "\n"
          "property float x\nproperty float y\nproperty float z\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property float idepth\nproperty float idepth_sigma\n"

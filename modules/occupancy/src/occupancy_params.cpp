@@ -22,12 +22,15 @@ double auto_or_length(const char* key, const std::string& text) {
 
 void OccupancyParams::visit(ParamVisitor& v) {
   v.text("resolution", resolution, {}, "edge of a voxel in the unit of the run, or auto");
-  v.number("resolution_share", resolution_share, 0.001, 1, "auto resolution as a share of the median point depth");
+  v.number("resolution_share", resolution_share, 0.001, 1,
+           "auto resolution as a share of the median point depth");
   v.text("max_range", max_range, {}, "nothing farther from its keyframe is mapped, or auto");
-  v.number("max_range_share", max_range_share, 0.1, 100, "auto range as a multiple of the median point depth");
+  v.number("max_range_share", max_range_share, 0.1, 100,
+           "auto range as a multiple of the median point depth");
   v.number("carve_max_relative_sigma", carve_max_relative_sigma, 0, 1,
            "points carve free space when idepth_sigma/idepth is at most this");
-  v.number("carve_stop_sigmas", carve_stop_sigmas, 0, 20, "rays stop this many depth sigmas before the point");
+  v.number("carve_stop_sigmas", carve_stop_sigmas, 0, 20,
+           "rays stop this many depth sigmas before the point");
   v.number("prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel that holds a point, per sight");
   v.number("prob_miss", prob_miss, 0.01, 0.49, "occupancy of a voxel that a ray crosses, per keyframe");
   auto group = v.group("points");

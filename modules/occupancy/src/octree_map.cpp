@@ -18,7 +18,8 @@ using octomap::OcTree;
 
 // Voxels of an empty map: nothing tells a size.
 constexpr double kResolutionWithoutPoints = 0.1;
-// Equal children are merged now and then, so that the memory of a long run stays near that of the finished map.
+// Equal children are merged now and then, so that the memory of a long run stays near that of the finished
+// map.
 constexpr size_t kBatchesBetweenPruning = 32;
 
 double median_depth(const Run& run, const PointFilter& filter) {
@@ -91,14 +92,14 @@ void count_voxels(const OcTree& tree, OctreeStats* stats) {
   }
 }
 
-// The header that octomap's own writer would leave, with comments of ours: its readers skip them. (Its writers also print to
-// stderr, hence only the parts of them that write nodes are used.)
+// The header that octomap's own writer would leave, with comments of ours: its readers skip them. (Its
+// writers also print to stderr, hence only the parts of them that write nodes are used.)
 std::string header(const char* first_line, const std::string& comments, const OcTree& tree) {
   std::ostringstream out;
   out.precision(10);  // the resolution must read back as it is
   out << first_line << "\n# (feel free to add / change comments, but leave the first line as it is!)\n"
-      << comments << "#\nid " << tree.getTreeType() << "\nsize " << tree.size() << "\nres " << tree.getResolution()
-      << "\ndata\n";
+      << comments << "#\nid " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
+      << tree.getResolution() << "\ndata\n";
   return out.str();
 }
 
@@ -114,15 +115,19 @@ OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
   stats_.median_depth = median_depth(run, params.points);
   stats_.resolution = length_or_share(params.given_resolution(), params.resolution_share, stats_.median_depth,
                                       kResolutionWithoutPoints);
-  stats_.max_range = length_or_share(params.given_max_range(), params.max_range_share, stats_.median_depth, 0);
-  const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma, params.carve_stop_sigmas};
+  stats_.max_range =
+      length_or_share(params.given_max_range(), params.max_range_share, stats_.median_depth, 0);
+  const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma,
+                               params.carve_stop_sigmas};
 
   tree_ = empty_tree(stats_.resolution, params);
   for (const auto& [segment, keyframes] : keyframes_by_segment(run)) {
     auto own = empty_tree(stats_.resolution, params);
     insert_segment(run, keyframes, limits, own.get(), &stats_);
-    if (tree_->size() == 0) tree_ = std::move(own);
-    else join_segment(own.get(), tree_.get());
+    if (tree_->size() == 0)
+      tree_ = std::move(own);
+    else
+      join_segment(own.get(), tree_.get());
   }
   tree_->updateInnerOccupancy();
   tree_->prune();

@@ -46,7 +46,8 @@ void SegmentInserter::mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, i
 void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma) {
   const double range = p_cam.norm();
   // To first order, sigma of depth over depth equals sigma of inverse depth over inverse depth.
-  const double margin = std::max(limits_.carve_stop_sigmas * relative_sigma * range, std::sqrt(3.0) * tree_->getResolution());
+  const double margin =
+      std::max(limits_.carve_stop_sigmas * relative_sigma * range, std::sqrt(3.0) * tree_->getResolution());
   const double length = std::min(range - margin, limits_.max_range);
   if (length <= 0) return;
   const octomap::point3d origin = to_octomap(T_map_cam.translation());

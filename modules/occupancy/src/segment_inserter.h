@@ -21,9 +21,11 @@ struct InsertionLimits {
 class SegmentInserter {
  public:
   /// `tree` and `stats` outlive this.
-  SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree, OctreeStats* stats);
+  SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
+                  OctreeStats* stats);
 
-  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). `T_map_cam`: its pose in the map's world.
+  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). `T_map_cam`: its pose in
+  /// the map's world.
   void insert(const KeyframeRecord& keyframe, const SE3& T_map_cam);
 
  private:
@@ -37,7 +39,8 @@ class SegmentInserter {
   OctreeStats* const stats_;
 
   int batch_ = 0;  ///< number of the keyframe within the segment
-  /// Voxels with a point, and the last batch that sees it. Each is updated once a batch, so the order does not matter.
+  /// Voxels with a point, and the last batch that sees it. Each is updated once a batch, so the order does
+  /// not matter.
   std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> seen_until_;
   octomap::KeySet free_, ray_ends_;  ///< of the batch at hand
   octomap::KeyRay ray_;

@@ -19,8 +19,9 @@ using ::testing::HasSubstr;
 class OutputFileTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              ("edgevo_output_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    folder_ =
+        std::filesystem::path(::testing::TempDir()) /
+        ("edgevo_output_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
@@ -65,9 +66,10 @@ TEST_F(OutputFileTest, OverwritesWhatWasThere) {
 // A few bytes stay in the buffer until the close; many are refused at once. Both must be told.
 TEST_F(OutputFileTest, FullDiskIsToldAtTheLatestByClose) {
   std::filesystem::create_symlink("/dev/full", path("frames.csv"));
-  const std::string expected = path("frames.csv") +
-                               ": cannot be written: No space left on device; free space or give another -o; what was "
-                               "written so far is kept";
+  const std::string expected =
+      path("frames.csv") +
+      ": cannot be written: No space left on device; free space or give another -o; what was "
+      "written so far is kept";
   EXPECT_EQ(message_of([&] { write_file(path("frames.csv"), "few"); }), expected);
   EXPECT_EQ(message_of([&] {
               OutputFile out(path("frames.csv"));
@@ -77,7 +79,8 @@ TEST_F(OutputFileTest, FullDiskIsToldAtTheLatestByClose) {
 }
 
 TEST_F(OutputFileTest, MissingFolderIsAnError) {
-  EXPECT_THAT(message_of([&] { write_file(path("no/such/a.txt"), "x"); }), HasSubstr("No such file or directory"));
+  EXPECT_THAT(message_of([&] { write_file(path("no/such/a.txt"), "x"); }),
+              HasSubstr("No such file or directory"));
 }
 
 TEST_F(OutputFileTest, OutputFolderIsCreatedWithItsParents) {
@@ -88,7 +91,8 @@ TEST_F(OutputFileTest, OutputFolderIsCreatedWithItsParents) {
 
 TEST_F(OutputFileTest, OutputFolderThatIsAFileIsAnError) {
   write_file(path("out"), "x");
-  EXPECT_THAT(message_of([&] { make_output_folder(path("out")); }), HasSubstr("is a file, but a folder is needed"));
+  EXPECT_THAT(message_of([&] { make_output_folder(path("out")); }),
+              HasSubstr("is a file, but a folder is needed"));
   EXPECT_THAT(message_of([&] { make_output_folder(path("out/deeper")); }), HasSubstr("cannot be created"));
 }
 

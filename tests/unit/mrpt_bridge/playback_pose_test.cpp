@@ -31,7 +31,8 @@ TEST(VehiclePose, JacobianAgreesWithDifferences) {
     constexpr double h = 1e-6;
     for (int i = 0; i < 6; ++i) {
       const Vector6d step = h * Vector6d::Unit(i);
-      const Vector6d numeric = (mrpt_coordinates(T * SE3::exp(step)) - mrpt_coordinates(T * SE3::exp(-step))) / (2 * h);
+      const Vector6d numeric =
+          (mrpt_coordinates(T * SE3::exp(step)) - mrpt_coordinates(T * SE3::exp(-step))) / (2 * h);
       EXPECT_LT((numeric - J.col(i)).norm(), 1e-8) << "trial " << trial << " column " << i;
     }
   }
@@ -45,25 +46,29 @@ TEST(VehiclePose, FirstFrameIsTheOriginAndForwardIsX) {
 }
 
 TEST(VehiclePose, TurningRightInTheImageIsNegativeYaw) {
-  const SE3 right(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())), Eigen::Vector3d::Zero());
+  const SE3 right(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())),
+                  Eigen::Vector3d::Zero());
   const auto pdf = vehicle_pose_pdf(edgevo::Run(), right, Matrix6d::Zero());
   EXPECT_NEAR(pdf.mean.yaw(), -0.3, 1e-12);
   EXPECT_NEAR(pdf.mean.pitch(), 0, 1e-12);
   EXPECT_NEAR(pdf.mean.roll(), 0, 1e-12);
 }
 
-// The mount of a car camera: 1.6 up, pitched down. A vehicle that turns on the spot moves its camera on a circle.
+// The mount of a car camera: 1.6 up, pitched down. A vehicle that turns on the spot moves its camera on a
+// circle.
 TEST(VehiclePose, LeverArmOfAMetricMountIsUndone) {
   edgevo::Run run;
   run.scale_source = "odometry";
-  const SE3 pitch(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY())), Eigen::Vector3d(1.5, 0.1, 1.6));
+  const SE3 pitch(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY())),
+                  Eigen::Vector3d(1.5, 0.1, 1.6));
   run.T_vehicle_cam = pitch * T_zup_world();
   const SE3 V(Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ())), Eigen::Vector3d::Zero());
   const SE3 T_world_cam = run.T_vehicle_cam->inverse() * V * *run.T_vehicle_cam;
   EXPECT_LT((T_map_vehicle(run, T_world_cam).inverse() * V).log().norm(), 1e-12);
 }
 
-// Draw the tracking error as it is defined, carry each draw through to MRPT's coordinates, compare the spread.
+// Draw the tracking error as it is defined, carry each draw through to MRPT's coordinates, compare the
+// spread.
 TEST(VehiclePose, CovarianceAgreesWithMonteCarlo) {
   edgevo::Run run;
   run.scale_source = "odometry";
@@ -84,20 +89,21 @@ TEST(VehiclePose, CovarianceAgreesWithMonteCarlo) {
     Vector6d unit;
     for (int i = 0; i < 6; ++i) unit[i] = random.normal();
     const SE3 T_cur_ref_drawn = SE3::exp(root * unit) * T_cur_ref;
-    const Vector6d d =
-        mrpt_coordinates(T_map_vehicle(run, T_world_ref * T_cur_ref_drawn.inverse())) - mean;
+    const Vector6d d = mrpt_coordinates(T_map_vehicle(run, T_world_ref * T_cur_ref_drawn.inverse())) - mean;
     spread += d * d.transpose() / kDraws;
   }
   for (int row = 0; row < 6; ++row)
     for (int col = 0; col < 6; ++col) {
       // Four standard errors of a covariance estimated from kDraws.
       const double scale = std::sqrt(spread(row, row) * spread(col, col));
-      EXPECT_NEAR(pdf.cov(row, col), spread(row, col), 4 * scale * std::sqrt(2.0 / kDraws)) << row << "," << col;
+      EXPECT_NEAR(pdf.cov(row, col), spread(row, col), 4 * scale * std::sqrt(2.0 / kDraws))
+          << row << "," << col;
     }
 }
 
 TEST(VehiclePose, CovarianceStaysFiniteOnEnd) {
-  const SE3 down(Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX())), Eigen::Vector3d::Zero());
+  const SE3 down(Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX())),
+                 Eigen::Vector3d::Zero());
   const auto pdf = vehicle_pose_pdf(edgevo::Run(), down, 1e-4 * Matrix6d::Identity());
   EXPECT_NEAR(std::abs(pdf.mean.pitch()), M_PI / 2, 1e-6);
   for (int i = 0; i < 6; ++i) EXPECT_TRUE(std::isfinite(pdf.cov(i, i))) << i;

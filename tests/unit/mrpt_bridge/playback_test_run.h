@@ -44,7 +44,8 @@ inline Run small_run() {
       keyframe.frame_index = i;
       keyframe.time = frame.time;
       keyframe.T_world_cam = *frame.T_world_cam;
-      for (const auto& p : world_points()) keyframe.points.push_back(edge_point(run.pinhole, keyframe.T_world_cam, p));
+      for (const auto& p : world_points())
+        keyframe.points.push_back(edge_point(run.pinhole, keyframe.T_world_cam, p));
       frame.is_keyframe = true;
       run.keyframes.push_back(keyframe);
     }

@@ -117,7 +117,8 @@ TEST_F(PlaybackWriterTest, PointsLandInPlaceInMrptsMaps) {
   mrpt::poses::CPose3D vehicle;
   size_t scans = 0;
   for (const auto& obs : read()) {
-    if (const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(obs)) vehicle = pose->pose.mean;
+    if (const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(obs))
+      vehicle = pose->pose.mean;
     if (!std::dynamic_pointer_cast<mrpt::obs::CObservation3DRangeScan>(obs)) continue;
     ++scans;
     mrpt::maps::CSimplePointsMap points;

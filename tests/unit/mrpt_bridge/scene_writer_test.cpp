@@ -31,7 +31,7 @@ TEST_F(SceneWriterTest, HoldsTrajectoryKeyframesAndEdges) {
   const auto keyframes = object<mrpt::opengl::CSetOfLines>(scene, "keyframes");
   const auto edges = object<mrpt::opengl::CPointCloudColoured>(scene, "edges");
   ASSERT_TRUE(trajectory && keyframes && edges);
-  EXPECT_EQ(trajectory->size(), 6u);    // seven poses
+  EXPECT_EQ(trajectory->size(), 6u);  // seven poses
   EXPECT_EQ(keyframes->size(), 3u * 8);
   ASSERT_EQ(edges->size(), 15u);
   const auto p = edges->getPoint3Df(1);

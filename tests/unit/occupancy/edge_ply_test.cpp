@@ -47,13 +47,16 @@ edgevo::Run two_keyframes() {
   edgevo::Run run;
   run.pinhole = testing::test_pinhole();
   run.keyframes.resize(2);
-  run.keyframes[1].T_world_cam = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())), {1, 0.5, -2});
+  run.keyframes[1].T_world_cam =
+      SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())), {1, 0.5, -2});
   for (int k = 0; k < 2; ++k) {
-    EdgePoint p = testing::edge_point(run.pinhole, run.keyframes[k].T_world_cam, {0.5, -0.25, 8}, 0.02, 3 + k);
+    EdgePoint p =
+        testing::edge_point(run.pinhole, run.keyframes[k].T_world_cam, {0.5, -0.25, 8}, 0.02, 3 + k);
     p.gray = uint8_t(100 + 100 * k);
     run.keyframes[k].points = {p};
   }
-  run.keyframes[0].points.push_back(testing::edge_point(run.pinhole, SE3(), {0, 0, 5}, 0.02, 1));  // seen once
+  run.keyframes[0].points.push_back(
+      testing::edge_point(run.pinhole, SE3(), {0, 0, 5}, 0.02, 1));  // seen once
   return run;
 }
 
@@ -66,9 +69,9 @@ TEST(EdgePly, HoldsThePointsZUpWithTheirProperties) {
   EXPECT_THAT(ply.header, HasSubstr("element vertex 2\n"));
   for (int k = 0; k < 2; ++k) {
     const Vertex& v = ply.vertices[size_t(k)];
-    EXPECT_NEAR(v.xyz[0], 8, 1e-4);      // forward
-    EXPECT_NEAR(v.xyz[1], -0.5, 1e-4);   // left
-    EXPECT_NEAR(v.xyz[2], 0.25, 1e-4);   // up
+    EXPECT_NEAR(v.xyz[0], 8, 1e-4);     // forward
+    EXPECT_NEAR(v.xyz[1], -0.5, 1e-4);  // left
+    EXPECT_NEAR(v.xyz[2], 0.25, 1e-4);  // up
     EXPECT_EQ(v.rgb[0], 100 + 100 * k);
     EXPECT_EQ(v.rgb[2], 100 + 100 * k);
     EXPECT_EQ(v.keyframe, k);

@@ -45,7 +45,8 @@ Voxel at(const octomap::OcTree& tree, const edgevo::Run& run, const Eigen::Vecto
   return tree.isNodeOccupied(node) ? Voxel::kOccupied : Voxel::kFree;
 }
 
-double occupied_share(const octomap::OcTree& tree, const edgevo::Run& run, const std::vector<Eigen::Vector3d>& points) {
+double occupied_share(const octomap::OcTree& tree, const edgevo::Run& run,
+                      const std::vector<Eigen::Vector3d>& points) {
   int n = 0;
   for (const auto& p : points) n += at(tree, run, p) == Voxel::kOccupied;
   return double(n) / double(points.size());
@@ -209,7 +210,8 @@ TEST(OctreeMap, PointsOutOfTheTreeAreCountedNotCarved) {
   run.pinhole = testing::test_pinhole();
   run.keyframes.resize(1);
   run.keyframes[0].T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 1e6));
-  run.keyframes[0].points = {testing::edge_point(run.pinhole, run.keyframes[0].T_world_cam, {0, 0, 1e6 + 5}, 0.01, 5)};
+  run.keyframes[0].points = {
+      testing::edge_point(run.pinhole, run.keyframes[0].T_world_cam, {0, 0, 1e6 + 5}, 0.01, 5)};
   const OctreeMap map(run, fixed_size());
   EXPECT_EQ(map.stats().out_of_bounds, 1);
   EXPECT_EQ(map.tree().size(), 0u);

@@ -42,7 +42,8 @@ inline PoleAndWall pole_and_wall(int keyframes, int pole_observations) {
       keyframe.points.push_back(edge_point(scene.run.pinhole, keyframe.T_world_cam, p, 0.01, 4));
     if (k == 0)
       for (const auto& p : scene.pole)
-        keyframe.points.push_back(edge_point(scene.run.pinhole, keyframe.T_world_cam, p, 0.02, pole_observations));
+        keyframe.points.push_back(
+            edge_point(scene.run.pinhole, keyframe.T_world_cam, p, 0.02, pole_observations));
     scene.run.keyframes.push_back(keyframe);
   }
   return scene;

@@ -1,11 +1,12 @@
 #pragma once
 // A file being written, with every write and the close checked: a full disk is told, never swallowed.
 //
-// A std::ofstream that nobody asks afterwards loses data silently, since what fails is often the last flush. Here each
-// failure is an InputError such as
-//     out/frames.csv: cannot be written: No space left on device; free space or give another -o; what was written so far is kept
-// An existing file is overwritten. Numbers are formatted without regard to the locale and in the same way every time,
-// so that two runs give the same bytes.
+// A std::ofstream that nobody asks afterwards loses data silently, since what fails is often the last flush.
+// Here each failure is an InputError such as
+//     out/frames.csv: cannot be written: No space left on device; free space or give another -o; what was
+//     written so far is kept
+// An existing file is overwritten. Numbers are formatted without regard to the locale and in the same way
+// every time, so that two runs give the same bytes.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -17,7 +18,8 @@ class OutputFile {
  public:
   /// Opens `path` for writing. Throws InputError.
   explicit OutputFile(std::string path);
-  /// Closes; a failure here goes unheard, so call close() where the content matters (everywhere but while unwinding).
+  /// Closes; a failure here goes unheard, so call close() where the content matters (everywhere but while
+  /// unwinding).
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -39,7 +41,8 @@ class OutputFile {
 /// Writes one file in one go. Throws InputError.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// Makes the folder and those above it, if need be. Throws InputError, for instance when a file of that name is there.
+/// Makes the folder and those above it, if need be. Throws InputError, for instance when a file of that name
+/// is there.
 void make_output_folder(const std::string& path);
 
 /// Appends `value` with `decimals` digits after a '.', whatever the locale; no "-0.000".

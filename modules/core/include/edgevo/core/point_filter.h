@@ -1,5 +1,6 @@
 #pragma once
-// Which edge points are good enough for a map file. Every output uses the same filter, so that their counts agree.
+// Which edge points are good enough for a map file. Every output uses the same filter, so that their counts
+// agree.
 #include <cmath>
 
 #include "edgevo/core/params.h"
@@ -7,20 +8,23 @@
 
 namespace edgevo {
 
-/// Defaults: depth known to 15 % (one sigma) and matched in two keyframes; the depth of a point seen once is confirmed by
-/// nothing.
+/// Defaults: depth known to 15 % (one sigma) and matched in two keyframes; the depth of a point seen once is
+/// confirmed by nothing.
 struct PointFilter {
   double max_relative_sigma = 0.15;  ///< idepth_sigma / idepth
   int min_observations = 2;          ///< keyframes that matched the point
 
   void visit(ParamVisitor& v) {
-    v.number("max_relative_sigma", max_relative_sigma, 0.001, 10, "largest idepth_sigma/idepth of a point in the map files");
+    v.number("max_relative_sigma", max_relative_sigma, 0.001, 10,
+             "largest idepth_sigma/idepth of a point in the map files");
     v.integer("min_observations", min_observations, 0, 1000, "keyframes that must have matched a point");
   }
   bool keeps(const EdgePoint& p) const { return is_valid(p) && is_certain(p) && is_confirmed(p); }
 
   /// In front of the camera and finite.
-  static bool is_valid(const EdgePoint& p) { return std::isfinite(p.idepth) && p.idepth > 0 && p.px.allFinite(); }
+  static bool is_valid(const EdgePoint& p) {
+    return std::isfinite(p.idepth) && p.idepth > 0 && p.px.allFinite();
+  }
   /// Negated so that an unknown (<= 0) or undefined sigma counts as uncertain.
   bool is_certain(const EdgePoint& p) const {
     return p.idepth_sigma > 0 && p.idepth_sigma <= max_relative_sigma * p.idepth;

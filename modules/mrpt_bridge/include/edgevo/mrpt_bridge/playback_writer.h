@@ -1,19 +1,23 @@
 #pragma once
 // playback.rawlog: a run as MRPT's tools play it (rawlog-edit, RawLogViewer).
 //
-// Images are written, or linked, while the run goes on; the rawlog itself at the end, with the final poses. It is an
-// observations-only rawlog in time order; for each frame
-//   CObservationImage        label CAM0 (or as given), image by reference into playback_Images/, as the camera took it
-//   CObservationRobotPose    label EDGE_VO: pose of the vehicle with its covariance (playback_pose.h), where there is a pose
-//   CObservationOdometry     label EDGE_VO_ODO: the same in the plane, for RawLogViewer's "map from odometry"
+// Images are written, or linked, while the run goes on; the rawlog itself at the end, with the final poses.
+// It is an observations-only rawlog in time order; for each frame
+//   CObservationImage        label CAM0 (or as given), image by reference into playback_Images/, as the
+//   camera took it CObservationRobotPose    label EDGE_VO: pose of the vehicle with its covariance
+//   (playback_pose.h), where there is a pose CObservationOdometry     label EDGE_VO_ODO: the same in the
+//   plane, for RawLogViewer's "map from odometry"
 // and for each keyframe
-//   CObservation3DRangeScan  label EDGE_VO_POINTS: its edge points in the axes of the VEHICLE, sensorPose = identity. The pose
-//                            beside it is the vehicle's, so pose (+) point is right in point maps and octomaps alike; the
-//                            camera's axes are kept for keyframes.simplemap, whose poses are the camera's.
-// Lengths are in the unit of the run. The tools find the images only when started in the folder of the rawlog (MRPT 2.5.8).
+//   CObservation3DRangeScan  label EDGE_VO_POINTS: its edge points in the axes of the VEHICLE, sensorPose =
+//   identity. The pose
+//                            beside it is the vehicle's, so pose (+) point is right in point maps and
+//                            octomaps alike; the camera's axes are kept for keyframes.simplemap, whose poses
+//                            are the camera's.
+// Lengths are in the unit of the run. The tools find the images only when started in the folder of the rawlog
+// (MRPT 2.5.8).
 //
-// A keyframe's points stay in memory until the end, as the run's records do; images do not. Not thread-safe. All functions throw
-// InputError when something cannot be written.
+// A keyframe's points stay in memory until the end, as the run's records do; images do not. Not thread-safe.
+// All functions throw InputError when something cannot be written.
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,13 +31,14 @@ namespace edgevo {
 
 class PlaybackWriter {
  public:
-  /// Makes `folder`/playback_Images. Files of an earlier run are overwritten. `camera`: of the images as they come.
+  /// Makes `folder`/playback_Images. Files of an earlier run are overwritten. `camera`: of the images as they
+  /// come.
   PlaybackWriter(std::string folder, const Camera& camera, std::string sensor_label = "CAM0");
 
-  /// Writes the image as PNG, lossless. Cost: about 3 ms for 1241x376.
+  /// Writes the image as PNG, lossless. Cost: about 4 ms for 1241x376.
   void add_frame(const Frame& frame);
-  /// Instead of add_frame: links to an image that is on disk already (symbolic, by its absolute path). Costs nothing, but the
-  /// link breaks when the source moves.
+  /// Instead of add_frame: links to an image that is on disk already (symbolic, by its absolute path). Costs
+  /// nothing, but the link breaks when the source moves.
   void add_frame_link(int frame_index, const std::string& image_path);
 
   /// Writes playback.rawlog. Frames whose image was not added get their poses all the same.

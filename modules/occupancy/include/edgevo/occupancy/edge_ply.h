@@ -1,10 +1,11 @@
 #pragma once
 // The edge points as a PLY point cloud, for MeshLab, CloudCompare, Open3D.
 //
-// Binary little endian, one vertex a point: float x y z (T_map_world(run): z up, x forward; unit of the run, stated in a
-// comment), uchar red green blue (the gray value of the host image), float idepth and idepth_sigma (1/z in the host camera and
-// its standard deviation), int keyframe (index of the host), int observations. No cap on the range here: who needs one can
-// filter by idepth and idepth_sigma. No points give a valid file of zero vertices. The bytes depend on the run alone.
+// Binary little endian, one vertex a point: float x y z (T_map_world(run): z up, x forward; unit of the run,
+// stated in a comment), uchar red green blue (the gray value of the host image), float idepth and
+// idepth_sigma (1/z in the host camera and its standard deviation), int keyframe (index of the host), int
+// observations. No cap on the range here: who needs one can filter by idepth and idepth_sigma. No points give
+// a valid file of zero vertices. The bytes depend on the run alone.
 #include <string>
 
 #include "edgevo/core/point_filter.h"

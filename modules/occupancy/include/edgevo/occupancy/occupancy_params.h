@@ -7,16 +7,18 @@
 
 namespace edgevo {
 
-/// Lengths are in the unit of the run (metres or arbitrary, see Run::scale_source). Since a monocular unit is arbitrary, the
-/// defaults are shares of the median depth of the points: at 12 m median depth voxels of 0.24 m and a range of 24 m.
+/// Lengths are in the unit of the run (metres or arbitrary, see Run::scale_source). Since a monocular unit is
+/// arbitrary, the defaults are shares of the median depth of the points: at 12 m median depth voxels of 0.24
+/// m and a range of 24 m.
 struct OccupancyParams {
-  std::string resolution = "auto";        ///< edge of a voxel; "auto": resolution_share of the median depth
+  std::string resolution = "auto";  ///< edge of a voxel; "auto": resolution_share of the median depth
   double resolution_share = 0.02;
-  std::string max_range = "auto";         ///< nothing farther from its keyframe is mapped; "auto": max_range_share
+  std::string max_range = "auto";  ///< nothing farther from its keyframe is mapped; "auto": max_range_share
   double max_range_share = 2.0;
-  double carve_max_relative_sigma = 0.05; ///< only points at least this certain carve free space
-  double carve_stop_sigmas = 3.0;         ///< rays stop this many sigmas of depth (and a voxel) before the point
-  double prob_hit = 0.7, prob_miss = 0.4; ///< per keyframe, of a voxel with a point and of one that a ray crosses
+  double carve_max_relative_sigma = 0.05;  ///< only points at least this certain carve free space
+  double carve_stop_sigmas = 3.0;  ///< rays stop this many sigmas of depth (and a voxel) before the point
+  double prob_hit = 0.7,
+         prob_miss = 0.4;  ///< per keyframe, of a voxel with a point and of one that a ray crosses
   PointFilter points;
 
   void visit(ParamVisitor& v);
