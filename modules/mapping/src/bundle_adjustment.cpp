@@ -34,8 +34,8 @@ Eigen::Matrix<double, 3, 6> point_jacobian(double idepth, const Eigen::Vector3d&
 
 }  // namespace
 
-BaLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world, const BaPoint& point,
-                          const BaObservation& observation) {
+BaLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
+                          const BaPoint& point, const BaObservation& observation) {
   BaLinearization lin;
   const SE3 T_target_host = T_target_world * T_host_world.inverse();
   const Eigen::Matrix3d R = T_target_host.R();
@@ -55,7 +55,8 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name) {
   if (name == "schur") return ba::make_schur_solver();
   if (name == "ceres") return ba::make_ceres_solver();
   const std::string nearest = nearest_name(name, {"schur", "ceres"});
-  throw InputError("bundle adjuster", "'" + name + "' is not known", "use schur or ceres; did you mean " + nearest + "?");
+  throw InputError("bundle adjuster", "'" + name + "' is not known",
+                   "use schur or ceres; did you mean " + nearest + "?");
 }
 
 namespace ba {
@@ -72,7 +73,8 @@ void fill_residuals(const BaProblem& problem, BaResult* result) {
   std::vector<RelativePose> relative;
   relative.reserve(n * n);
   for (const BaPose& host : problem.poses)
-    for (const BaPose& target : problem.poses) relative.push_back(relative_pose(target.T_cam_world, host.T_cam_world));
+    for (const BaPose& target : problem.poses)
+      relative.push_back(relative_pose(target.T_cam_world, host.T_cam_world));
   result->residual_normal_px.assign(count, 0.0);
   result->residual_tangent_px.assign(count, 0.0);
   result->observation_valid.assign(count, 0);

@@ -25,8 +25,9 @@ void from_se3(const SE3& T, double* x) {
   Eigen::Map<Eigen::Vector3d>{x + 4} = T.translation();
 }
 
-// T_cam_world <- exp(xi) T_cam_world. Ceres only ever multiplies a cost's Jacobian by PlusJacobian, so with [I; 0] here the
-// costs hand over their six derivatives by xi followed by a zero, and the quaternion never has to be differentiated.
+// T_cam_world <- exp(xi) T_cam_world. Ceres only ever multiplies a cost's Jacobian by PlusJacobian, so with
+// [I; 0] here the costs hand over their six derivatives by xi followed by a zero, and the quaternion never
+// has to be differentiated.
 class LeftPerturbation : public ceres::Manifold {
  public:
   int AmbientSize() const override { return 7; }
@@ -106,7 +107,8 @@ class PriorCost : public ceres::CostFunction {
     Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = A_ * xi + c_;
     for (std::size_t i = 0; jacobians && i < n; ++i)
       if (jacobians[i])
-        write_pose_jacobian(A_.middleCols<6>(6 * i) * left_jacobian(xi.segment<6>(6 * i)).inverse(), jacobians[i]);
+        write_pose_jacobian(A_.middleCols<6>(6 * i) * left_jacobian(xi.segment<6>(6 * i)).inverse(),
+                            jacobians[i]);
     return true;
   }
 
@@ -120,8 +122,12 @@ class PriorCost : public ceres::CostFunction {
 class CeresSolve {
  public:
   CeresSolve(const BaProblem& problem, const BaOptions& options)
-      : problem_(problem), options_(options), state_(initial_state(problem, options.min_idepth)),
-        window_(make_window(problem, state_, nullptr)), huber_(options.huber_width), prior_(problem) {
+      : problem_(problem),
+        options_(options),
+        state_(initial_state(problem, options.min_idepth)),
+        window_(make_window(problem, state_, nullptr)),
+        huber_(options.huber_width),
+        prior_(problem) {
     for (const SE3& T : state_.poses) from_se3(T, pose_blocks_.emplace_back().data());
     ceres::Problem::Options ownership;
     ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -157,7 +163,8 @@ class CeresSolve {
   ceres::HuberLoss huber_;
   PriorTerm prior_;
   double cost_offset_ = 0;
-  std::shared_ptr<ceres::ParameterBlockOrdering> ordering_ = std::make_shared<ceres::ParameterBlockOrdering>();
+  std::shared_ptr<ceres::ParameterBlockOrdering> ordering_ =
+      std::make_shared<ceres::ParameterBlockOrdering>();
   std::unique_ptr<ceres::Problem> ceres_;
 };
 
@@ -183,8 +190,8 @@ void CeresSolve::add_points() {
     }
     for (int k = p.begin; k < p.end; ++k) {
       const BaObservation& o = problem_.observations[window_.observations[k].index];
-      ceres_->AddResidualBlock(new ReprojectionCost(problem_.pinhole, point, o), &huber_, pose_blocks_[o.target].data(),
-                               pose_blocks_[point.host].data(), idepth);
+      ceres_->AddResidualBlock(new ReprojectionCost(problem_.pinhole, point, o), &huber_,
+                               pose_blocks_[o.target].data(), pose_blocks_[point.host].data(), idepth);
     }
   }
 }
@@ -218,7 +225,8 @@ BaResult CeresSolve::run() {
   result.usable = summary.IsSolutionUsable();
   result.initial_cost = summary.initial_cost + cost_offset_;
   result.final_cost = summary.final_cost + cost_offset_;
-  result.iterations = static_cast<int>(summary.iterations.size()) - 1;  // Ceres counts the evaluation of the start
+  result.iterations =
+      static_cast<int>(summary.iterations.size()) - 1;  // Ceres counts the evaluation of the start
   for (std::size_t i = 0; i < pose_blocks_.size(); ++i) state_.poses[i] = to_se3(pose_blocks_[i].data());
   return result;
 }

@@ -27,8 +27,10 @@ void check_observations(const BaProblem& problem) {
   int last_point = 0;
   for (std::size_t i = 0; i < problem.observations.size(); ++i) {
     const BaObservation& o = problem.observations[i];
-    if (!is_index(o.point, problem.points.size())) malformed_observation(i, "has no point", "point is an index into points");
-    if (!is_index(o.target, problem.poses.size())) malformed_observation(i, "has no pose", "target is an index into poses");
+    if (!is_index(o.point, problem.points.size()))
+      malformed_observation(i, "has no point", "point is an index into points");
+    if (!is_index(o.target, problem.poses.size()))
+      malformed_observation(i, "has no pose", "target is an index into poses");
     if (o.target == problem.points[o.point].host)
       malformed_observation(i, "is of a point in its own host", "leave it out: it says nothing");
     if (o.point < last_point) malformed_observation(i, "is out of order", "sort observations by point");
@@ -41,12 +43,14 @@ void check_prior(const BaProblem& problem) {
   const auto n = static_cast<Eigen::Index>(6 * prior.pose_ids.size());
   if (prior.linearization.size() != prior.pose_ids.size() || prior.H.rows() != n || prior.H.cols() != n ||
       prior.b.size() != n)
-    malformed("the sizes of the prior disagree", "n poses need n linearisation points, a 6n x 6n H and 6n values in b");
+    malformed("the sizes of the prior disagree",
+              "n poses need n linearisation points, a 6n x 6n H and 6n values in b");
   for (const int id : prior.pose_ids) {
     std::size_t found = 0;
     for (const int pose_id : problem.pose_ids) found += pose_id == id;
     if (found != 1)
-      malformed("the prior names pose " + std::to_string(id) + ", which pose_ids holds " + std::to_string(found) + " times",
+      malformed("the prior names pose " + std::to_string(id) + ", which pose_ids holds " +
+                    std::to_string(found) + " times",
                 "marginalise poses that leave the window");
   }
 }

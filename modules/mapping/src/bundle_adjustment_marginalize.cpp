@@ -28,7 +28,8 @@ std::vector<bool> points_to_drop(const BaProblem& problem, int pose) {
 }
 
 // What the dropped points say, their depths eliminated, in perturbations delta of the current poses.
-Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options, const std::vector<bool>& drop) {
+Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
+                           const std::vector<bool>& drop) {
   const State state = initial_state(problem, options.min_idepth);
   std::vector<bool> keep(drop.size());
   for (std::size_t i = 0; i < drop.size(); ++i) keep[i] = !drop[i];
@@ -38,12 +39,14 @@ Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options, c
   Quadratic q{equations.H - equations.S, equations.b - equations.s, equations.cost};
   for (std::size_t i = 0; i < window.points.size(); ++i) {
     const double information = equations.idepth_information[i], gradient = equations.idepth_gradient[i];
-    if (!window.points[i].fixed && information > kMinIdepthInformation) q.constant -= 0.5 * gradient * gradient / information;
+    if (!window.points[i].fixed && information > kMinIdepthInformation)
+      q.constant -= 0.5 * gradient * gradient / information;
   }
   return q;
 }
 
-// From perturbations delta of the current poses to xi = log(T linearization^-1):  delta = J_l(xi_now) (xi - xi_now).
+// From perturbations delta of the current poses to xi = log(T linearization^-1):  delta = J_l(xi_now) (xi -
+// xi_now).
 void move_linearization(const PriorTerm& prior, const Eigen::VectorXd& xi_prior, Quadratic* q) {
   const Eigen::Index size = q->b.size();
   Eigen::MatrixXd J = Eigen::MatrixXd::Identity(size, size);
@@ -75,12 +78,14 @@ void condition(const Vector6d& xi, int row, Quadratic* q) {
   q->b += q->H.middleCols<6>(row) * xi;
 }
 
-// Inverse on the range of a positive semidefinite 6x6 matrix. Translations and rotations differ in unit, hence the scaling.
+// Inverse on the range of a positive semidefinite 6x6 matrix. Translations and rotations differ in unit,
+// hence the scaling.
 Matrix6d pseudo_inverse(const Matrix6d& M) {
   const Vector6d scale = M.diagonal().cwiseMax(0).cwiseSqrt().cwiseMax(1e-12).cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * M * scale.asDiagonal());
   Vector6d inverse;
-  for (int i = 0; i < 6; ++i) inverse[i] = eigen.eigenvalues()[i] > 1e-12 ? 1.0 / eigen.eigenvalues()[i] : 0.0;
+  for (int i = 0; i < 6; ++i)
+    inverse[i] = eigen.eigenvalues()[i] > 1e-12 ? 1.0 / eigen.eigenvalues()[i] : 0.0;
   return scale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() *
          scale.asDiagonal();
 }
@@ -103,7 +108,8 @@ std::vector<int> poses_to_keep(const BaProblem& problem, int leaving, const Quad
   return keep;
 }
 
-BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const PriorTerm& old, const Quadratic& q) {
+BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const PriorTerm& old,
+                const Quadratic& q) {
   const auto n = static_cast<Eigen::Index>(keep.size());
   BaPrior prior;
   prior.H.resize(6 * n, 6 * n);
@@ -117,7 +123,8 @@ BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const Pr
     prior.linearization.push_back(linearised ? problem.prior->linearization[found - old.pose_index().begin()]
                                              : problem.poses[pose].T_cam_world);
     prior.b.segment<6>(6 * i) = q.b.segment<6>(6 * pose);
-    for (Eigen::Index j = 0; j < n; ++j) prior.H.block<6, 6>(6 * i, 6 * j) = q.H.block<6, 6>(6 * pose, 6 * keep[j]);
+    for (Eigen::Index j = 0; j < n; ++j)
+      prior.H.block<6, 6>(6 * i, 6 * j) = q.H.block<6, 6>(6 * pose, 6 * keep[j]);
   }
   prior.H = (0.5 * (prior.H + prior.H.transpose())).eval();
   return prior;
@@ -126,13 +133,15 @@ BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const Pr
 int find_pose(const BaProblem& problem, int pose_id) {
   const auto found = std::find(problem.pose_ids.begin(), problem.pose_ids.end(), pose_id);
   if (found == problem.pose_ids.end())
-    throw InputError("bundle adjustment", "no pose is named " + std::to_string(pose_id), "name poses in pose_ids");
+    throw InputError("bundle adjustment", "no pose is named " + std::to_string(pose_id),
+                     "name poses in pose_ids");
   return static_cast<int>(found - problem.pose_ids.begin());
 }
 
 }  // namespace
 
-BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options, std::vector<bool>* drop_points) {
+BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options,
+                    std::vector<bool>* drop_points) {
   check_problem(problem);
   const int leaving = find_pose(problem, pose_id);
   *drop_points = points_to_drop(problem, leaving);
@@ -146,9 +155,11 @@ BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& opti
   Quadratic q = eliminate_points(problem, options, *drop_points);
   move_linearization(old, xi_prior, &q);
   if (!old.empty()) add_prior(*problem.prior, old.pose_index(), &q);
-  // A fixed pose that the old prior holds stays where it is now, which need not be where the prior was linearised.
+  // A fixed pose that the old prior holds stays where it is now, which need not be where the prior was
+  // linearised.
   for (std::size_t i = 0; i < old.pose_index().size(); ++i)
-    if (problem.poses[old.pose_index()[i]].fixed) condition(xi_prior.segment<6>(6 * i), 6 * old.pose_index()[i], &q);
+    if (problem.poses[old.pose_index()[i]].fixed)
+      condition(xi_prior.segment<6>(6 * i), 6 * old.pose_index()[i], &q);
 
   const std::vector<int> keep = poses_to_keep(problem, leaving, q);
   if (!problem.poses[leaving].fixed) eliminate_pose(6 * leaving, &q);

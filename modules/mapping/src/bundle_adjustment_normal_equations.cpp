@@ -26,7 +26,7 @@ Vector6d to_vector(const PackedVector6& v) {
 // One observation: residual and derivatives of its two rows, and what the loss makes of them.
 struct NormalEquationsBuilder::Derivatives {
   Rows r;
-  Rows J[6];      // by the target pose
+  Rows J[6];  // by the target pose
   Rows J_idepth;
   double weight;
   double cost;
@@ -89,9 +89,11 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
   }
 }
 
-// J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth = g . t / Y_z.
-inline bool NormalEquationsBuilder::differentiate(const RelativePose& T, const WindowPoint& point, double idepth,
-                                                  const WindowObservation& o, Derivatives* d) const {
+// J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
+// = g . t / Y_z.
+inline bool NormalEquationsBuilder::differentiate(const RelativePose& T, const WindowPoint& point,
+                                                  double idepth, const WindowObservation& o,
+                                                  Derivatives* d) const {
   const double x = point.ray[0], y = point.ray[1], z = point.ray[2];
   const double* R = T.R;
   const double* t = T.t;
@@ -169,7 +171,8 @@ void NormalEquationsBuilder::eliminate(const WindowPoint& point, int point_index
     add_scaled(step, e_row, &schur_b_[row]);
     PackedVector6 q{};
     add_scaled(inv, e_row, &q);
-    // Targets ascend, so blocks on and below the diagonal are filled; two matches in one target also meet crosswise.
+    // Targets ascend, so blocks on and below the diagonal are filled; two matches in one target also meet
+    // crosswise.
     for (int j = point.begin; j < point.end && observations[j].target <= row; ++j) {
       const PackedVector6 e = out->coupling[j];
       SchurBlock& block = schur_[row * n_ + observations[j].target];

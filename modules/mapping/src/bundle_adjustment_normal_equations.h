@@ -1,9 +1,9 @@
 #pragma once
-// Normal equations of a window: one pass over the observations gives the robust cost, the pose system, and the Schur
-// complement of the inverse depths.
+// Normal equations of a window: one pass over the observations gives the robust cost, the pose system, and
+// the Schur complement of the inverse depths.
 //
-// All sums are first taken per (host, target) pair in the target's own perturbation; since J_host = -J_target Ad(T_t_h), the
-// blocks of the world poses follow by congruence, once a pair and not once an observation.
+// All sums are first taken per (host, target) pair in the target's own perturbation; since J_host = -J_target
+// Ad(T_t_h), the blocks of the world poses follow by congruence, once a pair and not once an observation.
 #include <vector>
 
 #include "bundle_adjustment_window.h"
@@ -17,11 +17,11 @@ struct PackedVector6 {
 
 /// Poses' 6x6 blocks are ordered as the window's poses, fixed ones included. H and S are symmetric and full.
 struct NormalEquations {
-  double cost = 0;                         ///< sum of Huber costs
-  Eigen::MatrixXd H;                       ///< sum w J^T J over poses
-  Eigen::VectorXd b;                       ///< sum w J^T r
-  Eigen::MatrixXd S;                       ///< sum over free points E E^T / information: H - S is the Schur complement
-  Eigen::VectorXd s;                       ///< sum over free points E gradient / information
+  double cost = 0;    ///< sum of Huber costs
+  Eigen::MatrixXd H;  ///< sum w J^T J over poses
+  Eigen::VectorXd b;  ///< sum w J^T r
+  Eigen::MatrixXd S;  ///< sum over free points E E^T / information: H - S is the Schur complement
+  Eigen::VectorXd s;  ///< sum over free points E gradient / information
   std::vector<double> idepth_information;  ///< per window point, sum w (dr/drho)^2
   std::vector<double> idepth_gradient;     ///< per window point, sum w r dr/drho
   std::vector<PackedVector6> coupling;     ///< per window observation, E = sum w J_target^T dr/drho
@@ -52,8 +52,8 @@ class NormalEquationsBuilder {
   static void add_to_pair(const Derivatives& d, PairSums* sums);
 
   void reset(const State& state, NormalEquations* out);
-  bool differentiate(const RelativePose& T, const WindowPoint& point, double idepth, const WindowObservation& o,
-                     Derivatives* d) const;
+  bool differentiate(const RelativePose& T, const WindowPoint& point, double idepth,
+                     const WindowObservation& o, Derivatives* d) const;
   void add_point(const WindowPoint& point, int host, int point_index, double idepth, NormalEquations* out);
   void eliminate(const WindowPoint& point, int point_index, NormalEquations* out);
   void scatter_pairs(int host, NormalEquations* out);

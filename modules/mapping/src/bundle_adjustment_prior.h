@@ -9,7 +9,8 @@ namespace edgevo::ba {
 /// J_l with exp(xi + x) = exp(J_l(xi) x) exp(xi) to first order in x. Tangents [v, w].
 Matrix6d left_jacobian(const Vector6d& xi);
 
-/// BaProblem::prior bound to the poses of its problem; nothing where there is no prior. Keeps a reference to the problem.
+/// BaProblem::prior bound to the poses of its problem; nothing where there is no prior. Keeps a reference to
+/// the problem.
 class PriorTerm {
  public:
   explicit PriorTerm(const BaProblem& problem);
@@ -19,7 +20,8 @@ class PriorTerm {
   /// xi of all poses of the prior, 6n.
   Eigen::VectorXd displacement(const std::vector<SE3>& poses) const;
   double cost(const Eigen::VectorXd& xi) const;
-  /// Adds the term's Hessian and gradient by left perturbations of `poses` to H and b (6 rows a pose); returns the cost.
+  /// Adds the term's Hessian and gradient by left perturbations of `poses` to H and b (6 rows a pose);
+  /// returns the cost.
   double add(const std::vector<SE3>& poses, Eigen::MatrixXd* H, Eigen::VectorXd* b) const;
 
  private:

@@ -1,8 +1,9 @@
 // The own solver: Levenberg-Marquardt with the scalar inverse depths eliminated.
 //
-// With Marquardt's scaling the damped system of a point is (1 + lambda) times its information, so that the Schur complement is
-// H + lambda D - S / (1 + lambda): S is summed once a linearisation, and a rejected step costs only a 6n x 6n factorisation.
-// The linearisation of a trial state gives its cost too, and serves the next step when the trial is accepted.
+// With Marquardt's scaling the damped system of a point is (1 + lambda) times its information, so that the
+// Schur complement is H + lambda D - S / (1 + lambda): S is summed once a linearisation, and a rejected step
+// costs only a 6n x 6n factorisation. The linearisation of a trial state gives its cost too, and serves the
+// next step when the trial is accepted.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -124,14 +125,16 @@ void Minimizer::solve_idepths() {
   std::vector<PackedVector6> relative(n);  // step of each target as seen from the host
   for (int h = 0; h < n; ++h) {
     const Vector6d host = step_.poses.segment<6>(6 * h);
-    for (int t = 0; t < n; ++t) relative[t] = pack(step_.poses.segment<6>(6 * t) - now_.adjoint[h * n + t] * host);
+    for (int t = 0; t < n; ++t)
+      relative[t] = pack(step_.poses.segment<6>(6 * t) - now_.adjoint[h * n + t] * host);
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& p = window_.points[i];
       const double information = now_.idepth_information[i];
       step_.idepth[i] = 0;
       if (p.fixed || !(information > kMinIdepthInformation)) continue;
       double residual = now_.idepth_gradient[i];
-      for (int k = p.begin; k < p.end; ++k) residual += dot(now_.coupling[k], relative[window_.observations[k].target]);
+      for (int k = p.begin; k < p.end; ++k)
+        residual += dot(now_.coupling[k], relative[window_.observations[k].target]);
       const double x = -residual / (information * (1.0 + lambda));
       step_.idepth[i] = x;
       step_.predicted_decrease += 0.5 * x * (lambda * information * x - now_.idepth_gradient[i]);
@@ -150,7 +153,8 @@ void Minimizer::apply_step() {
   for (const int i : free_poses_) trial_.poses[i] = SE3::exp(step_.poses.segment<6>(6 * i)) * state_.poses[i];
   for (std::size_t i = 0; i < window_.points.size(); ++i) {
     const WindowPoint& p = window_.points[i];
-    if (!p.fixed) trial_.idepth[p.index] = std::max(state_.idepth[p.index] + step_.idepth[i], options_.min_idepth);
+    if (!p.fixed)
+      trial_.idepth[p.index] = std::max(state_.idepth[p.index] + step_.idepth[i], options_.min_idepth);
   }
 }
 
@@ -166,7 +170,8 @@ BaResult Minimizer::run() {
       damping_.reject();
       continue;
     }
-    if (step_.predicted_decrease <= 1e-14 * std::abs(now_.cost)) break;  // the minimum, as far as the sums can tell
+    if (step_.predicted_decrease <= 1e-14 * std::abs(now_.cost))
+      break;  // the minimum, as far as the sums can tell
     apply_step();
     evaluate(trial_, &next_);
     const double decrease = now_.cost - next_.cost;
@@ -195,7 +200,8 @@ class SchurSolver : public BundleAdjuster {
     BaResult result = minimizer.run();
     if (!result.usable) return unusable_result(*problem);
     store(minimizer.state(), problem);
-    fill_sigmas(minimizer.window(), minimizer.equations().idepth_information, problem->points.size(), &result);
+    fill_sigmas(minimizer.window(), minimizer.equations().idepth_information, problem->points.size(),
+                &result);
     fill_residuals(*problem, &result);
     return result;
   }

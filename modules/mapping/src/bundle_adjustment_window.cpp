@@ -24,7 +24,8 @@ WindowObservation reduce(const Pinhole& pinhole, const BaObservation& o, int ind
   const Eigen::Vector2d centred = o.px - Eigen::Vector2d(pinhole.cx, pinhole.cy);
   const Eigen::Vector2d n = o.inv_sigma_normal * o.normal;
   const Eigen::Vector2d d = o.inv_sigma_tangent * Eigen::Vector2d(-o.normal.y(), o.normal.x());
-  return {{Rows{n.x(), d.x()} * focal.x(), Rows{n.y(), d.y()} * focal.y(), Rows{-n.dot(centred), -d.dot(centred)}},
+  return {{Rows{n.x(), d.x()} * focal.x(), Rows{n.y(), d.y()} * focal.y(),
+           Rows{-n.dot(centred), -d.dot(centred)}},
           kHiddenResidualPx * o.inv_sigma_normal,
           o.target,
           index};

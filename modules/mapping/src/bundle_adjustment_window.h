@@ -1,13 +1,15 @@
 #pragma once
-// A BaProblem laid out for speed: points sorted by host, each with its observations side by side and sorted by target, and
-// each observation reduced to two linear functions of the projected ray. Built once a solve; never changed by it.
+// A BaProblem laid out for speed: points sorted by host, each with its observations side by side and sorted
+// by target, and each observation reduced to two linear functions of the projected ray. Built once a solve;
+// never changed by it.
 #include <vector>
 
 #include "edgevo/mapping/bundle_adjustment.h"
 
 namespace edgevo::ba {
 
-/// A point nearer to the target camera's plane than this share of its depth in the host counts as behind the camera.
+/// A point nearer to the target camera's plane than this share of its depth in the host counts as behind the
+/// camera.
 constexpr double kMinDepthRatio = 1e-3;
 /// Residual, in pixels, charged to an observation that a step carried behind the camera.
 constexpr double kHiddenResidualPx = 1000;
@@ -25,8 +27,9 @@ struct RelativePose {
 };
 RelativePose relative_pose(const SE3& T_target_world, const SE3& T_host_world);
 
-/// Two doubles in one register, on every 64-bit machine: here the normal row (0) and the tangent row (1) of an observation.
-/// The compiler's vector type rather than Eigen's arrays, which go through memory when they are put together from scalars.
+/// Two doubles in one register, on every 64-bit machine: here the normal row (0) and the tangent row (1) of
+/// an observation. The compiler's vector type rather than Eigen's arrays, which go through memory when they
+/// are put together from scalars.
 using Rows = double __attribute__((vector_size(16)));
 
 /// Whitened residual f[0] u + f[1] v + f[2] for the normalised image point (u, v) in the target.

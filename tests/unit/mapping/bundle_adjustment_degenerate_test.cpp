@@ -1,4 +1,5 @@
-// Input that cannot be solved, or only in part: told by a value, by an InputError where it is malformed, never by a NaN.
+// Input that cannot be solved, or only in part: told by a value, by an InputError where it is malformed,
+// never by a NaN.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -23,7 +24,9 @@ BaProblem noisy() {
 
 class BundleAdjustmentDegenerate : public testing::TestWithParam<std::string> {
  protected:
-  BaResult solve(BaProblem* p, const BaOptions& options = {}) { return make_bundle_adjuster(GetParam())->solve(p, options); }
+  BaResult solve(BaProblem* p, const BaOptions& options = {}) {
+    return make_bundle_adjuster(GetParam())->solve(p, options);
+  }
 
   void expect_untouched(BaProblem p) {
     const BaProblem before = p;
@@ -158,7 +161,8 @@ TEST_P(BundleAdjustmentDegenerate, NothingIsVisibleIsNotUsable) {
   expect_untouched(p);
 }
 
-// Matches so wrong that the cheapest way out is to carry points behind a camera: each such match is still paid for.
+// Matches so wrong that the cheapest way out is to carry points behind a camera: each such match is still
+// paid for.
 TEST_P(BundleAdjustmentDegenerate, HidingAPointIsPaidFor) {
   BaProblem p = noisy();
   const Eigen::Vector2d centre = p.pinhole.project({0, 0, 1});

@@ -44,8 +44,10 @@ TEST(BundleAdjustmentLinearize, PoseJacobiansAreTheDerivatives) {
     ASSERT_TRUE(lin.valid);
     for (int k = 0; k < 6; ++k) {
       const auto step = [&](double h) { return SE3::exp(h * Vector6d::Unit(k)); };
-      const Eigen::Vector2d target = derivative([&](double h) { return c.at(i, step(h), SE3(), 0).residual; }, 1e-3);
-      const Eigen::Vector2d host = derivative([&](double h) { return c.at(i, SE3(), step(h), 0).residual; }, 1e-3);
+      const Eigen::Vector2d target =
+          derivative([&](double h) { return c.at(i, step(h), SE3(), 0).residual; }, 1e-3);
+      const Eigen::Vector2d host =
+          derivative([&](double h) { return c.at(i, SE3(), step(h), 0).residual; }, 1e-3);
       EXPECT_LT((target - lin.J_target.col(k)).norm(), tolerance(target)) << "target, direction " << k;
       EXPECT_LT((host - lin.J_host.col(k)).norm(), tolerance(host)) << "host, direction " << k;
     }
@@ -95,7 +97,8 @@ TEST(BundleAdjustmentLinearize, PointBehindTheCameraIsInvalidAndAllZero) {
   const SE3 forward(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, -100));
   const BaLinearization lin = c.at(0, forward, SE3(), 0);
   EXPECT_FALSE(lin.valid);
-  EXPECT_TRUE(lin.residual.isZero(0) && lin.J_target.isZero(0) && lin.J_host.isZero(0) && lin.J_idepth.isZero(0));
+  EXPECT_TRUE(lin.residual.isZero(0) && lin.J_target.isZero(0) && lin.J_host.isZero(0) &&
+              lin.J_idepth.isZero(0));
 }
 
 }  // namespace

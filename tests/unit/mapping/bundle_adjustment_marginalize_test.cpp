@@ -23,7 +23,8 @@ BaResult solve(BaProblem* problem, const std::string& name = "schur") {
 }
 
 int index_of(const BaProblem& problem, int pose_id) {
-  return static_cast<int>(std::find(problem.pose_ids.begin(), problem.pose_ids.end(), pose_id) - problem.pose_ids.begin());
+  return static_cast<int>(std::find(problem.pose_ids.begin(), problem.pose_ids.end(), pose_id) -
+                          problem.pose_ids.begin());
 }
 
 // The window after pose `pose_id` and the dropped points have left, with `prior` in their place.
@@ -82,7 +83,8 @@ Dense dense_system(const BaProblem& p, const std::vector<bool>& use, double widt
   for (const BaObservation& o : p.observations) {
     if (!use[o.point]) continue;
     const BaPoint& x = p.points[o.point];
-    const BaLinearization lin = linearize(p.pinhole, p.poses[o.target].T_cam_world, p.poses[x.host].T_cam_world, x, o);
+    const BaLinearization lin =
+        linearize(p.pinhole, p.poses[o.target].T_cam_world, p.poses[x.host].T_cam_world, x, o);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2, size);
     J.middleCols<6>(6 * o.target) = lin.J_target;
     J.middleCols<6>(6 * x.host) = lin.J_host;
@@ -150,7 +152,8 @@ TEST(BundleAdjustmentMarginalize, DropsThePointsHostedByThePoseAndSeenFromIt) {
   EXPECT_GT(std::count(drop.begin(), drop.end(), false), 0);
 }
 
-// At the solution the gradients of what leaves and of what stays cancel, so that the minimum may not move at all.
+// At the solution the gradients of what leaves and of what stays cancel, so that the minimum may not move at
+// all.
 TEST(BundleAdjustmentMarginalize, RestKeepsTheSolutionOfTheWhole) {
   for (const char* name : {"schur", "ceres"}) {
     BaProblem whole = make_scene(small_noise());
@@ -164,7 +167,8 @@ TEST(BundleAdjustmentMarginalize, RestKeepsTheSolutionOfTheWhole) {
   }
 }
 
-// The second fixed pose leaves too: nothing is fixed any more and the prior alone holds position, rotation and scale.
+// The second fixed pose leaves too: nothing is fixed any more and the prior alone holds position, rotation
+// and scale.
 TEST(BundleAdjustmentMarginalize, PriorSurvivesFurtherMarginalisationAndHoldsTheGauge) {
   BaProblem whole = make_scene(small_noise());
   solve(&whole);
@@ -178,8 +182,8 @@ TEST(BundleAdjustmentMarginalize, PriorSurvivesFurtherMarginalisationAndHoldsThe
   EXPECT_EQ(rest.prior->pose_ids, (std::vector<int>{104, 105, 106}));
 }
 
-// Marginalised away from the solution, so that the poses move off the prior's linearisation point afterwards: the next
-// prior must keep that point, and still have its minimum where the window had it.
+// Marginalised away from the solution, so that the poses move off the prior's linearisation point afterwards:
+// the next prior must keep that point, and still have its minimum where the window had it.
 TEST(BundleAdjustmentMarginalize, LinearisationPointIsTheFirstEstimate) {
   const BaProblem start = perturb(make_scene(small_noise()), 0.03, 0.005, 0.02, 5);
   BaProblem window = marginalized(start, 100);

@@ -1,5 +1,6 @@
 #pragma once
-// Synthetic windows for the tests and the benchmark of bundle adjustment: a camera that drives forward past random points.
+// Synthetic windows for the tests and the benchmark of bundle adjustment: a camera that drives forward past
+// random points.
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -15,7 +16,7 @@ struct SceneOptions {
   double observed_share = 0.7;  ///< of the other poses that see a point
   double share_2d = 0.5;        ///< of the observations that also measure along the edge
   double noise_px = 0;
-  double outlier_share = 0;     ///< of the observations, off by up to 30 px
+  double outlier_share = 0;  ///< of the observations, off by up to 30 px
   int fixed_poses = 2;
   double fixed_point_share = 0;
   uint64_t seed = 1;
@@ -39,7 +40,8 @@ inline std::vector<BaPose> make_poses(const SceneOptions& o, Random* random) {
   return poses;
 }
 
-inline BaObservation observe(const BaProblem& p, int point, int target, const SceneOptions& o, Random* random) {
+inline BaObservation observe(const BaProblem& p, int point, int target, const SceneOptions& o,
+                             Random* random) {
   const BaPoint& x = p.points[point];
   const SE3 T_target_host = p.poses[target].T_cam_world * p.poses[x.host].T_cam_world.inverse();
   BaObservation m;
@@ -51,7 +53,8 @@ inline BaObservation observe(const BaProblem& p, int point, int target, const Sc
   m.inv_sigma_tangent = random->uniform() < o.share_2d ? random->uniform(0.5, 2) : 0.0;
   m.px = p.pinhole.project(T_target_host * Eigen::Vector3d(x.ray / x.idepth));
   m.px += o.noise_px * Eigen::Vector2d(random->normal(), random->normal());
-  if (random->uniform() < o.outlier_share) m.px += Eigen::Vector2d(random->uniform(-30, 30), random->uniform(-30, 30));
+  if (random->uniform() < o.outlier_share)
+    m.px += Eigen::Vector2d(random->uniform(-30, 30), random->uniform(-30, 30));
   return m;
 }
 
@@ -77,10 +80,12 @@ inline BaProblem make_scene(const SceneOptions& o) {
   return p;
 }
 
-inline BaProblem perturb(BaProblem p, double translation, double rotation, double relative_depth, uint64_t seed) {
+inline BaProblem perturb(BaProblem p, double translation, double rotation, double relative_depth,
+                         uint64_t seed) {
   Random random(seed);
   for (BaPose& pose : p.poses)
-    if (!pose.fixed) pose.T_cam_world = SE3::exp(random_tangent(&random, translation, rotation)) * pose.T_cam_world;
+    if (!pose.fixed)
+      pose.T_cam_world = SE3::exp(random_tangent(&random, translation, rotation)) * pose.T_cam_world;
   for (BaPoint& x : p.points)
     if (!x.fixed) x.idepth *= 1 + relative_depth * random.uniform(-1, 1);
   return p;
@@ -90,7 +95,8 @@ inline BaProblem perturb(BaProblem p, double translation, double rotation, doubl
 inline double pose_difference(const BaProblem& a, const BaProblem& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.poses.size(); ++i)
-    largest = std::max(largest, (a.poses[i].T_cam_world * b.poses[i].T_cam_world.inverse()).log().cwiseAbs().maxCoeff());
+    largest = std::max(
+        largest, (a.poses[i].T_cam_world * b.poses[i].T_cam_world.inverse()).log().cwiseAbs().maxCoeff());
   return largest;
 }
 

@@ -65,7 +65,8 @@ TEST_P(BundleAdjusters, FixedPosesAndPointsStayBitForBit) {
     EXPECT_EQ(result.idepth_sigma[i], 0);
   }
   EXPECT_GT(fixed_points, 30);
-  for (int i = 0; i < 2; ++i) EXPECT_EQ(found.poses[i].T_cam_world.matrix(), start.poses[i].T_cam_world.matrix());
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(found.poses[i].T_cam_world.matrix(), start.poses[i].T_cam_world.matrix());
   EXPECT_NE(found.poses[2].T_cam_world.matrix(), start.poses[2].T_cam_world.matrix());
 }
 
@@ -75,9 +76,11 @@ TEST_P(BundleAdjusters, CostIsTheSumOfHuberCosts) {
   double expected = 0;
   for (const BaObservation& o : problem.observations) {
     const BaPoint& p = problem.points[o.point];
-    const double r = linearize(problem.pinhole, problem.poses[o.target].T_cam_world, problem.poses[p.host].T_cam_world,
-                               p, o).residual.norm();
-    expected += r <= options.huber_width ? 0.5 * r * r : options.huber_width * (r - 0.5 * options.huber_width);
+    const double r = linearize(problem.pinhole, problem.poses[o.target].T_cam_world,
+                               problem.poses[p.host].T_cam_world, p, o)
+                         .residual.norm();
+    expected +=
+        r <= options.huber_width ? 0.5 * r * r : options.huber_width * (r - 0.5 * options.huber_width);
   }
   BaResult result;
   solved(problem, GetParam(), options, &result);
@@ -93,8 +96,8 @@ TEST_P(BundleAdjusters, ReportsResidualsAndSigmasAtTheSolution) {
   for (std::size_t i = 0; i < found.observations.size(); ++i) {
     const BaObservation& o = found.observations[i];
     const BaPoint& p = found.points[o.point];
-    const BaLinearization lin = linearize(found.pinhole, found.poses[o.target].T_cam_world,
-                                          found.poses[p.host].T_cam_world, p, o);
+    const BaLinearization lin =
+        linearize(found.pinhole, found.poses[o.target].T_cam_world, found.poses[p.host].T_cam_world, p, o);
     ASSERT_EQ(result.observation_valid[i], 1);
     EXPECT_NEAR(result.residual_normal_px[i] * o.inv_sigma_normal, lin.residual[0], 1e-9);
     EXPECT_NEAR(result.residual_tangent_px[i] * o.inv_sigma_tangent, lin.residual[1], 1e-9);
@@ -159,7 +162,8 @@ TEST(BundleAdjustment, SolversAgree) {
   }
 }
 
-// Not only the same minimum but the same way there: a wrong entry of the normal equations shows in the first step.
+// Not only the same minimum but the same way there: a wrong entry of the normal equations shows in the first
+// step.
 TEST(BundleAdjustment, SolversTakeTheSameSteps) {
   const BaProblem start = perturb(make_scene(hard_scene()), 0.05, 0.01, 0.2, 9);
   for (const int iterations : {1, 2, 4, 8}) {

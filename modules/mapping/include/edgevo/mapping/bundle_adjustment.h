@@ -1,20 +1,25 @@
 #pragma once
-// Local bundle adjustment over a window of keyframes: poses and host inverse depths (paper, Eq. (reprojectionerror)).
+// Local bundle adjustment over a window of keyframes: poses and host inverse depths (paper, Eq.
+// (reprojectionerror)).
 //
-// A point lives in its host keyframe h as viewing ray x = (x, y, 1) and inverse depth rho. In keyframe t it projects to
-//     Y = R x + rho t,   T_t_h = T_t_world T_h_world^-1 = (R, t),   p' = pi(Y)        (Y is the point times rho)
-// Its match in t is an edge pixel m with unit normal n (image gradient) and edge direction n_perp = (-n_y, n_x). The residual is taken in the
-// edge's own axes and whitened:
+// A point lives in its host keyframe h as viewing ray x = (x, y, 1) and inverse depth rho. In keyframe t it
+// projects to
+//     Y = R x + rho t,   T_t_h = T_t_world T_h_world^-1 = (R, t),   p' = pi(Y)        (Y is the point times
+//     rho)
+// Its match in t is an edge pixel m with unit normal n (image gradient) and edge direction n_perp = (-n_y,
+// n_x). The residual is taken in the edge's own axes and whitened:
 //     r_n = n^T (p' - m) / sigma_n          always (point to tangent, Eq. (edgeerror))
-//     r_t = n_perp^T (p' - m) / sigma_t     for photometric matches (2-D residual); left out where the match is ambiguous
+//     r_t = n_perp^T (p' - m) / sigma_t     for photometric matches (2-D residual); left out where the match
+//     is ambiguous
 // and Huber's loss is applied to the norm of (r_n, r_t) by iteratively re-weighted least squares.
 // Derivatives, for the left perturbation T_cam_world <- exp(xi) T_cam_world:
 //     target: J_pi [rho I | -[Y]x]     host: -J_pi R [rho I | -[x]x]     inverse depth: J_pi t
-// With g = J_pi^T n this is  J_target = [rho g | Y x g],  J_host = -J_target Ad(T_t_h): the solver forms relative blocks only.
-// Gauge: the caller fixes poses (the two oldest hold position, rotation and scale) or hands over a marginalisation prior.
-// An observation whose point lies behind the target camera (Y_z <= 0.001, that is nearer to it than a thousandth of its
-// depth in the host) at the start is left out of the solve; one that a step carries behind the camera costs what a miss by
-// 1000 px costs, so that no step gains by hiding points.
+// With g = J_pi^T n this is  J_target = [rho g | Y x g],  J_host = -J_target Ad(T_t_h): the solver forms
+// relative blocks only. Gauge: the caller fixes poses (the two oldest hold position, rotation and scale) or
+// hands over a marginalisation prior. An observation whose point lies behind the target camera (Y_z <= 0.001,
+// that is nearer to it than a thousandth of its depth in the host) at the start is left out of the solve; one
+// that a step carries behind the camera costs what a miss by 1000 px costs, so that no step gains by hiding
+// points.
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
@@ -32,37 +37,40 @@ struct BaPose {
 };
 
 struct BaPoint {
-  int host = 0;                 ///< index into BaProblem::poses
-  Eigen::Vector3d ray;          ///< (x, y, 1) in the host camera
-  double idepth = 0;            ///< rho > 0
-  bool fixed = false;           ///< low match AND low depth confidence: constrains poses only
+  int host = 0;         ///< index into BaProblem::poses
+  Eigen::Vector3d ray;  ///< (x, y, 1) in the host camera
+  double idepth = 0;    ///< rho > 0
+  bool fixed = false;   ///< low match AND low depth confidence: constrains poses only
 };
 
 struct BaObservation {
-  int point = 0;                ///< index into BaProblem::points; observations of one point are adjacent, points ascend
-  int target = 0;               ///< index into BaProblem::poses, not the host of the point
-  Eigen::Vector2d px;           ///< matched position m, pixels
-  Eigen::Vector2d normal;       ///< unit normal n of the edge at m
-  double inv_sigma_normal = 2;  ///< 1/px
-  double inv_sigma_tangent = 0; ///< 1/px; 0: point-to-tangent only
+  int point = 0;   ///< index into BaProblem::points; observations of one point are adjacent, points ascend
+  int target = 0;  ///< index into BaProblem::poses, not the host of the point
+  Eigen::Vector2d px;            ///< matched position m, pixels
+  Eigen::Vector2d normal;        ///< unit normal n of the edge at m
+  double inv_sigma_normal = 2;   ///< 1/px
+  double inv_sigma_tangent = 0;  ///< 1/px; 0: point-to-tangent only
 };
 
 /// What marginalised keyframes and points still say about the remaining poses: the quadratic
 ///     E(xi) = 1/2 xi^T H xi + b^T xi + constant,   xi_i = log(T_cam_world_i  linearization_i^-1)
-/// Keyframes are named by `pose_ids` (see BaProblem::pose_ids); the linearisation point never moves (first estimate). For an
-/// update exp(delta) T the solvers use dxi/ddelta = J_l^-1(xi), the inverse left Jacobian of SE(3), so they minimise E itself.
+/// Keyframes are named by `pose_ids` (see BaProblem::pose_ids); the linearisation point never moves (first
+/// estimate). For an update exp(delta) T the solvers use dxi/ddelta = J_l^-1(xi), the inverse left Jacobian
+/// of SE(3), so they minimise E itself.
 struct BaPrior {
   std::vector<int> pose_ids;
   std::vector<SE3> linearization;  ///< T_cam_world at which H and b were formed
   Eigen::MatrixXd H;               ///< 6n x 6n
   Eigen::VectorXd b;               ///< 6n, in the range of H
-  double constant = 0;             ///< cost that the marginalised observations had at xi = 0; keeps E from going negative
+  double constant =
+      0;  ///< cost that the marginalised observations had at xi = 0; keeps E from going negative
 };
 
 struct BaProblem {
   Pinhole pinhole;
   std::vector<BaPose> poses;
-  std::vector<int> pose_ids;       ///< a lasting name for each pose, so that a prior finds it; may be empty without prior
+  std::vector<int>
+      pose_ids;  ///< a lasting name for each pose, so that a prior finds it; may be empty without prior
   std::vector<BaPoint> points;
   std::vector<BaObservation> observations;
   std::optional<BaPrior> prior;
@@ -70,25 +78,29 @@ struct BaProblem {
 
 struct BaOptions {
   int max_iterations = 8;
-  double huber_width = 1.5;        ///< in sigmas
-  double min_idepth = 1e-6;        ///< an update never takes rho below it
-  double relative_decrease = 1e-4; ///< stop when the cost falls by less than this share
+  double huber_width = 1.5;         ///< in sigmas
+  double min_idepth = 1e-6;         ///< an update never takes rho below it
+  double relative_decrease = 1e-4;  ///< stop when the cost falls by less than this share
 };
 
 struct BaResult {
-  bool usable = false;             ///< false: nothing to solve or not finite; poses and depths are then untouched
+  bool usable = false;  ///< false: nothing to solve or not finite; poses and depths are then untouched
   double initial_cost = 0, final_cost = 0;  ///< sum of Huber costs (1/2 r^2 near 0), prior included
   int iterations = 0;                       ///< steps tried, rejected ones included
   std::vector<double> idepth_sigma;         ///< per point, poses held; 0 for fixed or unobserved points
-  /// Per observation, n^T (p' - m) at the solution (the input where not usable); 0 where the point is behind the camera.
+  /// Per observation, n^T (p' - m) at the solution (the input where not usable); 0 where the point is behind
+  /// the camera.
   std::vector<double> residual_normal_px;
-  std::vector<double> residual_tangent_px;  ///< per observation n_perp^T (p' - m), for the match update (Eq. (distancecheck))
-  std::vector<char> observation_valid;      ///< per observation: 0 where the point is behind the camera at the solution
+  std::vector<double>
+      residual_tangent_px;  ///< per observation n_perp^T (p' - m), for the match update (Eq. (distancecheck))
+  std::vector<char>
+      observation_valid;  ///< per observation: 0 where the point is behind the camera at the solution
 };
 
 /// Levenberg-Marquardt on a BaProblem, in place. Deterministic: same problem, same bits. One thread.
-/// Throws InputError for a malformed problem: an index out of range, a target that is the host, observations of a point that
-/// are not adjacent, a prior whose sizes disagree or which names a pose that the problem does not have.
+/// Throws InputError for a malformed problem: an index out of range, a target that is the host, observations
+/// of a point that are not adjacent, a prior whose sizes disagree or which names a pose that the problem does
+/// not have.
 class BundleAdjuster {
  public:
   virtual ~BundleAdjuster() = default;
@@ -96,30 +108,34 @@ class BundleAdjuster {
   virtual std::string name() const = 0;
 };
 
-/// "schur": own solver, scalar depths eliminated, 6x6 pose blocks; the default. "ceres": Ceres with Schur ordering and the same
-/// analytic Jacobians; slower, the reference that the own solver is tested against. Throws InputError for another name.
+/// "schur": own solver, scalar depths eliminated, 6x6 pose blocks; the default. "ceres": Ceres with Schur
+/// ordering and the same analytic Jacobians; slower, the reference that the own solver is tested against.
+/// Throws InputError for another name.
 std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 
-/// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: all points hosted by it, and the points seen from
-/// it, are eliminated with their observations at their current values (robust weights frozen), and what remains is a prior on
-/// the other poses. Poses that the old prior already linearised keep that linearisation point (first estimates).
-/// A fixed pose counts as known: marginalising it conditions on its value, and other fixed poses do not enter the prior, hence
-/// have to stay fixed until they are marginalised themselves. So windows that start with the two oldest poses fixed hand the
-/// gauge on to the prior when the second of them leaves.
-/// `drop_points[i]` tells which points of the problem went into the prior and must leave the window. Throws as solve() does,
-/// and for an unknown `pose_id`. A problem with non-finite values gives a prior without poses.
-/// Cost: one linearisation of the dropped points. `huber_width` and `min_idepth` of the options are used.
-BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options, std::vector<bool>* drop_points);
+/// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: all points hosted by it, and the
+/// points seen from it, are eliminated with their observations at their current values (robust weights
+/// frozen), and what remains is a prior on the other poses. Poses that the old prior already linearised keep
+/// that linearisation point (first estimates). A fixed pose counts as known: marginalising it conditions on
+/// its value, and other fixed poses do not enter the prior, hence have to stay fixed until they are
+/// marginalised themselves. So windows that start with the two oldest poses fixed hand the gauge on to the
+/// prior when the second of them leaves. `drop_points[i]` tells which points of the problem went into the
+/// prior and must leave the window. Throws as solve() does, and for an unknown `pose_id`. A problem with
+/// non-finite values gives a prior without poses. Cost: one linearisation of the dropped points.
+/// `huber_width` and `min_idepth` of the options are used.
+BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options,
+                    std::vector<bool>* drop_points);
 
 /// Residual and Jacobians of one observation in plain form, the reference for both solvers' hot loops.
 struct BaLinearization {
-  bool valid = false;                         ///< false: behind the camera, everything else then 0
-  Eigen::Vector2d residual = Eigen::Vector2d::Zero();                   ///< (r_n, r_t), whitened; r_t = 0 where inv_sigma_tangent = 0
+  bool valid = false;  ///< false: behind the camera, everything else then 0
+  /// (r_n, r_t), whitened; r_t = 0 where inv_sigma_tangent = 0.
+  Eigen::Vector2d residual = Eigen::Vector2d::Zero();
   Eigen::Matrix<double, 2, 6> J_target = Eigen::Matrix<double, 2, 6>::Zero();
   Eigen::Matrix<double, 2, 6> J_host = Eigen::Matrix<double, 2, 6>::Zero();
   Eigen::Vector2d J_idepth = Eigen::Vector2d::Zero();
 };
-BaLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world, const BaPoint& point,
-                          const BaObservation& observation);
+BaLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
+                          const BaPoint& point, const BaObservation& observation);
 
 }  // namespace edgevo
