@@ -44,7 +44,8 @@ std::string camera_text(const Camera& camera) {
 std::string pose_line(Timestamp time, const SE3& T) {
   std::string line = to_string(time);
   const Eigen::Vector3d& t = T.translation();
-  const Eigen::Quaterniond& q = T.rotation();
+  Eigen::Quaterniond q = T.rotation();
+  if (q.w() < 0) q.coeffs() *= -1;  // of the two signs, the one that others write, too
   for (double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) line += " " + fixed(value, 9);
   return line + "\n";
 }

@@ -1,6 +1,112 @@
+// A lake shore: water, a bank to the right of the way, reeds, trees and a few houses against a bright sky.
+#include <cmath>
+
+#include "props.h"
+#include "smooth_noise.h"
+#include "street_plan.h"
 #include "worlds.h"
+
 namespace edgevo {
-void build_lakeshore(Site&) {}
-void build_corridor(Site&) {}
-void build_plaza(Site&) {}
-}
+namespace {
+
+constexpr double kBeyond = 90;  // how far the shore goes on on either side, metres
+
+class ShoreBuilder {
+ public:
+  explicit ShoreBuilder(Site& site)
+      : site_(site),
+        b_(site.build),
+        random_(b_.random()),
+        way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kBeyond, kBeyond, kBeyond).front()),
+        shore_{&way_, -1},
+        line_(&random_, 0.03),
+        detail_(&random_, 0.15) {}
+
+  void build() {
+    water();
+    bank();
+    plants();
+    for (double s = 30; s < way_.length - 20; s += random_.uniform(35, 60)) {
+      const std::string& wall = site_.walls[size_t(random_.below(int(site_.walls.size())))];
+      add_house(b_, shore_.place(s, waterline(s) + 16, 1.6), random_.uniform(8, 12), 8, 1 + random_.below(2), wall);
+    }
+    for (double s = 20; s < way_.length; s += random_.uniform(25, 40)) jetty(s);
+  }
+
+ private:
+  // Distance of the water's edge from the way.
+  double waterline(double s) const { return 11 + 1.6 * line_(s) + 0.4 * detail_(s); }
+
+  void water() {
+    const int texture = b_.texture("water", 0);
+    for (double s = 0; s < way_.length; s += 24)
+      for (double d = -48; d < 24; d += 24) {
+        const Place p = shore_.left_end(s, 24, d, 0);
+        Surface& tile = b_.tile(p.point(0, -24, 0), 24 * p.right, 24 * p.out, texture);
+        tile.uv_origin = {0, 0};
+      }
+  }
+
+  // Stones at the water's edge, then grass that rises in three steps of different slope.
+  void bank() {
+    const double step = 2;
+    const char* kinds[] = {"gravel", "grass", "grass", "grass"};
+    const double out[] = {-0.6, 1.2, 6, 16, 60}, up[] = {-0.15, 0.45, 1.1, 1.7, 9};
+    for (double s = 0; s < way_.length; s += step)
+      for (int k = 0; k < 4; ++k) {
+        const auto corner = [&](double along, int ring) -> Eigen::Vector3d {
+          const Eigen::Vector2d p = shore_.at(along, waterline(along) + out[ring]);
+          return {p.x(), p.y(), up[ring]};
+        };
+        // Seen from the water the right end has the smaller s. Two triangles, as four corners need not be flat.
+        const Eigen::Vector3d a = corner(s + step, k + 1), b = corner(s, k + 1), c = corner(s + step, k), d = corner(s, k);
+        b_.tile(a, b - a, c - a, b_.texture(kinds[k], 0)).is_triangle = true;
+        b_.tile(d, c - d, b - d, b_.texture(kinds[k], 0)).is_triangle = true;
+      }
+    for (double s = 0; s < way_.length; s += random_.uniform(0.7, 3)) {
+      const double size = random_.uniform(0.15, 0.7);
+      const int rock = b_.any_texture("rock", 4);
+      b_.box(shore_.place(s, waterline(s) + random_.uniform(-0.6, 0.8), -0.1).moved(0, 0, 0, random_.uniform(0, 3)),
+             {-size, size, -0.7 * size, 0.7 * size, 0, size}, rock, rock, -1, false, float(random_.uniform(0.7, 1.1)));
+    }
+  }
+
+  void plants() {
+    const double density = std::max(0.05, site_.params.world.density);
+    for (double s = 1; s < way_.length; s += random_.uniform(1.2, 3.5) / density)
+      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.9, 0.6), -0.05), random_.uniform(1.5, 3), random_.uniform(0.6, 1.3),
+              random_.uniform(-0.4, 0.4), b_.any_texture("reeds", 4), float(random_.uniform(0.8, 1.2)));
+    for (double s = 1; s < way_.length; s += random_.uniform(2, 6) / density)
+      add_bush(b_, shore_.place(s, waterline(s) + random_.uniform(1.5, 6), 0.7), random_.uniform(1.2, 3.2));
+    for (double s = 1; s < way_.length; s += random_.uniform(3, 7) / density) tree(s, random_.uniform(3, 14), 1.0);
+    for (double s = 1; s < way_.length; s += random_.uniform(3, 6) / density) tree(s, random_.uniform(26, 50), 3.0);
+  }
+  void tree(double s, double beyond_water, double foot) {
+    const Place place = shore_.place(s, waterline(s) + beyond_water, foot - 0.3);
+    if (random_.uniform() < 0.35)
+      add_conifer(b_, place, random_.uniform(7, 14));
+    else
+      add_tree(b_, place, random_.uniform(5, 11));
+  }
+
+  void jetty(double s) {
+    const int wood = b_.texture("wood", 0);
+    const Place place = shore_.place(s, waterline(s) + 0.8);
+    b_.box(place, {-0.7, 0.7, -0.5, 4.2, 0.4, 0.5}, wood, wood, -1, true, 0.9f);
+    for (double o = 0.6; o < 4.3; o += 1.7)
+      for (double r : {-0.65, 0.65}) b_.prism(place.moved(r, o, -0.2), 0.09, 1.2, 7, b_.texture("bark", 0));
+  }
+
+  Site& site_;
+  WorldBuilder& b_;
+  Random& random_;
+  Street way_;
+  Side shore_;
+  SmoothNoise line_, detail_;
+};
+
+}  // namespace
+
+void build_lakeshore(Site& site) { ShoreBuilder(site).build(); }
+
+}  // namespace edgevo

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "props.h"
+#include "street_plan.h"
 #include "worlds.h"
 
 namespace edgevo {
@@ -14,45 +15,10 @@ constexpr double kWalk = 7.3;      // outer rim of the pavement
 constexpr double kKerb = 0.13;     // height of the kerb
 constexpr double kBeyond = 65;     // how far a street goes on beyond its way points
 
-struct Street {
-  Eigen::Vector2d start, along;  // `along` is a unit vector
-  double length;
-  double distance(const Eigen::Vector2d& p) const {  // to the middle line
-    const double s = std::clamp((p - start).dot(along), 0.0, length);
-    return (p - start - s * along).norm();
-  }
-};
-
-// One side of a street: s runs along it, d away from its middle.
-struct Side {
-  const Street* street;
-  double sign;  // +1: left of the direction of the way points
-  Eigen::Vector2d at(double s, double d) const {
-    return street->start + s * street->along + sign * d * Eigen::Vector2d(-street->along.y(), street->along.x());
-  }
-  // Facing the street, with the origin at (s, d).
-  Place place(double s, double d, double z = 0) const {
-    const Eigen::Vector2d p = at(s, d), out = at(s, d - 1) - p;
-    return facing({p.x(), p.y(), z}, std::atan2(out.y(), out.x()));
-  }
-  // As place(), for something from s to s + width: seen from the street its left end is the origin.
-  Place left_end(double s, double width, double d, double z = 0) const { return place(sign > 0 ? s : s + width, d, z); }
-};
-
-std::vector<Street> streets_of(const std::vector<Eigen::Vector3d>& way_points) {
-  std::vector<Street> streets;
-  for (size_t i = 0; i + 1 < way_points.size(); ++i) {
-    const Eigen::Vector2d a = way_points[i].head<2>(), b = way_points[i + 1].head<2>(), along = (b - a).normalized();
-    const double before = i == 0 ? 25 : kBeyond;
-    streets.push_back({a - before * along, along, (b - a).norm() + before + kBeyond});
-  }
-  return streets;
-}
-
 class StreetBuilder {
  public:
   explicit StreetBuilder(Site& site)
-      : site_(site), b_(site.build), random_(b_.random()), streets_(streets_of(site.params.way_points)) {}
+      : site_(site), b_(site.build), random_(b_.random()), streets_(streets_of(site.params.way_points, 25, kBeyond, kBeyond)) {}
 
   void build() {
     ground();
@@ -72,13 +38,7 @@ class StreetBuilder {
  private:
   double density() const { return site_.params.world.density; }
 
-  // Distance to the nearest middle line of another street.
-  double room(const Street& own, const Eigen::Vector2d& p) const {
-    double nearest = 1e9;
-    for (const Street& s : streets_)
-      if (&s != &own) nearest = std::min(nearest, s.distance(p));
-    return nearest;
-  }
+  double room(const Street& own, const Eigen::Vector2d& p) const { return edgevo::room(streets_, own, p); }
   // Nothing of another street lies within `reach` of the strip s0..s1, d0..d1.
   bool is_free(const Side& side, double s0, double s1, double d0, double d1, double reach) const {
     for (double s = s0; s <= s1 + 0.01; s += (s1 - s0) / 4)

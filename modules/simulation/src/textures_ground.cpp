@@ -114,7 +114,7 @@ Canvas floor_tiles(Random& random) {
   Canvas c(n, n, 70);
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x)
-      c.rect(x * 64 + 1, y * 64 + 1, x * 64 + 63, y * 64 + 63, 150 + float(random.uniform(-10, 10)) - 40.0f * float((x + y) % 2));
+      c.rect(x * 64 + 1, y * 64 + 1, x * 64 + 63, y * 64 + 63, 140 + float(random.uniform(-22, 22)));
   c.noise(random, 3, 8, 22, 0.75f);
   for (int i = 0; i < 300; ++i)
     c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(0.7, 2.5), random.uniform(0.7, 2.5), 0,
@@ -141,6 +141,16 @@ Canvas paint(Random& random) {  // road marks, worn
   return c;
 }
 
+// Lines along x only: nothing in it tells how far one has gone along them.
+Canvas stripes(Random& random) {
+  const int n = 256;
+  const float tone = float(random.uniform(120, 175));
+  Canvas c(n, n, tone);
+  for (double y = 0; y < n; y += random.uniform(14, 44)) c.rect(0, y, n, y + random.uniform(2, 9), tone + float(random.uniform(-45, 25)));
+  c.grain(random, 2);
+  return c;
+}
+
 Canvas manhole(Random& random) {
   Canvas c(128, 128, 90);
   c.cut_out();
@@ -159,7 +169,8 @@ Canvas manhole(Random& random) {
 std::vector<TextureKind> ground_textures() {
   return {{"asphalt", 8, 8, asphalt},  {"slabs", 4, 4, slabs},   {"grass", 4, 4, grass},        {"gravel", 4, 4, gravel},
           {"wood", 1.6, 1.6, wood},    {"carpet", 2, 2, carpet}, {"floor_tiles", 3.2, 3.2, floor_tiles},
-          {"water", 12, 12, water},    {"paint", 0.15, 3, paint}, {"manhole", 0.7, 0.7, manhole}};
+          {"water", 12, 12, water},    {"paint", 0.15, 3, paint}, {"stripes", 2, 1.4, stripes},
+          {"manhole", 0.7, 0.7, manhole}};
 }
 
 }  // namespace edgevo

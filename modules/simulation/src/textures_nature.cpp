@@ -54,22 +54,29 @@ Canvas crown(Random& random) {
   return c;
 }
 
+// A branch of needles: short strokes hanging from a line that droops outwards.
+void needle_branch(Canvas* c, Random& random, double y, double side, double reach) {
+  const double x0 = c->width() / 2.0, droop = random.uniform(0.15, 0.5);
+  const float tone = float(random.uniform(28, 85));
+  c->line(x0, y, x0 + side * reach, y + droop * reach, random.uniform(2, 4), tone);
+  for (double t = 0.1; t < 1; t += 4 / reach) {
+    const double x = x0 + side * reach * t, top = y + droop * reach * t, length = random.uniform(4, 11) * (1.2 - 0.6 * t);
+    const float light = tone + float(random.uniform(-10, 60)) * float(t);
+    c->line(x, top - 2, x + side * random.uniform(0, 5), top + length, 2.2, light);
+    if (random.uniform() < 0.5) c->line(x, top, x + side * random.uniform(1, 6), top - 0.5 * length, 2, light + 18);
+  }
+}
+
 Canvas conifer(Random& random) {
   const int w = 256, h = 512;
   Canvas c(w, h, 50);
   c.cut_out();
-  c.line(w / 2.0, h - 5, w / 2.0, 20, 7, 45);
-  for (double y = 18; y < h - 40; y += 5) {
-    const double reach = (0.08 + 0.92 * y / h) * 0.46 * w * random.uniform(0.7, 1.05);
-    for (int side = -1; side <= 1; side += 2) {
-      const double tip_x = w / 2.0 + side * reach, tip_y = y + 0.35 * reach;
-      const float tone = float(random.uniform(35, 115));
-      c.line(w / 2.0, y, tip_x, tip_y, random.uniform(3, 6), tone);
-      for (double t = 0.25; t < 1; t += 0.13)
-        c.line(w / 2.0 + side * reach * t, y + 0.35 * reach * t, w / 2.0 + side * reach * (t + 0.08),
-               y + 0.35 * reach * t + random.uniform(6, 16), 2.5, tone + float(random.uniform(-20, 20)));
+  c.line(w / 2.0, h - 5, w / 2.0, 14, 7, 45);
+  for (double y = 14; y < h - 70; y += random.uniform(4, 9))
+    for (double side : {-1.0, 1.0}) {
+      const double reach = (0.05 + 0.95 * y / h) * 0.45 * w * random.uniform(0.45, 1.0);
+      needle_branch(&c, random, y + random.uniform(-5, 5), side, std::max(6.0, reach));
     }
-  }
   return c;
 }
 

@@ -69,7 +69,7 @@ TEST_P(SceneGeometry, ReprojectedDepthMeetsTheNextFrame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneGeometry, ::testing::Values("street", "desk"));
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneGeometry, ::testing::Values("street", "desk", "lakeshore", "corridor", "rotation"));
 
 // A white square before a dark plain, seen by a camera at the origin that looks along x.
 Scene white_square(const Camera& camera) {

@@ -84,7 +84,7 @@ TEST(BadScene, UnknownNameListsWhatThereIs) {
 }
 
 TEST(Scene, NamesHoldWhatShips) {
-  for (const char* name : {"street", "desk"}) EXPECT_THAT(scene_names(), Contains(name));
+  for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation"}) EXPECT_THAT(scene_names(), Contains(name));
 }
 
 TEST(Scene, SameSeedSameBytesOtherSeedOtherPlace) {
