@@ -1,25 +1,26 @@
 #pragma once
-// Local bundle adjustment over a window of keyframes: poses and host inverse depths (paper, Eq.
-// (reprojectionerror)).
+// Local bundle adjustment over a window of keyframes: poses and host inverse depths.
+// Source: paper, Eq. (reprojectionerror).
 //
-// A point lives in its host keyframe h as viewing ray x = (x, y, 1) and inverse depth rho. In keyframe t it
-// projects to
-//     Y = R x + rho t,   T_t_h = T_t_world T_h_world^-1 = (R, t),   p' = pi(Y)        (Y is the point times
-//     rho)
-// Its match in t is an edge pixel m with unit normal n (image gradient) and edge direction n_perp = (-n_y,
-// n_x). The residual is taken in the edge's own axes and whitened:
+// A point lives in its host keyframe h as viewing ray x = (x, y, 1) and inverse depth rho. In keyframe t:
+//     Y = R x + rho t,   T_t_h = T_t_world T_h_world^-1 = (R, t),   p' = pi(Y)    (Y: the point times rho)
+// Its match in t is an edge pixel m with unit normal n (image gradient) and edge direction
+// n_perp = (-n_y, n_x). The residual is taken in the edge's own axes and whitened:
 //     r_n = n^T (p' - m) / sigma_n          always (point to tangent, Eq. (edgeerror))
-//     r_t = n_perp^T (p' - m) / sigma_t     for photometric matches (2-D residual); left out where the match
-//     is ambiguous
+//     r_t = n_perp^T (p' - m) / sigma_t     photometric matches only; left out where a match is ambiguous
 // and Huber's loss is applied to the norm of (r_n, r_t) by iteratively re-weighted least squares.
+//
 // Derivatives, for the left perturbation T_cam_world <- exp(xi) T_cam_world:
 //     target: J_pi [rho I | -[Y]x]     host: -J_pi R [rho I | -[x]x]     inverse depth: J_pi t
-// With g = J_pi^T n this is  J_target = [rho g | Y x g],  J_host = -J_target Ad(T_t_h): the solver forms
-// relative blocks only. Gauge: the caller fixes poses (the two oldest hold position, rotation and scale) or
-// hands over a marginalisation prior. An observation whose point lies behind the target camera (Y_z <= 0.001,
-// that is nearer to it than a thousandth of its depth in the host) at the start is left out of the solve; one
-// that a step carries behind the camera costs what a miss by 1000 px costs, so that no step gains by hiding
-// points.
+// With g = J_pi^T n this is J_target = [rho g | Y x g], J_host = -J_target Ad(T_t_h): the own solver sums
+// relative blocks only.
+//
+// Gauge: the caller fixes poses (the two oldest hold position, rotation and scale) or hands over a
+// marginalisation prior.
+//
+// Behind a camera: an observation with Y_z <= 0.001 at the start (the point is nearer to the target's plane
+// than a thousandth of its depth in the host, or behind it) is left out of the solve. One that a step carries
+// there costs what a miss by 1000 px costs, so that no step gains by hiding points.
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
@@ -62,15 +63,13 @@ struct BaPrior {
   std::vector<SE3> linearization;  ///< T_cam_world at which H and b were formed
   Eigen::MatrixXd H;               ///< 6n x 6n
   Eigen::VectorXd b;               ///< 6n, in the range of H
-  double constant =
-      0;  ///< cost that the marginalised observations had at xi = 0; keeps E from going negative
+  double constant = 0;  ///< E at xi = 0; keeps E, and with it every total cost, from going negative
 };
 
 struct BaProblem {
   Pinhole pinhole;
   std::vector<BaPose> poses;
-  std::vector<int>
-      pose_ids;  ///< a lasting name for each pose, so that a prior finds it; may be empty without prior
+  std::vector<int> pose_ids;  ///< a lasting name for each pose, for priors; may be empty without one
   std::vector<BaPoint> points;
   std::vector<BaObservation> observations;
   std::optional<BaPrior> prior;
@@ -91,10 +90,9 @@ struct BaResult {
   /// Per observation, n^T (p' - m) at the solution (the input where not usable); 0 where the point is behind
   /// the camera.
   std::vector<double> residual_normal_px;
-  std::vector<double>
-      residual_tangent_px;  ///< per observation n_perp^T (p' - m), for the match update (Eq. (distancecheck))
-  std::vector<char>
-      observation_valid;  ///< per observation: 0 where the point is behind the camera at the solution
+  /// Per observation n_perp^T (p' - m), for the match update (Eq. (distancecheck)); likewise.
+  std::vector<double> residual_tangent_px;
+  std::vector<char> observation_valid;  ///< per observation: 0 where behind the camera at the solution
 };
 
 /// Levenberg-Marquardt on a BaProblem, in place. Deterministic: same problem, same bits. One thread.
@@ -116,10 +114,14 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 /// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: all points hosted by it, and the
 /// points seen from it, are eliminated with their observations at their current values (robust weights
 /// frozen), and what remains is a prior on the other poses. Poses that the old prior already linearised keep
-/// that linearisation point (first estimates). A fixed pose counts as known: marginalising it conditions on
+/// that linearisation point (first estimates).
+///
+/// A fixed pose counts as known: marginalising it conditions on
 /// its value, and other fixed poses do not enter the prior, hence have to stay fixed until they are
 /// marginalised themselves. So windows that start with the two oldest poses fixed hand the gauge on to the
-/// prior when the second of them leaves. `drop_points[i]` tells which points of the problem went into the
+/// prior when the second of them leaves.
+///
+/// `drop_points[i]` tells which points of the problem went into the
 /// prior and must leave the window. Throws as solve() does, and for an unknown `pose_id`. A problem with
 /// non-finite values gives a prior without poses. Cost: one linearisation of the dropped points.
 /// `huber_width` and `min_idepth` of the options are used.
