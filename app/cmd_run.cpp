@@ -1,6 +1,148 @@
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <opencv2/core.hpp>
+
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/datasets/open_source.h"
+#include "edgevo/odometry/odometry.h"
+#include "progress.h"
+#include "run_outputs.h"
+#include "source_options.h"
 
 namespace edgevo::app {
-void add_run_command(CLI::App&, Action*) {}
+namespace {
+
+constexpr int kDone = 0, kMostlyFailed = 3;
+
+struct RunArguments {
+  SourceOptions source;
+  std::string out, params_file, detector;
+  std::vector<std::string> settings;
+  uint64_t seed = 1;
+  bool realtime = false, quiet = false;
+  std::vector<std::string> command_line;
+};
+
+/// All that --params and --set can name.
+struct RunParams {
+  OdometryParams odometry;
+  OccupancyParams occupancy;
+  void visit(ParamVisitor& v) {
+    odometry.visit(v);
+    const auto g = v.group("occupancy");
+    occupancy.visit(v);
+  }
+};
+
+volatile std::sig_atomic_t interrupted = 0;
+void on_interrupt(int) { interrupted = 1; }
+
+RunParams effective_params(const RunArguments& args) {
+  RunParams params;
+  const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
+  if (!args.params_file.empty()) read_params_file(args.params_file, visit);
+  for (const std::string& setting : args.settings) set_param(setting, visit);
+  if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
+  return params;
+}
+
+RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams params) {
+  RunInfo info;
+  info.command_line = args.command_line;
+  info.source_kind = source.kind();
+  info.source_path = args.source.path;
+  info.camera = source.camera();
+  info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
+  info.notes = {{"seed", std::to_string(args.seed)}, {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
+  return info;
+}
+
+// Feeds the source to the odometry until it ends, breaks, or the user stops it. What broke it is returned, not thrown, so that
+// what was computed before is written first.
+std::exception_ptr feed(ImageSource& source, Odometry& odometry, RunOutputs& outputs, bool quiet) {
+  std::optional<Progress> progress;
+  if (!quiet) progress.emplace("tracking", source.size());
+  try {
+    int done = 0;
+    while (!interrupted) {
+      const std::optional<Frame> frame = source.next();
+      if (!frame) break;
+      odometry.process(*frame);
+      if (!outputs.add_frame(*frame)) break;
+      if (progress) progress->update(++done);
+    }
+  } catch (const std::exception&) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
+void print_summary(const Run& run, const std::string& out) {
+  size_t posed = 0, lost = 0, points = 0;
+  int segments = 0;
+  for (const FrameRecord& f : run.frames) {
+    posed += f.T_world_cam.has_value();
+    lost += f.state == TrackingState::kLost;
+    segments = std::max(segments, f.segment + 1);
+  }
+  for (const KeyframeRecord& k : run.keyframes) points += k.points.size();
+  std::printf("%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points; scale %s\n",
+              run.frames.size(), posed, lost, segments, run.keyframes.size(), points, run.scale_source.c_str());
+  std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());
+}
+
+bool mostly_failed(const Run& run) {
+  size_t posed = 0;
+  for (const FrameRecord& f : run.frames) posed += f.T_world_cam.has_value();
+  return 2 * posed < run.frames.size();
+}
+
+int run(const RunArguments& args) {
+  const RunParams params = effective_params(args);
+  const std::unique_ptr<ImageSource> source = open_source(args.source);
+  RunOutputs outputs(args.out, source->camera(), params.occupancy);
+  OdometryOptions options;
+  options.seed = args.seed;
+  options.realtime = args.realtime;
+  if (!args.quiet) options.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  cv::setNumThreads(1);  // the threads are ours: tracking and mapping
+  Odometry odometry(source->camera(), params.odometry, options);
+
+  interrupted = 0;
+  std::signal(SIGINT, on_interrupt);
+  const std::exception_ptr broken = feed(*source, odometry, outputs, args.quiet);
+  Run result = odometry.finish();
+  result.T_vehicle_cam = source->T_vehicle_cam();
+  RunInfo info = describe(args, *source, params);
+  info.interrupted = broken || interrupted;
+  outputs.finish(result, info);
+  if (!args.quiet) print_summary(result, args.out);
+  if (broken) std::rethrow_exception(broken);
+  if (mostly_failed(result)) {
+    std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv\n", args.source.path.c_str(),
+                 args.out.c_str());
+    return kMostlyFailed;
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action* action, std::vector<std::string> command_line) {
+  CLI::App* command = app.add_subcommand("run", "odometry: trajectory and edge map of a source");
+  auto args = std::make_shared<RunArguments>();
+  args->command_line = std::move(command_line);
+  add_source_options(*command, &args->source);
+  command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")->required();
+  command->add_option("--params", args->params_file, "YAML file of parameters; what it does not name keeps its default");
+  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")->take_all();
+  command->add_option("--detector", args->detector, "edge detector: canny or edge_drawing");
+  command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical");
+  command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads; not bit-identical");
+  command->add_flag("--quiet", args->quiet, "print nothing but errors");
+  command->callback([=] { *action = [=] { return run(*args); }; });
+}
+
 }  // namespace edgevo::app

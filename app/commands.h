@@ -4,12 +4,15 @@
 // throws edgevo::InputError for bad input (main makes that one line and exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace edgevo::app {
 
 using Action = std::function<int()>;
 
-void add_run_command(CLI::App& app, Action* action);
+/// `command_line` goes into summary.yaml.
+void add_run_command(CLI::App& app, Action* action, std::vector<std::string> command_line);
 void add_import_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
 void add_eval_command(CLI::App& app, Action* action);

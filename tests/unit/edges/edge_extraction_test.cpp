@@ -1,0 +1,147 @@
+#include "edgevo/edges/edge_extraction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "support/test_images.h"
+
+namespace edgevo {
+namespace {
+
+using test::disc_image;
+using test::slanted_step;
+
+EdgeMap edges_of(const GrayImage& image, const std::string& detector = "canny") {
+  EdgeParams params;
+  params.detector = detector;
+  const Gradient gradient = compute_gradient(image.view());
+  return extract_edges(make_edge_detector(params)->detect(image.view(), gradient), gradient, params.min_chain);
+}
+
+// A blurred straight edge through (60.3, 40.2): every edge pixel must lie on it to sub-pixel, with the right normal.
+TEST(EdgeExtraction, StraightEdgesAreSubPixelAndPointFromDarkToBright) {
+  for (double degrees : {0.0, 17.0, 45.0, 90.0, 133.0, 200.0, 301.0}) {
+    const double a = degrees * M_PI / 180;
+    const Eigen::Vector2d n(std::cos(a), std::sin(a)), on(60.3, 40.2);
+    const EdgeMap map = edges_of(slanted_step(120, 80, on, n, 40, 200));
+    ASSERT_GT(map.pixels.size(), 40u) << degrees;
+    double square = 0;
+    for (const EdgePixel& e : map.pixels) {
+      square += std::pow(n.dot(e.position().cast<double>() - on), 2);
+      EXPECT_GT(e.normal().cast<double>().dot(n), 0.99) << degrees;
+    }
+    EXPECT_LT(std::sqrt(square / double(map.pixels.size())), 0.1) << degrees;
+  }
+}
+
+TEST(EdgeExtraction, ChainsFollowTheEdge) {
+  const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
+  ASSERT_FALSE(map.chains.empty());
+  int total = 0, longest = 0;
+  for (size_t c = 0; c < map.chains.size(); ++c) {
+    const EdgeChain& chain = map.chains[c];
+    EXPECT_GE(chain.length(), 6);
+    total += chain.length();
+    longest = std::max(longest, chain.length());
+    for (int i = chain.begin; i < chain.end; ++i) {
+      EXPECT_EQ(map.pixels[i].chain, int(c));
+      const int next = map.neighbour(i, +1);
+      EXPECT_EQ(next, i + 1 < chain.end ? i + 1 : -1);
+      if (next >= 0) {
+        EXPECT_LT((map.pixels[next].position() - map.pixels[i].position()).norm(), 2.3f);
+      }
+    }
+  }
+  EXPECT_EQ(total, int(map.pixels.size()));
+  EXPECT_GT(longest, 140) << "a circle of radius 30 is one edge of about 170 pixels";
+}
+
+TEST(EdgeExtraction, EdgesAreThin) {
+  const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
+  EXPECT_LT(map.pixels.size(), size_t(2 * M_PI * 30 * 1.05));
+}
+
+TEST(EdgeExtraction, EdgeDrawingFindsTheSameCircle) {
+  const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190), "edge_drawing");
+  ASSERT_GT(map.pixels.size(), 120u);
+  for (const EdgePixel& e : map.pixels)
+    EXPECT_NEAR((e.position().cast<double>() - Eigen::Vector2d(60.2, 44.7)).norm(), 30, 0.6);
+}
+
+// The number of edge pixels must not follow the exposure.
+TEST(EdgeExtraction, EdgeCountIsSteadyUnderGain) {
+  GrayImage image = test::textured_image(320, 240, 3);
+  const size_t normal = edges_of(image).pixels.size();
+  for (uint8_t& v : image.pixels) v = uint8_t(0.4 * v);
+  const size_t dark = edges_of(image).pixels.size();
+  ASSERT_GT(normal, 500u);
+  EXPECT_NEAR(double(dark), double(normal), 0.15 * double(normal));
+}
+
+TEST(EdgeExtraction, DegenerateImagesHaveNoEdges) {
+  for (const auto& [w, h] : {std::pair{1, 1}, {3, 3}, {5, 4}, {101, 1}, {1, 77}, {64, 48}}) {
+    GrayImage blank{w, h, std::vector<uint8_t>(size_t(w) * h, 130)};
+    EXPECT_TRUE(edges_of(blank).pixels.empty()) << w << "x" << h;
+  }
+}
+
+TEST(EdgeExtraction, UnknownDetectorNamesTheNearest) {
+  EdgeParams params;
+  params.detector = "cany";
+  try {
+    make_edge_detector(params);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("canny"), std::string::npos);
+  }
+}
+
+TEST(FramePyramid, LevelsHalveAndFinestLevelsHaveEdges) {
+  Camera camera;
+  camera.pinhole = {200, 200, 80, 60, 161, 121};
+  PyramidBuilder builder(camera, EdgeParams());
+  const auto pyramid = builder.build(test::textured_image(161, 121, 5));
+  ASSERT_EQ(pyramid->levels.size(), 4u);
+  EXPECT_EQ(pyramid->levels[1].gray.width(), 81);
+  EXPECT_EQ(pyramid->levels[3].gray.height(), 16);
+  EXPECT_DOUBLE_EQ(pyramid->levels[2].pinhole.fx, 50);
+  EXPECT_FALSE(pyramid->levels[1].edges.pixels.empty());
+  EXPECT_TRUE(pyramid->levels[2].edges.pixels.empty());
+}
+
+TEST(FramePyramid, RefusesAnImageOfAnotherSize) {
+  Camera camera;
+  camera.pinhole = {200, 200, 80, 60, 160, 120};
+  PyramidBuilder builder(camera, EdgeParams());
+  EXPECT_THROW(builder.build(test::textured_image(161, 120, 5)), InputError);
+}
+
+// A distorted straight edge is straight again in the pyramid.
+TEST(FramePyramid, RemovesTheDistortion) {
+  Camera camera;
+  camera.pinhole = {300, 300, 160, 120, 320, 240};
+  camera.distortion.k1 = -0.3;
+  GrayImage image{320, 240, std::vector<uint8_t>(320 * 240)};
+  for (int v = 0; v < 240; ++v)
+    for (int u = 0; u < 320; ++u) {
+      Eigen::Vector2d x;
+      ASSERT_TRUE(camera.undistort(camera.pinhole.ray({double(u), double(v)}).head<2>(), &x));
+      const double distance = 300 * x.x() + 160 - 60.0;  // the line u = 60 of the undistorted image
+      image.pixels[size_t(v) * 320 + u] = uint8_t(120 + 80 * std::tanh(distance));
+    }
+  PyramidBuilder builder(camera, EdgeParams());
+  const EdgeMap& edges = builder.build(image)->finest().edges;
+  int on_line = 0;
+  for (const EdgePixel& e : edges.pixels)
+    if (std::abs(e.x - 60) < 3) {
+      EXPECT_NEAR(e.x, 60, 0.25);
+      ++on_line;
+    }
+  EXPECT_GT(on_line, 150);
+}
+
+}  // namespace
+}  // namespace edgevo
