@@ -4,6 +4,7 @@
 
 #include "camera_numbers.h"
 #include "edgevo/core/error.h"
+#include "text_file.h"
 
 namespace edgevo {
 namespace {
@@ -46,7 +47,7 @@ void check_model(const YamlValues& values, const std::string& where) {
     const auto it = values.find(key);
     if (it == values.end() || it->second.empty()) continue;
     if (!allowed.count(it->second.front()))
-      throw InputError(where, std::string(key) + " '" + it->second.front().substr(0, 40) + "' is not supported",
+      throw InputError(where, std::string(key) + " " + quote(it->second.front()) + " is not supported",
                        "use a pinhole camera with plumb_bob, or undistort the images beforehand");
   }
 }

@@ -78,7 +78,7 @@ class FlatYaml {
   }
   std::vector<std::string>& set(const std::string& key) {
     const auto [it, is_new] = values_.emplace(key, std::vector<std::string>());
-    if (!is_new) throw InputError(where_, "the key '" + key + "' stands there twice", "keep one");
+    if (!is_new) throw InputError(where_, "the key " + quote(key) + " stands there twice", "keep one");
     return it->second;
   }
 

@@ -68,14 +68,14 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
 int parse_frame_number(const std::string& text, const std::string& where) {
   const double value = parse_number(text, where);
   if (value < 0 || value > std::numeric_limits<int>::max() || value != int(value))
-    throw InputError(where, "'" + text + "' is not a frame number", "count from 0");
+    throw InputError(where, quote(text) + " is not a frame number", "count from 0");
   return int(value);
 }
 
 }  // namespace
 
 void set_frame_range(const std::string& text, SourceOptions* options) {
-  const std::string where = "--frames " + text;
+  const std::string where = "--frames " + quote(text);
   const size_t colon = text.find(':');
   if (colon == std::string::npos) throw InputError(where, "is not A:B", "give for example --frames 0:300");
   const std::string first = text.substr(0, colon), last = text.substr(colon + 1);

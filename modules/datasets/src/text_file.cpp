@@ -19,14 +19,13 @@ std::string_view trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-// What a message may quote: short and printable.
+}  // namespace
+
 std::string quote(std::string_view text) {
   std::string result = "'";
   for (const unsigned char c : text.substr(0, 40)) result += c >= 0x20 && c < 0x7f ? char(c) : '?';
   return result + (text.size() > 40 ? "...'" : "'");
 }
-
-}  // namespace
 
 std::string read_text_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -20,6 +20,9 @@ std::vector<TextLine> split_lines(const std::string& text, const std::string& pa
 /// Fields between blanks, or between single `separator`s when that is not a blank (then trimmed, empty ones kept).
 std::vector<std::string> split_fields(std::string_view text, char separator = ' ');
 
+/// What a message may quote of the user's input: in quotes, short, printable, one line.
+std::string quote(std::string_view text);
+
 /// A finite number, whatever the locale. Throws InputError opened by `where` that quotes the text.
 double parse_number(const std::string& text, const std::string& where);
 

@@ -1,0 +1,84 @@
+// Parsers of text.
+#include <gtest/gtest.h>
+
+#include "edgevo/core/params.h"
+#include "edgevo/core/timestamp.h"
+#include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/open_source.h"
+#include "edgevo/evaluation/trajectory.h"
+#include "fuzz/mutate.h"
+
+namespace edgevo {
+namespace {
+
+using test::expect_both;
+using test::fuzz;
+
+constexpr int kRounds = 8000;
+
+TEST(FuzzText, CameraNumbers) {
+  expect_both(fuzz("# fx fy\n20 21 12 8 0.1 -0.02 0.001 0.002 24 16 0.003\n", kRounds, 1,
+                   [](const std::string& text) { parse_camera(text, "f").check("result"); }));
+}
+
+TEST(FuzzText, CameraYaml) {
+  expect_both(fuzz("%YAML:1.0\n---\nimage_width: 24\nimage_height: 16\ncamera_matrix: !!opencv-matrix\n  rows: 3\n  cols: 3\n"
+                   "  data: [20, 0, 12, # c\n   0, 21, 8, 0, 0, 1]\ndistortion_model: plumb_bob\n"
+                   "distortion_coefficients: {rows: 1, cols: 5, data: [0.1, -0.02, 0.001, 0.002, 0.003]}\n",
+                   kRounds, 2, [](const std::string& text) { parse_camera(text, "f").check("result"); }));
+}
+
+struct FuzzedParams {
+  double percentile = 0.9;
+  int levels = 4;
+  bool realtime = false;
+  std::string name = "a";
+
+  void visit(ParamVisitor& v) {
+    {
+      const auto group = v.group("edges");
+      v.number("percentile", percentile, 0, 1, "help");
+      v.integer("levels", levels, 1, 8, "help");
+    }
+    v.boolean("realtime", realtime, "help");
+    v.text("name", name, {"a", "b"}, "help");
+  }
+};
+
+TEST(FuzzText, Parameters) {
+  expect_both(fuzz("edges:\n  percentile: 0.8  # c\n  levels: 3\nrealtime: true\nname: 'b'\n", kRounds, 3,
+                   [](const std::string& text) {
+                     FuzzedParams p;
+                     read_params(text, "f", [&](ParamVisitor& v) { p.visit(v); });
+                     EXPECT_TRUE(p.percentile >= 0 && p.percentile <= 1 && p.levels >= 1 && p.levels <= 8) << text;
+                     EXPECT_TRUE(p.name == "a" || p.name == "b") << text;
+                   }));
+}
+
+TEST(FuzzText, Trajectory) {
+  expect_both(fuzz("# t tx ty tz qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3.5 0 0.6 0 0.8\n", kRounds, 5,
+                   [](const std::string& text) { parse_trajectory(text, "f"); }));
+}
+
+TEST(FuzzText, FrameRange) {
+  expect_both(fuzz("10:300", kRounds, 6, [](const std::string& text) {
+    SourceOptions options;
+    set_frame_range(text, &options);
+    EXPECT_GE(options.first, 0);
+    EXPECT_TRUE(!options.last || *options.last > options.first);
+  }));
+}
+
+TEST(FuzzText, Seconds) {
+  Random random(7);
+  int accepted = 0, refused = 0;
+  for (int i = 0; i < kRounds; ++i) {
+    Timestamp t;
+    ++(parse_seconds(test::mutate(&random, "1305031102.1753041"), &t) ? accepted : refused);
+  }
+  EXPECT_GT(accepted, 0);
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace edgevo
