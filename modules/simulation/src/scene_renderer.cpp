@@ -11,14 +11,18 @@
 namespace edgevo {
 namespace {
 
-// Calls `draw(surface, its number)` for the surfaces that may touch row v; `next` walks on through the sorted list. Cut-outs come last
-// and from near to far: their masks are then asked only where they are not hidden.
+// Calls `draw(surface, its number)` for the surfaces that may touch row v; rows are asked for in order. Cut-outs come last and
+// from near to far: their masks are then asked only where they are not hidden.
 class ActiveSurfaces {
  public:
-  explicit ActiveSurfaces(const std::vector<ViewSurface>& views) : views_(views) {}
+  explicit ActiveSurfaces(const std::vector<ViewSurface>& views) : views_(views) {
+    for (int i = 0; i < int(views.size()); ++i) by_row_.push_back(i);
+    std::stable_sort(by_row_.begin(), by_row_.end(),
+                     [&](int a, int b) { return views[size_t(a)].row_begin < views[size_t(b)].row_begin; });
+  }
   template <class Draw>
   void for_row(int v, Draw draw) {
-    for (; next_ < views_.size() && views_[next_].row_begin <= v; ++next_) enter(int(next_));
+    for (; next_ < by_row_.size() && views_[size_t(by_row_[next_])].row_begin <= v; ++next_) enter(by_row_[next_]);
     for (std::vector<int>* active : {&opaque_, &cut_out_}) {
       active->erase(std::remove_if(active->begin(), active->end(), [&](int i) { return views_[size_t(i)].row_end <= v; }),
                     active->end());
@@ -33,7 +37,7 @@ class ActiveSurfaces {
     cut_out_.insert(std::upper_bound(cut_out_.begin(), cut_out_.end(), i, nearer), i);
   }
   const std::vector<ViewSurface>& views_;
-  std::vector<int> opaque_, cut_out_;
+  std::vector<int> by_row_, opaque_, cut_out_;
   size_t next_ = 0;
 };
 
@@ -75,9 +79,8 @@ class ImagePass {
   }
   Eigen::Vector2f ray(int u, int v, int s) const {
     if (!rays_.empty()) return rays_of(v, s)[u];
-    const Eigen::Vector2f& o = sample_offsets()[size_t(s)];
-    return {float((double(u) + double(o.x()) - pinhole_.cx) / pinhole_.fx),
-            float((double(v) + double(o.y()) - pinhole_.cy) / pinhole_.fy)};
+    return {row_.x[size_t(s) * size_t(pinhole_.width) + size_t(u)],
+            (float(v) + sample_offsets()[size_t(s)].y() - float(pinhole_.cy)) / float(pinhole_.fy)};
   }
   float shade_owner(int owner, const Eigen::Vector2f& x) const {
     if (owner >= 0) return shade(views_[size_t(owner)], context_, x.x(), x.y());

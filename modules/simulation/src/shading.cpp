@@ -44,11 +44,11 @@ struct Footprint {
 };
 
 Footprint footprint(const ViewSurface& view, const ShadingContext& c, float x, float y, float z) {
-  const Eigen::Vector3d& N = view.idepth;
+  const Eigen::Vector3f& N = view.idepth_f;
   Footprint f;
   f.u = (view.u.x() * x + view.u.y() * y + view.u.z()) * z;
   f.v = (view.v.x() * x + view.v.y() * y + view.v.z()) * z;
-  const float nx = float(N.x()), ny = float(N.y()), sx = z * c.pixel_x, sy = z * c.pixel_y;
+  const float nx = N.x(), ny = N.y(), sx = z * c.pixel_x, sy = z * c.pixel_y;
   const float ux = (view.u.x() - f.u * nx) * sx, vx = (view.v.x() - f.v * nx) * sx;
   const float uy = (view.u.y() - f.u * ny) * sy, vy = (view.v.y() - f.v * ny) * sy;
   const float along_x = ux * ux + vx * vx, along_y = uy * uy + vy * vy;
@@ -91,7 +91,7 @@ float sample(const Texture& texture, const Footprint& f) {
 }  // namespace
 
 float shade(const ViewSurface& view, const ShadingContext& c, float x, float y) {
-  const float q = float(view.idepth.x()) * x + float(view.idepth.y()) * y + float(view.idepth.z());
+  const float q = view.idepth_f.x() * x + view.idepth_f.y() * y + view.idepth_f.z();
   const Footprint f = footprint(view, c, x, y, 1.0f / q);
   const Surface& s = *view.surface;
   const float gray = s.gain * (s.is_tiled ? sample<true>(*view.texture, f) : sample<false>(*view.texture, f));
@@ -99,7 +99,7 @@ float shade(const ViewSurface& view, const ShadingContext& c, float x, float y) 
 }
 
 float shade_sky(const ViewSurface& view, const ShadingContext& c, float x, float y) {
-  const float q = float(view.idepth.x()) * x + float(view.idepth.y()) * y + float(view.idepth.z());
+  const float q = view.idepth_f.x() * x + view.idepth_f.y() * y + view.idepth_f.z();
   constexpr float kHorizon = 4e-5f;  // clouds beyond 25 km drown in the haze
   if (q <= kHorizon) return c.haze_gray;
   const float gray = sample<true>(*view.texture, footprint(view, c, x, y, 1.0f / q));

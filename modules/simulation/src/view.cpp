@@ -37,7 +37,16 @@ Eigen::Vector4d view_limits(const Camera& camera) {
   return limits;
 }
 
+// Wholly inside the view: what most surfaces are, and what needs no clipping.
+bool is_inside(const Polygon& polygon, const Eigen::Vector4d& limits) {
+  return std::all_of(polygon.begin(), polygon.end(), [&](const Eigen::Vector3d& p) {
+    return p.z() >= kNear && p.x() >= limits[0] * p.z() && p.x() <= limits[1] * p.z() && p.y() >= limits[2] * p.z() &&
+           p.y() <= limits[3] * p.z();
+  });
+}
+
 Polygon clip_to_view(Polygon polygon, const Eigen::Vector4d& limits) {
+  if (is_inside(polygon, limits)) return polygon;
   polygon = clip(polygon, {0, 0, 1}, kNear);
   polygon = clip(polygon, {1, 0, -limits[0]}, 0);
   polygon = clip(polygon, {-1, 0, limits[1]}, 0);
@@ -53,6 +62,11 @@ bool is_out_of_view(const Eigen::Vector3d& centre, double radius, const Eigen::V
          outside(y - limits[2] * z, limits[2]) || outside(limits[3] * z - y, limits[3]);
 }
 
+// Smaller than half a pixel across: most sample points pass it by.
+bool is_speck(const Eigen::Vector3d& centre, double radius, const Pinhole& p) {
+  return 2 * radius * std::max(p.fx, p.fy) < 0.5 * centre.norm();
+}
+
 // Bounds in the image of a polygon in front of the camera. A distorting lens bends its sides: they are sampled.
 void bound(const Polygon& polygon, const Camera& camera, ViewSurface* view) {
   const Pinhole& p = camera.pinhole;
@@ -65,11 +79,12 @@ void bound(const Polygon& polygon, const Camera& camera, ViewSurface* view) {
       const Eigen::Array2d px(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
       low = low.min(px), high = high.max(px);
     }
-  const double margin = camera.distortion.is_zero() ? 1 : 3;
-  view->col_begin = std::clamp(int(std::floor(low.x() - margin)), 0, p.width);
-  view->col_end = std::clamp(int(std::ceil(high.x() + margin)) + 1, 0, p.width);
-  view->row_begin = std::clamp(int(std::floor(low.y() - margin)), 0, p.height);
-  view->row_end = std::clamp(int(std::ceil(high.y() + margin)) + 1, 0, p.height);
+  // Samples reach half a pixel beyond the centre; between the sampled points a bent side may bulge.
+  const double margin = camera.distortion.is_zero() ? 0.5 : 2.5;
+  view->col_begin = std::clamp(int(std::ceil(low.x() - margin)), 0, p.width);
+  view->col_end = std::clamp(int(std::floor(high.x() + margin)) + 1, 0, p.width);
+  view->row_begin = std::clamp(int(std::ceil(low.y() - margin)), 0, p.height);
+  view->row_end = std::clamp(int(std::floor(high.y() + margin)) + 1, 0, p.height);
 }
 
 // Solves f.x (u - cx)/fx + f.y (v - cy)/fy + f.z >= 0 for the column u.
@@ -98,6 +113,7 @@ void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u,
   view->inside[0] = A, view->inside[1] = N - A, view->inside[2] = B, view->inside[3] = N - B;
   view->inside[4] = Eigen::Vector3d(-N.x(), -N.y(), 1 / kNear - N.z());
   const Surface& s = *view->surface;
+  view->idepth_f = N.cast<float>();
   if (s.is_triangle) view->inside[1] = view->inside[3] = N - A - B;
   view->u = (view->texture->width() * (s.uv_origin.x() * N + s.uv_size.x() * A)).cast<float>();
   view->v = (view->texture->height() * (s.uv_origin.y() * N + s.uv_size.y() * B)).cast<float>();
@@ -109,28 +125,31 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
   const Eigen::Vector4d limits = view_limits(camera);
   const SE3 T_cam_scene = T_scene_cam.inverse();
   const Eigen::Matrix3d R = T_cam_scene.R();
+  const Eigen::Vector3d eye = T_scene_cam.translation();
   std::vector<ViewSurface> views;
   for (const Surface& s : world.surfaces) {
-    const Eigen::Vector3d origin = R * s.origin + T_cam_scene.translation(), u = R * s.side_u, v = R * s.side_v;
-    if (is_out_of_view(origin + 0.5 * (u + v), 0.5 * (u.norm() + v.norm()), limits)) continue;
-    const double facing = u.cross(v).dot(origin);  // side_u right, side_v down: the normal points away
+    // side_u right, side_v down: the normal points away from who sees the front.
+    const double facing = s.side_u.cross(s.side_v).dot(s.origin - eye);
     if (std::abs(facing) < 1e-9 || (facing < 0 && !s.is_two_sided)) continue;
+    const Eigen::Vector3d diagonal = s.side_u + s.side_v;
+    const Eigen::Vector3d middle = R * (s.origin + 0.5 * diagonal - eye);
+    const double radius = 0.5 * std::sqrt(std::max(diagonal.squaredNorm(), (s.side_u - s.side_v).squaredNorm()));
+    if (is_out_of_view(middle, radius, limits) || is_speck(middle, radius, camera.pinhole)) continue;
+    const Eigen::Vector3d origin = R * (s.origin - eye), u = R * s.side_u, v = R * s.side_v;
     Polygon outline{origin, origin + u, origin + u + v, origin + v};
     if (s.is_triangle) outline.erase(outline.begin() + 2);
     const Polygon seen = clip_to_view(std::move(outline), limits);
     if (seen.empty()) continue;
     ViewSurface view;
-    view.surface = &s;
-    view.texture = &world.textures[size_t(s.texture)];
-    view.distance = (origin + 0.5 * (u + v)).norm();
     bound(seen, camera, &view);
     if (view.row_begin >= view.row_end || view.col_begin >= view.col_end) continue;
+    view.surface = &s;
+    view.texture = &world.textures[size_t(s.texture)];
+    view.distance = middle.norm();
     set_functions(origin, u, v, &view);
     set_limits(camera.pinhole, &view);
     views.push_back(view);
   }
-  std::stable_sort(views.begin(), views.end(),
-                   [](const ViewSurface& a, const ViewSurface& b) { return a.row_begin < b.row_begin; });
   return views;
 }
 

@@ -28,6 +28,7 @@ struct ViewSurface {
   /// the column does not matter, always(v) >= 0.
   RowFunction left[5], right[5], always[5];
   int left_count = 0, right_count = 0, always_count = 0;
+  Eigen::Vector3f idepth_f;       ///< N again, for what need not be exact
   Eigen::Vector3f u, v;           ///< texels of level 0, times 1/z
   double distance = 0;            ///< of its middle from the camera, metres
   const Surface* surface = nullptr;
@@ -36,7 +37,7 @@ struct ViewSurface {
   int col_begin = 0, col_end = 0;  ///< image columns that it may touch
 };
 
-/// Surfaces that may be seen, in the order of their first row.
+/// Surfaces that may be seen, in the order of the world's.
 std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam);
 
 /// The cloud layer, a plane 1 km above the camera whatever its position.
