@@ -22,6 +22,25 @@ bool in_view(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vecto
   return true;
 }
 
+// The part of a problem that concerns the points of one host.
+BaProblem problem_of_host(BaProblem all, int host) {
+  BaProblem part = all;
+  part.points.clear();
+  part.observations.clear();
+  std::vector<int> index(all.points.size(), -1);
+  for (size_t i = 0; i < all.points.size(); ++i)
+    if (all.points[i].host == host) {
+      index[i] = int(part.points.size());
+      part.points.push_back(all.points[i]);
+    }
+  for (BaObservation o : all.observations)
+    if (index[o.point] >= 0) {
+      o.point = index[o.point];
+      part.observations.push_back(o);
+    }
+  return part;
+}
+
 // Covariance of a window pose against another one after an adjustment: small beside the tracking covariance.
 Matrix6d settled_covariance() { return 1e-8 * Matrix6d::Identity(); }
 
@@ -271,14 +290,14 @@ WindowStats Window::adjust() {
 Keyframe Window::remove_oldest() {
   const int id = keyframes_.front().id;
   if (params_.gauge == "prior") {
+    // Only the points it hosts go into the prior with it. Points of other hosts lose their observation here and live on: their
+    // other observations stay in the window and must not be counted twice.
     std::vector<MapPoint*> points;
-    const BaProblem problem = build_problem(&points);
+    const BaProblem problem = problem_of_host(build_problem(&points), 0);
     BaOptions options;
     options.huber_width = params_.ba_huber;
     std::vector<bool> drop;
     prior_ = marginalize(problem, id, options, &drop);
-    for (size_t i = 0; i < points.size(); ++i)
-      if (drop[i]) points[i]->observations.clear();
   } else {
     prior_.reset();
   }
