@@ -95,6 +95,22 @@ void run_parallel(int begin, int end, int threads, const std::function<void(int)
 
 }  // namespace
 
+FolderWriter::FolderWriter(std::string folder, const Camera& camera) : folder_(std::move(folder)), camera_(camera) {
+  make_output_folder(folder_ + "/images");
+}
+
+void FolderWriter::add(const Frame& frame) {
+  write_png(numbered(folder_ + "/images", frame.index, ".png"), frame.image);
+  times_ += to_string(frame.time) + "\n";
+}
+
+void FolderWriter::finish(const std::string& ground_truth, const std::string& source_note) {
+  write_file(folder_ + "/times.txt", times_);
+  write_file(folder_ + "/camera.txt", camera_text(camera_));
+  if (!ground_truth.empty()) write_file(folder_ + "/groundtruth_tum.txt", ground_truth);
+  write_file(folder_ + "/SOURCE.md", source_note);
+}
+
 void export_folder(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
                    const OnFrameDone& on_frame_done) {
   const int begin = options.begin, end = options.end < 0 ? renderer.size() : options.end;

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "edgevo/core/error.h"
+#include "edgevo/simulation/relit_source.h"
+#include "edgevo/simulation/rendered_source.h"
 
 namespace edgevo {
 namespace {
@@ -95,6 +97,23 @@ TEST(Relight, DropsOneFrameInTwelveButNotTheFirst) {
   EXPECT_NEAR(count, 100, 35);
   EXPECT_FALSE(dropped.drops(0));
   EXPECT_FALSE(Relight("mixed", 1).drops(7));
+}
+
+TEST(RelitSource, KeepsNumbersTimesAndCalibrationAndLeavesOutWhatIsDropped) {
+  const auto renderer = std::make_shared<SceneRenderer>(load_scene("corridor"));
+  const Relight dropped("dropped", 2);
+  RelitSource source(std::make_unique<RenderedSource>(renderer, 0, 30), dropped);
+  EXPECT_FALSE(source.size());
+  EXPECT_EQ(source.camera().pinhole.fx, renderer->camera().pinhole.fx);
+  std::vector<int> kept, expected;
+  while (const auto frame = source.next()) {
+    EXPECT_EQ(frame->time, renderer->scene().times[size_t(frame->index)]);
+    kept.push_back(frame->index);
+  }
+  for (int i = 0; i < 30; ++i)
+    if (!dropped.drops(i)) expected.push_back(i);
+  EXPECT_EQ(kept, expected);
+  EXPECT_LT(kept.size(), 30u);
 }
 
 TEST(Relight, UnknownKindOffersTheNearest) {

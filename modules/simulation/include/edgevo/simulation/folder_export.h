@@ -21,6 +21,22 @@ struct FolderExport {
   int threads = 2;          ///< the bytes do not depend on it
 };
 
+/// The same layout from any source, frame by frame. Depth and poses are not known here; see finish().
+class FolderWriter {
+ public:
+  /// Makes the folders. Throws InputError.
+  FolderWriter(std::string folder, const Camera& camera);
+  /// Writes the image under the frame's number in its source. Throws InputError.
+  void add(const Frame& frame);
+  /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note` that of
+  /// SOURCE.md. Throws InputError.
+  void finish(const std::string& ground_truth, const std::string& source_note);
+
+ private:
+  std::string folder_, times_;
+  Camera camera_;
+};
+
 /// Called with the number of frames done, one call at a time.
 using OnFrameDone = std::function<void(int)>;
 

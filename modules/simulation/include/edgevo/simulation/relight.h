@@ -36,6 +36,8 @@ class Relight {
   GrayImage apply(const GrayImage& image, int index, double seconds) const;
   /// The frame is to be left out.
   bool drops(int index) const;
+  /// drops() is true for some frames.
+  bool may_drop() const { return has("dropped"); }
 
  private:
   bool has(const char* effect) const;

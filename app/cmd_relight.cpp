@@ -1,0 +1,82 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "commands.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/datasets/ground_truth.h"
+#include "edgevo/mrpt_bridge/rawlog_import.h"
+#include "edgevo/mrpt_bridge/rawlog_writer.h"
+#include "edgevo/simulation/folder_export.h"
+#include "edgevo/simulation/relit_source.h"
+#include "progress.h"
+#include "source_options.h"
+
+namespace edgevo::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RelightOptions {
+  SourceOptions source;
+  std::string out, kind = "mixed";
+  uint64_t seed = 1;
+};
+
+void check_output(const RelightOptions& options) {
+  std::error_code ignored;
+  if (fs::weakly_canonical(options.source.path, ignored) == fs::weakly_canonical(options.out, ignored))
+    throw InputError(options.out, "would overwrite its own source", "give another name for the output");
+}
+
+int write_folder(RelitSource& source, const RelightOptions& options, const std::string& truth, Progress& progress) {
+  FolderWriter writer(options.out, source.camera());
+  int count = 0;
+  while (const std::optional<Frame> frame = source.next()) {
+    writer.add(*frame);
+    progress.update(++count);
+  }
+  writer.finish(truth, "# Relit sequence\n\nThe images of another sequence under changed light (`edgevo relight --kind " + options.kind +
+                           " --seed " + std::to_string(options.seed) +
+                           "`); names, times, calibration and ground truth are the source's. Its licence holds for these images, too.\n");
+  return count;
+}
+
+int write_rawlog(RelitSource& source, const RelightOptions& options, const std::string& truth, Progress& progress) {
+  if (fs::path(options.out).has_parent_path()) make_output_folder(fs::path(options.out).parent_path().string());
+  if (!truth.empty()) write_file(rawlog_stem(options.out) + "_groundtruth_tum.txt", truth);
+  return import_rawlog(source, options.out, [&](int done) { progress.update(done); });
+}
+
+int relight(const RelightOptions& options) {
+  check_output(options);
+  const Relight effect(options.kind, options.seed);
+  auto opened = open_source(options.source);
+  const std::string truth = ground_truth_tum(options.source, *opened);
+  RelitSource source(std::move(opened), effect);
+  int count = 0;
+  {
+    Progress progress("relighting", source.size());
+    const bool is_rawlog = fs::path(options.out).extension() == ".rawlog";
+    count = is_rawlog ? write_rawlog(source, options, truth, progress) : write_folder(source, options, truth, progress);
+  }
+  std::printf("%s: %d frames, %s\n", options.out.c_str(), count, options.kind.c_str());
+  return 0;
+}
+
+}  // namespace
+
+void add_relight_command(CLI::App& app, Action* action) {
+  CLI::App* command = app.add_subcommand("relight", "play a source under changed light into a folder or a rawlog");
+  auto options = std::make_shared<RelightOptions>();
+  add_source_options(*command, &options->source);
+  std::string kinds;
+  for (const std::string& kind : relight_kinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
+  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")->required();
+  command->add_option("--kind", options->kind, "one of " + kinds)->capture_default_str();
+  command->add_option("--seed", options->seed, "how the light changes follows from it")->capture_default_str();
+  command->callback([=] { *action = [=] { return relight(*options); }; });
+}
+
+}  // namespace edgevo::app

@@ -1,0 +1,29 @@
+#pragma once
+// Another source under changed light: whatever it plays, from a folder, a rawlog or a renderer, passes through Relight.
+#include <memory>
+
+#include "edgevo/core/image_source.h"
+#include "edgevo/simulation/relight.h"
+
+namespace edgevo {
+
+class RelitSource : public ImageSource {
+ public:
+  RelitSource(std::unique_ptr<ImageSource> source, Relight relight) : source_(std::move(source)), relight_(std::move(relight)) {}
+
+  const Camera& camera() const override { return source_->camera(); }
+  std::optional<SE3> T_vehicle_cam() const override { return source_->T_vehicle_cam(); }
+  /// Of the source; nullopt if frames may be dropped.
+  std::optional<int> size() const override;
+  std::string kind() const override { return source_->kind() + ", relit"; }
+  std::vector<std::pair<std::string, std::string>> details() const override { return source_->details(); }
+  std::string ground_truth_path() const override { return source_->ground_truth_path(); }
+  std::optional<Frame> next() override;
+
+ private:
+  std::unique_ptr<ImageSource> source_;
+  Relight relight_;
+  std::optional<Timestamp> begin_;
+};
+
+}  // namespace edgevo
