@@ -24,9 +24,11 @@ bool is_same_place(const fs::path& a, const fs::path& b) {
 // Neither the rawlog nor the folder of its images may be what is being read.
 void check_output(const std::string& source, const std::string& rawlog) {
   if (fs::path(rawlog).extension() != ".rawlog")
-    throw InputError(rawlog, "does not end in .rawlog", "name the output OUT.rawlog, so that the MRPT tools know it");
+    throw InputError(rawlog, "does not end in .rawlog",
+                     "name the output OUT.rawlog, so that the MRPT tools know it");
   const fs::path images = rawlog_stem(rawlog) + "_Images";
-  if (is_same_place(source, rawlog) || is_same_place(source, images) || is_same_place(source + "/images", images))
+  if (is_same_place(source, rawlog) || is_same_place(source, images) ||
+      is_same_place(source + "/images", images))
     throw InputError(rawlog, "would overwrite its own source " + source, "give another name for the output");
 }
 
@@ -50,7 +52,8 @@ int import(const SourceOptions& options, const std::string& rawlog) {
 }  // namespace
 
 void add_import_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("import", "turn a source into an MRPT rawlog with its images beside it");
+  CLI::App* command =
+      app.add_subcommand("import", "turn a source into an MRPT rawlog with its images beside it");
   auto options = std::make_shared<SourceOptions>();
   auto rawlog = std::make_shared<std::string>();
   add_source_options(*command, options.get());

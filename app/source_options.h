@@ -6,8 +6,8 @@
 
 namespace edgevo::app {
 
-/// Adds SOURCE, --camera, --sensor, --frames, --every and --fps to `command`; they fill `*options` while it parses.
-/// A wrong --frames is an InputError.
+/// Adds SOURCE, --camera, --sensor, --frames, --every and --fps to `command`; they fill `*options` while it
+/// parses. A wrong --frames is an InputError.
 void add_source_options(CLI::App& command, SourceOptions* options);
 
 }  // namespace edgevo::app

@@ -52,7 +52,8 @@ TEST(FuzzSources, EdgevoFolder) {
   TempFolder folder;
   test::write_edgevo_layout(folder.path(), kImages);
   uint64_t seed = 10;
-  for (const char* file : {"times.txt", "camera.txt"}) test::expect_both(fuzz_file(folder.path(), file, 500, ++seed));
+  for (const char* file : {"times.txt", "camera.txt"})
+    test::expect_both(fuzz_file(folder.path(), file, 500, ++seed));
   // Every damage of a PNG is found by its checksums.
   EXPECT_EQ(fuzz_file(folder.path(), "images/000001.png", 500, ++seed).accepted, 0);
 }
@@ -74,7 +75,8 @@ TEST(FuzzSources, Kitti) {
   test::write_images(root + "/image_0", kImages);
   write_text(root + "/times.txt", "0.000000e+00\n1.036224e-01\n2.0e-01\n");
   write_text(root + "/calib.txt", "P0: 20 0 12 0 0 21 8 0 0 0 1 0\nP1: 20 0 12 -8 0 21 8 0 0 0 1 0\n");
-  write_text(folder / "poses/07.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 1\n0 0 1 3 0 1 0 0 -1 0 0 5\n");
+  write_text(folder / "poses/07.txt",
+             "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 1\n0 0 1 3 0 1 0 0 -1 0 0 5\n");
   uint64_t seed = 30;
   for (const char* file : {"times.txt", "calib.txt", "../../poses/07.txt"})
     test::expect_both(fuzz_file(root, file, 500, ++seed));
@@ -84,7 +86,8 @@ TEST(FuzzSources, TumRgbd) {
   TempFolder folder;
   const std::string root = folder / "freiburg1";
   fs::create_directories(root + "/rgb");
-  for (int i = 0; i < 2; ++i) write_png(root + "/rgb/" + std::to_string(i) + ".png", test::make_image(i, 640, 480));
+  for (int i = 0; i < 2; ++i)
+    write_png(root + "/rgb/" + std::to_string(i) + ".png", test::make_image(i, 640, 480));
   write_text(root + "/rgb.txt", "# color images\n1.5 rgb/0.png\n2.5 rgb/1.png\n");
   test::expect_both(fuzz_file(root, "rgb.txt", 200, 40));
 }
@@ -94,14 +97,18 @@ TEST(FuzzSources, Euroc) {
   const std::string cam = folder / "mav0/cam0";
   fs::create_directories(cam + "/data");
   for (int i = 0; i < 2; ++i) write_png(cam + "/data/" + std::to_string(i) + ".png", test::make_image(i));
-  write_text(cam + "/data.csv", "#timestamp [ns],filename\n1403636579763555584,0.png\n1403636579863555584,1.png\n");
+  write_text(cam + "/data.csv",
+             "#timestamp [ns],filename\n1403636579763555584,0.png\n1403636579863555584,1.png\n");
   write_text(cam + "/sensor.yaml",
-             "T_BS:\n  cols: 4\n  rows: 4\n  data: [0, -1, 0, 0.5,\n    1, 0, 0, 0,\n    0, 0, 1, 0,\n    0, 0, 0, 1]\n"
+             "T_BS:\n  cols: 4\n  rows: 4\n  data: [0, -1, 0, 0.5,\n    1, 0, 0, 0,\n    0, 0, 1, 0,\n    0, "
+             "0, 0, 1]\n"
              "resolution: [24, 16]\nintrinsics: [20, 21, 12, 8]\ndistortion_model: radial-tangential\n"
              "distortion_coefficients: [0.1, 0, 0, 0]\n");
-  write_text(folder / "mav0/state_groundtruth_estimate0/data.csv", "#t\n1403636579763555584,1,2,3,1,0,0,0,0,0,0\n");
+  write_text(folder / "mav0/state_groundtruth_estimate0/data.csv",
+             "#t\n1403636579763555584,1,2,3,1,0,0,0,0,0,0\n");
   uint64_t seed = 50;
-  for (const char* file : {"mav0/cam0/data.csv", "mav0/cam0/sensor.yaml", "mav0/state_groundtruth_estimate0/data.csv"})
+  for (const char* file :
+       {"mav0/cam0/data.csv", "mav0/cam0/sensor.yaml", "mav0/state_groundtruth_estimate0/data.csv"})
     test::expect_both(fuzz_file(folder.path(), file, 500, ++seed));
 }
 
@@ -131,8 +138,8 @@ class FuzzRawlog : public ::testing::Test {
 // Every damage is found by the checksum, but for the few bytes of the gz header that mean nothing.
 TEST_F(FuzzRawlog, CompressedBytes) { EXPECT_LT(run(read_text(options_.path), 2000, 60).accepted, 100); }
 
-// Between the objects, where no length can be hit: unknown classes, versions and end marks. (What MRPT reads inside an object
-// is guarded by the checksum: a wrong length there would ask for gigabytes.)
+// Between the objects, where no length can be hit: unknown classes, versions and end marks. (What MRPT reads
+// inside an object is guarded by the checksum: a wrong length there would ask for gigabytes.)
 TEST_F(FuzzRawlog, ObjectHeaders) {
   const std::string payload = test::inflate(options_.path);
   const std::string name = "CObservationImage";

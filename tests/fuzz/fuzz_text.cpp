@@ -22,10 +22,12 @@ TEST(FuzzText, CameraNumbers) {
 }
 
 TEST(FuzzText, CameraYaml) {
-  expect_both(fuzz("%YAML:1.0\n---\nimage_width: 24\nimage_height: 16\ncamera_matrix: !!opencv-matrix\n  rows: 3\n  cols: 3\n"
-                   "  data: [20, 0, 12, # c\n   0, 21, 8, 0, 0, 1]\ndistortion_model: plumb_bob\n"
-                   "distortion_coefficients: {rows: 1, cols: 5, data: [0.1, -0.02, 0.001, 0.002, 0.003]}\n",
-                   kRounds, 2, [](const std::string& text) { parse_camera(text, "f").check("result"); }));
+  expect_both(
+      fuzz("%YAML:1.0\n---\nimage_width: 24\nimage_height: 16\ncamera_matrix: !!opencv-matrix\n  rows: 3\n  "
+           "cols: 3\n"
+           "  data: [20, 0, 12, # c\n   0, 21, 8, 0, 0, 1]\ndistortion_model: plumb_bob\n"
+           "distortion_coefficients: {rows: 1, cols: 5, data: [0.1, -0.02, 0.001, 0.002, 0.003]}\n",
+           kRounds, 2, [](const std::string& text) { parse_camera(text, "f").check("result"); }));
 }
 
 struct FuzzedParams {
@@ -50,7 +52,8 @@ TEST(FuzzText, Parameters) {
                    [](const std::string& text) {
                      FuzzedParams p;
                      read_params(text, "f", [&](ParamVisitor& v) { p.visit(v); });
-                     EXPECT_TRUE(p.percentile >= 0 && p.percentile <= 1 && p.levels >= 1 && p.levels <= 8) << text;
+                     EXPECT_TRUE(p.percentile >= 0 && p.percentile <= 1 && p.levels >= 1 && p.levels <= 8)
+                         << text;
                      EXPECT_TRUE(p.name == "a" || p.name == "b") << text;
                    }));
 }

@@ -11,9 +11,12 @@
 namespace edgevo::test {
 
 inline std::string interesting_token(Random* random) {
-  static const char* const kTokens[] = {"nan",  "inf", "-1",  "0",  "1e999", "-1e-999", "99999999999999999999", "2147483648",
-                                        "0x1p3", " ",  "\n",  "\r", "\t",    "#",       ":",   "[",  "]",  "{",  "}",
-                                        ",",    "-",  "'",   "\"", "\\",    "%",       "!!",  "../", "/",  ".",  "\xff"};
+  static const char* const kTokens[] = {
+      "nan",        "inf",   "-1", "0",  "1e999", "-1e-999", "99999999999999999999",
+      "2147483648", "0x1p3", " ",  "\n", "\r",    "\t",      "#",
+      ":",          "[",     "]",  "{",  "}",     ",",       "-",
+      "'",          "\"",    "\\", "%",  "!!",    "../",     "/",
+      ".",          "\xff"};
   constexpr int kCount = sizeof kTokens / sizeof kTokens[0];
   const int i = random->below(kCount + 1);
   return i == kCount ? std::string(1, '\0') : kTokens[i];
@@ -29,25 +32,38 @@ inline void damage_once(Random* random, std::string* bytes) {
   const size_t at = size_t(random->below(size));
   const size_t length = size_t(1 + random->below(std::min(16, size)));
   switch (random->below(6)) {
-    case 0: (*bytes)[at] = char((*bytes)[at] ^ (1 << random->below(8))); break;
-    case 1: (*bytes)[at] = char(random->below(256)); break;
-    case 2: bytes->insert(at, interesting_token(random)); break;
-    case 3: bytes->replace(at, std::min(length, bytes->size() - at), interesting_token(random)); break;
-    case 4: bytes->erase(at, length); break;
-    default: bytes->insert(size_t(random->below(size)), bytes->substr(at, length)); break;
+    case 0:
+      (*bytes)[at] = char((*bytes)[at] ^ (1 << random->below(8)));
+      break;
+    case 1:
+      (*bytes)[at] = char(random->below(256));
+      break;
+    case 2:
+      bytes->insert(at, interesting_token(random));
+      break;
+    case 3:
+      bytes->replace(at, std::min(length, bytes->size() - at), interesting_token(random));
+      break;
+    case 4:
+      bytes->erase(at, length);
+      break;
+    default:
+      bytes->insert(size_t(random->below(size)), bytes->substr(at, length));
+      break;
   }
 }
 
-/// One to four changes, or, one time in four, the bytes cut short. Not both: a rawlog that is cut has no checksum left that
-/// would tell of other damage, and MRPT then asks for as much memory as the damaged lengths say.
+/// One to four changes, or, one time in four, the bytes cut short. Not both: a rawlog that is cut has no
+/// checksum left that would tell of other damage, and MRPT then asks for as much memory as the damaged
+/// lengths say.
 inline std::string mutate(Random* random, std::string bytes) {
   if (random->below(4) == 0) return bytes.substr(0, size_t(random->below(int(bytes.size()))));
   for (int n = 1 + random->below(4); n > 0; --n) damage_once(random, &bytes);
   return bytes;
 }
 
-/// How often `parse` succeeded and threw InputError over `rounds` mutations of `valid`; anything else it throws fails the test
-/// (through GoogleTest) with the input at hand.
+/// How often `parse` succeeded and threw InputError over `rounds` mutations of `valid`; anything else it
+/// throws fails the test (through GoogleTest) with the input at hand.
 struct FuzzCounts {
   int accepted = 0, refused = 0;
 };
@@ -65,7 +81,8 @@ FuzzCounts fuzz(const std::string& valid, int rounds, uint64_t seed, const Parse
       EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << "more than one line: " << e.what();
       ++counts.refused;
     } catch (const std::exception& e) {
-      ADD_FAILURE() << "round " << i << " threw " << e.what() << "\ninput: " << ::testing::PrintToString(input);
+      ADD_FAILURE() << "round " << i << " threw " << e.what()
+                    << "\ninput: " << ::testing::PrintToString(input);
       break;
     }
   }

@@ -19,7 +19,8 @@ Camera parse_camera_numbers(const std::string& text, const std::string& where) {
   const size_t count = split_fields(lines[0].text).size() == 11 ? 11 : 10;
   const auto v = parse_numbers(lines[0], count, kNumbersFormat);
   Camera camera;
-  camera.pinhole = {v[0], v[1], v[2], v[3], image_side(v[8], lines[0].where), image_side(v[9], lines[0].where)};
+  camera.pinhole = {
+      v[0], v[1], v[2], v[3], image_side(v[8], lines[0].where), image_side(v[9], lines[0].where)};
   camera.distortion = {v[4], v[5], v[6], v[7], count == 11 ? v[10] : 0.0};
   camera.check(where);
   return camera;
@@ -30,13 +31,15 @@ Camera parse_camera_numbers(const std::string& text, const std::string& where) {
 int image_side(double value, const std::string& where) {
   constexpr double kLargest = 65535;
   if (!(value >= 1 && value <= kLargest) || value != std::floor(value))
-    throw InputError(where, "the image size is not a whole number of pixels from 1 to 65535", "give width and height in pixels");
+    throw InputError(where, "the image size is not a whole number of pixels from 1 to 65535",
+                     "give width and height in pixels");
   return int(value);
 }
 
 Camera parse_camera(const std::string& text, const std::string& where) {
   for (const TextLine& line : split_lines(text, where))
-    if (line.text.find(':') != std::string::npos || line.text[0] == '%') return parse_camera_yaml(text, where);
+    if (line.text.find(':') != std::string::npos || line.text[0] == '%')
+      return parse_camera_yaml(text, where);
   return parse_camera_numbers(text, where);
 }
 

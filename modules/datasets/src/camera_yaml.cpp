@@ -9,7 +9,8 @@
 namespace edgevo {
 namespace {
 
-[[noreturn]] void fail_count(const std::string& where, const std::string& key, size_t found, const std::string& expected) {
+[[noreturn]] void fail_count(const std::string& where, const std::string& key, size_t found,
+                             const std::string& expected) {
   throw InputError(where, key + " holds " + std::to_string(found) + " numbers", "write " + expected);
 }
 
@@ -20,7 +21,8 @@ void read_size(const YamlValues& values, const std::string& where, Pinhole* p) {
     const auto height = yaml_numbers(values, {"image_height", "height"}, where);
     size.insert(size.end(), height.begin(), height.end());
   }
-  if (size.empty()) throw InputError(where, "the image size is missing", "give image_width and image_height in pixels");
+  if (size.empty())
+    throw InputError(where, "the image size is missing", "give image_width and image_height in pixels");
   if (size.size() != 2) fail_count(where, "the image size", size.size(), "width and height in pixels");
   p->width = image_side(size[0], where);
   p->height = image_side(size[1], where);
@@ -42,8 +44,10 @@ void read_matrix(const YamlValues& values, const std::string& where, Pinhole* p)
 }
 
 void check_model(const YamlValues& values, const std::string& where) {
-  static const std::set<std::string> known = {"plumb_bob", "radtan", "radial-tangential", "pinhole-radtan", "none", ""};
-  for (const auto& [key, allowed] : {std::pair("distortion_model", known), std::pair("camera_model", std::set<std::string>{"pinhole"})}) {
+  static const std::set<std::string> known = {"plumb_bob",      "radtan", "radial-tangential",
+                                              "pinhole-radtan", "none",   ""};
+  for (const auto& [key, allowed] :
+       {std::pair("distortion_model", known), std::pair("camera_model", std::set<std::string>{"pinhole"})}) {
     const auto it = values.find(key);
     if (it == values.end() || it->second.empty()) continue;
     if (!allowed.count(it->second.front()))
@@ -53,10 +57,12 @@ void check_model(const YamlValues& values, const std::string& where) {
 }
 
 void read_distortion(const YamlValues& values, const std::string& where, Distortion* d) {
-  auto k = yaml_numbers(values, {"distortion_coefficients.data", "distortion_coefficients", "distortion_coeffs", "d"}, where);
+  auto k = yaml_numbers(
+      values, {"distortion_coefficients.data", "distortion_coefficients", "distortion_coeffs", "d"}, where);
   while (k.size() > 5 && k.back() == 0) k.pop_back();  // the rational model with its denominator at 1
   if (k.size() > 5) fail_count(where, "distortion_coefficients", k.size(), "k1, k2, p1, p2, k3");
-  if (!k.empty() && k.size() < 4) fail_count(where, "distortion_coefficients", k.size(), "k1, k2, p1, p2, k3");
+  if (!k.empty() && k.size() < 4)
+    fail_count(where, "distortion_coefficients", k.size(), "k1, k2, p1, p2, k3");
   k.resize(5, 0.0);
   *d = {k[0], k[1], k[2], k[3], k[4]};
 }

@@ -21,8 +21,8 @@ std::string number(double value) {
 
 std::string describe_distortion(const Distortion& d) {
   if (d.is_zero()) return "none";
-  return "k1 " + number(d.k1) + ", k2 " + number(d.k2) + ", p1 " + number(d.p1) + ", p2 " + number(d.p2) + ", k3 " +
-         number(d.k3) + " (plumb-bob)";
+  return "k1 " + number(d.k1) + ", k2 " + number(d.k2) + ", p1 " + number(d.p1) + ", p2 " + number(d.p2) +
+         ", k3 " + number(d.k3) + " (plumb-bob)";
 }
 
 // Angle between the optical axis and a pixel, radians.
@@ -36,8 +36,8 @@ double angle_to_axis(const Camera& camera, const Eigen::Vector2d& px) {
 void describe_camera(const Camera& camera, Lines* lines) {
   const Pinhole& p = camera.pinhole;
   lines->emplace_back("image size", std::to_string(p.width) + " x " + std::to_string(p.height));
-  lines->emplace_back("camera", "fx " + number(p.fx) + ", fy " + number(p.fy) + ", cx " + number(p.cx) + ", cy " +
-                                    number(p.cy) + " px");
+  lines->emplace_back("camera", "fx " + number(p.fx) + ", fy " + number(p.fy) + ", cx " + number(p.cx) +
+                                    ", cy " + number(p.cy) + " px");
   lines->emplace_back("distortion", describe_distortion(camera.distortion));
   const auto [horizontal, vertical] = field_of_view_deg(camera);
   lines->emplace_back("field of view", fixed(horizontal, 1) + " x " + fixed(vertical, 1) + " deg");
@@ -55,10 +55,13 @@ void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* li
     ++gaps;
     if (step > longest) longest = step, where = i;
   }
-  lines->emplace_back("gaps in time", gaps == 0 ? "none" : std::to_string(gaps) + "; the longest is " + fixed(longest, 3) +
-                                                               " s, before frame " + std::to_string(where));
+  lines->emplace_back("gaps in time", gaps == 0
+                                          ? "none"
+                                          : std::to_string(gaps) + "; the longest is " + fixed(longest, 3) +
+                                                " s, before frame " + std::to_string(where));
   if (backwards > 0)
-    lines->emplace_back("wrong times", std::to_string(backwards) + " frames are not after the one before; the first is frame " +
+    lines->emplace_back("wrong times", std::to_string(backwards) +
+                                           " frames are not after the one before; the first is frame " +
                                            std::to_string(first_backwards));
 }
 
@@ -70,7 +73,9 @@ void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
   const double median = steps[steps.size() / 2];
   lines->emplace_back("duration", fixed(seconds_between(times.front(), times.back()), 3) + " s, from " +
                                       to_string(times.front()) + " to " + to_string(times.back()));
-  if (median > 0) lines->emplace_back("rate", fixed(1.0 / median, 2) + " Hz (median step " + fixed(1e3 * median, 2) + " ms)");
+  if (median > 0)
+    lines->emplace_back("rate",
+                        fixed(1.0 / median, 2) + " Hz (median step " + fixed(1e3 * median, 2) + " ms)");
   describe_gaps(times, median, lines);
 }
 
@@ -80,7 +85,8 @@ std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {
   const Eigen::Vector3d axis = T_vehicle_cam->R().col(2);  // optical axis in the vehicle
   return "at x " + fixed(t.x(), 3) + ", y " + fixed(t.y(), 3) + ", z " + fixed(t.z(), 3) + " m; looks " +
          fixed(kDegrees * std::atan2(axis.y(), axis.x()), 1) + " deg to the left and " +
-         fixed(kDegrees * std::asin(std::clamp(axis.z(), -1.0, 1.0)), 1) + " deg up (vehicle x forward, y left, z up)";
+         fixed(kDegrees * std::asin(std::clamp(axis.z(), -1.0, 1.0)), 1) +
+         " deg up (vehicle x forward, y left, z up)";
 }
 
 }  // namespace
@@ -88,7 +94,8 @@ std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {
 std::pair<double, double> field_of_view_deg(const Camera& camera) {
   const Pinhole& p = camera.pinhole;
   // The image reaches half a pixel beyond the centres of its border pixels.
-  const double horizontal = angle_to_axis(camera, {-0.5, p.cy}) + angle_to_axis(camera, {p.width - 0.5, p.cy});
+  const double horizontal =
+      angle_to_axis(camera, {-0.5, p.cy}) + angle_to_axis(camera, {p.width - 0.5, p.cy});
   const double vertical = angle_to_axis(camera, {p.cx, -0.5}) + angle_to_axis(camera, {p.cx, p.height - 0.5});
   return {kDegrees * horizontal, kDegrees * vertical};
 }
@@ -101,7 +108,8 @@ std::vector<std::pair<std::string, std::string>> describe(const ImageSource& sou
   describe_times(source.times(), &lines);
   lines.emplace_back("mount", describe_mount(source.T_vehicle_cam()));
   const Lines own = source.details();
-  const bool told = std::any_of(own.begin(), own.end(), [](const auto& line) { return line.first == "ground truth"; });
+  const bool told =
+      std::any_of(own.begin(), own.end(), [](const auto& line) { return line.first == "ground truth"; });
   if (!source.ground_truth_path().empty())
     lines.emplace_back("ground truth", source.ground_truth_path());
   else if (!told)

@@ -11,7 +11,8 @@ namespace edgevo {
 /// ".../mav0/cam0" of the chosen camera. Throws InputError.
 std::string euroc_camera_folder(const SourceOptions& options);
 
-/// Mount of the camera in the body frame (the IMU's; not x forward, z up): T_BS of its sensor.yaml. Throws InputError.
+/// Mount of the camera in the body frame (the IMU's; not x forward, z up): T_BS of its sensor.yaml. Throws
+/// InputError.
 SE3 read_euroc_T_body_cam(const std::string& camera_folder);
 
 /// ".../mav0/state_groundtruth_estimate0/data.csv"; empty if there is none.

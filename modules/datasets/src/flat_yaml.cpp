@@ -71,7 +71,8 @@ class FlatYaml {
       for (const std::string& item : split_items(text.substr(1, text.size() - 2))) entry(item, key + ".");
     } else if (text.front() == '[' && text.back() == ']') {
       auto& list = set(key);
-      for (const std::string& item : split_items(text.substr(1, text.size() - 2))) list.push_back(unquoted(item));
+      for (const std::string& item : split_items(text.substr(1, text.size() - 2)))
+        list.push_back(unquoted(item));
     } else {
       set(key) = {unquoted(text)};
     }

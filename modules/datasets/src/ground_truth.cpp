@@ -14,14 +14,16 @@ namespace {
 
 void append_pose(std::string* text, Timestamp t, const SE3& T_world_cam) {
   *text += to_string(t);
-  for (const double v : {T_world_cam.translation().x(), T_world_cam.translation().y(), T_world_cam.translation().z()})
+  for (const double v :
+       {T_world_cam.translation().x(), T_world_cam.translation().y(), T_world_cam.translation().z()})
     *text += " " + fixed(v, 9);
   const Eigen::Quaterniond& q = T_world_cam.rotation();
   for (const double v : {q.x(), q.y(), q.z(), q.w()}) *text += " " + fixed(v, 9);
   *text += "\n";
 }
 
-// One pose of camera 0 a line, 3x4, row by row. The rectified cameras differ by a shift along x: P[3] = -fx x_cam.
+// One pose of camera 0 a line, 3x4, row by row. The rectified cameras differ by a shift along x: P[3] = -fx
+// x_cam.
 std::string convert_kitti(const SourceOptions& options) {
   const std::string poses = kitti_poses_path(options.path);
   if (poses.empty()) return {};
@@ -29,9 +31,12 @@ std::string convert_kitti(const SourceOptions& options) {
   const auto times = read_times(times_path);
   const auto lines = split_lines(read_text_file(poses), poses);
   if (lines.size() != times.size())
-    throw InputError(poses, std::to_string(lines.size()) + " poses for " + std::to_string(times.size()) + " times", "restore the file");
+    throw InputError(poses,
+                     std::to_string(lines.size()) + " poses for " + std::to_string(times.size()) + " times",
+                     "restore the file");
   const auto P = read_kitti_projection(options, kitti_camera_folder(options));
-  if (!(P[0] > 0)) throw InputError(options.path, "the focal length in calib.txt is not positive", "restore the file");
+  if (!(P[0] > 0))
+    throw InputError(options.path, "the focal length in calib.txt is not positive", "restore the file");
   const SE3 T_cam0_cam(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-P[3] / P[0], 0, 0));
   std::string text = "# KITTI ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
   for (size_t i = 0; i < lines.size(); ++i) {
@@ -51,12 +56,15 @@ std::string convert_euroc(const SourceOptions& options) {
   std::string text = "# EuRoC ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
   for (const TextLine& line : split_lines(read_text_file(path), path)) {
     const auto fields = split_fields(line.text, ',');
-    if (fields.size() < 8) throw InputError(line.where, "is not a time, a position and a quaternion", "restore the file");
+    if (fields.size() < 8)
+      throw InputError(line.where, "is not a time, a position and a quaternion", "restore the file");
     double v[7];
     for (int i = 0; i < 7; ++i) v[i] = parse_number(fields[size_t(i) + 1], line.where);
     const Eigen::Quaterniond q(v[3], v[4], v[5], v[6]);
-    if (!(std::abs(q.norm() - 1) < 0.01)) throw InputError(line.where, "the quaternion is not of unit length", "restore the file");
-    append_pose(&text, parse_nanoseconds(fields[0], line.where), SE3(q, Eigen::Vector3d(v[0], v[1], v[2])) * T_body_cam);
+    if (!(std::abs(q.norm() - 1) < 0.01))
+      throw InputError(line.where, "the quaternion is not of unit length", "restore the file");
+    append_pose(&text, parse_nanoseconds(fields[0], line.where),
+                SE3(q, Eigen::Vector3d(v[0], v[1], v[2])) * T_body_cam);
   }
   return text;
 }

@@ -20,7 +20,8 @@ Sequence read_edgevo_layout(const SourceOptions& options) {
   sequence.kind = "edgevo folder";
   sequence.images = list_images(images);
   if (existing(times).empty())
-    throw InputError(times, "is missing", "write seconds, one line an image, or give " + images + " with --camera and --fps");
+    throw InputError(times, "is missing",
+                     "write seconds, one line an image, or give " + images + " with --camera and --fps");
   sequence.times = read_times(times);
   check_counts(sequence.images, sequence.times, times, images);
   sequence.camera = choose_camera(options, (root / "camera.txt").string());

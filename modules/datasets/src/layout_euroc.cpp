@@ -1,4 +1,5 @@
-// EuRoC (ASL): mav0/camN/{data.csv, data/, sensor.yaml}, mav0/state_groundtruth_estimate0/data.csv; times in ns.
+// EuRoC (ASL): mav0/camN/{data.csv, data/, sensor.yaml}, mav0/state_groundtruth_estimate0/data.csv; times in
+// ns.
 #include <charconv>
 #include <filesystem>
 
@@ -40,7 +41,8 @@ std::string euroc_camera_folder(const SourceOptions& options) {
   const std::string name = options.sensor_label.empty() ? "cam0" : options.sensor_label;
   const fs::path folder = mav_folder(options.path) / name;
   if (existing((folder / "data.csv").string()).empty())
-    throw InputError(options.path, "no camera '" + name + "' (" + (folder / "data.csv").string() + " is missing)",
+    throw InputError(options.path,
+                     "no camera '" + name + "' (" + (folder / "data.csv").string() + " is missing)",
                      "name one of its cameras with --sensor, such as cam0");
   return folder.string();
 }

@@ -13,16 +13,20 @@ namespace edgevo {
 namespace {
 
 bool all_digits(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
+  return !text.empty() &&
+         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
 }
 
 // "1403636579763555584" is nanoseconds since the epoch, "1305031102.175304" seconds; "000017" only counts.
 std::optional<Timestamp> time_from_name(const std::string& stem) {
   constexpr size_t kNanosecondDigits = 16;  // from 1970-01-12 on; shorter numbers are counters
   Timestamp t;
-  if (all_digits(stem) && stem.size() >= kNanosecondDigits && stem.size() <= 18) return parse_nanoseconds(stem, stem);
-  if (all_digits(stem) && stem.size() == 19 && stem < "9223372036854775000") return parse_nanoseconds(stem, stem);
-  const bool decimal = stem.find('.') != std::string::npos && std::isdigit(static_cast<unsigned char>(stem[0]));
+  if (all_digits(stem) && stem.size() >= kNanosecondDigits && stem.size() <= 18)
+    return parse_nanoseconds(stem, stem);
+  if (all_digits(stem) && stem.size() == 19 && stem < "9223372036854775000")
+    return parse_nanoseconds(stem, stem);
+  const bool decimal =
+      stem.find('.') != std::string::npos && std::isdigit(static_cast<unsigned char>(stem[0]));
   if (decimal && parse_seconds(stem, &t)) return t;
   return std::nullopt;
 }

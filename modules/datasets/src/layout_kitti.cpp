@@ -23,7 +23,8 @@ std::vector<std::string> camera_folders(const std::string& folder) {
 }
 
 // calib.txt has the projection but not the size, which is that of the images.
-Camera camera_from_projection(const std::array<double, 12>& P, const std::string& first_image, const std::string& where) {
+Camera camera_from_projection(const std::array<double, 12>& P, const std::string& first_image,
+                              const std::string& where) {
   const GrayImage image = read_gray_image(first_image);
   Camera camera;
   camera.pinhole = {P[0], P[5], P[2], P[6], image.width, image.height};
@@ -76,8 +77,8 @@ Sequence read_kitti_layout(const SourceOptions& options) {
   sequence.times = read_times(times);
   check_counts(sequence.images, sequence.times, times, images);
   sequence.camera = options.camera_file.empty()
-                        ? camera_from_projection(read_kitti_projection(options, name), sequence.images.front(),
-                                                 (root / "calib.txt").string())
+                        ? camera_from_projection(read_kitti_projection(options, name),
+                                                 sequence.images.front(), (root / "calib.txt").string())
                         : read_camera_file(options.camera_file);
   sequence.details.emplace_back("camera folder", name);
   if (const std::string poses = kitti_poses_path(options.path); !poses.empty())

@@ -1,4 +1,5 @@
-// TUM RGB-D: rgb.txt (`time file` a line), rgb/, groundtruth.txt; the cameras' calibrations are published on its page.
+// TUM RGB-D: rgb.txt (`time file` a line), rgb/, groundtruth.txt; the cameras' calibrations are published on
+// its page.
 #include <filesystem>
 
 #include "edgevo/core/error.h"
@@ -18,10 +19,12 @@ struct Published {
 
 // "Intrinsic Camera Calibration of the Kinect" of the dataset's page; freiburg3 is rectified.
 const Published kPublished[] = {
-    {"freiburg1", {{517.306408, 516.469215, 318.643040, 255.313989, 640, 480},
-                   {0.262383, -0.953104, -0.005358, 0.002628, 1.163314}}},
-    {"freiburg2", {{520.908620, 521.007327, 325.141442, 249.701764, 640, 480},
-                   {0.231222, -0.784899, -0.003257, -0.000105, 0.917205}}},
+    {"freiburg1",
+     {{517.306408, 516.469215, 318.643040, 255.313989, 640, 480},
+      {0.262383, -0.953104, -0.005358, 0.002628, 1.163314}}},
+    {"freiburg2",
+     {{520.908620, 521.007327, 325.141442, 249.701764, 640, 480},
+      {0.231222, -0.784899, -0.003257, -0.000105, 0.917205}}},
     {"freiburg3", {{535.4, 539.2, 320.1, 247.6, 640, 480}, {}}},
 };
 
@@ -39,7 +42,9 @@ Camera tum_camera(const SourceOptions& options, Sequence* sequence) {
 
 }  // namespace
 
-bool is_tum_layout(const std::string& folder) { return !existing((fs::path(folder) / "rgb.txt").string()).empty(); }
+bool is_tum_layout(const std::string& folder) {
+  return !existing((fs::path(folder) / "rgb.txt").string()).empty();
+}
 
 Sequence read_tum_layout(const SourceOptions& options) {
   const fs::path root = options.path;

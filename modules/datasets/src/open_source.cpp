@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 void refuse_label(const SourceOptions& options) {
   if (options.sensor_label.empty()) return;
-  throw InputError(options.path, "no sensor '" + options.sensor_label + "': it has one camera, without a name",
+  throw InputError(options.path,
+                   "no sensor '" + options.sensor_label + "': it has one camera, without a name",
                    "leave --sensor out");
 }
 
@@ -58,7 +59,8 @@ std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
 std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   std::error_code ignored;
   if (options.path.rfind("camera:", 0) == 0) return open_live_camera(options);
-  if (!fs::exists(options.path, ignored)) throw InputError(options.path, "no such file or folder", "check the path");
+  if (!fs::exists(options.path, ignored))
+    throw InputError(options.path, "no such file or folder", "check the path");
   if (fs::is_directory(options.path, ignored)) return open_folder(options);
   if (fs::path(options.path).extension() == ".rawlog") return open_rawlog_file(options);
   refuse_label(options);

@@ -14,7 +14,8 @@ bool is_plausible(double fps) { return std::isfinite(fps) && fps >= 1e-3 && fps 
 
 Rate choose_rate(double given, double own) {
   if (given != 0) {
-    if (!is_plausible(given)) throw InputError("--fps", "is not a rate between 0.001 and 100000", "give frames a second");
+    if (!is_plausible(given))
+      throw InputError("--fps", "is not a rate between 0.001 and 100000", "give frames a second");
     return {given, fixed(given, 3) + " frames a second, as given by --fps"};
   }
   if (is_plausible(own)) return {own, fixed(own, 3) + " frames a second, as the file says"};

@@ -14,8 +14,8 @@ struct Rate {
   Timestamp time(int64_t index) const { return Timestamp::from_seconds(double(index) / fps); }
 };
 
-/// `given` by the user if positive, else the source's `own` if that is plausible, else 30. Throws InputError for a rate that the
-/// user cannot mean.
+/// `given` by the user if positive, else the source's `own` if that is plausible, else 30. Throws InputError
+/// for a rate that the user cannot mean.
 Rate choose_rate(double given, double own);
 
 }  // namespace edgevo

@@ -83,7 +83,9 @@ bool natural_less(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::unique_ptr<ImageSource> play(Sequence sequence) { return std::make_unique<SequenceSource>(std::move(sequence)); }
+std::unique_ptr<ImageSource> play(Sequence sequence) {
+  return std::make_unique<SequenceSource>(std::move(sequence));
+}
 
 std::vector<std::string> list_images(const std::string& folder) {
   std::vector<std::string> names;
@@ -102,7 +104,8 @@ std::vector<Timestamp> read_times(const std::string& path) {
   std::vector<Timestamp> times;
   for (const TextLine& line : split_lines(read_text_file(path), path)) {
     Timestamp t;
-    if (!parse_seconds(line.text, &t)) throw InputError(line.where, "is not a time", "write seconds, one number a line");
+    if (!parse_seconds(line.text, &t))
+      throw InputError(line.where, "is not a time", "write seconds, one number a line");
     times.push_back(t);
   }
   return times;
@@ -111,8 +114,10 @@ std::vector<Timestamp> read_times(const std::string& path) {
 void check_counts(const std::vector<std::string>& images, const std::vector<Timestamp>& times,
                   const std::string& times_path, const std::string& images_folder) {
   if (images.size() == times.size()) return;
-  throw InputError(times_path, std::to_string(times.size()) + " times for " + std::to_string(images.size()) +
-                                   " images in " + images_folder, "give one time for each image");
+  throw InputError(times_path,
+                   std::to_string(times.size()) + " times for " + std::to_string(images.size()) +
+                       " images in " + images_folder,
+                   "give one time for each image");
 }
 
 Camera choose_camera(const SourceOptions& options, const std::string& own) {

@@ -1,6 +1,6 @@
 #pragma once
-// What every folder layout amounts to: a list of image files with times, and a camera. A layout is a function from a folder
-// to this value; playing it is the same for all.
+// What every folder layout amounts to: a list of image files with times, and a camera. A layout is a function
+// from a folder to this value; playing it is the same for all.
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,13 +16,14 @@ struct Sequence {
   std::vector<std::string> images;  ///< paths, in order
   std::vector<Timestamp> times;     ///< one for each; whether they increase is checked frame by frame
   Camera camera;
-  std::string ground_truth_path;    ///< TUM format; may be empty
+  std::string ground_truth_path;  ///< TUM format; may be empty
   std::vector<std::pair<std::string, std::string>> details;
 };
 
 std::unique_ptr<ImageSource> play(Sequence sequence);
 
-/// Image files of a folder by name, numbers in names by value ("frame_9" before "frame_10"). Throws InputError if there are none.
+/// Image files of a folder by name, numbers in names by value ("frame_9" before "frame_10"). Throws
+/// InputError if there are none.
 std::vector<std::string> list_images(const std::string& folder);
 
 /// Times, one decimal number of seconds a line. Throws InputError.

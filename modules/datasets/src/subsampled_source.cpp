@@ -11,7 +11,10 @@ namespace {
 class SubsampledSource : public ImageSource {
  public:
   SubsampledSource(std::unique_ptr<ImageSource> inner, const SourceOptions& options)
-      : inner_(std::move(inner)), next_(options.first), last_(options.last.value_or(INT_MAX)), every_(options.every) {
+      : inner_(std::move(inner)),
+        next_(options.first),
+        last_(options.last.value_or(INT_MAX)),
+        every_(options.every) {
     details_ = inner_->details();
     details_.emplace_back("frames taken", range(options));
   }
@@ -30,7 +33,8 @@ class SubsampledSource : public ImageSource {
   std::vector<Timestamp> times() const override {
     const auto all = inner_->times();
     std::vector<Timestamp> taken;
-    for (size_t i = size_t(first_); i < std::min(all.size(), size_t(last_)); i += size_t(every_)) taken.push_back(all[i]);
+    for (size_t i = size_t(first_); i < std::min(all.size(), size_t(last_)); i += size_t(every_))
+      taken.push_back(all[i]);
     return taken;
   }
   std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
@@ -48,7 +52,8 @@ class SubsampledSource : public ImageSource {
 
  private:
   static std::string range(const SourceOptions& options) {
-    std::string text = std::to_string(options.first) + ":" + (options.last ? std::to_string(*options.last) : "");
+    std::string text =
+        std::to_string(options.first) + ":" + (options.last ? std::to_string(*options.last) : "");
     return options.every == 1 ? text : text + ", every " + std::to_string(options.every) + ".";
   }
   // Brings the inner source to the next frame that is wanted.
@@ -71,12 +76,15 @@ class SubsampledSource : public ImageSource {
 }  // namespace
 
 std::unique_ptr<ImageSource> subsample(std::unique_ptr<ImageSource> inner, const SourceOptions& options) {
-  if (options.every < 1) throw InputError("--every", "is below 1", "give 1 for all frames, 2 for each second one, ...");
+  if (options.every < 1)
+    throw InputError("--every", "is below 1", "give 1 for all frames, 2 for each second one, ...");
   if (options.first < 0 || (options.last && *options.last <= options.first))
     throw InputError("--frames", "is not a stretch A:B with 0 <= A < B", "give for example --frames 0:300");
   if (const auto size = inner->size(); size && options.first >= *size)
-    throw InputError("--frames", "begins at " + std::to_string(options.first) + ", but " + options.path + " has " +
-                                     std::to_string(*size) + " frames", "begin earlier");
+    throw InputError("--frames",
+                     "begins at " + std::to_string(options.first) + ", but " + options.path + " has " +
+                         std::to_string(*size) + " frames",
+                     "begin earlier");
   if (options.first == 0 && !options.last && options.every == 1) return inner;
   return std::make_unique<SubsampledSource>(std::move(inner), options);
 }

@@ -31,7 +31,8 @@ std::string read_text_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
   std::error_code ignored;
-  if (!file || std::filesystem::is_directory(path, ignored)) throw InputError(path, "cannot be read", "check the path");
+  if (!file || std::filesystem::is_directory(path, ignored))
+    throw InputError(path, "cannot be read", "check the path");
   text << file.rdbuf();
   return text.str();
 }
@@ -51,7 +52,8 @@ std::vector<TextLine> split_lines(const std::string& text, const std::string& pa
 std::vector<std::string> split_fields(std::string_view text, char separator) {
   std::vector<std::string> fields;
   if (separator != ' ') {
-    for (size_t end = 0; end != std::string_view::npos; text.remove_prefix(end == std::string_view::npos ? 0 : end + 1)) {
+    for (size_t end = 0; end != std::string_view::npos;
+         text.remove_prefix(end == std::string_view::npos ? 0 : end + 1)) {
       end = text.find(separator);
       fields.emplace_back(trim(text.substr(0, end)));
     }
@@ -72,7 +74,8 @@ double parse_number(const std::string& text, const std::string& where) {
   const char* begin = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || stop != end) throw InputError(where, quote(text) + " is not a number", "correct it");
+  if (error != std::errc() || stop != end)
+    throw InputError(where, quote(text) + " is not a number", "correct it");
   if (!std::isfinite(value)) throw InputError(where, quote(text) + " is not a finite number", "correct it");
   return value;
 }
@@ -80,7 +83,8 @@ double parse_number(const std::string& text, const std::string& where) {
 std::vector<double> parse_numbers(const TextLine& line, size_t count, const std::string& meaning) {
   const auto fields = split_fields(line.text);
   if (fields.size() != count)
-    throw InputError(line.where, "has " + std::to_string(fields.size()) + " fields instead of " + std::to_string(count),
+    throw InputError(line.where,
+                     "has " + std::to_string(fields.size()) + " fields instead of " + std::to_string(count),
                      "write " + meaning);
   std::vector<double> values;
   for (const std::string& field : fields) values.push_back(parse_number(field, line.where));

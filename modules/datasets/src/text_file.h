@@ -17,7 +17,8 @@ std::string read_text_file(const std::string& path);
 /// Lines that hold something; a line that begins with # is a comment.
 std::vector<TextLine> split_lines(const std::string& text, const std::string& path);
 
-/// Fields between blanks, or between single `separator`s when that is not a blank (then trimmed, empty ones kept).
+/// Fields between blanks, or between single `separator`s when that is not a blank (then trimmed, empty ones
+/// kept).
 std::vector<std::string> split_fields(std::string_view text, char separator = ' ');
 
 /// What a message may quote of the user's input: in quotes, short, printable, one line.

@@ -37,8 +37,8 @@ GrayImage to_gray(const cv::Mat& bgr) {
   return gray;
 }
 
-// cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well before its
-// own count is told as damaged; counts are estimates, so a few frames are not.
+// cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well
+// before its own count is told as damaged; counts are estimates, so a few frames are not.
 class VideoSource : public ImageSource {
  public:
   VideoSource(const SourceOptions& options, cv::VideoCapture capture)
@@ -53,7 +53,9 @@ class VideoSource : public ImageSource {
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return count_; }
   std::string kind() const override { return "video"; }
-  std::vector<std::pair<std::string, std::string>> details() const override { return {{"times", rate_.says}}; }
+  std::vector<std::pair<std::string, std::string>> details() const override {
+    return {{"times", rate_.says}};
+  }
 
   std::optional<Frame> next() override {
     if (!skip()) return std::nullopt;
@@ -76,7 +78,8 @@ class VideoSource : public ImageSource {
     }
     done_ = true;
     if (count_ && index_ < *count_ - std::max(2, *count_ / 50))
-      throw InputError(path_, "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
+      throw InputError(path_,
+                       "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
                        "the video is damaged; convert it again");
     return false;
   }
@@ -145,7 +148,8 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   if (index < 0 || index > 255 || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
   cv::VideoCapture capture;
-  if (!capture.open(int(index))) throw InputError(options.path, "the camera does not open", "check that it is plugged in");
+  if (!capture.open(int(index)))
+    throw InputError(options.path, "the camera does not open", "check that it is plugged in");
   return std::make_unique<LiveCamera>(options, std::move(capture));
 }
 

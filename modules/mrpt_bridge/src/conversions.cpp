@@ -33,7 +33,9 @@ mrpt::Clock::time_point to_mrpt(Timestamp t) {
   return mrpt::Clock::time_point(mrpt::Clock::duration(t.ticks + kUnixEpochInMrptTicks));
 }
 
-Timestamp from_mrpt(mrpt::Clock::time_point t) { return {t.time_since_epoch().count() - kUnixEpochInMrptTicks}; }
+Timestamp from_mrpt(mrpt::Clock::time_point t) {
+  return {t.time_since_epoch().count() - kUnixEpochInMrptTicks};
+}
 
 mrpt::img::TCamera to_mrpt(const Camera& camera) {
   const Pinhole& p = camera.pinhole;
@@ -51,10 +53,12 @@ Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where) {
   Camera result;
   result.pinhole = {camera.fx(), camera.fy(), camera.cx(), camera.cy(), int(camera.ncols), int(camera.nrows)};
   if (camera.distortion == DistortionModel::kannala_brandt)
-    throw InputError(where, "the lens model kannala_brandt is not supported", "undistort the images beforehand");
+    throw InputError(where, "the lens model kannala_brandt is not supported",
+                     "undistort the images beforehand");
   if (camera.distortion == DistortionModel::plumb_bob) {
     if (camera.k4() != 0 || camera.k5() != 0 || camera.k6() != 0)
-      throw InputError(where, "the lens model has the coefficients k4 k5 k6", "calibrate with k1 k2 p1 p2 k3 only");
+      throw InputError(where, "the lens model has the coefficients k4 k5 k6",
+                       "calibrate with k1 k2 p1 p2 k3 only");
     result.distortion = {camera.k1(), camera.k2(), camera.p1(), camera.p2(), camera.k3()};
   }
   result.check(where);

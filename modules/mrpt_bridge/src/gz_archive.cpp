@@ -21,15 +21,16 @@ gzFile open_for_reading(const std::string& path) {
   return file;
 }
 
-// gzread turns "the file ends inside the compressed data" into Z_BUF_ERROR and everything else that is wrong with the
-// data into Z_DATA_ERROR.
+// gzread turns "the file ends inside the compressed data" into Z_BUF_ERROR and everything else that is wrong
+// with the data into Z_DATA_ERROR.
 std::string describe(gzFile file) {
   int code = Z_OK;
   const char* text = gzerror(file, &code);
   if (code == Z_OK || code == Z_STREAM_END) return {};
   if (code == Z_BUF_ERROR) return "the file is cut short";
   if (code == Z_ERRNO) return std::string("it cannot be read: ") + std::strerror(errno);
-  return std::string("its compressed data are damaged (") + (code == Z_DATA_ERROR ? "checksum or code" : text) + ")";
+  return std::string("its compressed data are damaged (") +
+         (code == Z_DATA_ERROR ? "checksum or code" : text) + ")";
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 // MRPT archives over gz files that never lose an error.
 //
-// MRPT's own streams report the end of a file, a file cut short and damaged data alike; here they are three things. A file
-// that is not compressed reads as it is, as zlib and MRPT have it.
+// MRPT's own streams report the end of a file, a file cut short and damaged data alike; here they are three
+// things. A file that is not compressed reads as it is, as zlib and MRPT have it.
 #include <mrpt/serialization/CArchive.h>
 #include <zlib.h>
 

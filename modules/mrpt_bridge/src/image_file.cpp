@@ -45,7 +45,13 @@ void write_png(const std::string& path, const GrayImage& image) {
   const cv::Mat pixels(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
   std::vector<uint8_t> encoded;
   cv::imencode(".png", pixels, encoded);
-  write_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
+  try {
+    write_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
+  } catch (const InputError&) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    throw;
+  }
 }
 
 }  // namespace edgevo

@@ -32,8 +32,8 @@ std::string png_damage(std::string_view bytes) {
   return kCutShort;
 }
 
-// A JPEG is a row of segments with their lengths up to the start of scan; in the scan data 0xFF stands only before
-// markers, and the end-of-image marker closes it.
+// A JPEG is a row of segments with their lengths up to the start of scan; in the scan data 0xFF stands only
+// before markers, and the end-of-image marker closes it.
 std::string jpeg_damage(std::string_view bytes) {
   size_t at = 2;
   while (at + 4 <= bytes.size()) {

@@ -1,6 +1,6 @@
 #pragma once
-// Is an encoded image whole? The decoders tell only part of it: libjpeg pads a cut image with gray and succeeds, libpng
-// prints to stderr.
+// Is an encoded image whole? The decoders tell only part of it: libjpeg pads a cut image with gray and
+// succeeds, libpng prints to stderr.
 #include <string>
 #include <string_view>
 

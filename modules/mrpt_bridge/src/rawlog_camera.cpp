@@ -21,12 +21,22 @@ void fill_from(const mrpt::obs::CObservationImage& o, RawlogImage* r) {
 }
 
 void fill_from(const mrpt::obs::CObservationStereoImages& o, RawlogImage* r) {
-  *r = {"left image of a stereo pair", {}, {}, false, &o.imageLeft, &o.leftCamera,
+  *r = {"left image of a stereo pair",
+        {},
+        {},
+        false,
+        &o.imageLeft,
+        &o.leftCamera,
         mount(mrpt::poses::CPose3D(o.cameraPose))};
 }
 
 void fill_from(const mrpt::obs::CObservation3DRangeScan& o, RawlogImage* r) {
-  *r = {"intensity image of a depth camera", {}, {}, false, &o.intensityImage, &o.cameraParamsIntensity,
+  *r = {"intensity image of a depth camera",
+        {},
+        {},
+        false,
+        &o.intensityImage,
+        &o.cameraParamsIntensity,
         mount(o.sensorPose + o.relativePoseIntensityWRTDepth)};
 }
 

@@ -14,13 +14,14 @@ namespace edgevo {
 
 /// Points into the observation that it was made from.
 struct RawlogImage {
-  const char* kind = "";     ///< "image", "left image of a stereo pair", "intensity image of a depth camera"
+  const char* kind = "";  ///< "image", "left image of a stereo pair", "intensity image of a depth camera"
   std::string label;
   Timestamp time;
   bool has_time = false;
   const mrpt::img::CImage* image = nullptr;
   const mrpt::img::TCamera* camera = nullptr;
-  /// Mount; nullopt where the observation holds the identity, which is what nobody has set (it would look straight up).
+  /// Mount; nullopt where the observation holds the identity, which is what nobody has set (it would look
+  /// straight up).
   std::optional<SE3> T_vehicle_cam;
 };
 

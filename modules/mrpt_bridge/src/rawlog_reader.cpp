@@ -35,7 +35,8 @@ bool is_printable(const std::string& text) {
 
 }  // namespace
 
-RawlogReader::RawlogReader(const std::string& path) : path_(path), archive_(std::make_unique<GzInputArchive>(path)) {
+RawlogReader::RawlogReader(const std::string& path)
+    : path_(path), archive_(std::make_unique<GzInputArchive>(path)) {
   register_classes();
 }
 
@@ -65,7 +66,8 @@ bool RawlogReader::read_object() {
   try {
     object = archive_->ReadObject();
   } catch (const std::exception& e) {
-    if (archive_->ran_short()) throw InputError(where, archive_->damage(), "copy the rawlog again; what came before was read");
+    if (archive_->ran_short())
+      throw InputError(where, archive_->damage(), "copy the rawlog again; what came before was read");
     const std::string name = unregistered_class(e.what());
     if (is_printable(name))
       throw InputError(where, "an object of the unknown class '" + name + "' follows",

@@ -25,16 +25,19 @@ std::vector<std::string> labels(const RawlogSurvey& survey) {
 }
 
 const SurveyedCamera& choose_camera(const RawlogSurvey& survey, const RawlogSourceOptions& options) {
-  if (survey.cameras.empty() && !survey.damage.empty()) throw InputError(survey.damage, "no image came before", "");
+  if (survey.cameras.empty() && !survey.damage.empty())
+    throw InputError(survey.damage, "no image came before", "");
   if (survey.cameras.empty())
-    throw InputError(options.path, "no image in it",
-                     "record CObservationImage, CObservationStereoImages or CObservation3DRangeScan with intensity");
+    throw InputError(
+        options.path, "no image in it",
+        "record CObservationImage, CObservationStereoImages or CObservation3DRangeScan with intensity");
   if (options.sensor_label.empty()) {
     if (survey.cameras.size() == 1) return survey.cameras.front();
     throw InputError(options.path, "several cameras: " + survey.list(), "choose one with --sensor LABEL");
   }
   if (const SurveyedCamera* camera = survey.find(options.sensor_label)) return *camera;
-  throw InputError(options.path, "no images of the sensor '" + options.sensor_label + "'; there are " + survey.list(),
+  throw InputError(options.path,
+                   "no images of the sensor '" + options.sensor_label + "'; there are " + survey.list(),
                    "did you mean --sensor " + nearest_name(options.sensor_label, labels(survey)) + "?");
 }
 
@@ -45,7 +48,8 @@ class RawlogSource : public ImageSource {
         survey_(survey),
         chosen_(chosen),
         camera_(options.camera ? *options.camera
-                               : from_mrpt(chosen.camera, path_ + ", calibration of " + chosen.label + " (or give --camera)")),
+                               : from_mrpt(chosen.camera, path_ + ", calibration of " + chosen.label +
+                                                              " (or give --camera)")),
         own_calibration_(options.camera.has_value()),
         images_folder_(chosen.external ? find_images_folder(path_) : std::string()),
         reader_(path_) {}
@@ -59,7 +63,9 @@ class RawlogSource : public ImageSource {
   std::string kind() const override { return "rawlog"; }
   std::string label() const override { return chosen_.label; }
   std::vector<std::pair<std::string, std::string>> details() const override;
-  std::vector<Timestamp> times() const override { return survey_.complete ? chosen_.times : std::vector<Timestamp>(); }
+  std::vector<Timestamp> times() const override {
+    return survey_.complete ? chosen_.times : std::vector<Timestamp>();
+  }
   std::string ground_truth_path() const override {
     const std::string beside = rawlog_stem(path_) + "_groundtruth_tum.txt";
     std::error_code ignored;
@@ -132,7 +138,8 @@ Frame RawlogSource::read(const RawlogImage& image) {
   if (!image.has_time) throw InputError(where, "it has no time", "record it with a time stamp");
   if (previous_) check_time_increases(*previous_, image.time, where);
   if (!own_calibration_ && *image.camera != chosen_.camera)
-    throw InputError(where, "the calibration differs from that of the first frame", "give one for all with --camera");
+    throw InputError(where, "the calibration differs from that of the first frame",
+                     "give one for all with --camera");
   Frame frame{index_, image.time, pixels(*image.image, where)};
   check_image_size(frame.image, camera_.pinhole, where);
   previous_ = image.time;

@@ -31,14 +31,16 @@ class BadFolder : public ::testing::Test {
 TEST(BadSource, MissingPath) {
   SourceOptions options;
   options.path = "/nowhere/at/all";
-  EXPECT_EQ(error_of([&] { open_source(options); }), "/nowhere/at/all: no such file or folder; check the path");
+  EXPECT_EQ(error_of([&] { open_source(options); }),
+            "/nowhere/at/all: no such file or folder; check the path");
 }
 
 TEST(BadSource, EmptyFolder) {
   TempFolder folder;
   SourceOptions options;
   options.path = folder.path();
-  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr(folder.path() + ": the folder holds no images"));
+  EXPECT_THAT(error_of([&] { open_source(options); }),
+              HasSubstr(folder.path() + ": the folder holds no images"));
 }
 
 TEST(BadSource, NeitherRawlogNorVideo) {
@@ -54,7 +56,8 @@ TEST(BadSource, FolderOfImagesWithoutCamera) {
   test::write_images(folder / "pictures", 1);
   SourceOptions options;
   options.path = folder / "pictures";
-  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("no calibration; give the camera's file with --camera"));
+  EXPECT_THAT(error_of([&] { open_source(options); }),
+              HasSubstr("no calibration; give the camera's file with --camera"));
 }
 
 TEST_F(BadFolder, NoImages) {
@@ -110,7 +113,8 @@ TEST_F(BadFolder, TimesThatDoNotIncrease) {
 
 TEST_F(BadFolder, CountsThatDiffer) {
   write_text(folder_ / "times.txt", "0\n0.1\n0.2\n");
-  EXPECT_THAT(open_error(), AllOf(HasSubstr("times.txt: 3 times for 4 images"), HasSubstr("one time for each image")));
+  EXPECT_THAT(open_error(),
+              AllOf(HasSubstr("times.txt: 3 times for 4 images"), HasSubstr("one time for each image")));
 }
 
 TEST_F(BadFolder, TimeThatIsNone) {

@@ -5,8 +5,8 @@
 namespace edgevo {
 namespace {
 
-using ::testing::HasSubstr;
 using test::error_of;
+using ::testing::HasSubstr;
 
 void expect_camera(const Camera& c, const Pinhole& p, const Distortion& d) {
   EXPECT_EQ(c.pinhole.fx, p.fx);
@@ -24,8 +24,10 @@ void expect_camera(const Camera& c, const Pinhole& p, const Distortion& d) {
 
 TEST(CameraFile, NumbersWithAndWithoutK3) {
   const Pinhole p{517.3, 516.5, 318.6, 255.3, 640, 480};
-  expect_camera(parse_camera("# c\r\n517.3 516.5 318.6 255.3 0.1 -0.2 1e-3 2e-3 640 480\r\n", "f"), p, {0.1, -0.2, 1e-3, 2e-3, 0});
-  expect_camera(parse_camera("517.3 516.5 318.6 255.3 0.1 -0.2 1e-3 2e-3 640 480 0.5", "f"), p, {0.1, -0.2, 1e-3, 2e-3, 0.5});
+  expect_camera(parse_camera("# c\r\n517.3 516.5 318.6 255.3 0.1 -0.2 1e-3 2e-3 640 480\r\n", "f"), p,
+                {0.1, -0.2, 1e-3, 2e-3, 0});
+  expect_camera(parse_camera("517.3 516.5 318.6 255.3 0.1 -0.2 1e-3 2e-3 640 480 0.5", "f"), p,
+                {0.1, -0.2, 1e-3, 2e-3, 0.5});
 }
 
 TEST(CameraFile, RosCameraInfo) {
@@ -46,7 +48,9 @@ rectification_matrix:
   rows: 3
   cols: 3
   data: [1, 0, 0, 0, 1, 0, 0, 0, 1]
-)", "f"), {517.3, 516.5, 318.6, 255.3, 640, 480}, {0.1, -0.2, 0.001, 0.002, 0.3});
+)",
+                             "f"),
+                {517.3, 516.5, 318.6, 255.3, 640, 480}, {0.1, -0.2, 0.001, 0.002, 0.3});
 }
 
 TEST(CameraFile, OpenCvCalibration) {
@@ -66,7 +70,9 @@ Distortion_Coefficients: !!opencv-matrix
    cols: 1
    dt: d
    data: [ 0.1, -0.2, 0.001, 0.002, 0.3 ]
-)", "f"), {517.3, 516.5, 318.6, 255.3, 640, 480}, {0.1, -0.2, 0.001, 0.002, 0.3});
+)",
+                             "f"),
+                {517.3, 516.5, 318.6, 255.3, 640, 480}, {0.1, -0.2, 0.001, 0.002, 0.3});
 }
 
 TEST(CameraFile, EurocAndMessageStyle) {
@@ -79,7 +85,10 @@ camera_model: pinhole
 intrinsics: [458.654, 457.296, 367.215, 248.375] #fu, fv, cu, cv
 distortion_model: radial-tangential
 distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
-)", "f"), {458.654, 457.296, 367.215, 248.375, 752, 480}, {-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05, 0});
+)",
+                             "f"),
+                {458.654, 457.296, 367.215, 248.375, 752, 480},
+                {-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05, 0});
   expect_camera(parse_camera("height: 480\nwidth: 640\nK: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nD: []\n", "f"),
                 {500, 501, 320, 240, 640, 480}, {});
 }
@@ -110,21 +119,31 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"half_pixel", "20 20 12 8 0 0 0 0 24.5 16", "not a whole number of pixels"},
         Bad{"negative_focal", "-20 20 12 8 0 0 0 0 24 16", "focal lengths must be positive"},
         Bad{"centre_outside", "20 20 30 8 0 0 0 0 24 16", "principal point lies outside"},
-        Bad{"two_lines", "20 20 12 8 0 0 0 0 24 16\n20 20 12 8 0 0 0 0 24 16\n", "line 2: a second calibration"},
+        Bad{"two_lines", "20 20 12 8 0 0 0 0 24 16\n20 20 12 8 0 0 0 0 24 16\n",
+            "line 2: a second calibration"},
         Bad{"yaml_no_size", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\n", "image size is missing"},
         Bad{"yaml_no_matrix", "resolution: [640, 480]\n", "camera_matrix is missing"},
-        Bad{"yaml_eight_numbers", "resolution: [640, 480]\nK: [500, 0, 320, 0, 501, 240, 0, 0]\n", "camera_matrix holds 8 numbers"},
-        Bad{"yaml_skew", "resolution: [640, 480]\nK: [500, 2, 320, 0, 501, 240, 0, 0, 1]\n", "camera_matrix is not"},
-        Bad{"yaml_fisheye", "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ndistortion_model: equidistant\n", "'equidistant' is not supported"},
-        Bad{"yaml_omni", "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ncamera_model: omni\n", "'omni' is not supported"},
-        Bad{"yaml_rational", "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ndistortion_coefficients: [1, 1, 1, 1, 1, 1, 1, 1]\n", "holds 8 numbers"},
+        Bad{"yaml_eight_numbers", "resolution: [640, 480]\nK: [500, 0, 320, 0, 501, 240, 0, 0]\n",
+            "camera_matrix holds 8 numbers"},
+        Bad{"yaml_skew", "resolution: [640, 480]\nK: [500, 2, 320, 0, 501, 240, 0, 0, 1]\n",
+            "camera_matrix is not"},
+        Bad{"yaml_fisheye",
+            "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ndistortion_model: equidistant\n",
+            "'equidistant' is not supported"},
+        Bad{"yaml_omni", "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ncamera_model: omni\n",
+            "'omni' is not supported"},
+        Bad{"yaml_rational",
+            "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ndistortion_coefficients: [1, 1, 1, 1, "
+            "1, 1, 1, 1]\n",
+            "holds 8 numbers"},
         Bad{"yaml_bracket", "resolution: [640, 480\n", "a bracket is not closed"},
         Bad{"yaml_twice", "width: 1\nwidth: 2\n", "stands there twice"},
         Bad{"yaml_nan", "resolution: [640, .nan]\n", "'.nan' is not a number"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(CameraFile, MissingFile) {
-  EXPECT_THAT(error_of([] { read_camera_file("/nowhere/camera.txt"); }), HasSubstr("/nowhere/camera.txt: cannot be read"));
+  EXPECT_THAT(error_of([] { read_camera_file("/nowhere/camera.txt"); }),
+              HasSubstr("/nowhere/camera.txt: cannot be read"));
 }
 
 }  // namespace

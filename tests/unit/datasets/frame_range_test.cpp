@@ -41,7 +41,8 @@ TEST(FrameRange, HalfOpenAndKeepsTheIndicesOfTheSource) {
 TEST(FrameRange, LeavesOutADamagedStretchWithoutReadingIt) {
   test::TempFolder folder;
   test::write_edgevo_layout(folder.path(), 6);
-  for (int i = 0; i < 3; ++i) test::write_text(folder / ("images/00000" + std::to_string(i) + ".png"), "not an image");
+  for (int i = 0; i < 3; ++i)
+    test::write_text(folder / ("images/00000" + std::to_string(i) + ".png"), "not an image");
   EXPECT_EQ(indices(folder.path(), "3:6", 1), (std::vector<int>{3, 4, 5}));
 }
 

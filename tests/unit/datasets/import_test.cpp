@@ -17,7 +17,8 @@ SourceOptions source(const std::string& path) {
 void expect_same_camera(const Camera& a, const Camera& b) {
   const Pinhole &p = a.pinhole, &q = b.pinhole;
   const Distortion &d = a.distortion, &e = b.distortion;
-  EXPECT_TRUE(p.fx == q.fx && p.fy == q.fy && p.cx == q.cx && p.cy == q.cy && p.width == q.width && p.height == q.height);
+  EXPECT_TRUE(p.fx == q.fx && p.fy == q.fy && p.cx == q.cx && p.cy == q.cy && p.width == q.width &&
+              p.height == q.height);
   EXPECT_TRUE(d.k1 == e.k1 && d.k2 == e.k2 && d.p1 == e.p1 && d.p2 == e.p2 && d.k3 == e.k3);
 }
 
@@ -39,7 +40,8 @@ TEST(Import, RoundTripIsExact) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 5);
   EXPECT_EQ(import_rawlog(*open_source(source(folder / "seq")), folder / "seq.rawlog"), 5);
-  const auto original = open_source(source(folder / "seq")), imported = open_source(source(folder / "seq.rawlog"));
+  const auto original = open_source(source(folder / "seq")),
+             imported = open_source(source(folder / "seq.rawlog"));
   EXPECT_EQ(imported->label(), "CAM0");
   EXPECT_EQ(imported->times().size(), 5u);
   expect_same_camera(original->camera(), imported->camera());
@@ -58,14 +60,16 @@ TEST(Import, KeepsTheFramesBeforeABadOne) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 4);
   test::write_text(folder / "seq/images/000002.png", "broken");
-  EXPECT_NE(test::error_of([&] { import_rawlog(*open_source(source(folder / "seq")), folder / "x.rawlog"); }), "");
+  EXPECT_NE(test::error_of([&] { import_rawlog(*open_source(source(folder / "seq")), folder / "x.rawlog"); }),
+            "");
   EXPECT_EQ(test::read_all(*open_source(source(folder / "x.rawlog"))).size(), 2u);
 }
 
 TEST(Import, RealSequence) {
   for (const char* name : {"kitti00_first300", "tum_fr1_xyz_first500"}) {
     const std::string path = test::real_sequence(name);
-    if (path.empty()) GTEST_SKIP() << "NOT TESTED: no folder " << name << " under ../shared/data or EDGEVO_DATA";
+    if (path.empty())
+      GTEST_SKIP() << "NOT TESTED: no folder " << name << " under ../shared/data or EDGEVO_DATA";
     TempFolder folder;
     SourceOptions options = source(path);
     set_frame_range("0:40", &options);

@@ -62,8 +62,9 @@ TEST(KittiLayout, CameraTimesAndGroundTruth) {
   write_images(root + "/image_0", 2);
   write_images(root + "/image_2", 2);
   write_text(root + "/times.txt", "0.000000e+00\n1.036224e-01\n");
-  write_text(root + "/calib.txt",
-             "P0: 20 0 12 0 0 21 8 0 0 0 1 0\nP1: 20 0 12 -8 0 21 8 0 0 0 1 0\nP2: 20 0 11 2 0 21 8 0 0 0 1 0\n");
+  write_text(
+      root + "/calib.txt",
+      "P0: 20 0 12 0 0 21 8 0 0 0 1 0\nP1: 20 0 12 -8 0 21 8 0 0 0 1 0\nP2: 20 0 11 2 0 21 8 0 0 0 1 0\n");
   write_text(folder / "poses/07.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n0 0 1 3 0 1 0 0 -1 0 0 5\n");
   SourceOptions options = source(root + "/");
   const auto s = open_source(options);
@@ -75,16 +76,20 @@ TEST(KittiLayout, CameraTimesAndGroundTruth) {
   EXPECT_EQ(frames[1].time.ticks, 1036224);
   // The second pose turns by 90 degrees about y: z of the camera is x of the world.
   const std::string truth = ground_truth_tum(options, *s);
-  EXPECT_THAT(truth, HasSubstr("\n0.0000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000\n"));
-  EXPECT_THAT(truth, HasSubstr("\n0.1036224 3.000000000 0.000000000 5.000000000 0.000000000 0.707106781 0.000000000 0.707106781\n"));
+  EXPECT_THAT(truth, HasSubstr("\n0.0000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 "
+                               "0.000000000 1.000000000\n"));
+  EXPECT_THAT(truth, HasSubstr("\n0.1036224 3.000000000 0.000000000 5.000000000 0.000000000 0.707106781 "
+                               "0.000000000 0.707106781\n"));
 
   options.sensor_label = "image_2";
   const auto colour = open_source(options);
   EXPECT_EQ(colour->camera().pinhole.cx, 11);
-  EXPECT_THAT(ground_truth_tum(options, *colour), HasSubstr("\n0.0000000 -0.100000000 0.000000000 0.000000000 "));
+  EXPECT_THAT(ground_truth_tum(options, *colour),
+              HasSubstr("\n0.0000000 -0.100000000 0.000000000 0.000000000 "));
 
   options.sensor_label = "image_1";
-  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("no camera 'image_1'; there are image_0, image_2"));
+  EXPECT_THAT(error_of([&] { open_source(options); }),
+              HasSubstr("no camera 'image_1'; there are image_0, image_2"));
 }
 
 TEST(TumLayout, PublishedCameraByName) {
@@ -99,8 +104,11 @@ TEST(TumLayout, PublishedCameraByName) {
   EXPECT_EQ(s->camera().pinhole.fx, 520.908620);
   EXPECT_EQ(s->ground_truth_path(), root + "/groundtruth.txt");
   EXPECT_EQ(read_all(*s).at(0).time.ticks, 15000000);
+  write_text(root + "/rgb.txt", "1.5 rgb/1.5.png\n1.6 rgb/1.6.png\n");
+  EXPECT_EQ(test::frames_before_error(*open_source(source(root)), "rgb/1.6.png: the image is missing"), 1);
   fs::rename(root, folder / "desk");
-  EXPECT_THAT(error_of([&] { open_source(source(folder / "desk")); }), HasSubstr("give the camera's file with --camera"));
+  EXPECT_THAT(error_of([&] { open_source(source(folder / "desk")); }),
+              HasSubstr("give the camera's file with --camera"));
 }
 
 TEST(EurocLayout, TimesInNanosecondsAndGroundTruthOfTheCamera) {
@@ -108,9 +116,11 @@ TEST(EurocLayout, TimesInNanosecondsAndGroundTruthOfTheCamera) {
   const std::string cam = folder / "mav0/cam0";
   fs::create_directories(cam + "/data");
   write_png(cam + "/data/1403636579763555584.png", make_image(0));
-  write_text(cam + "/data.csv", "#timestamp [ns],filename\r\n1403636579763555584,1403636579763555584.png\r\n");
+  write_text(cam + "/data.csv",
+             "#timestamp [ns],filename\r\n1403636579763555584,1403636579763555584.png\r\n");
   write_text(cam + "/sensor.yaml",
-             "# Camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: [0, -1, 0, 0.5,\n    1, 0, 0, 0,\n    0, 0, 1, 0,\n    0, 0, 0, 1]\n"
+             "# Camera\nT_BS:\n  cols: 4\n  rows: 4\n  data: [0, -1, 0, 0.5,\n    1, 0, 0, 0,\n    0, 0, 1, "
+             "0,\n    0, 0, 0, 1]\n"
              "resolution: [24, 16]\nintrinsics: [20, 21, 12, 8]\ndistortion_model: radial-tangential\n"
              "distortion_coefficients: [0.1, 0, 0, 0]\n");
   write_text(folder / "mav0/state_groundtruth_estimate0/data.csv",
@@ -122,7 +132,8 @@ TEST(EurocLayout, TimesInNanosecondsAndGroundTruthOfTheCamera) {
   EXPECT_EQ(s->times().at(0).ticks, 14036365797635556);
   EXPECT_FALSE(s->T_vehicle_cam().has_value());
   EXPECT_THAT(ground_truth_tum(source(folder.path()), *s),
-              HasSubstr("\n1403636579.7635556 1.500000000 2.000000000 3.000000000 0.000000000 0.000000000 0.707106781 0.707106781\n"));
+              HasSubstr("\n1403636579.7635556 1.500000000 2.000000000 3.000000000 0.000000000 0.000000000 "
+                        "0.707106781 0.707106781\n"));
   // The user may name mav0/ itself.
   EXPECT_EQ(open_source(source(folder / "mav0"))->kind(), "EuRoC");
 }
@@ -155,14 +166,16 @@ TEST(ImageFolder, TakesTimesFromNames) {
   write_png(folder / "ns/1403636579813555456.png", make_image(1));
   fs::create_directories(folder / "s");
   write_png(folder / "s/1305031102.175304.png", make_image(0));
-  EXPECT_EQ(open_source(source(folder / "ns", folder / "camera.txt"))->times().at(1).ticks, 14036365798135555);
+  EXPECT_EQ(open_source(source(folder / "ns", folder / "camera.txt"))->times().at(1).ticks,
+            14036365798135555);
   EXPECT_EQ(open_source(source(folder / "s", folder / "camera.txt"))->times().at(0).ticks, 13050311021753040);
 }
 
 TEST(ImageFolder, ColourGivesCvtColorWeights) {
   TempFolder folder;
   // A binary PPM with one pixel of pure red, green and blue.
-  write_text(folder / "colour/0.ppm", std::string("P6\n3 1\n255\n") + std::string("\xff\0\0\0\xff\0\0\0\xff", 9));
+  write_text(folder / "colour/0.ppm",
+             std::string("P6\n3 1\n255\n") + std::string("\xff\0\0\0\xff\0\0\0\xff", 9));
   write_text(folder / "camera.txt", "1 1 1.5 0.5 0 0 0 0 3 1");
   const auto frames = read_all(*open_source(source(folder / "colour", folder / "camera.txt")));
   EXPECT_EQ(frames.at(0).image.pixels, (std::vector<uint8_t>{76, 150, 29}));

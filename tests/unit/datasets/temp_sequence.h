@@ -58,11 +58,13 @@ inline std::string read_text(const std::string& path) {
 inline GrayImage make_image(int seed, int width = 24, int height = 16) {
   Random random(uint64_t(seed) + 1);
   GrayImage image{width, height, {}};
-  for (int i = 0; i < width * height; ++i) image.pixels.push_back(uint8_t((i % width) * 4 + random.below(100)));
+  for (int i = 0; i < width * height; ++i)
+    image.pixels.push_back(uint8_t((i % width) * 4 + random.below(100)));
   return image;
 }
 
-constexpr const char* kCameraLine = "# fx fy cx cy k1 k2 p1 p2 width height k3\n20 21 12 8 0.1 -0.02 0.001 0.002 24 16 0.003\n";
+constexpr const char* kCameraLine =
+    "# fx fy cx cy k1 k2 p1 p2 width height k3\n20 21 12 8 0.1 -0.02 0.001 0.002 24 16 0.003\n";
 
 /// Images 0 .. count-1 as `folder/NNNNNN.png`.
 inline void write_images(const std::string& folder, int count) {
@@ -94,7 +96,8 @@ inline std::vector<Frame> read_all(ImageSource& source) {
   return frames;
 }
 
-/// The message of the InputError that `action` throws; empty if it throws none. Any other exception passes through.
+/// The message of the InputError that `action` throws; empty if it throws none. Any other exception passes
+/// through.
 template <class F>
 std::string error_of(F&& action) {
   try {

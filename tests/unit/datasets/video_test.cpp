@@ -10,7 +10,8 @@ using test::TempFolder;
 
 // Lossless (FFV1) gray video of `count` frames at 20 Hz.
 void write_video(const std::string& path, int count) {
-  cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 20, cv::Size(48, 32), true);
+  cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 20,
+                         cv::Size(48, 32), true);
   ASSERT_TRUE(writer.isOpened());
   for (int i = 0; i < count; ++i) {
     cv::Mat frame(32, 48, CV_8UC3, cv::Scalar::all(10 * i));

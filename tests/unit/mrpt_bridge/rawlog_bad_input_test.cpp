@@ -17,15 +17,16 @@ using ::testing::HasSubstr;
 
 TEST(BadRawlog, MissingOrEmpty) {
   TempFolder folder;
-  EXPECT_THAT(error_of([&] { test::open(folder / "none.rawlog"); }), HasSubstr("none.rawlog: cannot be read: No such file"));
+  EXPECT_THAT(error_of([&] { test::open(folder / "none.rawlog"); }),
+              HasSubstr("none.rawlog: cannot be read: No such file"));
   test::write_text(folder / "empty.rawlog", "");
   EXPECT_THAT(error_of([&] { test::open(folder / "empty.rawlog"); }), HasSubstr("no image in it"));
   test::write_text(folder / "text.rawlog", "This is not a rawlog but a letter.");
   EXPECT_THAT(error_of([&] { test::open(folder / "text.rawlog"); }), HasSubstr("text.rawlog"));
 }
 
-// Wherever the file is cut, what lies whole before the cut comes out and then the cut is told; only the whole file ends
-// without an error.
+// Wherever the file is cut, what lies whole before the cut comes out and then the cut is told; only the whole
+// file ends without an error.
 TEST(BadRawlog, CutShortAnywhere) {
   TempFolder folder;
   const std::string whole_path = folder / "whole.rawlog", path = folder / "cut.rawlog";
@@ -57,7 +58,8 @@ TEST(BadRawlog, UncompressedCutShort) {
   test::write_embedded(folder / "x.rawlog", 2);
   const std::string bytes = test::inflate(folder / "x.rawlog");
   test::write_text(folder / "cut.rawlog", bytes.substr(0, bytes.size() - 3));
-  EXPECT_EQ(frames_before_error(*test::open(folder / "cut.rawlog"), "after 1 objects: the file is cut short"), 1);
+  EXPECT_EQ(frames_before_error(*test::open(folder / "cut.rawlog"), "after 1 objects: the file is cut short"),
+            1);
 }
 
 TEST(BadRawlog, DamagedDataAreToldBeforeAnyFrame) {
@@ -66,7 +68,8 @@ TEST(BadRawlog, DamagedDataAreToldBeforeAnyFrame) {
   std::string bytes = test::read_text(folder / "x.rawlog");
   bytes[bytes.size() / 2] ^= 16;
   test::write_text(folder / "x.rawlog", bytes);
-  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }), HasSubstr("its compressed data are damaged"));
+  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }),
+              HasSubstr("its compressed data are damaged"));
 }
 
 TEST(BadRawlog, UnknownClassAfterGoodFrames) {
@@ -74,17 +77,21 @@ TEST(BadRawlog, UnknownClassAfterGoodFrames) {
   test::write_embedded(folder / "x.rawlog", 3);
   const std::string bytes = test::inflate(folder / "x.rawlog");
   test::write_gz(folder / "y.rawlog", bytes + test::unknown_object() + bytes);
-  EXPECT_EQ(frames_before_error(*test::open(folder / "y.rawlog"),
-                                "after 3 objects: an object of the unknown class 'ns::CObservationOfTomorrow' follows"), 3);
+  EXPECT_EQ(frames_before_error(
+                *test::open(folder / "y.rawlog"),
+                "after 3 objects: an object of the unknown class 'ns::CObservationOfTomorrow' follows"),
+            3);
   test::write_gz(folder / "z.rawlog", test::unknown_object() + bytes);
-  EXPECT_THAT(error_of([&] { test::open(folder / "z.rawlog"); }),
-              AllOf(HasSubstr("unknown class 'ns::CObservationOfTomorrow'"), HasSubstr("no image came before")));
+  EXPECT_THAT(
+      error_of([&] { test::open(folder / "z.rawlog"); }),
+      AllOf(HasSubstr("unknown class 'ns::CObservationOfTomorrow'"), HasSubstr("no image came before")));
 }
 
 TEST(BadRawlog, GarbageAfterGoodFrames) {
   TempFolder folder;
   test::write_embedded(folder / "x.rawlog", 2);
-  test::write_gz(folder / "y.rawlog", test::inflate(folder / "x.rawlog") + "garbage that goes on for a while and longer");
+  test::write_gz(folder / "y.rawlog",
+                 test::inflate(folder / "x.rawlog") + "garbage that goes on for a while and longer");
   EXPECT_EQ(frames_before_error(*test::open(folder / "y.rawlog"), "after 2 objects: "), 2);
 }
 
@@ -93,7 +100,8 @@ TEST(BadRawlog, NoFolderOfImages) {
   RawlogWriter writer(folder / "x.rawlog");
   writer.write(test::external(0, "0.png"));
   writer.close();
-  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }), HasSubstr("there is no folder " + (folder / "x_Images")));
+  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }),
+              HasSubstr("there is no folder " + (folder / "x_Images")));
 }
 
 TEST(BadRawlog, MissingImage) {
@@ -116,7 +124,8 @@ TEST(BadRawlog, FramesThatCannotBeUsed) {
       {"frame 2 of CAM0: its time", [](auto& o) { o.timestamp = to_mrpt(test::frame_time(1)); }},
       {"frame 2 of CAM0: it has no time", [](auto& o) { o.timestamp = mrpt::Clock::time_point(); }},
       {"frame 2 of CAM0: the calibration differs", [](auto& o) { o.cameraParams.fx(99); }},
-      {"frame 2 of CAM0: the image is 25x16", [](auto& o) { o.image = to_mrpt(test::make_image(2, 25, 16)); }},
+      {"frame 2 of CAM0: the image is 25x16",
+       [](auto& o) { o.image = to_mrpt(test::make_image(2, 25, 16)); }},
       {"frame 2 of CAM0: the image is empty", [](auto& o) { o.image = mrpt::img::CImage(); }},
   };
   for (const Case& c : cases) {
@@ -139,7 +148,8 @@ TEST(BadRawlog, NoCalibration) {
   o.cameraParams = mrpt::img::TCamera();
   writer.write(o);
   writer.close();
-  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }), HasSubstr("calibration of CAM0 (or give --camera)"));
+  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }),
+              HasSubstr("calibration of CAM0 (or give --camera)"));
   EXPECT_EQ(test::read_all(*open_rawlog({folder / "x.rawlog", "", test::small_camera()})).size(), 1u);
 }
 
@@ -151,11 +161,23 @@ TEST(BadRawlog, DiskFull) {
     for (int i = 0; i < 50; ++i) writer.write(embedded(i));
     writer.close();
   });
-  EXPECT_THAT(message, AllOf(HasSubstr("/dev/full: cannot be written: No space left on device"), HasSubstr("free space")));
+  EXPECT_THAT(message, AllOf(HasSubstr("/dev/full: cannot be written: No space left on device"),
+                             HasSubstr("free space")));
+}
+
+// A link to /dev/full stands for the image for which no room is left; what there is of it goes away.
+TEST(BadRawlog, ImageWithoutRoomLeavesNothing) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "NOT TESTED: no /dev/full here";
+  TempFolder folder;
+  fs::create_symlink("/dev/full", folder / "0.png");
+  EXPECT_THAT(error_of([&] { write_png(folder / "0.png", test::make_image(0)); }),
+              HasSubstr("No space left on device"));
+  EXPECT_FALSE(fs::is_symlink(folder / "0.png"));
 }
 
 TEST(BadRawlog, OutputThatCannotBeOpened) {
-  EXPECT_THAT(error_of([] { RawlogWriter("/nowhere/x.rawlog"); }), HasSubstr("/nowhere/x.rawlog: cannot be written: No such file"));
+  EXPECT_THAT(error_of([] { RawlogWriter("/nowhere/x.rawlog"); }),
+              HasSubstr("/nowhere/x.rawlog: cannot be written: No such file"));
 }
 
 }  // namespace

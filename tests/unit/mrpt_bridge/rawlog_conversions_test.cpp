@@ -9,7 +9,8 @@ namespace edgevo {
 namespace {
 
 TEST(Conversions, TimeIsExactToTheTick) {
-  for (int64_t ticks : {int64_t{0}, int64_t{1}, int64_t{-7}, int64_t{13050311021753041}, int64_t{99999999999999999}})
+  for (int64_t ticks :
+       {int64_t{0}, int64_t{1}, int64_t{-7}, int64_t{13050311021753041}, int64_t{99999999999999999}})
     EXPECT_EQ(from_mrpt(to_mrpt(Timestamp{ticks})).ticks, ticks);
   // The epoch agrees with MRPT's own conversion.
   EXPECT_DOUBLE_EQ(mrpt::Clock::toDouble(to_mrpt(Timestamp::from_seconds(1305031102.5))), 1305031102.5);

@@ -110,7 +110,8 @@ TEST(RawlogSource, ColourGivesTheBytesOfTheFile) {
   TempFolder folder;
   mrpt::img::CImage colour(24, 16, mrpt::img::CH_RGB);
   for (int y = 0; y < 16; ++y)
-    for (int x = 0; x < 24; ++x) colour.setPixel(x, y, size_t(x * 10) << 16 | size_t(y * 15) << 8 | size_t(x * y % 256));
+    for (int x = 0; x < 24; ++x)
+      colour.setPixel(x, y, size_t(x * 10) << 16 | size_t(y * 15) << 8 | size_t(x * y % 256));
   ASSERT_TRUE(colour.saveToFile(folder / "colour.png"));
   const GrayImage from_file = read_gray_image(folder / "colour.png");
   mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(true);
@@ -156,9 +157,11 @@ TEST(RawlogSource, SeveralCamerasNeedALabel) {
     if (i < 2) writer.write(embedded(i + 10, "RIGHT"));
   }
   writer.close();
-  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog"); }),
-              HasSubstr("several cameras: LEFT (3 images), RIGHT (2 images); choose one with --sensor LABEL"));
-  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog", "LEFFT"); }), HasSubstr("did you mean --sensor LEFT?"));
+  EXPECT_THAT(
+      error_of([&] { test::open(folder / "x.rawlog"); }),
+      HasSubstr("several cameras: LEFT (3 images), RIGHT (2 images); choose one with --sensor LABEL"));
+  EXPECT_THAT(error_of([&] { test::open(folder / "x.rawlog", "LEFFT"); }),
+              HasSubstr("did you mean --sensor LEFT?"));
   EXPECT_EQ(test::open(folder / "x.rawlog", "RIGHT")->size(), 2);
   expect_frames(*test::open(folder / "x.rawlog", "LEFT"), 3);
 }
@@ -193,7 +196,8 @@ TEST(RawlogSource, ReadsConcatenatedAndUncompressedFiles) {
   RawlogWriter writer(folder / "b.rawlog");
   writer.write(embedded(2));
   writer.close();
-  test::write_text(folder / "both.rawlog", test::read_text(folder / "a.rawlog") + test::read_text(folder / "b.rawlog"));
+  test::write_text(folder / "both.rawlog",
+                   test::read_text(folder / "a.rawlog") + test::read_text(folder / "b.rawlog"));
   expect_frames(*test::open(folder / "both.rawlog"), 3);
   test::write_text(folder / "plain.rawlog", test::inflate(folder / "a.rawlog"));
   expect_frames(*test::open(folder / "plain.rawlog"), 2);

@@ -21,8 +21,10 @@ inline void check_image_size(const GrayImage& image, const Pinhole& camera, cons
 /// Throws InputError (opened by `where`, the frame) when `time` is not after `previous`.
 inline void check_time_increases(Timestamp previous, Timestamp time, const std::string& where) {
   if (previous < time) return;
-  throw InputError(where, "its time " + to_string(time) + " s is not after the frame before (" + to_string(previous) + " s)",
-                   "put the frames in the order of their times, or leave this stretch out with --frames A:B");
+  throw InputError(
+      where,
+      "its time " + to_string(time) + " s is not after the frame before (" + to_string(previous) + " s)",
+      "put the frames in the order of their times, or leave this stretch out with --frames A:B");
 }
 
 }  // namespace edgevo

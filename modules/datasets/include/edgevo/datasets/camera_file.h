@@ -5,9 +5,10 @@
 //   YAML        of ROS camera_info and of OpenCV's calibration (image_width, image_height, camera_matrix,
 //               distortion_coefficients), of a camera_info message (width, height, K, D), of EuRoC and Kalibr
 //               (resolution, intrinsics, distortion_coefficients)
-// Lens: plumb-bob (also called radtan, radial-tangential) with 4 or 5 coefficients in the order k1 k2 p1 p2 k3, or none.
-// Strict: a wrong number of fields, a value that is not finite, a missing key, a skewed or sheared matrix and any other lens
-// model are InputErrors that name file, line or key. Units: pixels; pixel (0,0) is the centre of the top-left pixel.
+// Lens: plumb-bob (also called radtan, radial-tangential) with 4 or 5 coefficients in the order k1 k2 p1 p2
+// k3, or none. Strict: a wrong number of fields, a value that is not finite, a missing key, a skewed or
+// sheared matrix and any other lens model are InputErrors that name file, line or key. Units: pixels; pixel
+// (0,0) is the centre of the top-left pixel.
 #include <string>
 
 #include "edgevo/core/camera.h"

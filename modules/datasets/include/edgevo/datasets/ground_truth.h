@@ -1,6 +1,6 @@
 #pragma once
-// Ground truth of a dataset as one format: TUM lines `t tx ty tz qx qy qz qw`, T_world_cam of the camera that the source
-// plays (x right, y down, z forward), metres, in the clock of its frames.
+// Ground truth of a dataset as one format: TUM lines `t tx ty tz qx qy qz qw`, T_world_cam of the camera that
+// the source plays (x right, y down, z forward), metres, in the clock of its frames.
 #include <string>
 
 #include "edgevo/core/image_source.h"
@@ -8,9 +8,10 @@
 
 namespace edgevo {
 
-/// Text of a TUM trajectory file; empty if there is no ground truth beside the source. Files in the TUM format are passed on
-/// as they are; KITTI's poses (of camera 0, moved along the baseline to the chosen camera) and EuRoC's (of the body, moved
-/// by the camera's mount) are converted. Throws InputError for a file that is not readable.
+/// Text of a TUM trajectory file; empty if there is no ground truth beside the source. Files in the TUM
+/// format are passed on as they are; KITTI's poses (of camera 0, moved along the baseline to the chosen
+/// camera) and EuRoC's (of the body, moved by the camera's mount) are converted. Throws InputError for a file
+/// that is not readable.
 std::string ground_truth_tum(const SourceOptions& options, const ImageSource& source);
 
 }  // namespace edgevo
