@@ -67,10 +67,21 @@ void read_distortion(const YamlValues& values, const std::string& where, Distort
   *d = {k[0], k[1], k[2], k[3], k[4]};
 }
 
+// Kalibr puts each camera under a name of its own: cam0, cam1, ...
+YamlValues without_camera_name(const YamlValues& values, const std::string& where) {
+  YamlValues result;
+  for (const auto& [key, value] : values) {
+    if (key.rfind("cam1.", 0) == 0)
+      throw InputError(where, "several cameras", "keep the one that took the images");
+    result[key.rfind("cam0.", 0) == 0 ? key.substr(5) : key] = value;
+  }
+  return result;
+}
+
 }  // namespace
 
 Camera parse_camera_yaml(const std::string& text, const std::string& where) {
-  const YamlValues values = parse_flat_yaml(text, where);
+  const YamlValues values = without_camera_name(parse_flat_yaml(text, where), where);
   Camera camera;
   read_size(values, where, &camera.pinhole);
   read_matrix(values, where, &camera.pinhole);

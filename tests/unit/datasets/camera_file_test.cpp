@@ -93,6 +93,24 @@ distortion_coefficients: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]
                 {500, 501, 320, 240, 640, 480}, {});
 }
 
+TEST(CameraFile, KalibrWithOneCamera) {
+  const std::string cam0 = R"(cam0:
+  cam_overlaps: []
+  camera_model: pinhole
+  distortion_coeffs: [0.1, -0.2, 0.001, 0.002]
+  distortion_model: radtan
+  intrinsics: [500.0, 501.0, 320.0, 240.0]
+  resolution: [640, 480]
+  T_imu_cam:
+  - [1.0, 0.0, 0.0, 0.0]
+  - [0.0, 1.0, 0.0, 0.0]
+  rostopic: /cam0/image_raw
+)";
+  expect_camera(parse_camera(cam0, "f"), {500, 501, 320, 240, 640, 480}, {0.1, -0.2, 0.001, 0.002, 0});
+  EXPECT_THAT(error_of([&] { parse_camera(cam0 + "cam1:\n  resolution: [640, 480]\n", "f"); }),
+              HasSubstr("f: several cameras"));
+}
+
 struct Bad {
   const char* name;
   const char* text;

@@ -1,14 +1,15 @@
 #pragma once
-// Calibration files. Three kinds are read, told apart by their content:
+// Calibration files. Two kinds are read, told apart by their content:
 //
-//   numbers     `fx fy cx cy k1 k2 p1 p2 width height [k3]` on one line; lines that begin with # are comments
-//   YAML        of ROS camera_info and of OpenCV's calibration (image_width, image_height, camera_matrix,
-//               distortion_coefficients), of a camera_info message (width, height, K, D), of EuRoC and Kalibr
-//               (resolution, intrinsics, distortion_coefficients)
+//   numbers   `fx fy cx cy k1 k2 p1 p2 width height [k3]` on one line; lines that begin with # are comments
+//   YAML      of ROS camera_info and of OpenCV's calibration (image_width, image_height, camera_matrix,
+//             distortion_coefficients), of a camera_info message (width, height, K, D), of EuRoC and of
+//             Kalibr with one camera (resolution, intrinsics, distortion_coefficients or distortion_coeffs)
+//
 // Lens: plumb-bob (also called radtan, radial-tangential) with 4 or 5 coefficients in the order k1 k2 p1 p2
-// k3, or none. Strict: a wrong number of fields, a value that is not finite, a missing key, a skewed or
-// sheared matrix and any other lens model are InputErrors that name file, line or key. Units: pixels; pixel
-// (0,0) is the centre of the top-left pixel.
+// k3, or none. Units: pixels; pixel (0,0) is the centre of the top-left pixel. Strict: a wrong number of
+// fields, a value that is not finite, a missing key, a skewed matrix, several cameras and any other lens
+// model are InputErrors that name file, line or key.
 #include <string>
 
 #include "edgevo/core/camera.h"

@@ -2,16 +2,16 @@
 // One way in for every kind of input: whatever SOURCE names on the command line becomes an ImageSource.
 //
 // Recognised, in this order:
-//   camera:N                    a live camera, by OpenCV; needs a camera file; ends when the user stops it
-//   *.rawlog                    an MRPT rawlog (mrpt_bridge/rawlog_source.h)
-//   folder with images/         `edgevo` layout: images/, times.txt (seconds, one line an image), camera.txt,
-//   and
-//                               groundtruth_tum.txt if there is ground truth
-//   folder with image_N/ and calib.txt   KITTI odometry, sequences/NN; sensor_label image_0 .. image_3, the
-//   first there is by default folder with rgb.txt         TUM RGB-D; the published calibration where the
-//   folder's name holds freiburg1, 2 or 3 folder with mav0/           EuRoC (ASL); sensor_label cam0, cam1
-//   folder of images            needs a camera file; times from the names (ns or seconds) or from fps
-//   any other file              a video, by OpenCV; needs a camera file
+//   camera:N              a live camera, by OpenCV; needs a camera file; ends when the user stops it
+//   *.rawlog              an MRPT rawlog (mrpt_bridge/rawlog_source.h)
+//   folder with images/   `edgevo` layout: images/, times.txt (seconds, one line an image), camera.txt,
+//                         and groundtruth_tum.txt if there is ground truth
+//   folder with image_N/  and calib.txt: KITTI odometry, sequences/NN; sensor_label image_0 .. image_3,
+//                         by default the first that is there
+//   folder with rgb.txt   TUM RGB-D; the published calibration where the folder's name holds freiburg1, 2 or
+//   3 folder with mav0/     EuRoC (ASL); sensor_label cam0 (default), cam1 folder of images      needs a
+//   camera file; times from the names (ns or seconds) or from fps any other file        a video, by OpenCV;
+//   needs a camera file
 // A camera file given by the user wins over the source's own calibration.
 //
 // Frames come out as the camera took them (gray, distorted) in time order, numbered from 0 in the whole
@@ -39,8 +39,8 @@ struct SourceOptions {
 void set_frame_range(const std::string& text, SourceOptions* options);
 
 /// Throws InputError: nothing there, an empty folder, a layout that is not recognised, a list or calibration
-/// that is not readable, as many times as images, an unknown sensor label, a stretch of frames outside the
-/// source. next() of the result throws InputError for an image that is missing or does not decode, a size
+/// that is not readable, not as many times as images, an unknown sensor label, a stretch of frames outside
+/// the source. next() of the result throws InputError for an image that is missing or does not decode, a size
 /// that is not the camera's and times that do not increase; always after the frames before have been handed
 /// out.
 std::unique_ptr<ImageSource> open_source(const SourceOptions& options);

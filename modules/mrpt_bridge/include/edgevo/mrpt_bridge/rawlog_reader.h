@@ -9,8 +9,8 @@
 //   a class nobody registered    likewise, naming the class (a plug-in's, or one of a newer MRPT)
 // All classes of mrpt-obs and mrpt-maps are known, point clouds included.
 // Images stored externally are not touched: see rawlog_source.h.
-// Cost: inflating and deserialising, about 600 embedded 1248x375 images a second. Threads: one reader, one
-// thread.
+// Cost: inflating and deserialising, about 600 embedded 1248x375 images a second.
+// Threads: one reader, one thread.
 #include <mrpt/obs/CObservation.h>
 
 #include <deque>

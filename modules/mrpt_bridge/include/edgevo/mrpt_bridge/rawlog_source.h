@@ -3,8 +3,7 @@
 //
 // Read are CObservationImage, the left image of CObservationStereoImages and the intensity image of
 // CObservation3DRangeScan, embedded or stored externally, in both rawlog formats (rawlog_reader.h).
-// Calibration and mount come from the camera's first observation. Times are the observations', exact to the
-// tick.
+// Calibration and mount come from the camera's first observation. Times are exact to the tick.
 //
 // External images: the folder is `<rawlog without suffix>_Images`, `_images`, `_IMAGES` or `Images` beside
 // the rawlog (MRPT 2.5.8's own detectImagesDirectory finds it only from inside that folder). They are decoded

@@ -1,6 +1,5 @@
 #pragma once
-// A rawlog being written, with every write and the close checked: MRPT's own output stream swallows a full
-// disk.
+// A rawlog being written, with every write and the close checked: MRPT's own stream swallows a full disk.
 //
 // The file is a gz stream of serialised objects, which every MRPT tool reads. Write observations in the order
 // of their times. The bytes depend on the objects alone, so two equal runs give equal files.
