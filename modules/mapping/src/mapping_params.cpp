@@ -52,6 +52,7 @@ void WindowParams::visit(ParamVisitor& v) {
   v.integer("ba_update_iterations", ba_update_iterations, 0, 100, "at most, after the matches were updated");
   v.number("ba_huber", ba_huber, 0.1, 100, "Huber width in sigmas");
   v.boolean("photometric", photometric, "image-gradient cost in the bundle adjustment (slower)");
+  v.number("photometric_sigma", photometric_sigma, 0.01, 100, "deviation of a normalised patch difference in that cost");
   v.integer("max_cloud_points", max_cloud_points, 50, 20000, "points that a frame is tracked against");
 }
 

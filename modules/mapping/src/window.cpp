@@ -1,10 +1,13 @@
 #include "edgevo/mapping/window.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/association/photometric_residual.h"
 #include "edgevo/association/uncertainty.h"
+#include "edgevo/association/warp.h"
 #include "edgevo/mapping/depth_filter.h"
 
 namespace edgevo {
@@ -147,8 +150,9 @@ int Window::activate(int min_good, int min_matches) {
   return activated;
 }
 
-BaProblem Window::build_problem(std::vector<MapPoint*>* points) const {
-  BaProblem problem;
+Window::Adjustment Window::build_adjustment() {
+  Adjustment a;
+  BaProblem& problem = a.problem;
   problem.pinhole = pinhole_;
   for (const Keyframe& k : keyframes_) {
     problem.poses.push_back({k.T_cam_world, false});
@@ -159,19 +163,44 @@ BaProblem Window::build_problem(std::vector<MapPoint*>* points) const {
     return int(it - problem.pose_ids.begin());
   };
   for (size_t h = 0; h < keyframes_.size(); ++h)
-    for (const MapPoint& p : keyframes_[h].points) {
+    for (MapPoint& p : keyframes_[h].points) {
       if (p.observations.empty()) continue;
       bool fixed = true;
       for (const Observation& o : p.observations) {
         fixed = fixed && o.match.kind == MatchKind::kEdgeFixed;
-        problem.observations.push_back({int(problem.points.size()), pose_index(o.keyframe_id), o.match.px, o.match.normal,
+        const int target = pose_index(o.keyframe_id);
+        a.match_index.push_back(int(problem.observations.size()));
+        problem.observations.push_back({int(problem.points.size()), target, o.match.px, o.match.normal,
                                         o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
+        if (params_.photometric) add_photometric(keyframes_[h], p, target, &problem);
       }
       problem.points.push_back({int(h), pinhole_.ray(p.px), p.idepth, fixed});
-      points->push_back(const_cast<MapPoint*>(&p));
+      a.points.push_back(&p);
     }
   apply_gauge(&problem);
-  return problem;
+  return a;
+}
+
+// Eq. (photometricerror), linearised at the present projection, as a residual in the principal axes of its information.
+void Window::add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
+                             BaProblem* problem) const {
+  const Keyframe& target = keyframes_[target_index];
+  const SE3 T_target_host = relative_pose(target, host);
+  Eigen::Vector2d px;
+  if (!in_view(pinhole_, T_target_host, point.px, point.idepth, &px)) return;
+  const PhotometricResidual r = photometric_residual(
+      host.pyramid->finest().gradient_magnitude.view(), point.px, patch_warp(pinhole_, T_target_host, point.px, point.idepth),
+      target.pyramid->finest().gradient_magnitude.view(), px);
+  if (!r.usable) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(r.information);
+  BaObservation o;
+  o.point = int(problem->points.size());
+  o.target = target_index;
+  o.px = px + r.shift;
+  o.normal = axes.eigenvectors().col(1);  // the axis along which the patch changes most
+  o.inv_sigma_normal = std::sqrt(axes.eigenvalues()[1]) / params_.photometric_sigma;
+  o.inv_sigma_tangent = std::sqrt(std::max(0.0, axes.eigenvalues()[0])) / params_.photometric_sigma;
+  problem->observations.push_back(o);
 }
 
 void Window::apply_gauge(BaProblem* problem) const {
@@ -200,17 +229,18 @@ void Window::hold_bootstrap_scale() {
   bootstrap_gauge_ = true;
 }
 
-void Window::take_result(const BaProblem& problem, const BaResult& result, const std::vector<MapPoint*>& points) {
-  for (size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].T_cam_world = problem.poses[i].T_cam_world;
-  for (size_t i = 0; i < points.size(); ++i) {
-    points[i]->idepth = problem.points[i].idepth;
-    if (result.idepth_sigma[i] > 0) points[i]->idepth_sigma = result.idepth_sigma[i];
+void Window::take_result(const BaResult& result, const Adjustment& a) {
+  for (size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].T_cam_world = a.problem.poses[i].T_cam_world;
+  for (size_t i = 0; i < a.points.size(); ++i) {
+    a.points[i]->idepth = a.problem.points[i].idepth;
+    if (result.idepth_sigma[i] > 0) a.points[i]->idepth_sigma = result.idepth_sigma[i];
   }
 }
 
-int Window::update_matches(const BaResult& result, const std::vector<MapPoint*>& points) {
+int Window::update_matches(const BaResult& result, const Adjustment& adjustment) {
   int updated = 0;
-  size_t k = 0;  // observations stand in the order of build_problem
+  size_t k = 0;  // matches stand in the order of build_adjustment
+  const std::vector<MapPoint*>& points = adjustment.points;
   size_t next = 0;
   for (Keyframe& host : keyframes_)
     for (MapPoint& p : host.points) {
@@ -219,7 +249,7 @@ int Window::update_matches(const BaResult& result, const std::vector<MapPoint*>&
       std::vector<Observation> kept;
       kept.reserve(p.observations.size());
       for (Observation& o : p.observations) {
-        const size_t index = k++;
+        const int index = adjustment.match_index[k++];
         if (!needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index], association_)) {
           kept.push_back(std::move(o));
           continue;
@@ -235,12 +265,12 @@ int Window::update_matches(const BaResult& result, const std::vector<MapPoint*>&
   return updated;
 }
 
-void Window::drop_unfit(const BaResult& result, const std::vector<MapPoint*>& points) {
+void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
   size_t k = 0;
-  for (MapPoint* p : points) {
+  for (MapPoint* p : adjustment.points) {
     std::vector<Observation> kept;
     for (Observation& o : p->observations) {
-      const double sigmas = std::abs(result.residual_normal_px[k++]) * o.match.inv_sigma_normal;
+      const double sigmas = std::abs(result.residual_normal_px[adjustment.match_index[k++]]) * o.match.inv_sigma_normal;
       if (sigmas < kDropSigmas)
         kept.push_back(std::move(o));
       else
@@ -261,20 +291,19 @@ WindowStats Window::adjust() {
   BaOptions options;
   options.huber_width = params_.ba_huber;
   options.max_iterations = params_.ba_iterations;
-  std::vector<MapPoint*> points;
-  BaProblem problem = build_problem(&points);
-  BaResult result = adjuster_->solve(&problem, options);
+  Adjustment adjustment = build_adjustment();
+  BaResult result = adjuster_->solve(&adjustment.problem, options);
   if (!result.usable) return stats;
-  take_result(problem, result, points);
+  take_result(result, adjustment);
   if (params_.ba_update_iterations > 0) {
-    stats.updated_matches = update_matches(result, points);
+    stats.updated_matches = update_matches(result, adjustment);
     options.max_iterations = params_.ba_update_iterations;
-    points.clear();
-    problem = build_problem(&points);
-    result = adjuster_->solve(&problem, options);
+    adjustment = build_adjustment();
+    result = adjuster_->solve(&adjustment.problem, options);
     if (!result.usable) return stats;
-    take_result(problem, result, points);
+    take_result(result, adjustment);
   }
+  const BaProblem& problem = adjustment.problem;
   stats.observations = int(problem.observations.size());
   stats.points = int(problem.points.size());
   stats.cost_per_observation = result.final_cost / std::max(1, stats.observations);
@@ -283,7 +312,7 @@ WindowStats Window::adjust() {
     stats.photometric += o.inv_sigma_tangent > 0;
     stats.matched_in_newest += o.target + 1 == int(keyframes_.size());
   }
-  drop_unfit(result, points);
+  drop_unfit(result, adjustment);
   return stats;
 }
 
@@ -292,8 +321,7 @@ Keyframe Window::remove_oldest() {
   if (params_.gauge == "prior") {
     // Only the points it hosts go into the prior with it. Points of other hosts lose their observation here and live on: their
     // other observations stay in the window and must not be counted twice.
-    std::vector<MapPoint*> points;
-    const BaProblem problem = problem_of_host(build_problem(&points), 0);
+    const BaProblem problem = problem_of_host(build_adjustment().problem, 0);
     BaOptions options;
     options.huber_width = params_.ba_huber;
     std::vector<bool> drop;

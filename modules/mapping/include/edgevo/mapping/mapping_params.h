@@ -58,6 +58,7 @@ struct WindowParams {
   int ba_update_iterations = 3;         ///< after the matches were updated
   double ba_huber = 1.5;
   bool photometric = false;             ///< image-gradient cost in the BA, Eq. (photometricerror)
+  double photometric_sigma = 0.5;       ///< of a normalised patch difference, in deviations
   int max_cloud_points = 1500;
 
   void visit(ParamVisitor& v);

@@ -57,10 +57,17 @@ class Window {
 
  private:
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const Keyframe& target) const;
-  BaProblem build_problem(std::vector<MapPoint*>* points) const;
-  void take_result(const BaProblem& problem, const BaResult& result, const std::vector<MapPoint*>& points);
-  int update_matches(const BaResult& result, const std::vector<MapPoint*>& points);
-  void drop_unfit(const BaResult& result, const std::vector<MapPoint*>& points);
+  /// The window as a problem, and how to find one's way back from it.
+  struct Adjustment {
+    BaProblem problem;
+    std::vector<MapPoint*> points;   ///< of problem.points
+    std::vector<int> match_index;    ///< of each match, point by point: its place in problem.observations
+  };
+  Adjustment build_adjustment();
+  void add_photometric(const Keyframe& host, const MapPoint& point, int target_index, BaProblem* problem) const;
+  void take_result(const BaResult& result, const Adjustment& adjustment);
+  int update_matches(const BaResult& result, const Adjustment& adjustment);
+  void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
   bool try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches);
 
