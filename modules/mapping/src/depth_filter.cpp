@@ -15,6 +15,7 @@ namespace {
 constexpr double kMinSegmentPx = 1.5;   // below this a match says nothing about depth
 constexpr double kMaxSteps = 300;
 constexpr double kSeparatePx = 2.5;     // two minima further apart are different places
+constexpr double kEqualCost = 1e-3;     // patches with costs below are equal: their ratio means nothing
 constexpr int kPatchRadiusPx = 2;
 constexpr double kSameWarpRatio = 1.3;  // depths within this ratio share one warp
 
@@ -83,7 +84,7 @@ class EpipolarSearch {
     if (!clip(target_.pinhole, 3, &s)) return outcome(EpipolarOutcome::kOutOfView);
     scan(s);
     if (!(best_.cost < params_.max_cost)) return outcome(EpipolarOutcome::kNoMatch);
-    if (best_.cost > params_.max_cost_ratio * second_cost_) return outcome(EpipolarOutcome::kAmbiguous);
+    if (std::max(best_.cost, kEqualCost) > params_.max_cost_ratio * second_cost_) return outcome(EpipolarOutcome::kAmbiguous);
     return measure(s);
   }
 
