@@ -1,0 +1,227 @@
+// Two-view bootstrap: what it recovers, and what it says while it cannot.
+#include "edgevo/mapping/bootstrap.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/hollow_scene.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+using test::HollowScene;
+using test::sweep_pose;
+
+constexpr double kDegree = M_PI / 180;
+
+Timestamp time_of(int frame) { return Timestamp::from_seconds(0.1 * frame); }
+
+double median(std::vector<double> v) {
+  std::nth_element(v.begin(), v.begin() + long(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+class BootstrapTest : public ::testing::Test {
+ protected:
+  Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole, params, seed}; }
+  // Frame k of the sweep, seen under a gain.
+  BootstrapStatus add(Bootstrap* bootstrap, int k, double gain = 1) const {
+    return bootstrap->add(k, time_of(k), scene.pyramid(sweep_pose(k), gain));
+  }
+  // Frames from `first` on until there is a result; fails after 40.
+  BootstrapResult run(Bootstrap* bootstrap, int first = 0, bool flicker = false) const {
+    for (int k = first; k < first + 40; ++k) {
+      BootstrapStatus status = add(bootstrap, k, flicker && k % 2 ? 0.6 : 1.0);
+      if (status.result) {
+        EXPECT_EQ(status.reason, "");
+        return *status.result;
+      }
+      EXPECT_NE(status.reason, "");
+    }
+    ADD_FAILURE() << "no result in 40 frames";
+    return {};
+  }
+  SE3 truth(const BootstrapResult& r, const BootstrapView& view) const {
+    return sweep_pose(view.frame_index).inverse() * sweep_pose(r.views.front().frame_index);
+  }
+  // Unit of the result over that of the scene, from its depths.
+  double scale(const BootstrapResult& r) const {
+    std::vector<double> ratio;
+    for (const BootstrapCorner& c : r.corners)
+      ratio.push_back(scene.idepth(sweep_pose(r.views.front().frame_index), c.px_first) / c.idepth_first);
+    return median(ratio);
+  }
+
+  HollowScene scene;
+  BootstrapParams params;
+};
+
+void expect_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double degrees) {
+  EXPECT_LT(std::atan2(a.cross(b).norm(), a.dot(b)), degrees * kDegree) << a.transpose() << " against " << b.transpose();
+}
+
+TEST_F(BootstrapTest, RecoversTheMotionUpToScale) {
+  Bootstrap bootstrap = make();
+  const BootstrapResult r = run(&bootstrap);
+  ASSERT_GE(r.views.size(), 2u);
+  const SE3& T = r.views.back().T_cam_first;
+  const SE3 T_truth = truth(r, r.views.back());
+  EXPECT_LT((T * T_truth.inverse()).angle(), 0.5 * kDegree);
+  expect_direction(T.translation(), T_truth.translation(), 5);
+  EXPECT_NEAR(T.translation().norm() / T_truth.translation().norm() / scale(r), 1, 0.1);
+}
+
+TEST_F(BootstrapTest, RecoversDepthsUpToScale) {
+  Bootstrap bootstrap = make();
+  const BootstrapResult r = run(&bootstrap);
+  ASSERT_GE(int(r.corners.size()), params.min_tracks / 2);
+  const double unit = scale(r);
+  std::vector<double> error_first, error_last, depth;
+  for (const BootstrapCorner& c : r.corners) {
+    depth.push_back(1 / c.idepth_first);
+    error_first.push_back(std::abs(c.idepth_first * unit / scene.idepth(sweep_pose(r.views.front().frame_index), c.px_first) - 1));
+    error_last.push_back(std::abs(c.idepth_last * unit / scene.idepth(sweep_pose(r.views.back().frame_index), c.px_last) - 1));
+  }
+  EXPECT_NEAR(median(depth), params.median_depth, 1e-9);
+  // Corners to a tenth of a pixel over a parallax of some pixels: a few percent.
+  EXPECT_LT(median(error_first), 0.04);
+  EXPECT_LT(median(error_last), 0.04);
+  EXPECT_GE(r.parallax_deg, params.min_parallax_deg);
+}
+
+TEST_F(BootstrapTest, PlacesEveryViewInBetween) {
+  Bootstrap bootstrap = make();
+  const BootstrapResult r = run(&bootstrap);
+  ASSERT_GE(r.views.size(), 3u);
+  EXPECT_LT((r.views.front().T_cam_first.log()).norm(), 1e-12);
+  const double unit = scale(r), baseline = truth(r, r.views.back()).translation().norm();
+  for (const BootstrapView& v : r.views) {
+    EXPECT_TRUE(v.placed);
+    EXPECT_EQ(v.time, time_of(v.frame_index));
+    EXPECT_LT((v.T_cam_first * truth(r, v).inverse()).angle(), 0.5 * kDegree);
+    EXPECT_LT((v.T_cam_first.translation() / unit - truth(r, v).translation()).norm(), 0.15 * baseline) << v.frame_index;
+  }
+}
+
+TEST_F(BootstrapTest, AFlickeringExposureDoesNoHarm) {
+  Bootstrap bootstrap = make();
+  const BootstrapResult r = run(&bootstrap, 0, true);
+  const SE3 T_truth = truth(r, r.views.back());
+  EXPECT_LT((r.views.back().T_cam_first * T_truth.inverse()).angle(), 0.5 * kDegree);
+  expect_direction(r.views.back().T_cam_first.translation(), T_truth.translation(), 8);
+}
+
+TEST_F(BootstrapTest, TheSameSeedGivesTheSameResult) {
+  Bootstrap a = make(3), b = make(3);
+  const BootstrapResult ra = run(&a), rb = run(&b);
+  ASSERT_EQ(ra.views.size(), rb.views.size());
+  EXPECT_EQ(ra.views.back().T_cam_first.matrix(), rb.views.back().T_cam_first.matrix());
+  ASSERT_EQ(ra.corners.size(), rb.corners.size());
+  for (size_t i = 0; i < ra.corners.size(); ++i) EXPECT_EQ(ra.corners[i].idepth_first, rb.corners[i].idepth_first);
+}
+
+TEST_F(BootstrapTest, ResetTakesANewFirstView) {
+  Bootstrap bootstrap = make();
+  (void)add(&bootstrap, 0);
+  (void)add(&bootstrap, 1);
+  bootstrap.reset();
+  EXPECT_EQ(run(&bootstrap, 5).views.front().frame_index, 5);
+}
+
+// ---- not ready -----------------------------------------------------------------------------------------------------
+
+TEST_F(BootstrapTest, TheFirstFrameIsOnlyTaken) {
+  Bootstrap bootstrap = make();
+  const BootstrapStatus status = add(&bootstrap, 0);
+  EXPECT_FALSE(status.result);
+  EXPECT_EQ(status.reason, "first view taken");
+}
+
+TEST_F(BootstrapTest, SaysThatThereIsNoMotionAtAStandstill) {
+  Bootstrap bootstrap = make();
+  for (int k = 0; k < 8; ++k) {
+    const BootstrapStatus status = bootstrap.add(k, time_of(k), scene.pyramid(SE3(), 1.0, 0.0, 2.0, uint64_t(k)));
+    ASSERT_FALSE(status.result);
+    if (k == 0) continue;
+    EXPECT_THAT(status.reason, HasSubstr("median motion 0."));
+  }
+}
+
+TEST_F(BootstrapTest, GivesNoMapFromPureRotation) {
+  Bootstrap bootstrap = make();
+  int enough_motion = 0;
+  for (int k = 0; k < 15; ++k) {
+    const SE3 T_world_cam(Eigen::Quaterniond(Eigen::AngleAxisd(0.012 * k, Eigen::Vector3d(0.3, 1, 0).normalized())),
+                          Eigen::Vector3d::Zero());
+    const BootstrapStatus status = bootstrap.add(k, time_of(k), scene.pyramid(T_world_cam));
+    ASSERT_FALSE(status.result) << k;
+    // Corners behind a camera, too little parallax or no common motion: which one is up to chance, but it is said.
+    if (k > 0 && status.reason.find("median motion") == std::string::npos) ++enough_motion;
+    EXPECT_NE(status.reason, "");
+  }
+  EXPECT_GT(enough_motion, 3);
+}
+
+TEST_F(BootstrapTest, SaysThatABlankImageHasNoCorners) {
+  Bootstrap bootstrap = make();
+  const auto blank = PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 77; }));
+  for (int k = 0; k < 3; ++k) {
+    const BootstrapStatus status = bootstrap.add(k, time_of(k), blank);
+    EXPECT_FALSE(status.result);
+    EXPECT_THAT(status.reason, HasSubstr("only 0 corners in the image, 80 needed"));
+  }
+  EXPECT_EQ(run(&bootstrap, 3).views.front().frame_index, 3);
+}
+
+TEST_F(BootstrapTest, SaysThatCornersAreTooFew) {
+  Bootstrap bootstrap = make();
+  const auto discs = PyramidBuilder(scene.camera, EdgeParams()).build(test::disc_image(320, 240, {160, 120}, 30, 60, 200));
+  const BootstrapStatus status = bootstrap.add(0, time_of(0), discs);
+  EXPECT_FALSE(status.result);
+  EXPECT_THAT(status.reason, ::testing::ContainsRegex("only [0-9]+ corners in the image"));
+}
+
+TEST_F(BootstrapTest, StartsAnewWhenTheCornersAreGone) {
+  Bootstrap bootstrap = make();
+  (void)add(&bootstrap, 0);
+  const HollowScene other(99);
+  const BootstrapStatus status = bootstrap.add(1, time_of(1), other.pyramid(SE3()));
+  EXPECT_FALSE(status.result);
+  EXPECT_THAT(status.reason, HasSubstr("new first view"));
+}
+
+TEST_F(BootstrapTest, TakesANewFirstViewAfterTooManyFrames) {
+  params.max_frames = 5;
+  Bootstrap bootstrap = make();
+  for (int k = 0; k < 5; ++k) EXPECT_FALSE(bootstrap.add(k, time_of(k), scene.pyramid(sweep_pose(20))).result);
+  const BootstrapStatus status = bootstrap.add(5, time_of(5), scene.pyramid(sweep_pose(20)));
+  EXPECT_FALSE(status.result);
+  EXPECT_EQ(status.reason, "too little motion for too long; new first view");
+  params.max_frames = 90;
+  // Frames 21 and on move: the result must not reach back beyond the new first view.
+  BootstrapStatus moving;
+  for (int k = 6; !moving.result && k < 30; ++k)
+    moving = bootstrap.add(k, time_of(k), scene.pyramid(sweep_pose(20 + 4 * (k - 5))));
+  ASSERT_TRUE(moving.result);
+  EXPECT_GE(moving.result->views.front().frame_index, 5);
+}
+
+TEST_F(BootstrapTest, KeepsMemoryBounded) {
+  params.min_disparity = 0.4;  // never enough
+  Bootstrap bootstrap = make();
+  std::vector<std::weak_ptr<const FramePyramid>> pyramids;
+  for (int k = 0; k < 40; ++k) {
+    auto pyramid = scene.pyramid(SE3());
+    pyramids.push_back(pyramid);
+    EXPECT_FALSE(bootstrap.add(k, time_of(k), std::move(pyramid)).result);
+  }
+  int kept = 0;
+  for (const auto& p : pyramids) kept += !p.expired();
+  EXPECT_LE(kept, 16);
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,107 @@
+// When a frame becomes a keyframe.
+#include <gtest/gtest.h>
+
+#include "edgevo/mapping/mapper.h"
+
+namespace edgevo {
+namespace {
+
+// Points on a grid of pixels, at depths of 5 to 9.
+ReferenceCloud grid_cloud(const Pinhole& camera) {
+  ReferenceCloud cloud;
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 16; ++column) {
+      CloudPoint p{};
+      p.ray = camera.ray({(column + 0.5) * camera.width / 16, (row + 0.5) * camera.height / 12});
+      p.idepth = 1.0 / (5 + (row + column) % 5);
+      cloud.points.push_back(p);
+    }
+  return cloud;
+}
+
+constexpr int kLong = 1000;  // frames since the last keyframe
+
+class Decision : public ::testing::Test {
+ protected:
+  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1) const {
+    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, params);
+  }
+  static SE3 move(double x, double y, double z, double turn = 0) {
+    return {Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY())), Eigen::Vector3d(x, y, z)};
+  }
+
+  Pinhole camera{720, 720, 620, 187.5, 1241, 376};
+  KeyframeParams params;
+};
+
+TEST_F(Decision, NoneAtAStandstill) {
+  const KeyframeDecision d = decide(SE3(), kLong);
+  EXPECT_FALSE(d.needed);
+  EXPECT_EQ(d.flow_px, 0);
+  EXPECT_EQ(d.view_share, 1);
+}
+
+TEST_F(Decision, NoneInPureRotationEvenWhenTheSceneLeavesTheView) {
+  for (double turn : {0.02, 0.3, 0.8, 2.0}) {
+    const KeyframeDecision d = decide(move(0, 0, 0, turn), kLong);
+    EXPECT_FALSE(d.needed) << turn;
+    EXPECT_EQ(d.flow_px, 0);
+  }
+  EXPECT_LT(decide(move(0, 0, 0, 0.8)).view_share, 0.75);
+}
+
+TEST_F(Decision, NoneForAShakeBelowTheSmallestFlow) {
+  const KeyframeDecision d = decide(move(0.02, 0, 0), kLong);
+  EXPECT_GT(d.flow_px, 0);
+  EXPECT_LT(d.flow_px, params.min_flow_px);
+  EXPECT_FALSE(d.needed);
+}
+
+TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
+  EXPECT_FALSE(decide(move(0, 0, -0.2)).needed);
+  const KeyframeDecision d = decide(move(0, 0, -1.2));
+  EXPECT_GT(d.flow_px, params.flow_px);
+  EXPECT_TRUE(d.needed);
+}
+
+TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
+  // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
+  const ReferenceCloud cloud = grid_cloud(camera);
+  double square = 0;
+  for (const CloudPoint& p : cloud.points) square += std::pow(camera.fx * 0.1 * p.idepth, 2) / double(cloud.points.size());
+  EXPECT_NEAR(decide(move(0.1, 0, 0)).flow_px, std::sqrt(square), 1e-9);
+}
+
+TEST_F(Decision, SlowMotionMakesOneAfterSomeFrames) {
+  const SE3 slow = move(0.06, 0, 0);
+  EXPECT_FALSE(decide(slow, params.max_frames - 1).needed);
+  EXPECT_TRUE(decide(slow, params.max_frames).needed);
+}
+
+TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
+  const KeyframeDecision away = decide(move(0.06, 0, 0, 0.5));
+  EXPECT_LT(away.view_share, params.min_view_share);
+  EXPECT_TRUE(away.needed);
+  EXPECT_FALSE(decide(move(0.06, 0, 0, 0.02)).needed);
+}
+
+TEST_F(Decision, FollowsTheWidthOfTheImage) {
+  const Pinhole half{360, 360, 310, 93.75, 621, 188};
+  for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
+    const KeyframeDecision at_half = decide_keyframe(half, grid_cloud(half), move(t, 0, 0), 1, params);
+    EXPECT_EQ(at_half.needed, decide(move(t, 0, 0)).needed) << t;
+  }
+}
+
+TEST_F(Decision, NoneWithoutPoints) {
+  EXPECT_FALSE(decide_keyframe(camera, ReferenceCloud(), move(1, 0, 0), kLong, params).needed);
+}
+
+TEST_F(Decision, NoneWhereEverythingIsBehind) {
+  const KeyframeDecision d = decide(move(0, 0, -50), kLong);
+  EXPECT_FALSE(d.needed);
+  EXPECT_EQ(d.flow_px, 0);
+}
+
+}  // namespace
+}  // namespace edgevo
