@@ -70,7 +70,7 @@ std::exception_ptr feed(ImageSource& source, Odometry& odometry, RunOutputs& out
       const std::optional<Frame> frame = source.next();
       if (!frame) break;
       odometry.process(*frame);
-      if (!outputs.add_frame(*frame)) break;
+      if (!outputs.add_frame(*frame, frame->image_path)) break;
       if (progress) progress->update(++done);
     }
   } catch (const std::exception&) {

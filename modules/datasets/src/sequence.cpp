@@ -30,7 +30,7 @@ class SequenceSource : public ImageSource {
     if (position_ >= sequence_.images.size()) return std::nullopt;
     const size_t i = std::exchange(position_, sequence_.images.size());  // stays at the end if a check throws
     const std::string& path = sequence_.images[i];
-    Frame frame{int(i), sequence_.times[i], {}};
+    Frame frame{int(i), sequence_.times[i], {}, sequence_.images[i]};
     if (previous_) check_time_increases(*previous_, frame.time, path + " (frame " + std::to_string(i) + ")");
     frame.image = read_gray_image(path);
     check_image_size(frame.image, sequence_.camera.pinhole, path);

@@ -43,6 +43,20 @@ IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last
   return {params.prior_low * idepth, params.prior_high * idepth};
 }
 
+// First and last view, and up to three between. Two views alone would not do: an edge match is one equation, and with one
+// match a point its own depth takes that up, so that the pose between the two views would be free.
+std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views) {
+  constexpr size_t kMaxBetween = 3;
+  std::vector<const BootstrapView*> between;
+  for (size_t i = 1; i + 1 < views.size(); ++i)
+    if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);
+  std::vector<const BootstrapView*> chosen{&views.front()};
+  const size_t n = std::min(kMaxBetween, between.size());
+  for (size_t k = 0; k < n; ++k) chosen.push_back(between[(2 * k + 1) * between.size() / (2 * n)]);
+  chosen.push_back(&views.back());
+  return chosen;
+}
+
 }  // namespace
 
 Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
@@ -52,41 +66,45 @@ Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const Associ
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   window_ = Window(pinhole_, params_.window, association_);
-  const BootstrapView& first = bootstrap.views.front();
-  const BootstrapView& last = bootstrap.views.back();
-  std::vector<Keyframe> pair(2);
-  for (int k = 0; k < 2; ++k) {
-    const BootstrapView& view = k == 0 ? first : last;
-    pair[k].id = next_id_ + k;
-    pair[k].frame_index = view.frame_index;
-    pair[k].time = view.time;
-    pair[k].pyramid = view.pyramid;
-    pair[k].T_cam_world = view.T_cam_first;
-    const std::vector<bool> free(CellGrid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px).size(), false);
-    pair[k].immature = make_immature_points(
-        pair[k], free, [&](const Eigen::Vector2d& px) { return range_near(bootstrap.corners, k == 1, px, params_.depth_filter); },
-        params_.depth_filter, &random_);
+  const std::vector<const BootstrapView*> chosen = choose_keyframe_views(bootstrap.views);
+  for (const BootstrapView* view : chosen) {
+    Keyframe k;
+    k.id = next_id_ + int(window_.keyframes().size());
+    k.frame_index = view->frame_index;
+    k.time = view->time;
+    k.pyramid = view->pyramid;
+    k.T_cam_world = view->T_cam_first;
+    if (view == chosen.front() || view == chosen.back())
+      k.immature = first_points(k, bootstrap.corners, view == chosen.back());
+    window_.add(std::move(k));
   }
   for (const BootstrapView& view : bootstrap.views) {
     if (!view.placed || !view.pyramid) continue;
-    for (Keyframe& k : pair)
+    for (Keyframe& k : window_.keyframes())
       if (view.frame_index != k.frame_index)
         update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter, association_, &k);
   }
-  for (Keyframe& k : pair) {
+  for (Keyframe& k : window_.keyframes())
     smooth_along_edges(k.pyramid->finest().edges, params_.depth_filter, &k.immature);
-    window_.add(std::move(k));
-  }
   window_.hold_bootstrap_scale();
   window_.activate(1, 1);
-  WindowStats stats = window_.adjust();
-  stats = window_.adjust();
+  window_.adjust();
+  const WindowStats stats = window_.adjust();
   if (stats.points < kMinFirstPoints)
-    return "only " + std::to_string(stats.points) + " edge points matched in the two views";
-  if (stats.cost_per_observation > kMaxFirstCost) return "the edges of the two views do not fit one rigid scene";
-  next_id_ += 2;
+    return "only " + std::to_string(stats.points) + " edge points matched in the first views";
+  if (stats.cost_per_observation > kMaxFirstCost) return "the edges of the first views do not fit one rigid scene";
+  next_id_ += int(chosen.size());
   publish();
   return {};
+}
+
+std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners,
+                                                bool is_last) {
+  const CellGrid grid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px);
+  return make_immature_points(
+      keyframe, std::vector<bool>(grid.size(), false),
+      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px, params_.depth_filter); }, params_.depth_filter,
+      &random_);
 }
 
 MapUpdate Mapper::process(const TrackedFrame& frame) {

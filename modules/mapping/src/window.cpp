@@ -214,11 +214,11 @@ void Window::apply_gauge(BaProblem* problem) const {
 
 void Window::hold_bootstrap_scale() {
   if (keyframes_.size() < 2) return;
-  const SE3& T_cam_world = keyframes_[1].T_cam_world;
-  const SE3 T_1_0 = relative_pose(keyframes_[1], keyframes_[0]);
-  // Moving camera 1 along the baseline changes its translation by b = t / |t|: held to 1e-4 of the baseline.
+  const SE3& T_cam_world = newest().T_cam_world;
+  const SE3 T_1_0 = relative_pose(newest(), keyframes_.front());
+  // Moving the last camera along the baseline changes its translation by b = t / |t|: held to 1e-4 of the baseline.
   BaPrior prior;
-  prior.pose_ids = {keyframes_[1].id};
+  prior.pose_ids = {newest().id};
   prior.linearization = {T_cam_world};
   const Eigen::Vector3d baseline = T_1_0.translation();
   const double sigma = 1e-4 * baseline.norm();

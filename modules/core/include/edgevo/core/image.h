@@ -2,6 +2,7 @@
 // Images as plain values: an owned 8-bit gray image, and a view that owns nothing.
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "edgevo/core/timestamp.h"
@@ -33,6 +34,7 @@ struct Frame {
   int index = 0;   ///< position in the source, from 0; frames left out by --frames or --every keep theirs
   Timestamp time;
   GrayImage image;  ///< as the camera took it, distortion included
+  std::string image_path = {};  ///< the file it was read from; empty if it is not a file of its own
 };
 
 }  // namespace edgevo

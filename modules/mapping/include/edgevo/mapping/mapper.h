@@ -46,8 +46,8 @@ class Mapper {
   Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
          uint64_t seed);
 
-  /// Builds the first window of a segment in the first view's frame. Returns an empty string, or why the two views make no map. Ids
-  /// of the two keyframes are then first_id() and first_id() + 1.
+  /// Builds the first window of a segment in the first view's frame, from the two views and up to three between them. Returns an
+  /// empty string, or why they make no map.
   [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
   /// One tracked frame: updates immature depths, and makes it a keyframe if asked for.
   MapUpdate process(const TrackedFrame& frame);
@@ -61,6 +61,7 @@ class Mapper {
   std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }
 
  private:
+  std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
   void seed_points(Keyframe* keyframe);
   void publish();

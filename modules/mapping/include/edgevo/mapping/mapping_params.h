@@ -47,13 +47,13 @@ struct KeyframeParams {
 };
 
 struct WindowParams {
-  int keyframes = 7;
+  int keyframes = 10;
   int max_points = 2000;
   double max_projected_sigma_px = 1.5;  ///< an immature point joins below it
   int min_matches = 2;                  ///< keyframes that must match a point before it joins
   int activation_cell_px = 14;
   std::string solver = "schur";
-  std::string gauge = "fixed";          ///< "fixed": two oldest poses; "prior": marginalisation prior
+  std::string gauge = "prior";          ///< "fixed": two oldest poses; "prior": marginalisation prior
   int ba_iterations = 8;
   int ba_update_iterations = 3;         ///< after the matches were updated
   double ba_huber = 1.5;

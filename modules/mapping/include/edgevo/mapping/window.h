@@ -46,7 +46,7 @@ class Window {
   /// Adjusts poses and depths, updates matches that moved, adjusts again, drops what does not fit.
   WindowStats adjust();
 
-  /// Scale of the map held by a prior on the second pose: used until the window first moves on.
+  /// Scale of the map held by a prior on the newest pose: used from the bootstrap until the window first moves on.
   void hold_bootstrap_scale();
 
   /// Takes the oldest keyframe out and returns it with its points as they stand.
