@@ -9,6 +9,7 @@
 #include "edgevo/odometry/odometry.h"
 #include "progress.h"
 #include "run_outputs.h"
+#include "run_params.h"
 #include "source_options.h"
 
 namespace edgevo::app {
@@ -23,17 +24,6 @@ struct RunArguments {
   uint64_t seed = 1;
   bool realtime = false, quiet = false;
   std::vector<std::string> command_line;
-};
-
-/// All that --params and --set can name.
-struct RunParams {
-  OdometryParams odometry;
-  OccupancyParams occupancy;
-  void visit(ParamVisitor& v) {
-    odometry.visit(v);
-    const auto g = v.group("occupancy");
-    occupancy.visit(v);
-  }
 };
 
 volatile std::sig_atomic_t interrupted = 0;
