@@ -11,8 +11,11 @@ ReferenceCloud grid_cloud(const Pinhole& camera) {
   ReferenceCloud cloud;
   for (int row = 0; row < 12; ++row)
     for (int column = 0; column < 16; ++column) {
-      CloudPoint p{};
-      p.ray = camera.ray({(column + 0.5) * camera.width / 16, (row + 0.5) * camera.height / 12});
+      const Eigen::Vector2d px((column + 0.5) * camera.width / 16, (row + 0.5) * camera.height / 12);
+      CloudPoint p;
+      p.ray = camera.ray(px);
+      p.px = px.cast<float>();
+      p.normal = Eigen::Vector2f::UnitX();
       p.idepth = 1.0 / (5 + (row + column) % 5);
       cloud.points.push_back(p);
     }

@@ -1,0 +1,264 @@
+// The sliding window: perturbed poses and depths come back, points are spread, the cloud lies in the newest frame.
+#include "edgevo/mapping/window.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/mapping/mapping_scene.h"
+
+namespace edgevo {
+namespace {
+
+using test::Sweep;
+using test::median;
+using test::sweep_pose;
+
+constexpr int kFramesApart = 4;
+
+WindowParams params_with(const std::string& gauge = "fixed") {
+  WindowParams p;
+  p.gauge = gauge;
+  p.keyframes = 7;
+  return p;
+}
+
+Matrix6d tracking_covariance() { return 1e-5 * Matrix6d::Identity(); }
+
+// `n` keyframes at their true poses, points not yet activated.
+Window true_window(int n, double depth_noise, const WindowParams& params = params_with()) {
+  Window window(Sweep::pinhole(), params, AssociationParams());
+  Random random(17);
+  for (int k = 0; k < n; ++k) window.add(test::true_keyframe(k, kFramesApart * k, depth_noise, &random));
+  return window;
+}
+
+double idepth_error(const Window& window) {
+  std::vector<double> relative;
+  for (const Keyframe& k : window.keyframes())
+    for (const MapPoint& p : k.points) relative.push_back(std::abs(p.idepth / Sweep::idepth(k.frame_index, p.px) - 1));
+  return median(relative);
+}
+
+SE3 pose_error(const Keyframe& k) { return k.T_cam_world * sweep_pose(k.frame_index); }
+
+// ---- activation ----------------------------------------------------------------------------------------------------
+
+TEST(Window, ActivatesPointsThatKeyframesMatch) {
+  Window window = true_window(4, 0.02);
+  const int n = window.activate(2, 2);
+  EXPECT_GT(n, 200);
+  EXPECT_EQ(n, window.active_points());
+  for (const Keyframe& k : window.keyframes())
+    for (const MapPoint& p : k.points) {
+      EXPECT_GE(p.observations.size(), 2u);
+      for (size_t i = 0; i < p.observations.size(); ++i) {
+        EXPECT_NE(p.observations[i].keyframe_id, k.id);
+        EXPECT_GT(p.observations[i].keyframe_id, i > 0 ? p.observations[i - 1].keyframe_id : -1);
+      }
+    }
+}
+
+TEST(Window, ActivationIsSpreadOverTheNewestImage) {
+  const WindowParams params = params_with();
+  Window window = true_window(4, 0.0, params);
+  ASSERT_GT(window.activate(2, 2), 200);
+  const CellGrid grid(320, 240, params.activation_cell_px);
+  std::vector<int> count(size_t(grid.size()), 0);
+  for (const Keyframe& k : window.keyframes()) {
+    const SE3 T = relative_pose(window.newest(), k);
+    for (const MapPoint& p : k.points) {
+      const Projection at = project(Sweep::pinhole(), T.R(), T.translation(), Sweep::pinhole().ray(p.px), p.idepth);
+      ++count[size_t(grid.index(at.px.x(), at.px.y()))];
+    }
+  }
+  EXPECT_LE(*std::max_element(count.begin(), count.end()), 2);
+}
+
+TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
+  Window window = true_window(4, 0.02);
+  EXPECT_EQ(window.activate(4, 2), 0);  // three good measurements each
+  for (Keyframe& k : window.keyframes())
+    for (ImmaturePoint& p : k.immature) p.idepth_sigma = p.idepth;
+  EXPECT_EQ(window.activate(2, 2), 0);
+}
+
+TEST(Window, ActivationStopsAtTheLimit) {
+  WindowParams params = params_with();
+  params.max_points = 120;
+  Window window = true_window(4, 0.02, params);
+  EXPECT_EQ(window.activate(2, 2), 120);
+  EXPECT_EQ(window.activate(2, 2), 0);
+}
+
+// ---- association ---------------------------------------------------------------------------------------------------
+
+TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
+  Window window = true_window(4, 0.0);
+  window.activate(2, 2);
+  const int points = window.active_points();
+  Random random(3);
+  window.add(test::true_keyframe(9, 4 * kFramesApart, 0.0, &random));
+  const int matches = window.associate_newest(tracking_covariance());
+  EXPECT_GT(matches, 0.7 * points);
+  std::vector<double> off;
+  for (const Keyframe& host : window.keyframes()) {
+    const SE3 T = relative_pose(window.newest(), host);
+    for (const MapPoint& p : host.points)
+      if (const Observation* seen = p.find(9)) {
+        const Projection at = project(Sweep::pinhole(), T.R(), T.translation(), Sweep::pinhole().ray(p.px), p.idepth);
+        off.push_back(std::abs(seen->match.normal.dot(seen->match.px - at.px)));
+      }
+  }
+  EXPECT_EQ(int(off.size()), matches);
+  EXPECT_LT(median(off), 0.15);
+}
+
+TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
+  Window window = true_window(4, 0.0);
+  window.activate(2, 2);
+  Random random(3);
+  Keyframe blank = test::true_keyframe(9, 4 * kFramesApart, 0.0, &random);
+  blank.immature.clear();
+  blank.pyramid = PyramidBuilder(Sweep::scene().camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 80; }));
+  window.add(std::move(blank));
+  EXPECT_EQ(window.associate_newest(tracking_covariance()), 0);
+  int misses = 0;
+  for (const Keyframe& host : window.keyframes())
+    for (const MapPoint& p : host.points) misses += p.misses;
+  EXPECT_GT(misses, 0.8 * window.active_points());
+  EXPECT_TRUE(window.cloud().empty());
+}
+
+// ---- adjustment ----------------------------------------------------------------------------------------------------
+
+TEST(Window, RecoversDepths) {
+  Window window = true_window(5, 0.04);
+  window.activate(2, 2);
+  const double before = idepth_error(window);
+  const WindowStats stats = window.adjust();
+  EXPECT_GT(stats.points, 200);
+  EXPECT_GT(before, 0.02);
+  // A match is good to about 0.3 px, and the points move by about 20 px over the window.
+  EXPECT_LT(idepth_error(window), 0.3 / 20);
+}
+
+TEST(Window, RecoversPosesAndDepths) {
+  Window window = true_window(6, 0.02);
+  window.activate(2, 2);
+  Random random(8);
+  // Keyframes 0 and 1 hold the gauge. A hundredth of the depth is about 0.3 px at this focal length.
+  for (size_t k = 2; k < window.keyframes().size(); ++k) {
+    Vector6d xi;
+    for (int i = 0; i < 6; ++i) xi[i] = (i < 3 ? 0.03 : 0.004) * random.normal();
+    window.keyframes()[k].T_cam_world = SE3::exp(xi) * window.keyframes()[k].T_cam_world;
+  }
+  WindowStats stats;
+  for (int i = 0; i < 3; ++i) stats = window.adjust();
+  EXPECT_LT(stats.cost_per_observation, 1);
+  for (const Keyframe& k : window.keyframes()) {
+    EXPECT_LT(pose_error(k).translation().norm(), k.id < 2 ? 1e-12 : 0.01) << k.id;
+    EXPECT_LT(pose_error(k).angle(), k.id < 2 ? 1e-12 : 0.002) << k.id;
+  }
+  EXPECT_LT(idepth_error(window), 0.01);
+}
+
+TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
+  const auto run = [] {
+    Window window = true_window(5, 0.04);
+    window.activate(2, 2);
+    window.adjust();
+    std::vector<double> values;
+    for (const Keyframe& k : window.keyframes()) {
+      for (const MapPoint& p : k.points) values.push_back(p.idepth);
+      values.push_back(k.T_cam_world.translation().sum());
+    }
+    return values;
+  };
+  EXPECT_EQ(run(), run());
+}
+
+TEST(Window, TheBootstrapKeepsItsScale) {
+  WindowParams params = params_with();
+  Window window = true_window(2, 0.04, params);
+  const double before = relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm();
+  window.hold_bootstrap_scale();
+  window.activate(2, 1);
+  window.adjust();
+  EXPECT_NEAR(relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm(), before, 0.01 * before);
+  EXPECT_LT(pose_error(window.keyframes()[0]).log().norm(), 1e-12);
+}
+
+TEST(Window, AnEmptyWindowDoesNothing) {
+  Window window = true_window(3, 0.0);
+  const WindowStats stats = window.adjust();  // no point is active
+  EXPECT_EQ(stats.points, 0);
+  EXPECT_EQ(stats.observations, 0);
+  for (const Keyframe& k : window.keyframes()) EXPECT_LT(pose_error(k).log().norm(), 1e-9);
+  EXPECT_TRUE(window.cloud().empty());
+}
+
+// ---- leaving and cloud ---------------------------------------------------------------------------------------------
+
+class WindowGauge : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Both, WindowGauge, ::testing::Values("fixed", "prior"), [](const auto& info) { return std::string(info.param); });
+
+TEST_P(WindowGauge, TheOldestLeavesNoTrace) {
+  Window window = true_window(6, 0.02, params_with(GetParam()));
+  window.activate(2, 2);
+  window.adjust();
+  const size_t hosted = window.keyframes().front().points.size();
+  const Keyframe oldest = window.remove_oldest();
+  EXPECT_EQ(oldest.id, 0);
+  EXPECT_EQ(oldest.points.size(), hosted);
+  EXPECT_EQ(window.keyframes().front().id, 1);
+  for (const Keyframe& k : window.keyframes())
+    for (const MapPoint& p : k.points) {
+      EXPECT_FALSE(p.observations.empty());
+      EXPECT_EQ(p.find(0), nullptr);
+    }
+}
+
+TEST_P(WindowGauge, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
+  Window window = true_window(6, 0.02, params_with(GetParam()));
+  window.activate(2, 2);
+  window.adjust();
+  window.remove_oldest();
+  for (int i = 0; i < 3; ++i) window.adjust();
+  const Keyframe &first = window.keyframes().front(), &last = window.newest();
+  const double baseline = (sweep_pose(last.frame_index).translation() - sweep_pose(first.frame_index).translation()).norm();
+  EXPECT_NEAR(relative_pose(last, first).translation().norm(), baseline, 0.03 * baseline);
+  EXPECT_LT(idepth_error(window), 0.03);
+}
+
+TEST(Window, TheCloudLiesInTheNewestFrame) {
+  Window window = true_window(5, 0.0);
+  window.activate(2, 2);
+  const auto cloud = window.cloud();
+  ASSERT_GT(cloud.size(), 150u);
+  std::vector<double> relative, off_edge;
+  const PyramidLevel& newest = window.newest().pyramid->finest();
+  for (const CloudPoint& p : cloud) {
+    const Eigen::Vector2d px = p.px.cast<double>();
+    EXPECT_TRUE(Sweep::pinhole().contains(px));
+    EXPECT_LT((Sweep::pinhole().project(p.ray) - px).norm(), 1e-3);
+    EXPECT_NEAR(p.ray.z(), 1, 1e-12);
+    EXPECT_NEAR(p.normal.norm(), 1, 1e-4);
+    EXPECT_GT(p.idepth_sigma, 0);
+    relative.push_back(std::abs(p.idepth / Sweep::idepth(window.newest().frame_index, px) - 1));
+    const int e = newest.field.nearest(p.px.x(), p.px.y());
+    if (e >= 0) off_edge.push_back(std::abs(newest.edges.pixels[size_t(e)].normal().dot(newest.edges.pixels[size_t(e)].position() - p.px)));
+  }
+  EXPECT_LT(median(relative), 0.002);
+  EXPECT_GT(off_edge.size(), 0.95 * double(cloud.size()));
+  EXPECT_LT(median(off_edge), 0.25);
+}
+
+TEST(Window, TheCloudHoldsAtMostItsLimit) {
+  WindowParams params = params_with();
+  params.max_cloud_points = 90;
+  Window window = true_window(5, 0.0, params);
+  window.activate(2, 2);
+  EXPECT_EQ(window.cloud().size(), 90u);
+}
+
+}  // namespace
+}  // namespace edgevo
