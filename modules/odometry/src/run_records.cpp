@@ -101,6 +101,17 @@ void RunRecords::retire(std::vector<Keyframe> keyframes, int segment) {
   for (const Keyframe& k : keyframes) keyframes_[k.id] = to_record(k, segment);
 }
 
+// The frame of a keyframe stands where the keyframe does: its pose was adjusted, while the one it was tracked with was not.
+void RunRecords::hang_on_itself(int keyframe_id, const KeyframeRecord& keyframe) {
+  FrameRecord* frame = find(keyframe.frame_index);
+  if (!frame) return;
+  frame->is_keyframe = true;
+  const auto hook = hooks_.find(keyframe.frame_index);
+  if (hook == hooks_.end() || frame->segment != keyframe.segment) return;
+  hook->second.keyframe_id = keyframe_id;
+  hook->second.T_cam_ref = SE3();
+}
+
 Run RunRecords::finish() {
   const std::lock_guard<std::mutex> lock(mutex_);
   Run run;
@@ -109,7 +120,7 @@ Run RunRecords::finish() {
   for (auto& [id, keyframe] : keyframes_) {
     move_to_world(T_world_map_[keyframe.segment], &keyframe);
     position[id] = int(run.keyframes.size());
-    if (FrameRecord* frame = find(keyframe.frame_index)) frame->is_keyframe = true;
+    hang_on_itself(id, keyframe);
     run.keyframes.push_back(std::move(keyframe));
   }
   for (FrameRecord& frame : frames_) {

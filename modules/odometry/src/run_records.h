@@ -40,6 +40,8 @@ class RunRecords {
     SE3 T_cam_map_live;
   };
 
+  void hang_on_itself(int keyframe_id, const KeyframeRecord& keyframe);
+
   Pinhole pinhole_;
   std::deque<FrameRecord> frames_;
   std::map<int, size_t> position_;          // frame index -> frames_
