@@ -1,0 +1,309 @@
+// The odometry from end to end on rendered sequences.
+#include "edgevo/odometry/odometry.h"
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "edgevo/core/error.h"
+#include "unit/odometry/rendered_runs.h"
+
+namespace edgevo {
+namespace {
+
+using test::run_sweep;
+using test::sweep_frame;
+using test::sweep_pose;
+using test::trajectory_error;
+
+constexpr int kFrames = 110;  // about 3.5 of way
+
+const Run& whole_sweep() {
+  static const auto run = run_sweep(kFrames);
+  return run;
+}
+
+int count(const Run& run, TrackingState state, int begin = 0, int end = 1 << 30) {
+  int n = 0;
+  for (const FrameRecord& f : run.frames) n += f.index >= begin && f.index < end && f.state == state;
+  return n;
+}
+
+// ---- an undisturbed run --------------------------------------------------------------------------------------------
+
+TEST(Odometry, EveryFrameHasARecordInOrder) {
+  const auto& run = whole_sweep();
+  ASSERT_EQ(run.frames.size(), size_t(kFrames));
+  for (int k = 0; k < kFrames; ++k) {
+    const FrameRecord& f = run.frames[size_t(k)];
+    EXPECT_EQ(f.index, k);
+    EXPECT_EQ(f.time, sweep_frame(k).time);
+    EXPECT_GT(f.edges, 500);
+    ASSERT_FALSE(f.stage_ms.empty());
+    EXPECT_EQ(f.stage_ms.front().first, "edges");
+  }
+}
+
+TEST(Odometry, FollowsTheSweepFromItsFirstFrame) {
+  const auto& run = whole_sweep();
+  for (const FrameRecord& f : run.frames) {
+    EXPECT_EQ(f.state, TrackingState::kTracking) << f.index << " " << f.note;
+    EXPECT_EQ(f.segment, 0);
+    ASSERT_TRUE(f.T_world_cam) << f.index;
+    EXPECT_TRUE(f.T_world_cam->is_finite());
+    EXPECT_TRUE(f.T_world_cam_live);
+  }
+  EXPECT_LT(run.frames.front().T_world_cam->log().norm(), 1e-9);
+  const auto e = trajectory_error(run, 0, kFrames, sweep_pose);
+  EXPECT_EQ(e.poses, kFrames);
+  EXPECT_LT(e.rmse, 0.02 * e.length);
+}
+
+TEST(Odometry, TheTurnsAreThoseOfTheSweep) {
+  double worst = 0;
+  for (const FrameRecord& f : whole_sweep().frames) worst = std::max(worst, (*f.T_world_cam * sweep_pose(f.index).inverse()).angle());
+  EXPECT_LT(worst, 0.02);
+}
+
+TEST(Odometry, KeyframesCarryPointsWithTrueDepth) {
+  const auto& run = whole_sweep();
+  const test::HollowScene scene;
+  ASSERT_GT(run.keyframes.size(), 6u);
+  const double scale = trajectory_error(run, 0, kFrames, sweep_pose).scale;
+  std::vector<double> error;
+  for (size_t i = 0; i < run.keyframes.size(); ++i) {
+    const KeyframeRecord& k = run.keyframes[i];
+    EXPECT_TRUE(run.frames[size_t(k.frame_index)].is_keyframe);
+    EXPECT_GT(k.frame_index, i > 0 ? run.keyframes[i - 1].frame_index : -1);
+    for (const EdgePoint& p : k.points) {
+      EXPECT_GT(p.idepth, 0);
+      EXPECT_GE(p.observations, 1);
+      error.push_back(std::abs(double(p.idepth) / scale / scene.idepth(sweep_pose(k.frame_index), p.px.cast<double>()) - 1));
+    }
+  }
+  ASSERT_GT(error.size(), 1000u);
+  std::nth_element(error.begin(), error.begin() + long(error.size() / 2), error.end());
+  EXPECT_LT(error[error.size() / 2], 0.05);
+}
+
+TEST(Odometry, TheFrameOfAKeyframeStandsWhereTheKeyframeStands) {
+  const auto& run = whole_sweep();
+  for (size_t i = 0; i < run.keyframes.size(); ++i) {
+    const FrameRecord& f = run.frames[size_t(run.keyframes[i].frame_index)];
+    EXPECT_EQ(f.reference_keyframe, int(i));
+    EXPECT_LT((f.T_world_cam->inverse() * run.keyframes[i].T_world_cam).log().norm(), 1e-12);
+  }
+}
+
+TEST(Odometry, TheReferencesOfFramesExist) {
+  const auto& run = whole_sweep();
+  for (const FrameRecord& f : run.frames) {
+    ASSERT_GE(f.reference_keyframe, 0);
+    ASSERT_LT(f.reference_keyframe, int(run.keyframes.size()));
+    EXPECT_EQ(run.keyframes[size_t(f.reference_keyframe)].segment, f.segment);
+  }
+}
+
+void expect_equal_runs(const Run& a, const Run& b) {
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (size_t i = 0; i < a.frames.size(); ++i) {
+    const FrameRecord &fa = a.frames[i], &fb = b.frames[i];
+    EXPECT_EQ(fa.state, fb.state);
+    EXPECT_EQ(fa.segment, fb.segment);
+    EXPECT_EQ(fa.is_keyframe, fb.is_keyframe);
+    EXPECT_EQ(fa.inlier_share, fb.inlier_share);
+    EXPECT_EQ(fa.residual_px, fb.residual_px);
+    EXPECT_EQ(fa.note, fb.note);
+    EXPECT_EQ(fa.covariance, fb.covariance);
+    ASSERT_EQ(fa.T_world_cam.has_value(), fb.T_world_cam.has_value());
+    EXPECT_EQ(fa.T_world_cam.value_or(SE3()).matrix(), fb.T_world_cam.value_or(SE3()).matrix()) << i;
+  }
+  ASSERT_EQ(a.keyframes.size(), b.keyframes.size());
+  for (size_t i = 0; i < a.keyframes.size(); ++i) {
+    ASSERT_EQ(a.keyframes[i].points.size(), b.keyframes[i].points.size());
+    for (size_t k = 0; k < a.keyframes[i].points.size(); ++k) {
+      EXPECT_EQ(a.keyframes[i].points[k].idepth, b.keyframes[i].points[k].idepth);
+      EXPECT_EQ(a.keyframes[i].points[k].idepth_sigma, b.keyframes[i].points[k].idepth_sigma);
+    }
+  }
+}
+
+TEST(Odometry, TwoRunsAreIdentical) { expect_equal_runs(whole_sweep(), run_sweep(kFrames)); }
+
+// ---- loss ----------------------------------------------------------------------------------------------------------
+
+TEST(OdometryLoss, FortyBlackFramesAreLostAndTrackingResumes) {
+  constexpr int kBegin = 45, kEnd = 85, kAll = 150;
+  const auto run = run_sweep(kAll, {}, kBegin, kEnd);
+  ASSERT_EQ(run.frames.size(), size_t(kAll));
+  for (int k = kBegin; k < kEnd; ++k) {
+    EXPECT_EQ(run.frames[size_t(k)].state, TrackingState::kLost) << k;
+    EXPECT_FALSE(run.frames[size_t(k)].T_world_cam) << k;
+    EXPECT_NE(run.frames[size_t(k)].note, "") << k;
+  }
+  const auto before = trajectory_error(run, 0, kBegin, sweep_pose), after = trajectory_error(run, kEnd, kAll, sweep_pose);
+  EXPECT_EQ(before.poses, kBegin);
+  EXPECT_LT(before.rmse, 0.03 * before.length);
+  EXPECT_GT(after.poses, (kAll - kEnd) / 2);
+  EXPECT_LT(after.rmse, 0.05 * after.length);
+  EXPECT_EQ(count(run, TrackingState::kLost, 0, kBegin), 0);
+  EXPECT_EQ(run.frames.back().state, TrackingState::kTracking);
+  EXPECT_EQ(run.frames.back().segment, 1);
+  bool first_segment_kept = false;
+  for (const KeyframeRecord& k : run.keyframes) first_segment_kept |= k.segment == 0 && !k.points.empty();
+  EXPECT_TRUE(first_segment_kept);
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam) continue;
+    EXPECT_EQ(run.keyframes[size_t(f.reference_keyframe)].segment, f.segment) << f.index;
+  }
+}
+
+TEST(OdometryLoss, TheNewSegmentStartsWhereTheOldOneLedTo) {
+  constexpr int kBegin = 45, kEnd = 85;
+  const auto run = run_sweep(130, {}, kBegin, kEnd);
+  const FrameRecord* resumed = nullptr;
+  for (const FrameRecord& f : run.frames)
+    if (!resumed && f.segment == 1 && f.T_world_cam) resumed = &f;
+  ASSERT_TRUE(resumed);
+  const Eigen::Vector3d last = run.frames[kBegin - 1].T_world_cam_live->translation();
+  const Eigen::Vector3d velocity = (last - run.frames[kBegin - 6].T_world_cam_live->translation()) / 5;  // a frame
+  const Eigen::Vector3d predicted = last + (resumed->index - (kBegin - 1)) * velocity;
+  EXPECT_LT((resumed->T_world_cam->translation() - predicted).norm(), 0.2 * (predicted - last).norm());
+}
+
+TEST(OdometryLoss, OneBlackFrameRecoversInTheOldMap) {
+  constexpr int kBlack = 60, kAll = 80;
+  std::vector<std::string> log;
+  OdometryOptions options;
+  options.log = [&](const std::string& line) { log.push_back(line); };
+  const auto run = run_sweep(kAll, options, kBlack, kBlack + 1);
+  EXPECT_EQ(run.frames[kBlack].state, TrackingState::kLost);
+  for (int k = 0; k < kAll; ++k) {
+    if (k == kBlack) continue;
+    EXPECT_EQ(run.frames[size_t(k)].segment, 0) << k;
+    EXPECT_TRUE(run.frames[size_t(k)].T_world_cam) << k;
+  }
+  const auto e = trajectory_error(run, 0, kAll, sweep_pose);
+  EXPECT_LT(e.rmse, 0.03 * e.length);
+  EXPECT_THAT(log, ::testing::Contains(::testing::HasSubstr("frame 60: LOST")));
+  EXPECT_THAT(log, ::testing::Contains(::testing::HasSubstr("frame 61: tracking resumed in the old map")));
+}
+
+TEST(OdometryLoss, BlackAtTheEndEndsNormally) {
+  const auto run = run_sweep(60, {}, 45, 60);
+  EXPECT_EQ(run.frames.size(), 60u);
+  EXPECT_EQ(count(run, TrackingState::kLost, 45, 60), 15);
+  EXPECT_EQ(trajectory_error(run, 0, 45, sweep_pose).poses, 45);
+  EXPECT_FALSE(run.keyframes.empty());
+}
+
+TEST(OdometryLoss, RepeatedBlackoutsKeepEverySegment) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
+  constexpr int kPeriod = 50, kBlack = 15, kAll = 150;
+  for (int k = 0; k < kAll; ++k)
+    odometry.process(k % kPeriod >= kPeriod - kBlack ? test::black(sweep_frame(k)) : sweep_frame(k));
+  const auto run = odometry.finish();
+  ASSERT_EQ(run.frames.size(), size_t(kAll));
+  int segment = -1;
+  for (const FrameRecord& f : run.frames) {
+    if (f.segment >= 0) {
+      EXPECT_GE(f.segment, segment);
+      segment = std::max(segment, f.segment);
+    }
+    const bool is_black = f.index % kPeriod >= kPeriod - kBlack;
+    EXPECT_TRUE(!is_black || f.state == TrackingState::kLost) << f.index;
+    EXPECT_TRUE(f.T_world_cam.value_or(SE3()).is_finite());
+  }
+  EXPECT_GE(segment, 1);
+}
+
+// ---- no motion, no image -------------------------------------------------------------------------------------------
+
+TEST(OdometryStart, AStandstillBootstrapsForeverAndSaysWhy) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
+  for (int k = 0; k < 12; ++k) {
+    Frame frame = sweep_frame(0);
+    frame.index = k;
+    frame.time = sweep_frame(k).time;
+    const FrameRecord& record = odometry.process(frame);
+    EXPECT_EQ(record.state, TrackingState::kBootstrapping);
+    EXPECT_NE(record.note, "");
+  }
+  const auto run = odometry.finish();
+  EXPECT_EQ(run.frames.size(), 12u);
+  EXPECT_TRUE(run.keyframes.empty());
+}
+
+TEST(OdometryStart, ARunWithoutFramesIsEmpty) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
+  const auto run = odometry.finish();
+  EXPECT_TRUE(run.frames.empty());
+  EXPECT_TRUE(run.keyframes.empty());
+}
+
+TEST(OdometryStart, WaitsThroughBlackFrames) {
+  const auto run = run_sweep(40, {}, 0, 10);
+  EXPECT_EQ(count(run, TrackingState::kBootstrapping, 0, 10), 10);
+  EXPECT_EQ(run.frames.back().state, TrackingState::kTracking);
+}
+
+// ---- bad input -----------------------------------------------------------------------------------------------------
+
+TEST(OdometryInput, AnImageOfAnotherSizeThrowsAndKeepsWhatWasComputed) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
+  for (int k = 0; k < 30; ++k) odometry.process(sweep_frame(k));
+  Frame wrong = sweep_frame(30);
+  wrong.image = test::make_image(160, 120, [](double, double) { return 0; });
+  EXPECT_THROW(odometry.process(wrong), InputError);
+  const auto run = odometry.finish();
+  EXPECT_GE(run.frames.size(), 30u);
+  EXPECT_EQ(trajectory_error(run, 0, 30, sweep_pose).poses, 30);
+}
+
+TEST(OdometryInput, AnUnusableCameraThrows) {
+  Camera camera = test::sweep_camera();
+  camera.pinhole.fx = 0;
+  EXPECT_THROW(Odometry(camera, OdometryParams(), OdometryOptions()), InputError);
+}
+
+TEST(OdometryInput, AnUnknownDetectorThrows) {
+  OdometryParams params;
+  params.edges.detector = "cany";
+  EXPECT_THROW(Odometry(test::sweep_camera(), params, OdometryOptions()), InputError);
+}
+
+// ---- parameters ----------------------------------------------------------------------------------------------------
+
+template <class Call>
+std::string error_of(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(OdometryParameters, UnknownOnesAreRejectedWithTheNearestName) {
+  OdometryParams params;
+  const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
+  EXPECT_THAT(error_of([&] { read_params("mapping:\n  window:\n    keyframe: 9\n", "x.yaml", visit); }), ::testing::HasSubstr("keyframes"));
+  EXPECT_THAT(error_of([&] { set_param("recovery.max_frame=3", visit); }), ::testing::HasSubstr("max_frames"));
+  EXPECT_THAT(error_of([&] { set_param("edges.detector=cany", visit); }), ::testing::HasSubstr("canny"));
+  EXPECT_THAT(error_of([&] { set_param("mapping.window.keyframes=2", visit); }), ::testing::HasSubstr("30"));
+}
+
+TEST(OdometryParameters, WhatIsWrittenReadsBack) {
+  OdometryParams params, again;
+  params.mapping.window.keyframes = 9;
+  params.recovery.max_frames = 3;
+  params.association.k_m = 0.5;
+  const std::string text = write_params([&](ParamVisitor& v) { params.visit(v); });
+  read_params(text, "text", [&](ParamVisitor& v) { again.visit(v); });
+  EXPECT_EQ(write_params([&](ParamVisitor& v) { again.visit(v); }), text);
+  EXPECT_EQ(again.mapping.window.keyframes, 9);
+}
+
+}  // namespace
+}  // namespace edgevo

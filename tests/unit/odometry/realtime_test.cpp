@@ -1,0 +1,60 @@
+// Tracking and mapping in two threads. Run under ThreadSanitizer by the tsan preset.
+#include <gtest/gtest.h>
+
+#include "edgevo/core/error.h"
+#include "unit/odometry/rendered_runs.h"
+
+namespace edgevo {
+namespace {
+
+using test::run_sweep;
+using test::sweep_frame;
+using test::sweep_pose;
+using test::trajectory_error;
+
+OdometryOptions realtime() {
+  OdometryOptions options;
+  options.realtime = true;
+  return options;
+}
+
+TEST(Realtime, FinishesWithAPoseForEveryFrame) {
+  constexpr int kFrames = 80;
+  const auto run = run_sweep(kFrames, realtime());
+  ASSERT_EQ(run.frames.size(), size_t(kFrames));
+  const auto e = trajectory_error(run, 0, kFrames, sweep_pose);
+  EXPECT_EQ(e.poses, kFrames);
+  EXPECT_LT(e.rmse, 0.04 * e.length);
+  EXPECT_GT(run.keyframes.size(), 3u);
+}
+
+TEST(Realtime, SurvivesABlackout) {
+  constexpr int kBegin = 40, kEnd = 60, kAll = 100;
+  const auto run = run_sweep(kAll, realtime(), kBegin, kEnd);
+  ASSERT_EQ(run.frames.size(), size_t(kAll));
+  for (int k = kBegin; k < kEnd; ++k) EXPECT_EQ(run.frames[size_t(k)].state, TrackingState::kLost) << k;
+  EXPECT_EQ(trajectory_error(run, 0, kBegin, sweep_pose).poses, kBegin);
+  EXPECT_GT(trajectory_error(run, kEnd, kAll, sweep_pose).poses, 10);
+}
+
+TEST(Realtime, EndsCleanlyWithoutFinish) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());
+  for (int k = 0; k < 25; ++k) odometry.process(sweep_frame(k));
+}
+
+TEST(Realtime, EndsCleanlyWithoutFrames) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());
+  EXPECT_TRUE(odometry.finish().frames.empty());
+}
+
+TEST(Realtime, AnImageOfAnotherSizeThrowsInTheCaller) {
+  Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());
+  for (int k = 0; k < 25; ++k) odometry.process(sweep_frame(k));
+  Frame wrong = sweep_frame(25);
+  wrong.image = test::make_image(8, 8, [](double, double) { return 0; });
+  EXPECT_THROW(odometry.process(wrong), InputError);
+  EXPECT_GE(odometry.finish().frames.size(), 25u);
+}
+
+}  // namespace
+}  // namespace edgevo
