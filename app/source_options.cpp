@@ -1,5 +1,7 @@
 #include "source_options.h"
 
+#include "option_checks.h"
+
 namespace edgevo::app {
 
 void add_source_options(CLI::App& command, SourceOptions* options) {
@@ -14,9 +16,9 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
   command.add_option_function<std::string>(
       "--frames", [options](const std::string& text) { set_frame_range(text, options); },
       "only frames A to B-1, as A:B");
-  command.add_option("--every", options->every, "of these only each N-th")->check(CLI::PositiveNumber);
+  command.add_option("--every", options->every, "of these only each N-th")->check(whole_number(1));
   command.add_option("--fps", options->fps, "frames a second, for images or videos without times")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
 }
 
 }  // namespace edgevo::app

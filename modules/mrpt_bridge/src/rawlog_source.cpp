@@ -81,7 +81,7 @@ class RawlogSource : public ImageSource {
  private:
   std::optional<RawlogImage> advance();
   Frame read(const RawlogImage& image);
-  GrayImage pixels(const mrpt::img::CImage& image, const std::string& where) const;
+  std::string file_of(const mrpt::img::CImage& image) const;
 
   std::string path_;
   RawlogSurvey survey_;
@@ -140,17 +140,18 @@ Frame RawlogSource::read(const RawlogImage& image) {
   if (!own_calibration_ && *image.camera != chosen_.camera)
     throw InputError(where, "the calibration differs from that of the first frame",
                      "give one for all with --camera");
-  Frame frame{index_, image.time, pixels(*image.image, where)};
+  Frame frame{index_, image.time, {}, file_of(*image.image)};
+  frame.image = frame.image_path.empty() ? from_mrpt(*image.image, where) : read_gray_image(frame.image_path);
   check_image_size(frame.image, camera_.pinhole, where);
   previous_ = image.time;
   return frame;
 }
 
-GrayImage RawlogSource::pixels(const mrpt::img::CImage& image, const std::string& where) const {
-  if (!image.isExternallyStored()) return from_mrpt(image, where);
-  const fs::path file = image.getExternalStorageFile();
+// Where an external image lies; empty for one inside the rawlog. An absolute name stays what it is.
+std::string RawlogSource::file_of(const mrpt::img::CImage& image) const {
+  if (!image.isExternallyStored()) return {};
   const fs::path folder = images_folder_.empty() ? find_images_folder(path_) : images_folder_;
-  return read_gray_image((folder / file).string());  // an absolute name stays what it is
+  return (folder / image.getExternalStorageFile()).string();
 }
 
 }  // namespace

@@ -136,6 +136,8 @@ TEST(RawlogSource, ExternalImagesInEveryFolderName) {
     }
     writer.close();
     expect_frames(*test::open(folder / "x.rawlog"), 2);
+    EXPECT_EQ(test::open(folder / "x.rawlog")->next()->image_path,
+              folder / (std::string(images) + "/I0.png"));
   }
 }
 
