@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "option_checks.h"
 #ifdef EDGEVO_HAS_evaluation
 #include "edgevo/evaluation/evaluate.h"
 #endif
@@ -37,7 +38,7 @@ void add_eval_command(CLI::App& app, Action* action) {
   cmd->add_option("--frames-total", args->frames_total,
                   "number of images that were put in, for completion and the blocks of ATE200; without it, frames.csv "
                   "beside TRAJECTORY, times.txt beside GROUNDTRUTH, or the ground truth's lines tell")
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1));
   cmd->callback([=] { *action = [=] { return run_eval(*args); }; });
 }
 #else

@@ -10,6 +10,7 @@
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/relit_source.h"
+#include "option_checks.h"
 #include "progress.h"
 #include "source_options.h"
 
@@ -73,9 +74,11 @@ void add_relight_command(CLI::App& app, Action* action) {
   add_source_options(*command, &options->source);
   std::string kinds;
   for (const std::string& kind : relight_kinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
-  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")->required();
+  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")->required()->check(path_given());
   command->add_option("--kind", options->kind, "one of " + kinds)->capture_default_str();
-  command->add_option("--seed", options->seed, "how the light changes follows from it")->capture_default_str();
+  command->add_option("--seed", options->seed, "how the light changes follows from it")
+      ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))
+      ->capture_default_str();
   command->callback([=] { *action = [=] { return relight(*options); }; });
 }
 

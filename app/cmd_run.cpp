@@ -7,6 +7,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/odometry/odometry.h"
+#include "option_checks.h"
 #include "progress.h"
 #include "run_outputs.h"
 #include "run_params.h"
@@ -125,13 +126,15 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   auto args = std::make_shared<RunArguments>();
   args->command_line = std::move(command_line);
   add_source_options(*command, &args->source);
-  command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")->required();
+  command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")->required()->check(path_given());
   command->add_option("--params", args->params_file, "YAML file of parameters; what it does not name keeps its default");
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")->take_all();
   command->add_option("--detector", args->detector, "edge detector: canny or edge_drawing");
-  command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical");
+  command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical")
+      ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads; not bit-identical");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
+  command->footer("Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a source.");
   command->callback([=] { *action = [=] { return run(*args); }; });
 }
 

@@ -7,6 +7,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/scene.h"
+#include "option_checks.h"
 #include "progress.h"
 
 namespace edgevo::app {
@@ -56,8 +57,9 @@ void add_simulate_command(CLI::App& app, Action* action) {
   std::string known;
   for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
   command->add_option("SCENE", options->scene, "a YAML file, or one of: " + known)->required();
-  command->add_option("-o,--out", options->out, "folder to write")->required();
-  command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)");
+  command->add_option("-o,--out", options->out, "folder to write")->required()->check(path_given());
+  command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)")
+      ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
   command->callback([=] { *action = [=] { return simulate(*options); }; });

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "option_checks.h"
 
 namespace {
 
@@ -36,7 +37,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::CallForVersion& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return report((std::string(e.what()) + "; see edgevo --help").c_str());
+    return report(edgevo::app::explain(app, e, argc, argv).c_str());
   } catch (const edgevo::InputError& e) {
     return report(e.what());
   } catch (const std::bad_alloc&) {

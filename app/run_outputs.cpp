@@ -18,6 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Three trajectories and frames.csv take about 600 bytes a frame: 10 000 frames.
+constexpr size_t kTextBytes = 6 << 20, kSummaryBytes = 64 << 10;
+
 double seconds(const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); }
 
 rusage usage() {
@@ -40,6 +43,8 @@ RunOutputs::RunOutputs(std::string folder, const Camera& camera, const Occupancy
       cpu_begin_s_(cpu_seconds(usage())) {
   occupancy_.check();
   make_output_folder(folder_);
+  text_reserve_.emplace(folder_, kTextBytes);
+  summary_reserve_.emplace(folder_, kSummaryBytes);
   playback_.emplace(folder_, camera);
 }
 
@@ -60,6 +65,7 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
   SummaryInput summary{run, info, use_until_now(), {}, {}, {}};
   const PointFilter& filter = occupancy_.points;
+  text_reserve_.reset();
   attempt("trajectory_tum.txt",
           [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kFinal)); });
   attempt("trajectory_live_tum.txt",
@@ -80,6 +86,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   attempt("playback.rawlog", [&](const auto&) { playback_->finish(run, filter); });
   summary.use_with_outputs = use_until_now();
   summary.not_written = not_written_;
+  summary_reserve_.reset();
   attempt("summary.yaml", [&](const auto& path) { write_file(path, summary_yaml(summary)); });
   if (first_failure_) throw *first_failure_;
 }

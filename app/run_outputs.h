@@ -9,12 +9,13 @@
 //   keyframes.simplemap, playback.rawlog + playback_Images, scene.3Dscene   for MRPT's tools (mrpt_bridge)
 //   summary.yaml             versions, parameters, scale, counts, timing, memory, and what could not be
 //   written
+// Room for the text files is held from the start, so that they are written even when images fill the disk.
 // An output folder is created with its parents; results of an earlier run in it are overwritten. The text
 // files but summary.yaml and the ms columns of frames.csv depend on the run alone: the same run gives the
 // same bytes.
 //
 // Usage:
-//   RunOutputs outputs(out, camera, options);      // throws when `out` cannot be a folder
+//   RunOutputs outputs(out, camera, options);      // throws when `out` cannot be a folder, or its disk is full
 //   while (auto frame = source.next()) {
 //     ...
 //     if (!outputs.add_frame(*frame)) break;       // an image could not be written: end the run, keep what
@@ -35,6 +36,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/occupancy/occupancy_params.h"
+#include "run_outputs_reserve.h"
 
 namespace edgevo::app {
 
@@ -55,8 +57,8 @@ struct ResourceUse {
 
 class RunOutputs {
  public:
-  /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, occupancy
-  /// parameters.
+  /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, no
+  /// room, occupancy parameters.
   RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy);
 
   /// Writes the frame's image for playback.rawlog; or, if the image is on disk at `image_path` already, links
@@ -77,6 +79,7 @@ class RunOutputs {
   OccupancyParams occupancy_;
   std::chrono::steady_clock::time_point wall_begin_;
   double cpu_begin_s_ = 0;
+  std::optional<SpaceReserve> text_reserve_, summary_reserve_;
   std::optional<PlaybackWriter> playback_;
   bool images_failed_ = false;
   std::optional<InputError> first_failure_;

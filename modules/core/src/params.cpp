@@ -74,14 +74,14 @@ class Assigner : public ParamVisitor {
     const Given* given = find(key);
     if (!given) return;
     const double parsed = to_number(*given, key);
-    if (parsed != std::floor(parsed)) fail(*given, key, "is not a whole number");
+    if (parsed != std::floor(parsed)) fail(*given, key, "is not a whole number; write one without decimals");
     if (!(parsed >= min && parsed <= max)) out_of_range(*given, key, std::to_string(min), std::to_string(max));
     value = int(parsed);
   }
   void boolean(const char* key, bool& value, const char*) override {
     const Given* given = find(key);
     if (!given) return;
-    if (given->text != "true" && given->text != "false") fail(*given, key, "is neither true nor false");
+    if (given->text != "true" && given->text != "false") fail(*given, key, "is neither true nor false; write one of the two");
     value = given->text == "true";
   }
   void text(const char* key, std::string& value, const std::vector<std::string>& choices, const char*) override {
@@ -107,7 +107,7 @@ class Assigner : public ParamVisitor {
     const char* const end = given.text.data() + given.text.size();
     double parsed = 0;
     const auto result = std::from_chars(given.text.data(), end, parsed);
-    if (result.ec != std::errc() || result.ptr != end) fail(given, key, "is not a number");
+    if (result.ec != std::errc() || result.ptr != end) fail(given, key, "is not a number; write one without a unit");
     return parsed;
   }
   [[noreturn]] void fail(const Given& given, const char* key, const std::string& why) const {

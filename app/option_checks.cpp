@@ -1,0 +1,81 @@
+#include "option_checks.h"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "edgevo/core/error.h"
+
+namespace edgevo::app {
+namespace {
+
+template <typename Number>
+bool parse(const std::string& text, Number* value) {
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, *value);
+  return read.ec == std::errc() && read.ptr == end;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
+  const std::string nearest = nearest_name(word, names);
+  return nearest.empty() ? "" : "; did you mean " + nearest + "?";
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return "unknown sub-command '" + word + "'" + did_you_mean(word, names);
+}
+
+std::string unexpected(const CLI::App& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('=')), where = command.get_name();
+  if (word.rfind("--", 0) != 0) return where + ": unexpected argument '" + word + "'; see edgevo " + where + " --help";
+  return where + ": unknown option " + name + did_you_mean(name, option_names(command));
+}
+
+}  // namespace
+
+CLI::Validator whole_number(uint64_t least, uint64_t most) {
+  const auto check = [=](std::string& text) -> std::string {
+    uint64_t value = 0;
+    if (parse(text, &value) && value >= least && value <= most) return "";
+    return "'" + text + "' is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+  };
+  return {check, "", "whole number"};
+}
+
+CLI::Validator positive_number() {
+  const auto check = [](std::string& text) -> std::string {
+    double value = 0;
+    if (parse(text, &value) && value > 0 && std::isfinite(value)) return "";
+    return "'" + text + "' is not a number larger than 0";
+  };
+  return {check, "", "positive number"};
+}
+
+CLI::Validator path_given() {
+  const auto check = [](std::string& text) -> std::string { return text.empty() ? "'' names no folder" : ""; };
+  return {check, "", "path"};
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  if (commands.empty()) {
+    if (argc > 1 && argv[1][0] != '-') return unknown_command(app, argv[1]);
+    return argc == 1 ? "no sub-command given; see edgevo --help" : std::string(error.what()) + "; see edgevo --help";
+  }
+  const CLI::App& command = *commands.front();
+  const std::vector<std::string> rest = command.remaining();
+  if (error.get_exit_code() == int(CLI::ExitCodes::ExtrasError) && !rest.empty()) return unexpected(command, rest.front());
+  return command.get_name() + ": " + error.what() + "; see edgevo " + command.get_name() + " --help";
+}
+
+}  // namespace edgevo::app
