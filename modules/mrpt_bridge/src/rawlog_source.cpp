@@ -140,8 +140,9 @@ Frame RawlogSource::read(const RawlogImage& image) {
   if (!own_calibration_ && *image.camera != chosen_.camera)
     throw InputError(where, "the calibration differs from that of the first frame",
                      "give one for all with --camera");
-  Frame frame{index_, image.time, {}, file_of(*image.image)};
-  frame.image = frame.image_path.empty() ? from_mrpt(*image.image, where) : read_gray_image(frame.image_path);
+  std::string file = file_of(*image.image);
+  GrayImage pixels = file.empty() ? from_mrpt(*image.image, where) : read_gray_image(file);
+  Frame frame{index_, image.time, std::move(pixels), std::move(file)};
   check_image_size(frame.image, camera_.pinhole, where);
   previous_ = image.time;
   return frame;
