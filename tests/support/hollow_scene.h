@@ -41,7 +41,9 @@ class SolidTexture {
 /// left and right, 2.5 below and above, all slanted outwards.
 class HollowScene {
  public:
-  explicit HollowScene(uint64_t seed = 5, int width = 320, int height = 240) : texture_(seed, 0.3, 1.8) {
+  /// `shortest` and `longest` are the wave lengths of the texture.
+  explicit HollowScene(uint64_t seed = 5, int width = 320, int height = 240, double shortest = 0.3, double longest = 1.8)
+      : texture_(seed, shortest, longest) {
     const double f = 0.8 * width;
     camera.pinhole = {f, f, 0.5 * width - 0.5, 0.5 * height - 0.5, width, height};
     add_wall({0.15, -0.1, 1}, 7);

@@ -1,0 +1,55 @@
+// Time of each step from an image to its edge pyramid, at 1241x376. Counter: edge pixels.
+#include <benchmark/benchmark.h>
+
+#include "bench/bench_scene.h"
+#include "edgevo/edges/edge_extraction.h"
+
+namespace {
+
+using namespace edgevo;
+
+const Gradient& gradient() {
+  static const Gradient g = compute_gradient(bench::image(0).view());
+  return g;
+}
+
+void gradient_of_image(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(compute_gradient(bench::image(0).view()));
+}
+
+void detect(benchmark::State& state, const char* name) {
+  EdgeParams params;
+  params.detector = name;
+  const auto detector = make_edge_detector(params);
+  for (auto _ : state) benchmark::DoNotOptimize(detector->detect(bench::image(0).view(), gradient()));
+}
+
+void extract(benchmark::State& state) {
+  const EdgeParams params;
+  const auto mask = make_edge_detector(params)->detect(bench::image(0).view(), gradient());
+  size_t edges = 0;
+  for (auto _ : state) edges = extract_edges(mask, gradient(), params.min_chain).pixels.size();
+  state.counters["edges"] = double(edges);
+}
+
+void nearest_field(benchmark::State& state) {
+  const EdgeMap& edges = bench::pyramid(0)->finest().edges;
+  for (auto _ : state) benchmark::DoNotOptimize(NearestField(edges, int(state.range(0))));
+  state.counters["edges"] = double(edges.pixels.size());
+}
+
+void whole_pyramid(benchmark::State& state) {
+  PyramidBuilder builder(bench::scene().camera, EdgeParams());
+  size_t edges = 0;
+  for (auto _ : state) edges = builder.build(bench::image(0))->finest().edges.pixels.size();
+  state.counters["edges"] = double(edges);
+}
+
+BENCHMARK(gradient_of_image)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, canny, "canny")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(detect, edge_drawing, "edge_drawing")->Unit(benchmark::kMillisecond);
+BENCHMARK(extract)->Unit(benchmark::kMillisecond);
+BENCHMARK(nearest_field)->Arg(12)->Unit(benchmark::kMillisecond);
+BENCHMARK(whole_pyramid)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,104 @@
+// Time of the mapping of one keyframe, at 1241x376: association alone, one frame of the depth filter, and a whole keyframe
+// through the mapper.
+#include <benchmark/benchmark.h>
+
+#include "bench/bench_scene.h"
+#include "edgevo/alignment/tracker.h"
+#include "edgevo/association/associate.h"
+#include "edgevo/mapping/depth_filter.h"
+#include "edgevo/mapping/mapper.h"
+
+namespace {
+
+using namespace edgevo;
+
+// Points of frame 0 matched with frame 4. Counter: share that matched.
+void associate_points(benchmark::State& state) {
+  const auto points = bench::points(0, int(state.range(0)));
+  AssociationQuery query;
+  query.host = bench::pyramid(0).get();
+  query.target = bench::pyramid(4).get();
+  query.T_target_host = bench::motion(0, 4);
+  query.pose_covariance = 1e-6 * Matrix6d::Identity();
+  int matched = 0;
+  for (auto _ : state) {
+    matched = 0;
+    for (const CloudPoint& p : points) {
+      query.px_host = p.px.cast<double>();
+      query.normal_host = p.normal.cast<double>();
+      query.idepth = p.idepth;
+      query.idepth_sigma = p.idepth_sigma;
+      matched += associate(query, AssociationParams()).kind != MatchKind::kNone;
+    }
+  }
+  state.counters["matched"] = double(matched) / double(points.size());
+}
+
+// New points of frame 0 searched in frame 4. Counters: points, share with a depth.
+void update_depths_once(benchmark::State& state) {
+  Keyframe host;
+  host.pyramid = bench::pyramid(0);
+  const DepthFilterParams params;
+  Random random(1);
+  const CellGrid grid(bench::pinhole().width, bench::pinhole().height, params.cell_px);
+  const auto range = [&](const Eigen::Vector2d& px) {
+    const double idepth = bench::scene().idepth(test::sweep_pose(0), px);
+    return IdepthRange{params.prior_low * idepth, params.prior_high * idepth};
+  };
+  host.immature = make_immature_points(host, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
+  const auto target = bench::pyramid(4);
+  const SE3 T = bench::motion(0, 4);
+  const std::vector<ImmaturePoint> fresh = host.immature;
+  for (auto _ : state) {
+    host.immature = fresh;
+    update_depths(*target, T, params, AssociationParams(), &host);
+  }
+  int found = 0;
+  for (const ImmaturePoint& p : host.immature) found += p.good;
+  state.counters["points"] = double(fresh.size());
+  state.counters["found"] = double(found) / double(fresh.size());
+}
+
+// One keyframe in three frames through the mapper: depth filter, association, activation, bundle adjustment, new points.
+// Counters: milliseconds of CPU time by stage, points and observations of the window; means over the keyframes.
+void process_keyframe(benchmark::State& state) {
+  constexpr int kFramesApart = 3;
+  Bootstrap bootstrap(bench::pinhole(), BootstrapParams(), 1);
+  Mapper mapper(bench::pinhole(), MappingParams(), AssociationParams(), false, 1);
+  int frame = 0;
+  for (bool ready = false; !ready; ++frame) {
+    const BootstrapStatus status = bootstrap.add(frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame));
+    ready = status.result && mapper.initialise(*status.result).empty();
+  }
+  SE3 T_last_ref;
+  const auto process = [&](bool make_keyframe, const TrackedFrame& tracked) {
+    const MapUpdate update = mapper.process(tracked);
+    T_last_ref = make_keyframe ? SE3() : tracked.T_cam_ref;
+    return update;
+  };
+  const auto align = [&](bool make_keyframe) {
+    const auto reference = mapper.reference();
+    const TrackResult r = track(*bench::pyramid(frame), reference->cloud, motion_hypotheses(T_last_ref, SE3()), AlignmentParams());
+    return TrackedFrame{frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame), reference->keyframe_id,
+                        r.T_cur_ref, r.covariance, make_keyframe};
+  };
+  std::map<std::string, double> totals;
+  for (auto _ : state) {
+    state.PauseTiming();
+    for (int i = 1; i < kFramesApart; ++i, ++frame) process(false, align(false));
+    const TrackedFrame keyframe = align(true);
+    ++frame;
+    state.ResumeTiming();
+    const MapUpdate update = process(true, keyframe);
+    for (const auto& [stage, ms] : update.times) totals[stage + "_ms"] += ms;
+    totals["points"] += update.stats.points;
+    totals["observations"] += update.stats.observations;
+  }
+  for (const auto& [name, total] : totals) state.counters[name] = total / double(state.iterations());
+}
+
+BENCHMARK(associate_points)->Arg(1500)->Unit(benchmark::kMillisecond);
+BENCHMARK(update_depths_once)->Unit(benchmark::kMillisecond);
+BENCHMARK(process_keyframe)->Iterations(20)->Unit(benchmark::kMillisecond);
+
+}  // namespace
