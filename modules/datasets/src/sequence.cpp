@@ -30,13 +30,13 @@ class SequenceSource : public ImageSource {
     if (position_ >= sequence_.images.size()) return std::nullopt;
     const size_t i = std::exchange(position_, sequence_.images.size());  // stays at the end if a check throws
     const std::string& path = sequence_.images[i];
-    Frame frame{int(i), sequence_.times[i], {}, sequence_.images[i]};
-    if (previous_) check_time_increases(*previous_, frame.time, path + " (frame " + std::to_string(i) + ")");
-    frame.image = read_gray_image(path);
-    check_image_size(frame.image, sequence_.camera.pinhole, path);
-    previous_ = frame.time;
+    const Timestamp time = sequence_.times[i];
+    if (previous_) check_time_increases(*previous_, time, path + " (frame " + std::to_string(i) + ")");
+    GrayImage image = read_gray_image(path);
+    check_image_size(image, sequence_.camera.pinhole, path);
+    previous_ = time;
     position_ = i + 1;
-    return frame;
+    return Frame{int(i), time, std::move(image), path};
   }
   bool skip() override {
     if (position_ >= sequence_.images.size()) return false;
