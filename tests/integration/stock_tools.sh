@@ -62,7 +62,7 @@ check "exported poses with 28 numbers" "$(grep -v '^%' playback_EDGE_VO.txt | gr
 # Another frame, the same distance from the first to the last pose (the lever arm of a metric mount would change it).
 if [ "$(summary metric)" = false ]; then
   distance='function d(a, b) { return sqrt((a[2]-b[2])^2 + (a[3]-b[3])^2 + (a[4]-b[4])^2) }
-            /^[0-9]/ { n = split($0, last); if (!seen++) split($0, first) } END { print int(1000 * d(first, last) + 0.5) }'
+            /^ *[0-9]/ { n = split($0, last); if (!seen++) split($0, first) } END { print int(1000 * d(first, last) + 0.5) }'
   mm_tum=$(awk "$distance" "$out/trajectory_tum.txt")
   mm_mrpt=$(awk "$distance" playback_EDGE_VO.txt)
   check "distance of the last pose, in thousandths" "$mm_mrpt" -ge $((mm_tum - 1))

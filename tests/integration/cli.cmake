@@ -1,0 +1,14 @@
+# The program as its users call it, on short rendered sequences: cli_NAME.sh EDGEVO SCENES (see cli_common.sh). They are not
+# run at the same time as others where they measure seconds (RUN_SERIAL).
+set(cli_scenes ${CMAKE_CURRENT_BINARY_DIR}/cli_scenes)
+
+function(edgevo_add_cli_test name)
+  add_test(NAME integration.cli_${name} COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_${name}.sh $<TARGET_FILE:edgevo> ${cli_scenes})
+  set_tests_properties(integration.cli_${name} PROPERTIES LABELS integration TIMEOUT 300 SKIP_RETURN_CODE 77 ${ARGN})
+endfunction()
+
+edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)
+foreach(name IN ITEMS run_eval reproducible blackout bad_arguments broken_source disk_full degenerate realtime)
+  edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
+endforeach()
+edgevo_add_cli_test(interrupt FIXTURES_REQUIRED cli_scenes RUN_SERIAL TRUE)

@@ -1,0 +1,62 @@
+#!/bin/sh
+# What cannot be run is told at once: one line with where, what and what to do, and exit code 2.
+. "$(dirname "$0")/cli_common.sh"
+desk=$scenes/desk
+run() { "$edgevo" run "$@" --quiet; }
+
+# The command line.
+complains "no sub-command given" "$edgevo"
+complains "'rum'.*did you mean run" "$edgevo" rum "$desk" -o out
+complains "SOURCE is required" "$edgevo" run
+complains "\-\-out is required" "$edgevo" run "$desk"
+complains "run: unknown option --detektor; did you mean --detector?" "$edgevo" run "$desk" -o out --detektor=canny
+complains "extra" "$edgevo" run "$desk" extra -o out
+complains "'' names no folder" "$edgevo" run "$desk" -o ''
+complains "SOURCE is required" "$edgevo" import
+complains "does not end in .rawlog" "$edgevo" import "$desk" seq.log
+complains "no-scene.*street" "$edgevo" simulate no-scene -o out
+complains "none.txt" "$edgevo" eval none.txt "$desk/groundtruth_tum.txt"
+
+for range in 5 a:b 5:5 9:5 1000:1001 -1:4 1:2:3 0:99999999999; do complains "--frames" run "$desk" -o out --frames=$range; done
+for every in 0 -1 2.5 x 99999999999; do complains "--every.*whole number" run "$desk" -o out --every=$every; done
+for seed in -1 x 1.5; do complains "--seed.*whole number" run "$desk" -o out --seed=$seed; done
+for fps in 0 -1 x; do complains "--fps.*larger than 0" run "$desk" -o out --fps=$fps; done
+
+# Parameters: the nearest name, the range, the file and its line.
+complains "unknown parameter 'edges.canny_percentil'.*did you mean 'edges.canny_percentile'" run "$desk" -o out --set edges.canny_percentil=0.9
+complains "'7' is out of range.*between" run "$desk" -o out --set edges.canny_percentile=7
+complains "'many' is not a number" run "$desk" -o out --set edges.canny_percentile=many
+complains "is not KEY=VALUE" run "$desk" -o out --set nonsense
+complains "'cany' is not one of.*did you mean canny" run "$desk" -o out --detector cany
+printf 'edges:\n  detector: canny\n  canny_percentil: 0.9\n' >unknown.yaml
+printf 'edges:\n  canny_percentile: 9\n' >range.yaml
+printf 'edges: [1\n' >broken.yaml
+complains "unknown.yaml:3: unknown parameter.*did you mean" run "$desk" -o out --params unknown.yaml
+complains "range.yaml:2: .*out of range" run "$desk" -o out --params range.yaml
+complains "broken.yaml:1: " run "$desk" -o out --params broken.yaml
+complains "none.yaml: cannot be read" run "$desk" -o out --params none.yaml
+
+# Sources that are not there or are none.
+mkdir empty only_images letter
+ln -s "$desk/images" only_images/images
+echo "Dear camera" >letter.txt
+: >nothing.rawlog
+complains "nowhere: no such file or folder" run nowhere -o out
+complains "empty: the folder holds no images" run empty -o out
+complains "times.txt: is missing" run only_images -o out
+complains "no calibration.*--camera" run "$desk/images" -o out
+complains "letter.txt.*neither a rawlog nor a video" run letter.txt -o out
+complains "nothing.rawlog.*no image" run nothing.rawlog -o out
+complains "no sensor 'CAM7'" run "$desk" -o out --sensor CAM7
+complains "none.txt" run "$desk" -o out --camera none.txt
+echo "500 500 320 240 0 0" >short_camera.txt
+complains "short_camera.txt" run "$desk" -o out --camera short_camera.txt
+echo "500 500 320 240 0 0 0 0 640 -480" >bad_camera.txt
+complains "bad_camera.txt" run "$desk" -o out --camera bad_camera.txt
+check "folders that a command which cannot run leaves" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
+
+# Outputs that cannot be made.
+: >file
+complains "file: is a file, but a folder is needed" run "$desk" -o file
+complains "file/out: cannot be created" run "$desk" -o file/out
+finish

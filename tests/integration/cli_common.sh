@@ -1,0 +1,104 @@
+# Sourced by the cli_*.sh tests: POSIX sh, no python. Each is called as
+#   cli_X.sh EDGEVO SCENES
+# with the program and the folder of the rendered sequences (cli_render.sh), works in a temporary folder that goes away, prints
+# one line a check and ends with code 0 when all hold, 77 (ctest: skipped) when it could not test here.
+set -u
+export LC_ALL=C
+edgevo=${1:?usage: $0 EDGEVO SCENES}
+scenes=${2:?usage: $0 EDGEVO SCENES}
+work=$(mktemp -d)
+cleanup() { :; }
+trap 'cleanup; rm -rf "$work"' EXIT
+trap 'exit 130' INT TERM
+cd "$work" || exit 1
+failures=0
+
+ok() { echo "ok    $1"; }
+fail() {
+  echo "FAIL  $1"
+  failures=$((failures + 1))
+}
+finish() {
+  [ "$failures" -eq 0 ] || { echo "$failures check(s) failed" >&2; exit 1; }
+  exit 0
+}
+skip() {
+  echo "SKIPPED, NOT TESTED: $1"
+  exit 77
+}
+
+# check WHAT A OPERATOR B: integers, by test(1).
+check() {
+  if [ -n "$2" ] && [ -n "$4" ] && [ "$2" "$3" "$4" ]; then ok "$1: $2 ($3 $4)"; else fail "$1: got '$2', expected $3 '$4'"; fi
+}
+# below WHAT A B: decimal numbers, A < B.
+below() {
+  if [ -n "$2" ] && awk -v a="$2" -v b="$3" 'BEGIN { exit !(a + 0 < b + 0) }'; then ok "$1: $2 (< $3)"; else fail "$1: got '$2', expected less than $3"; fi
+}
+# run_code CODE COMMAND...: the exit code, with stdout in ./stdout and stderr in ./stderr.
+run_code() {
+  expected=$1
+  shift
+  code=0
+  "$@" >stdout 2>stderr </dev/null || code=$?
+  if [ "$code" -eq "$expected" ]; then
+    ok "exit code $code of $(words "$@")"
+  else
+    fail "exit code $code, expected $expected, of $(words "$@"): $(head -c 400 stderr)"
+  fi
+}
+words() {
+  echo "$*" | sed "s|$edgevo|edgevo|; s|$scenes|SCENES|g; s|$work|.|g" | cut -c1-110
+}
+# complains WORDS COMMAND...: exit code 2 and one single line on stderr that holds WORDS (a basic regular expression).
+complains() {
+  pattern=$1
+  shift
+  run_code 2 "$@"
+  check "lines on stderr" "$(wc -l <stderr)" -eq 1
+  if grep -q -e "$pattern" stderr; then ok "  $(cut -c1-150 stderr)"; else fail "no '$pattern' in: $(cat stderr)"; fi
+  # An error that was foreseen says where, what and what to do; a stray exception of a library does not.
+  if grep -q '^edgevo: .*[;?]' stderr; then :; else fail "no remedy in: $(cat stderr)"; fi
+}
+same() {
+  if cmp -s "$2" "$3"; then ok "$1: same bytes"; else fail "$1: $2 and $3 differ"; fi
+}
+differ() {
+  if cmp -s "$2" "$3"; then fail "$1: $2 and $3 are the same"; else ok "$1: differ"; fi
+}
+poses() { grep -c '^[0-9]' "$1/trajectory_tum.txt"; }
+rows() { awk 'END { print NR - 1 }' "$1/frames.csv"; }
+# in_state OUT STATE [FIRST LAST]: how many of the rows (of frames FIRST to LAST) are in that state.
+in_state() { awk -F, -v s="$2" -v a="${3:-0}" -v b="${4:-999999999}" 'NR > 1 && $1 >= a && $1 <= b && $3 == s' "$1/frames.csv" | wc -l; }
+# untimed OUT: frames.csv without the columns of times, which come last.
+untimed() { cut -d, -f1-9 "$1/frames.csv" >"$1/frames_untimed.csv"; }
+# ate OUT SEQUENCE: RMSE in metres after a Sim(3) alignment.
+ate() {
+  "$edgevo" eval "$1/trajectory_tum.txt" "$2/groundtruth_tum.txt" --json >eval.json 2>eval.err
+  sed -n '/"ate_sim3"/,/}/s/.*"rmse_m": *\([0-9.e+-]*\).*/\1/p' eval.json
+}
+# results_kept OUT FRAMES: the run ended early, and yet everything is there for that many frames.
+results_kept() {
+  check "rows of frames.csv up to there" "$(rows "$1")" -eq "$2"
+  for file in trajectory_tum.txt trajectory_live_tum.txt edges.ply edges.bt edges.ot keyframes.simplemap playback.rawlog summary.yaml; do
+    [ -s "$1/$file" ] || fail "$file is not there or empty"
+  done
+  check "poses up to there" "$(poses "$1")" -ge $(($2 - 10))
+  check "summary.yaml says that it was interrupted" "$(grep -c 'interrupted: true' "$1/summary.yaml")" -eq 1
+}
+# copy_sequence FROM TO [A B]: a copy whose images are hard or symbolic links (frames A to B-1), to be spoilt.
+copy_sequence() {
+  from=$1 to=$2 begin=${3:-0} end=${4:-999999}
+  mkdir -p "$to/images"
+  cp "$from/camera.txt" "$to"
+  [ ! -f "$from/groundtruth_tum.txt" ] || cp "$from/groundtruth_tum.txt" "$to"
+  awk -v a="$begin" -v b="$end" 'NR > a && NR <= b' "$from/times.txt" >"$to/times.txt"
+  for name in $(ls "$from/images" | awk -v a="$begin" -v b="$end" 'NR > a && NR <= b'); do
+    ln -s "$from/images/$name" "$to/images/$name"
+  done
+}
+# plain_image WIDTH HEIGHT FILE.pgm: black.
+plain_image() {
+  printf 'P5\n%d %d\n255\n' "$1" "$2" >"$3"
+  head -c $(($1 * $2)) /dev/zero >>"$3"
+}

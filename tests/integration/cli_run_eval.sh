@@ -1,0 +1,56 @@
+#!/bin/sh
+# A drive through the rendered street: run, eval, every file of the design, and the stock tools on all of it.
+. "$(dirname "$0")/cli_common.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+sequence=$scenes/street
+frames=$(wc -l <"$sequence/times.txt")
+
+run_code 0 "$edgevo" run "$sequence" -o out/new/folder
+out=out/new/folder
+check "the line on stdout that tells the counts" "$(grep -c "^$frames frames, .* with a pose" stdout)" -eq 1
+check "progress without a terminal" "$(tr -cd '\r' <stderr | wc -c)" -eq 0
+
+for file in trajectory_tum.txt trajectory_live_tum.txt frames.csv keyframes.simplemap playback.rawlog scene.3Dscene edges.ply \
+  edges.bt edges.ot summary.yaml; do
+  check "bytes of $file" "$(wc -c <"$out/$file")" -gt 200
+done
+check "images of the playback" "$(ls "$out/playback_Images" | wc -l)" -ge "$frames"
+
+# Every frame has a row, and a pose from the bootstrap on.
+check "rows of frames.csv" "$(rows $out)" -eq "$frames"
+awk -F, 'NR > 1 && $1 != NR - 2 { exit 1 }' $out/frames.csv && ok "rows in order" || fail "frame numbers in frames.csv"
+first=$(awk -F, 'NR > 1 && $4 >= 0 { print $1; exit }' $out/frames.csv)
+check "first frame with a pose" "$first" -le 10
+check "poses from the bootstrap on" "$(poses $out)" -eq $((frames - first))
+check "lost frames" "$(in_state $out LOST)" -eq 0
+check "rows that tell the time of their edges" "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "ms_edges") c = i }
+  NR > 1 && $c > 0' $out/frames.csv | wc -l)" -eq "$frames"
+
+# Accuracy: far from the best figure, near enough to notice that something broke (the path is 45 m long).
+below "ATE in metres" "$(ate $out "$sequence")" 0.15
+check "matched poses in eval --json" "$(sed -n 's/.*"matched_poses": *\([0-9]*\).*/\1/p' eval.json)" -eq "$(poses $out)"
+check "input frames that eval read beside the trajectory" "$(sed -n 's/.*"input_frames": *\([0-9]*\).*/\1/p' eval.json)" -eq "$frames"
+run_code 0 "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt"
+check "ATE in the table" "$(grep -c '^ATE RMSE' stdout)" -eq 2
+
+# summary.yaml: counts, the effective parameters, and that they can be read again.
+value() { sed -n "/^$1:/,/^[a-z]/s/^  $2: *//p" $out/summary.yaml; }
+check "frames in summary.yaml" "$(value frames total)" -eq "$frames"
+check "poses in summary.yaml" "$(value frames with_pose)" -eq "$(poses $out)"
+check "segments in summary.yaml" "$(value trajectory segments)" -eq 1
+check "keyframes in summary.yaml" "$(value trajectory keyframes)" -eq "$(awk -F, 'NR > 1 && $5 == 1' $out/frames.csv | wc -l)"
+check "vertices of edges.ply" "$(sed -n 's/^element vertex //p' $out/edges.ply | tr -d '\r')" -eq "$(value map points_exported)"
+check "not metric" "$(value scale metric | grep -c false)" -eq 1
+below "memory in MB" "$(value memory peak_mb)" 2000
+grep -q '^not_written: \[\]' $out/summary.yaml && ok "nothing unwritten" || fail "not_written in summary.yaml"
+sed -n '/^parameters:/,$s/^  //p' $out/summary.yaml >effective.yaml
+check "effective parameters" "$(grep -c : effective.yaml)" -gt 20
+run_code 0 "$edgevo" run "$sequence" -o again --params effective.yaml --quiet
+same "trajectory with the effective parameters of the first run" $out/trajectory_tum.txt again/trajectory_tum.txt
+check "words on stderr with --quiet" "$(cat stdout stderr | wc -c)" -eq 0
+
+if "$here/stock_tools.sh" $out >stock.log 2>&1; then ok "stock tools: $(grep -c '^ok' stock.log) checks"; else
+  cat stock.log
+  fail "stock tools"
+fi
+finish

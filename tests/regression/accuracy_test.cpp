@@ -1,0 +1,74 @@
+// The whole chain against ground truth. Bounds are three and more times what was measured (README.md), so that another seed or
+// compiler passes and a fault does not.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "drive.h"
+#include "edgevo/datasets/open_source.h"
+#include "edgevo/simulation/rendered_source.h"
+
+namespace edgevo::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Bounds {
+  double ate_percent;     ///< of the path, after Sim(3)
+  double scale_drift;     ///< |ln| of the local scale
+  double completion;      ///< least share of frames with a pose
+  int first_posed;        ///< latest first frame with a pose
+};
+
+void expect_within(const DriveFigures& figures, const Bounds& bounds) {
+  std::cout << "[ figures  ] " << figures << std::endl;
+  EXPECT_LT(figures.ate_percent, bounds.ate_percent);
+  EXPECT_LT(figures.scale_drift, bounds.scale_drift);
+  EXPECT_GE(figures.completion, bounds.completion);
+  EXPECT_LE(figures.first_posed, bounds.first_posed);
+  for (const FrameRecord& frame : figures.run.frames)
+    if (frame.T_world_cam) ASSERT_TRUE(frame.T_world_cam->is_finite()) << "frame " << frame.index;
+}
+
+DriveFigures drive_scene(const char* name, int frames, uint64_t seed = 1) {
+  const auto renderer = std::make_shared<SceneRenderer>(load_scene(name));
+  RenderedSource source(renderer, 0, frames);
+  return measure(drive(source, {}, seed), truth_of(renderer->scene(), 0, frames));
+}
+
+TEST(RenderedAccuracy, StreetDrive) { expect_within(drive_scene("street", 80), {0.05, 0.015, 0.95, 8}); }
+
+TEST(RenderedAccuracy, HandHeldOverADesk) { expect_within(drive_scene("desk", 100), {0.5, 0.06, 0.95, 10}); }
+
+// A real sequence lies in EDGEVO_DATA_DIR or it is not tested.
+class RealAccuracy : public ::testing::Test {
+ protected:
+  static void expect_sequence(const std::string& name, int frames, int every, const Bounds& bounds) {
+    const fs::path folder = fs::path(EDGEVO_DATA_DIR) / name;
+    if (!fs::is_directory(folder)) {
+      GTEST_SKIP() << "NOT TESTED: there is no " << folder << "; configure with -DEDGEVO_DATA_DIR=DIR to test accuracy on "
+                   << "real images";
+    }
+    expect_within(drive_sequence(folder, frames, every), bounds);
+  }
+
+ private:
+  static DriveFigures drive_sequence(const fs::path& folder, int frames, int every) {
+    SourceOptions options;
+    options.path = folder.string();
+    options.last = frames;
+    options.every = every;
+    const auto source = open_source(options);
+    return measure(drive(*source), read_trajectory((folder / "groundtruth_tum.txt").string()));
+  }
+};
+
+// The local scale of these is that of short stretches of noisy ground truth: its bound is wide.
+TEST_F(RealAccuracy, KittiDrive) { expect_sequence("kitti00_first300", 100, 1, {0.8, 0.25, 0.95, 10}); }
+
+TEST_F(RealAccuracy, KittiDriveEveryThirdFrame) { expect_sequence("kitti05_first300", 120, 3, {0.6, 0.1, 0.9, 10}); }
+
+TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) { expect_sequence("tum_fr1_xyz_first500", 150, 1, {2.0, 0.5, 0.9, 20}); }
+
+}  // namespace
+}  // namespace edgevo::testing

@@ -1,0 +1,79 @@
+#include "drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+namespace edgevo::testing {
+namespace {
+
+double path_length(const Trajectory& truth, Timestamp begin, Timestamp end) {
+  double length = 0;
+  const StampedPose* last = nullptr;
+  for (const StampedPose& pose : truth.poses) {
+    if (pose.time < begin || end < pose.time) continue;
+    if (last) length += (pose.T_world_cam.translation() - last->T_world_cam.translation()).norm();
+    last = &pose;
+  }
+  return length;
+}
+
+double cpu_ms(const Run& run) {
+  double sum = 0;
+  for (const FrameRecord& frame : run.frames)
+    for (const auto& stage : frame.stage_ms) sum += stage.second;
+  return sum / double(run.frames.size());
+}
+
+}  // namespace
+
+Run drive(ImageSource& source, const OdometryParams& params, uint64_t seed) {
+  cv::setNumThreads(1);
+  OdometryOptions options;
+  options.seed = seed;
+  Odometry odometry(source.camera(), params, options);
+  for (std::optional<Frame> frame = source.next(); frame; frame = source.next()) odometry.process(*frame);
+  return odometry.finish();
+}
+
+DriveFigures measure(Run run, const Trajectory& truth) {
+  DriveFigures figures;
+  EvaluationOptions options;
+  options.frames_total = int(run.frames.size());
+  const Trajectory estimate = trajectory_of(run);
+  figures.evaluation = evaluate(estimate, truth, options);
+  figures.path_m = path_length(truth, estimate.poses.front().time, estimate.poses.back().time);
+  figures.ate_percent = 100 * figures.evaluation.ate_sim3.rmse / figures.path_m;
+  for (const ScalePoint& p : figures.evaluation.scale_curve)
+    figures.scale_drift = std::max(figures.scale_drift, std::abs(std::log(p.relative_scale)));
+  const auto posed = [](const FrameRecord& f) { return f.T_world_cam.has_value(); };
+  const auto first = std::find_if(run.frames.begin(), run.frames.end(), posed);
+  figures.first_posed = int(first - run.frames.begin());
+  figures.completion = double(std::count_if(first, run.frames.end(), posed)) / double(run.frames.size());
+  figures.mean_cpu_ms = cpu_ms(run);
+  figures.run = std::move(run);
+  return figures;
+}
+
+Trajectory trajectory_of(const Run& run) {
+  Trajectory trajectory;
+  trajectory.path = "estimate";
+  for (const FrameRecord& frame : run.frames)
+    if (frame.T_world_cam) trajectory.poses.push_back({frame.time, *frame.T_world_cam});
+  return trajectory;
+}
+
+Trajectory truth_of(const Scene& scene, int begin, int end) {
+  Trajectory truth;
+  truth.path = "scene " + scene.name;
+  for (int i = begin; i < end; ++i) truth.poses.push_back({scene.times[size_t(i)], scene.T_scene_cam[size_t(i)]});
+  return truth;
+}
+
+std::ostream& operator<<(std::ostream& out, const DriveFigures& f) {
+  return out << f.run.frames.size() << " frames, path " << f.path_m << " m: ATE " << f.evaluation.ate_sim3.rmse << " m ("
+             << f.ate_percent << " % of the path), local scale off by " << 100 * f.scale_drift << " %, first pose at frame "
+             << f.first_posed << ", completion " << f.completion << ", " << f.mean_cpu_ms << " CPU ms a frame";
+}
+
+}  // namespace edgevo::testing

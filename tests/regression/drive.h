@@ -1,0 +1,37 @@
+#pragma once
+// One run of the odometry over a source, measured against ground truth: what the accuracy tests look at.
+#include <ostream>
+
+#include "edgevo/core/image_source.h"
+#include "edgevo/core/records.h"
+#include "edgevo/evaluation/evaluate.h"
+#include "edgevo/odometry/odometry.h"
+#include "edgevo/simulation/scene.h"
+
+namespace edgevo::testing {
+
+struct DriveFigures {
+  Run run;
+  TrajectoryEvaluation evaluation;
+  double path_m = 0;           ///< of the ground truth over the frames with a pose
+  double ate_percent = 0;      ///< ATE after Sim(3), of the path
+  double scale_drift = 0;      ///< largest |ln(local scale / scale of the run)| over windows of a tenth of the run or more
+  int first_posed = -1;        ///< number of input frames before the first one with a pose
+  double completion = 0;       ///< share of the frames with a pose
+  double mean_cpu_ms = 0;      ///< all stages, CPU milliseconds a frame; told, not asserted
+};
+
+/// Feeds the whole source, synchronously. Throws InputError as the source does.
+Run drive(ImageSource& source, const OdometryParams& params = {}, uint64_t seed = 1);
+
+/// Throws InputError where fewer than three frames have a pose.
+DriveFigures measure(Run run, const Trajectory& truth);
+
+/// Final poses of the frames that have one.
+Trajectory trajectory_of(const Run& run);
+/// Of frames begin .. end-1 of a scene.
+Trajectory truth_of(const Scene& scene, int begin, int end);
+
+std::ostream& operator<<(std::ostream& out, const DriveFigures& figures);
+
+}  // namespace edgevo::testing
