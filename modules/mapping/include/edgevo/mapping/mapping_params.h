@@ -38,7 +38,7 @@ struct DepthFilterParams {
 };
 
 struct KeyframeParams {
-  double flow_px = 18;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
+  double flow_px = 30;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
   double min_flow_px = 4;           ///< below it no keyframe at all: standstill or pure rotation
   double min_view_share = 0.75;
   int max_frames = 15;
@@ -47,7 +47,7 @@ struct KeyframeParams {
 };
 
 struct WindowParams {
-  int keyframes = 10;
+  int keyframes = 12;
   int max_points = 2000;
   double max_projected_sigma_px = 1.5;  ///< an immature point joins below it
   int min_matches = 2;                  ///< keyframes that must match a point before it joins
