@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/hollow_scene.h"
+#include "unit/mapping/mapping_scene.h"
 
 namespace edgevo {
 namespace {
 
 using ::testing::HasSubstr;
 using test::HollowScene;
+using test::median;
 using test::sweep_pose;
 
 constexpr double kDegree = M_PI / 180;
@@ -22,11 +23,6 @@ constexpr double kRotationShare = 0.35;
 
 Timestamp time_of(int frame) { return Timestamp::from_seconds(0.1 * frame); }
 
-double median(std::vector<double> v) {
-  std::nth_element(v.begin(), v.begin() + long(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
-
 class BootstrapTest : public ::testing::Test {
  protected:
   // The images are small, hence the motion asked for is larger than the default: else a pixel's tenth would count for too much.
@@ -35,7 +31,7 @@ class BootstrapTest : public ::testing::Test {
   Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole, params, seed}; }
   // Frame k of the sweep, seen under a gain.
   BootstrapStatus add(Bootstrap* bootstrap, int k, double gain = 1) const {
-    return bootstrap->add(k, time_of(k), scene.pyramid(sweep_pose(k), gain));
+    return bootstrap->add(k, time_of(k), gain == 1 ? test::Sweep::pyramid(k) : scene.pyramid(sweep_pose(k), gain));
   }
   // Frames from `first` on until there is a result; fails after 40.
   BootstrapResult run(Bootstrap* bootstrap, int first = 0, bool flicker = false) const {
