@@ -4,7 +4,7 @@ set(cli_scenes ${CMAKE_CURRENT_BINARY_DIR}/cli_scenes)
 
 function(edgevo_add_cli_test name)
   add_test(NAME integration.cli_${name} COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_${name}.sh $<TARGET_FILE:edgevo> ${cli_scenes})
-  set_tests_properties(integration.cli_${name} PROPERTIES LABELS integration TIMEOUT 300 SKIP_RETURN_CODE 77 ${ARGN})
+  set_tests_properties(integration.cli_${name} PROPERTIES LABELS integration TIMEOUT 600 SKIP_RETURN_CODE 77 ${ARGN})
 endfunction()
 
 edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)

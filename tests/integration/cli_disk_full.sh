@@ -28,8 +28,8 @@ kept disk/out 5
 
 # Filled by a map of very small voxels: the run itself goes through.
 rm -rf disk/out
-full "$edgevo" run "$scenes/street" -o disk/out --quiet --set occupancy.resolution=0.03
-kept disk/out 50
+full "$edgevo" run "$scenes/desk" -o disk/out --quiet --frames 0:30 --set occupancy.resolution_share=0.002
+kept disk/out 30
 
 # Full from the start: told at once.
 rm -rf disk/out
