@@ -80,7 +80,7 @@ TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
   for (size_t i = 1; i < retired.size(); ++i) EXPECT_EQ(retired[i].id, retired[i - 1].id + 1);
   const auto& window = driver.mapper.window().keyframes();
   EXPECT_EQ(retired.back().id + 1, window.front().id);
-  for (size_t i = 2; i < window.size(); ++i) EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.1) << "step " << i;
+  for (size_t i = 2; i < window.size(); ++i) EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
   // Where the run ends, after about 2.4 of way: within 5 %.
   const SE3 T_first_last = window.back().T_cam_world.inverse(), truth = sweep_pose(window.back().frame_index);
   EXPECT_LT((T_first_last.translation() - truth.translation()).norm(), 0.12);
