@@ -103,6 +103,7 @@ int run(const RunArguments& args) {
 
   interrupted = 0;
   std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);  // job schedulers end a run this way
   const std::exception_ptr broken = feed(*source, odometry, outputs, args.quiet);
   Run result = odometry.finish();
   result.T_vehicle_cam = source->T_vehicle_cam();

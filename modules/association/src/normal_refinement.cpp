@@ -9,18 +9,6 @@ namespace {
 constexpr double kStopPx = 0.02;
 constexpr float kMinDeviation = 1.5f;  // gray levels
 
-// To zero mean and unit deviation; returns the deviation, 0 if flat.
-float normalise(Patch* patch) {
-  const int n = patch->size();
-  float sum = 0, square = 0;
-  for (int i = 0; i < n; ++i) sum += patch->value[i], square += patch->value[i] * patch->value[i];
-  const float mean = sum / float(n);
-  const float deviation = std::sqrt(std::max(0.0f, square / float(n) - mean * mean));
-  if (!(deviation >= kMinDeviation)) return 0;
-  for (int i = 0; i < n; ++i) patch->value[i] = (patch->value[i] - mean) / deviation;
-  return deviation;
-}
-
 }  // namespace
 
 bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
@@ -37,21 +25,13 @@ bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d&
       out->slope.value[v * side + u] = 0.5f * (float(normal_target.x()) * (c[1] - c[-1]) +
                                                float(normal_target.y()) * (c[wide_side] - c[-wide_side]));
     }
-  const float deviation = normalise(&out->value);
+  const float deviation = normalise(&out->value, kMinDeviation);
   if (deviation == 0) return false;
   const int n = side * side;
-  float mean = 0, along = 0;
-  for (int i = 0; i < n; ++i) {
-    out->slope.value[i] /= deviation;
-    mean += out->slope.value[i];
-    along += out->slope.value[i] * out->value.value[i];
-  }
-  mean /= float(n), along /= float(n);
+  for (int i = 0; i < n; ++i) out->slope.value[i] /= deviation;
+  project_out_normalisation(out->value, &out->slope);
   double square = 0;
-  for (int i = 0; i < n; ++i) {
-    out->slope.value[i] -= mean + along * out->value.value[i];
-    square += double(out->slope.value[i]) * out->slope.value[i];
-  }
+  for (int i = 0; i < n; ++i) square += double(out->slope.value[i]) * out->slope.value[i];
   out->slope_square = square;
   return square > 1e-3 * n;
 }
@@ -65,7 +45,7 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
   for (int iteration = 0; iteration <= params.refine_iterations; ++iteration) {
     const Eigen::Vector2d px = start + move * normal;
     Patch current;
-    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || normalise(&current) == 0) return result;
+    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || normalise(&current, kMinDeviation) == 0) return result;
     float correlation = 0, gradient = 0;
     for (int i = 0; i < n; ++i) {
       correlation += current.value[i] * patch.value.value[i];

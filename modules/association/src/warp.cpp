@@ -1,6 +1,7 @@
 #include "edgevo/association/warp.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
@@ -23,6 +24,25 @@ Eigen::Vector2d warp_normal(const Eigen::Matrix2d& A, const Eigen::Vector2d& nor
                           -A(0, 1) * normal_host.x() + A(0, 0) * normal_host.y());
   const double length = n.norm();
   return length > 1e-12 ? Eigen::Vector2d(n / length) : normal_host;
+}
+
+float normalise(Patch* patch, float min_deviation) {
+  const int n = patch->size();
+  float sum = 0, square = 0;
+  for (int i = 0; i < n; ++i) sum += patch->value[i], square += patch->value[i] * patch->value[i];
+  const float mean = sum / float(n);
+  const float deviation = std::sqrt(std::max(0.0f, square / float(n) - mean * mean));
+  if (!(deviation >= min_deviation)) return 0;
+  for (int i = 0; i < n; ++i) patch->value[i] = (patch->value[i] - mean) / deviation;
+  return deviation;
+}
+
+void project_out_normalisation(const Patch& normalised, Patch* derivative) {
+  const int n = normalised.size();
+  float mean = 0, along = 0;
+  for (int i = 0; i < n; ++i) mean += derivative->value[i], along += derivative->value[i] * normalised.value[i];
+  mean /= float(n), along /= float(n);
+  for (int i = 0; i < n; ++i) derivative->value[i] -= mean + along * normalised.value[i];
 }
 
 template <class T>

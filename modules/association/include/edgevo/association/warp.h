@@ -26,6 +26,13 @@ struct Patch {
   int size() const { return side() * side(); }
 };
 
+/// Brings a patch to zero mean and unit deviation, so that gain and offset of the light cancel. Returns its deviation; 0, and the patch
+/// untouched, where that is below `min_deviation`: a flat patch says nothing.
+[[nodiscard]] float normalise(Patch* patch, float min_deviation);
+
+/// Takes out of a patch's derivative what its normalisation cancels: the mean, and the part along the patch itself.
+void project_out_normalisation(const Patch& normalised, Patch* derivative);
+
 /// The host patch around px_host as the target will see it: value at host position px_host + A^-1 (u, v). False outside the image.
 template <class T>
 bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host, int radius,
