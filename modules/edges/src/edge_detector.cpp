@@ -12,13 +12,21 @@
 namespace edgevo {
 namespace {
 
+// The high threshold: a percentile of the gradient, but below its peak, which many pixels may share (stripes, a chessboard), and
+// not below the floor.
+double high_threshold(const Plane<float>& magnitude, const EdgeParams& params) {
+  constexpr double kShareOfPeak = 0.7;
+  const double percentile = gradient_percentile(magnitude, params.canny_percentile);
+  const double peak = gradient_percentile(magnitude, 1.0);
+  return std::max(std::min(percentile, kShareOfPeak * peak), params.min_gradient * kSobelPerGrayLevel);
+}
+
 class CannyDetector : public EdgeDetector {
  public:
   explicit CannyDetector(const EdgeParams& params) : params_(params) {}
 
   Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) override {
-    const double floor = params_.min_gradient * kSobelPerGrayLevel;
-    const double high = std::max<double>(gradient_percentile(gradient.magnitude, params_.canny_percentile), floor);
+    const double high = high_threshold(gradient.magnitude, params_);
     Plane<uint8_t> mask(gray.width, gray.height);
     cv::Mat out = as_mat(mask);
     cv::Canny(as_mat(gradient.dx), as_mat(gradient.dy), out, params_.canny_low_ratio * high, high, true);
@@ -35,8 +43,7 @@ class EdgeDrawingDetector : public EdgeDetector {
       : params_(params), drawing_(cv::ximgproc::createEdgeDrawing()) {}
 
   Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) override {
-    const double floor = params_.min_gradient * kSobelPerGrayLevel;
-    const double high = std::max<double>(gradient_percentile(gradient.magnitude, params_.canny_percentile), floor);
+    const double high = high_threshold(gradient.magnitude, params_);
     // EdgeDrawing draws on from anchors through all pixels over its threshold, as Canny does above its low one. It sums
     // |dx| + |dy|, on average 4/pi of the Euclidean magnitude.
     drawing_->params.EdgeDetectionOperator = cv::ximgproc::EdgeDrawing::SOBEL;

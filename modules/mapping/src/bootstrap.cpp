@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
 #include "edgevo/core/random.h"
+#include "two_view_motion.h"
 
 namespace edgevo {
 namespace {
@@ -24,12 +24,6 @@ cv::Mat equalised(const FramePyramid& pyramid) {
   cv::Mat out;
   cv::equalizeHist(cv::Mat(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0))), out);
   return out;
-}
-
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
-  return v[v.size() / 2];
 }
 
 cv::Mat camera_matrix(const Pinhole& p) {
@@ -60,25 +54,6 @@ bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen:
   *idepth_first = 1.0 / depth.y();
   return true;
 }
-
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-// Distance of the ray y (last view) from the epipolar plane of the ray x (first view), on the image plane z = 1.
-double epipolar_distance(const SE3& T_last_first, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
-  const Eigen::Vector3d line = T_last_first.translation().cross(T_last_first.R() * x);
-  return std::abs(line.dot(y)) / std::max(line.head<2>().norm(), 1e-12);
-}
-
-// One motion between the two views that RANSAC came up with.
-struct TwoViewMotion {
-  SE3 T_last_first;
-  cv::Mat inliers;             // CV_8U, one a corner
-  double median_error_px = 0;  // distance from the epipolar line, over all corners
-  double parallax_rad = 0;     // median, rotation taken out
-};
-constexpr int kMotionTrials = 5;
 
 }  // namespace
 
@@ -150,7 +125,7 @@ struct Bootstrap::Impl {
     for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
     const double disparity = median(motion), needed = params.min_disparity * pinhole.width;
     if (disparity < needed) return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on", disparity, needed)};
-    const std::vector<TwoViewMotion> motions = estimate_motions(a, b);
+    const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, a, b, params.ransac_px, &random);
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
     const TwoViewMotion& best = *std::min_element(motions.begin(), motions.end(), [](const auto& m, const auto& n) {
       return m.median_error_px < n.median_error_px;
@@ -160,49 +135,6 @@ struct Bootstrap::Impl {
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed", 100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
     if (is_ambiguous(best, motions)) return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
-  }
-
-  // Essential matrices of corners in shuffled order, so that RANSAC draws others each time.
-  std::vector<TwoViewMotion> estimate_motions(const Points& a, const Points& b) {
-    const cv::Mat K = camera_matrix(pinhole);
-    std::vector<TwoViewMotion> motions;
-    std::vector<int> order(a.size());
-    std::iota(order.begin(), order.end(), 0);
-    for (int trial = 0; trial < kMotionTrials; ++trial) {
-      for (size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random.below(int(k))]);
-      Points from, to;
-      for (int i : order) from.push_back(a[i]), to.push_back(b[i]);
-      cv::Mat found, R, t;
-      const cv::Mat E = cv::findEssentialMat(from, to, K, cv::RANSAC, 0.999, params.ransac_px, found);
-      if (E.rows != 3) continue;
-      cv::recoverPose(E, from, to, K, R, t, found);
-      TwoViewMotion m;
-      m.T_last_first = to_se3(R, t);
-      m.inliers = cv::Mat::zeros(int(a.size()), 1, CV_8U);
-      for (size_t k = 0; k < order.size(); ++k) m.inliers.at<uchar>(order[k]) = found.at<uchar>(int(k));
-      std::vector<double> errors, angles;
-      for (size_t i = 0; i < a.size(); ++i) {
-        const Eigen::Vector3d x = pinhole.ray({a[i].x, a[i].y}), y = pinhole.ray({b[i].x, b[i].y});
-        errors.push_back(pinhole.fx * epipolar_distance(m.T_last_first, x, y));
-        angles.push_back(angle_between(m.T_last_first.R() * x, y));
-      }
-      m.median_error_px = median(errors);
-      m.parallax_rad = median(angles);
-      motions.push_back(std::move(m));
-    }
-    return motions;
-  }
-
-  // With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: wait until all that
-  // fit agree on the rotation, to a share of the parallax that the depths will come from.
-  static bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions) {
-    constexpr double kFitsToo = 1.5, kMaxRotationShare = 0.25;
-    for (const TwoViewMotion& m : motions) {
-      const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();
-      const double parallax = std::min(m.parallax_rad, best.parallax_rad);
-      if (m.median_error_px < kFitsToo * best.median_error_px && rotation > kMaxRotationShare * parallax) return true;
-    }
-    return false;
   }
 
   BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {

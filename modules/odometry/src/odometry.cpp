@@ -27,9 +27,9 @@ struct Odometry::Impl {
   // ---- one frame -------------------------------------------------------------------------------------------------
 
   const FrameRecord& process(const Frame& frame) {
-    FrameRecord& record = records.begin_frame(frame);
     const double start = thread_cpu_ms();
-    const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);
+    const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
+    FrameRecord& record = records.begin_frame(frame);
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
     if (lost) ++frames_lost;

@@ -81,6 +81,12 @@ TEST(EdgeExtraction, EdgeCountIsSteadyUnderGain) {
   EXPECT_NEAR(double(dark), double(normal), 0.15 * double(normal));
 }
 
+// Where many pixels share the strongest gradient, the percentile is the peak itself: the stripes must be found all the same.
+TEST(EdgeExtraction, EqualStripesAreFound) {
+  const GrayImage stripes = test::make_image(160, 120, [](double x, double) { return 128 + 90 * std::sin(x / 2.5); });
+  EXPECT_GT(edges_of(stripes).pixels.size(), 1000u);
+}
+
 TEST(EdgeExtraction, DegenerateImagesHaveNoEdges) {
   for (const auto& [w, h] : {std::pair{1, 1}, {3, 3}, {5, 4}, {101, 1}, {1, 77}, {64, 48}}) {
     GrayImage blank{w, h, std::vector<uint8_t>(size_t(w) * h, 130)};

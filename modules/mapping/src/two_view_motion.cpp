@@ -1,0 +1,134 @@
+#include "two_view_motion.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <opencv2/calib3d.hpp>
+
+#include "edgevo/core/robust.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kMotionTrials = 5;
+constexpr int kRefineIterations = 10;
+using Vector5d = Eigen::Matrix<double, 5, 1>;
+using Matrix5d = Eigen::Matrix<double, 5, 5>;
+
+SE3 to_se3(const cv::Mat& R, const cv::Mat& t) {
+  Eigen::Matrix3d rotation;
+  for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.at<double>(i / 3, i % 3);
+  return {rotation, Eigen::Vector3d(t.at<double>(0), t.at<double>(1), t.at<double>(2)).normalized()};
+}
+
+// Two unit vectors that span the plane perpendicular to t.
+Eigen::Matrix<double, 3, 2> tangent_plane(const Eigen::Vector3d& t) {
+  const Eigen::Vector3d a = t.unitOrthogonal();
+  Eigen::Matrix<double, 3, 2> B;
+  B << a, t.cross(a).normalized();
+  return B;
+}
+
+// Distance of the ray y from the epipolar line of x, on the image plane z = 1 of the last view.
+double epipolar_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
+  const Eigen::Vector3d line = T.translation().cross(T.rotation() * x);
+  return line.dot(y) / std::max(line.head<2>().norm(), 1e-12);
+}
+
+// Median error and parallax over all corners.
+void measure(const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen::Vector3d>& last, double focal_px,
+             TwoViewMotion* m) {
+  std::vector<double> errors, angles;
+  for (size_t i = 0; i < first.size(); ++i) {
+    errors.push_back(focal_px * std::abs(epipolar_distance(m->T_last_first, first[i], last[i])));
+    angles.push_back(angle_between(m->T_last_first.rotation() * first[i], last[i]));
+  }
+  m->median_error_px = median(std::move(errors));
+  m->parallax_rad = median(std::move(angles));
+}
+
+}  // namespace
+
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0;
+  std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
+  return v[v.size() / 2];
+}
+
+SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
+                  const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px) {
+  SE3 T = T_last_first;
+  for (int iteration = 0; iteration < kRefineIterations; ++iteration) {
+    const Eigen::Vector3d t = T.translation();
+    const Eigen::Matrix<double, 3, 2> B = tangent_plane(t);
+    Matrix5d H = Matrix5d::Zero();
+    Vector5d b = Vector5d::Zero();
+    for (size_t i = 0; i < rays_first.size(); ++i) {
+      const Eigen::Vector3d Rx = T.rotation() * rays_first[i], &y = rays_last[i];
+      const Eigen::Vector3d line = t.cross(Rx);
+      const double scale = focal_px / std::max(line.head<2>().norm(), 1e-12);  // held during a step
+      const double r = scale * line.dot(y);
+      Vector5d J;
+      J << scale * Rx.cross(y.cross(t)), scale * B.transpose() * Rx.cross(y);
+      const double w = huber_weight(r, huber_px);
+      H.noalias() += w * J * J.transpose();
+      b.noalias() += w * r * J;
+    }
+    H.diagonal().array() += 1e-9 * (H.trace() + 1e-9);
+    const Vector5d step = -H.ldlt().solve(b);
+    if (!step.allFinite()) break;
+    Vector6d rotation = Vector6d::Zero();
+    rotation.tail<3>() = step.head<3>();
+    T = SE3(SE3::exp(rotation).rotation() * T.rotation(), (t + B * step.tail<2>()).normalized());
+    if (step.norm() < 1e-9) break;
+  }
+  return T;
+}
+
+std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                                            const std::vector<cv::Point2f>& last, double ransac_px, Random* random) {
+  const cv::Mat K = (cv::Mat_<double>(3, 3) << pinhole.fx, 0, pinhole.cx, 0, pinhole.fy, pinhole.cy, 0, 0, 1);
+  std::vector<Eigen::Vector3d> rays_first, rays_last;
+  for (const cv::Point2f& p : first) rays_first.push_back(pinhole.ray({p.x, p.y}));
+  for (const cv::Point2f& p : last) rays_last.push_back(pinhole.ray({p.x, p.y}));
+  std::vector<TwoViewMotion> motions;
+  std::vector<int> order(first.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (int trial = 0; trial < kMotionTrials; ++trial) {
+    for (size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random->below(int(k))]);
+    std::vector<cv::Point2f> from, to;
+    for (int i : order) from.push_back(first[i]), to.push_back(last[i]);
+    cv::Mat found, R, t;
+    const cv::Mat E = cv::findEssentialMat(from, to, K, cv::RANSAC, 0.999, ransac_px, found);
+    if (E.rows != 3) continue;
+    cv::recoverPose(E, from, to, K, R, t, found);
+    TwoViewMotion m;
+    m.inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
+    std::vector<Eigen::Vector3d> x, y;
+    for (size_t k = 0; k < order.size(); ++k) {
+      if (!found.at<uchar>(int(k))) continue;
+      m.inliers.at<uchar>(order[k]) = 1;
+      x.push_back(rays_first[order[k]]);
+      y.push_back(rays_last[order[k]]);
+    }
+    m.T_last_first = refine_motion(to_se3(R, t), x, y, pinhole.fx, 0.5 * ransac_px);
+    measure(rays_first, rays_last, pinhole.fx, &m);
+    motions.push_back(std::move(m));
+  }
+  return motions;
+}
+
+bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions) {
+  constexpr double kFitsToo = 1.5, kMaxRotationShare = 0.25;
+  for (const TwoViewMotion& m : motions) {
+    const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();
+    const double parallax = std::min(m.parallax_rad, best.parallax_rad);
+    if (m.median_error_px < kFitsToo * best.median_error_px && rotation > kMaxRotationShare * parallax) return true;
+  }
+  return false;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,36 @@
+#pragma once
+// Motion between two views from matched corners: essential matrices by RANSAC, each refined over its inliers.
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/random.h"
+#include "edgevo/core/se3.h"
+
+namespace edgevo {
+
+struct TwoViewMotion {
+  SE3 T_last_first;            ///< |translation| = 1
+  cv::Mat inliers;             ///< CV_8U, one a corner
+  double median_error_px = 0;  ///< distance from the epipolar line, over all corners
+  double parallax_rad = 0;     ///< median angle between the two rays, rotation taken out
+};
+
+/// Several motions, from corners in shuffled order so that RANSAC draws others each time. May be empty.
+std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                                            const std::vector<cv::Point2f>& last, double ransac_px, Random* random);
+
+/// With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: true while motions that
+/// fit about as well as `best` disagree on the rotation by more than a share of the parallax that depths would come from.
+bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions);
+
+/// Gauss-Newton on the distances from the epipolar lines, rotation and translation direction (five unknowns), Huber at
+/// `huber_px`. `rays_first` and `rays_last` are (x, y, 1).
+SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
+                  const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px);
+
+/// Angle between two rays, radians; exact for small ones.
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+double median(std::vector<double> values);
+
+}  // namespace edgevo

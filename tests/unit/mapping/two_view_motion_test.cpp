@@ -1,0 +1,71 @@
+// The refinement behind the bootstrap is private to the module, hence the path.
+#include "../../../modules/mapping/src/two_view_motion.h"
+
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+struct Views {
+  Pinhole pinhole{500, 500, 320, 240, 640, 480};
+  SE3 truth;
+  std::vector<cv::Point2f> first, last;
+  std::vector<Eigen::Vector3d> rays_first, rays_last;
+
+  Views(const Eigen::Vector3d& t, const Eigen::Vector3d& w, double noise_px, uint64_t seed = 3) {
+    Vector6d xi;
+    xi << Eigen::Vector3d::Zero(), w;
+    truth = SE3(SE3::exp(xi).rotation(), t);
+    Random random(seed);
+    while (first.size() < 300) {
+      const Eigen::Vector2d px(random.uniform(20, 620), random.uniform(20, 460));
+      const Eigen::Vector3d p = truth * (pinhole.ray(px) * random.uniform(3, 12));
+      if (p.z() < 0.5 || !pinhole.contains(pinhole.project(p))) continue;
+      const Eigen::Vector2d q = pinhole.project(p) + noise_px * Eigen::Vector2d(random.normal(), random.normal());
+      first.emplace_back(float(px.x()), float(px.y()));
+      last.emplace_back(float(q.x()), float(q.y()));
+      rays_first.push_back(pinhole.ray(px));
+      rays_last.push_back(pinhole.ray(q));
+    }
+  }
+  double rotation_error(const SE3& T) const { return (T * truth.inverse()).angle(); }
+  double direction_error(const SE3& T) const { return angle_between(T.translation(), truth.translation()); }
+};
+
+// Without noise the steps converge to the truth from a wrong start: they could not with a wrong derivative.
+TEST(RefineMotion, RecoversAPerturbedMotionExactly) {
+  const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0);
+  Vector6d xi;
+  xi << 0, 0, 0, 0.01, -0.01, 0.015;
+  const SE3 start = SE3(SE3::exp(xi).rotation() * v.truth.rotation(), Eigen::Vector3d(0.5, 0.2, 0.1).normalized());
+  const SE3 T = refine_motion(start, v.rays_first, v.rays_last, 500, 0.5);
+  EXPECT_LT(v.rotation_error(T), 1e-7);
+  EXPECT_LT(v.direction_error(T), 1e-6);
+}
+
+TEST(RefineMotion, SharpensTheMotionOfRansac) {
+  const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.3);
+  Random random(1);
+  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, &random);
+  ASSERT_FALSE(motions.empty());
+  for (const TwoViewMotion& m : motions) {
+    EXPECT_LT(v.rotation_error(m.T_last_first), 0.004);
+    EXPECT_LT(v.direction_error(m.T_last_first), 0.03);
+  }
+  EXPECT_FALSE(is_ambiguous(motions.front(), motions));
+}
+
+TEST(IsAmbiguous, MotionsThatFitAlikeButDisagree) {
+  TwoViewMotion a, b;
+  a.median_error_px = 0.2, b.median_error_px = 0.25;
+  a.parallax_rad = b.parallax_rad = 0.02;
+  Vector6d xi = Vector6d::Zero();
+  xi[4] = 0.01;
+  b.T_last_first = SE3::exp(xi);
+  EXPECT_TRUE(is_ambiguous(a, {a, b}));
+  b.median_error_px = 0.5;  // fits far worse: no rival
+  EXPECT_FALSE(is_ambiguous(a, {a, b}));
+}
+
+}  // namespace
+}  // namespace edgevo
