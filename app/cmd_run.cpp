@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/scale_run.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/odometry/odometry.h"
 #include "option_checks.h"
@@ -20,7 +21,7 @@ constexpr int kDone = 0, kMostlyFailed = 3;
 
 struct RunArguments {
   SourceOptions source;
-  std::string out, params_file, detector;
+  std::string out, params_file, detector, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false;
@@ -92,6 +93,7 @@ bool mostly_failed(const Run& run) {
 
 int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
+  check_scale_option(args.scale);
   const std::unique_ptr<ImageSource> source = open_source(args.source);
   RunOutputs outputs(args.out, source->camera(), params.occupancy);
   OdometryOptions options;
@@ -107,6 +109,7 @@ int run(const RunArguments& args) {
   const std::exception_ptr broken = feed(*source, odometry, outputs, args.quiet);
   Run result = odometry.finish();
   result.T_vehicle_cam = source->T_vehicle_cam();
+  apply_scale_option(args.scale, &result);
   RunInfo info = describe(args, *source, params);
   info.interrupted = broken || interrupted;
   outputs.finish(result, info);
@@ -133,6 +136,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("--detector", args->detector, "edge detector: canny or edge_drawing");
   command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
+  command->add_option("--scale", args->scale, "none (arbitrary unit) or factor=METRES_PER_UNIT, for results in metres");
   command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads; not bit-identical");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
   command->footer("Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a source.");
