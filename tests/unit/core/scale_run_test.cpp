@@ -19,6 +19,7 @@ Run small_run() {
   keyframe.T_world_cam = *frame.T_world_cam;
   EdgePoint point;
   point.px = {60, 30};
+  point.normal = {1, 0};
   point.idepth = 0.25f, point.idepth_sigma = 0.01f;
   keyframe.points.push_back(point);
   run.keyframes.push_back(keyframe);
