@@ -26,8 +26,11 @@ void expect_within(const DriveFigures& figures, const Bounds& bounds) {
   EXPECT_LT(figures.scale_drift, bounds.scale_drift);
   EXPECT_GE(figures.completion, bounds.completion);
   EXPECT_LE(figures.first_posed, bounds.first_posed);
-  for (const FrameRecord& frame : figures.run.frames)
-    if (frame.T_world_cam) ASSERT_TRUE(frame.T_world_cam->is_finite()) << "frame " << frame.index;
+  for (const FrameRecord& frame : figures.run.frames) {
+    if (frame.T_world_cam) {
+      ASSERT_TRUE(frame.T_world_cam->is_finite()) << "frame " << frame.index;
+    }
+  }
 }
 
 DriveFigures drive_scene(const char* name, int frames, uint64_t seed = 1) {
