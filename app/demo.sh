@@ -1,8 +1,8 @@
 #!/bin/sh
 # From images to a trajectory and a map; works from a bare clone.
 #
-#   app/demo.sh                    renders a short street scene with exact ground truth and runs on that
-#   app/demo.sh SEQUENCE_FOLDER    runs on a sequence: a dataset folder, a rawlog, a video (see README.md)
+#   app/demo.sh             renders a street scene with exact ground truth and runs on that (a minute after the build)
+#   app/demo.sh SEQUENCE    runs on a dataset folder or a rawlog; what needs options is for `edgevo run` (see README.md)
 #
 # Results lie in out/demo. Exit codes are those of `edgevo run`.
 set -eu
@@ -65,10 +65,9 @@ echo "Results:"
 show trajectory_tum.txt "camera poses (TUM format)"
 show frames.csv "what happened in every frame"
 show edges.ply "3D edges, for any point cloud viewer"
-show edges.bt "OctoMap, for planners: octovis $out/edges.bt"
+show edges.bt "OctoMap, for planners: octovis $out/edges.bt (Debian package octovis)"
 show playback.rawlog "images and poses: RawLogViewer $out/playback.rawlog"
 show keyframes.simplemap "keyframes: robot-map-gui $out/keyframes.simplemap"
 show scene.3Dscene "picture in 3D: SceneViewer3D $out/scene.3Dscene"
-show report.html "page with pictures, for a browser"
 show summary.yaml "parameters, counts, timing"
 exit $status

@@ -10,4 +10,5 @@ install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edg
   DESTINATION ${EDGEVO_PACKAGE_DIR})
 install(DIRECTORY params datasets DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
 install(PROGRAMS share/install_dependencies.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
+install(FILES share/observations2map_edges.ini DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
