@@ -139,7 +139,8 @@ TEST(FramePyramid, RemovesTheDistortion) {
       image.pixels[size_t(v) * 320 + u] = uint8_t(120 + 80 * std::tanh(distance));
     }
   PyramidBuilder builder(camera, EdgeParams());
-  const EdgeMap& edges = builder.build(image)->finest().edges;
+  const auto pyramid = builder.build(image);
+  const EdgeMap& edges = pyramid->finest().edges;
   int on_line = 0;
   for (const EdgePixel& e : edges.pixels)
     if (std::abs(e.x - 60) < 3) {
