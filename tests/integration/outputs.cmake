@@ -2,6 +2,7 @@
 find_package(mrpt-containers REQUIRED)
 add_executable(test_run_outputs ${CMAKE_CURRENT_LIST_DIR}/run_outputs_test.cpp)
 target_link_libraries(test_run_outputs PRIVATE edgevo_run_outputs mrpt::containers GTest::gmock GTest::gtest_main)
+target_include_directories(test_run_outputs PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 gtest_discover_tests(test_run_outputs TEST_PREFIX integration. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS integration)
 
 add_executable(make_outputs ${CMAKE_CURRENT_LIST_DIR}/make_outputs.cpp)

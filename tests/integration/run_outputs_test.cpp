@@ -14,6 +14,7 @@
 
 #include "run_outputs_summary.h"
 #include "run_outputs_text.h"
+#include "support/temp_folder.h"
 #include "synthetic_run.h"
 
 namespace edgevo::app {
@@ -63,14 +64,6 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 class RunOutputsTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) /
-              ("edgevo_run_outputs_" +
-               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static void write(const fs::path& folder, const edgevo::Run& run, const Camera& camera) {
     RunOutputs outputs(folder.string(), camera, {});
     for (const FrameRecord& frame : run.frames)
@@ -92,7 +85,8 @@ class RunOutputsTest : public ::testing::Test {
     return "no InputError";
   }
 
-  fs::path folder_;
+  test::TempFolder temp_;
+  const fs::path folder_ = temp_ / "out";  // not there yet
   const testing::SyntheticRun made_ = testing::synthetic_run();
 };
 

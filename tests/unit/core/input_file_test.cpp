@@ -2,10 +2,11 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
+#include <string>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "support/temp_folder.h"
 
 namespace edgevo {
 namespace {
@@ -22,12 +23,12 @@ std::string error_of(const std::string& path) {
 TEST(ReadFile, GivesEveryByteBack) {
   std::string bytes;
   for (int i = 0; i < 200000; ++i) bytes.push_back(char(i * 31));
-  const std::string path = ::testing::TempDir() + "/edgevo_read_file_test";
+  const test::TempFolder folder;
+  const std::string path = folder / "bytes";
   write_file(path, bytes);
   EXPECT_EQ(read_file(path, ""), bytes);
   write_file(path, "");
   EXPECT_EQ(read_file(path, ""), "");
-  std::filesystem::remove(path);
 }
 
 TEST(ReadFile, TellsWhyItCannot) {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "support/temp_folder.h"
 
 namespace edgevo {
 namespace {
@@ -18,16 +19,7 @@ using ::testing::HasSubstr;
 
 class OutputFileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::path(::testing::TempDir()) /
-        ("edgevo_output_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_ / name; }
   static std::string content(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     std::stringstream text;
@@ -44,7 +36,7 @@ class OutputFileTest : public ::testing::Test {
     return "no InputError";
   }
 
-  std::filesystem::path folder_;
+  test::TempFolder folder_;
 };
 
 TEST_F(OutputFileTest, KeepsEveryByte) {

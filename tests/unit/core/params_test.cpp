@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
+#include "support/temp_folder.h"
 
 namespace edgevo {
 namespace {
@@ -241,14 +241,14 @@ TEST(Params, AFileThatIsNotThereOrAFolderIsAnError) {
 }
 
 TEST(Params, ReadsAFile) {
-  const std::string path = ::testing::TempDir() + "/edgevo_params_test.yaml";
+  const test::TempFolder folder;
+  const std::string path = folder / "params.yaml";
   std::ofstream(path) << "mapping:\n  window: 5\n";
   TestParams p;
   read_params_file(path, visitor(&p));
   EXPECT_EQ(p.window, 5);
   std::ofstream(path, std::ios::trunc).close();
   EXPECT_NO_THROW(read_params_file(path, visitor(&p)));  // an empty file changes nothing
-  std::filesystem::remove(path);
   EXPECT_EQ(p.window, 5);
 }
 

@@ -2,7 +2,6 @@
 // Small sequences in a folder of their own, for tests of the readers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -15,34 +14,11 @@
 #include "edgevo/core/image_source.h"
 #include "edgevo/core/random.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "support/temp_folder.h"
 
 namespace edgevo::test {
 
 namespace fs = std::filesystem;
-
-/// A new empty folder that goes away with its owner.
-class TempFolder {
- public:
-  TempFolder() {
-    // In memory where that is possible: the fuzz tests write thousands of files.
-    const fs::path memory = "/dev/shm";
-    const bool in_memory = !std::getenv("TMPDIR") && access(memory.c_str(), W_OK) == 0;
-    std::string name = ((in_memory ? memory : fs::temp_directory_path()) / "edgevo_test_XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TempFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-
- private:
-  fs::path path_;
-};
 
 inline void write_text(const std::string& path, const std::string& text) {
   fs::create_directories(fs::path(path).parent_path());

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "edgevo/core/records.h"
+#include "support/temp_folder.h"
 
 namespace edgevo::testing {
 
@@ -57,17 +58,10 @@ inline Run small_run() {
 /// An empty folder of its own for the running test; removed at the end.
 class FolderTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("edgevo_") + info->test_suite_name() + "_" + info->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::filesystem::path folder_;
+  test::TempFolder temp_;
+  const std::filesystem::path folder_ = temp_.path();
 };
 
 }  // namespace edgevo::testing

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/temp_folder.h"
 #include "synthetic_run.h"
 
 namespace edgevo {
@@ -63,7 +64,8 @@ edgevo::Run two_keyframes() {
 }
 
 TEST(EdgePly, HoldsThePointsZUpWithTheirProperties) {
-  const std::string path = ::testing::TempDir() + "/edgevo.ply";
+  const test::TempFolder folder;
+  const std::string path = folder / "edges.ply";
   EXPECT_EQ(write_edge_ply(two_keyframes(), PointFilter(), path), 2);
   const Ply ply = read_ply(path);
   ASSERT_EQ(ply.vertices.size(), 2u);
@@ -83,7 +85,8 @@ TEST(EdgePly, HoldsThePointsZUpWithTheirProperties) {
 }
 
 TEST(EdgePly, HeaderTellsTheUnit) {
-  const std::string path = ::testing::TempDir() + "/edgevo_unit.ply";
+  const test::TempFolder folder;
+  const std::string path = folder / "edges.ply";
   edgevo::Run run = two_keyframes();
   write_edge_ply(run, PointFilter(), path);
   EXPECT_THAT(read_ply(path).header, HasSubstr("comment unit: arbitrary"));
@@ -93,7 +96,8 @@ TEST(EdgePly, HeaderTellsTheUnit) {
 }
 
 TEST(EdgePly, EmptyRunGivesAFileWithoutVertices) {
-  const std::string path = ::testing::TempDir() + "/edgevo_empty.ply";
+  const test::TempFolder folder;
+  const std::string path = folder / "edges.ply";
   EXPECT_EQ(write_edge_ply(edgevo::Run(), PointFilter(), path), 0);
   const Ply ply = read_ply(path);
   EXPECT_THAT(ply.header, HasSubstr("element vertex 0\n"));

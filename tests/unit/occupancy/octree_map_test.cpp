@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "support/temp_folder.h"
 #include "synthetic_run.h"
 
 namespace edgevo {
@@ -137,7 +137,8 @@ TEST(OctreeMap, SizesFollowTheMedianDepth) {
 TEST(OctreeMap, BothFilesReadBackTheSame) {
   const auto scene = pole_and_wall(3, 5);
   const OctreeMap map(scene.run, fixed_size());
-  const std::string prefix = ::testing::TempDir() + "/edgevo_reload";
+  const test::TempFolder folder;
+  const std::string prefix = folder / "edges";
   map.write_bt(prefix + ".bt");
   map.write_ot(prefix + ".ot");
   octomap::OcTree bt(prefix + ".bt");
@@ -161,7 +162,8 @@ TEST(OctreeMap, EmptyRunGivesValidEmptyFiles) {
   const OctreeMap map(edgevo::Run{}, OccupancyParams{});
   EXPECT_EQ(map.tree().size(), 0u);
   EXPECT_GT(map.stats().resolution, 0);
-  const std::string prefix = ::testing::TempDir() + "/edgevo_empty";
+  const test::TempFolder folder;
+  const std::string prefix = folder / "edges";
   map.write_bt(prefix + ".bt");
   map.write_ot(prefix + ".ot");
   octomap::OcTree bt(0.5);
@@ -174,7 +176,8 @@ TEST(OctreeMap, EmptyRunGivesValidEmptyFiles) {
 
 TEST(OctreeMap, SameRunSameBytesWithoutAWordOnStderr) {
   const auto scene = pole_and_wall(5, 5);
-  const std::string path = ::testing::TempDir() + "/edgevo_same.ot";
+  const test::TempFolder folder;
+  const std::string path = folder / "edges.ot";
   const auto bytes = [&] {
     OctreeMap(scene.run, OccupancyParams()).write_ot(path);
     return content(path);
@@ -187,7 +190,8 @@ TEST(OctreeMap, SameRunSameBytesWithoutAWordOnStderr) {
 
 TEST(OctreeMap, HeadersTellTheUnit) {
   auto scene = pole_and_wall(1, 5);
-  const std::string path = ::testing::TempDir() + "/edgevo_unit.bt";
+  const test::TempFolder folder;
+  const std::string path = folder / "edges.bt";
   OctreeMap(scene.run, OccupancyParams()).write_bt(path);
   EXPECT_THAT(content(path), HasSubstr("# unit: arbitrary"));
   scene.run.scale_source = "gps";

@@ -4,21 +4,14 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
-#include <filesystem>
+#include <string>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
+#include "support/temp_folder.h"
 
 namespace edgevo {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string fresh_folder(const char* name) {
-  const fs::path path = fs::path(::testing::TempDir()) / name;
-  fs::remove_all(path);
-  return path.string();
-}
 
 std::string content(const std::string& path) { return read_file(path, ""); }
 
@@ -26,7 +19,8 @@ TEST(FolderExport, BytesDoNotDependOnThreads) {
   const SceneRenderer renderer(load_scene("desk"));
   FolderExport options;
   options.begin = 10, options.end = 13, options.depth = true, options.threads = 1;
-  const std::string one = fresh_folder("export_one"), two = fresh_folder("export_two");
+  const test::TempFolder temp;
+  const std::string one = temp / "one", two = temp / "two";
   export_folder(renderer, one, options);
   options.threads = 2;
   int calls = 0;
@@ -41,7 +35,8 @@ TEST(FolderExport, FirstPoseIsTheIdentityAndDepthIsExact) {
   const SceneRenderer renderer(load_scene("desk"));
   FolderExport options;
   options.begin = 2, options.end = 4, options.depth = true;
-  const std::string folder = fresh_folder("export_depth");
+  const test::TempFolder temp;
+  const std::string folder = temp / "depth";
   export_folder(renderer, folder, options);
   EXPECT_THAT(content(folder + "/groundtruth_tum.txt"),
               ::testing::HasSubstr("0.0666667 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000\n"));
@@ -57,7 +52,8 @@ TEST(FolderExport, RangeOutsideIsRefused) {
   const SceneRenderer renderer(load_scene("desk"));
   FolderExport options;
   options.begin = 400, options.end = 100000;
-  EXPECT_THROW(export_folder(renderer, fresh_folder("export_none"), options), InputError);
+  const test::TempFolder temp;
+  EXPECT_THROW(export_folder(renderer, temp / "none", options), InputError);
 }
 
 }  // namespace

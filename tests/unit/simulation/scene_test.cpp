@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "edgevo/core/error.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene_renderer.h"
+#include "support/temp_folder.h"
 
 namespace edgevo {
 namespace {
@@ -31,7 +31,8 @@ std::string edited(const std::string& scene, const std::string& what, const std:
 
 // Why load_scene refuses that text; empty if it does not.
 std::string refusal(const std::string& text) {
-  const std::string path = (std::filesystem::path(::testing::TempDir()) / "bad_scene.yaml").string();
+  const test::TempFolder folder;
+  const std::string path = folder / "bad_scene.yaml";
   std::ofstream(path) << text;
   try {
     load_scene(path);
