@@ -71,6 +71,31 @@ void write_source(const RunInfo& info, YamlWriter* y) {
   y->close();
 }
 
+std::string calibration_statement(const CameraRefinement& c) {
+  using State = CameraRefinement::State;
+  switch (c.state) {
+    case State::kOff: return "off: the camera file was taken as it is";
+    case State::kTooEarly: return "the run was too short to tell";
+    case State::kNotObservable: return "the motion was too straight, too still or too short to tell";
+    case State::kInsignificant: return "no significant residual distortion: the camera file was left alone";
+    case State::kApplied: return "applied: images and map are corrected by residual_k1";
+  }
+  return "";
+}
+
+// x_file = x (1 + residual_k1 r^2): before the file's own distortion.
+void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
+  y->open("self_calibration");
+  y->text("result", calibration_statement(c));
+  y->number("residual_k1", c.k1, 5);
+  if (c.sigma > 0) {
+    y->number("estimate", c.estimate, 5);
+    y->number("standard_deviation", c.sigma, 3);
+    y->integer("keyframes", c.keyframes);
+  }
+  y->close();
+}
+
 void write_camera(const Camera& camera, YamlWriter* y) {
   const Pinhole& p = camera.pinhole;
   const Distortion& d = camera.distortion;
@@ -238,6 +263,7 @@ std::string summary_yaml(const SummaryInput& input) {
   write_versions(&y);
   write_source(input.info, &y);
   write_camera(input.info.camera, &y);
+  write_self_calibration(input.run.camera, &y);
   write_scale(input.run, &y);
   write_frames(input.run, &y);
   write_trajectory(input.run, &y);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/radial.h"
 
 namespace edgevo {
 
@@ -18,7 +19,8 @@ Pinhole Pinhole::at_level(int level) const {
   return p;
 }
 
-Eigen::Vector2d Camera::distort(const Eigen::Vector2d& x) const {
+Eigen::Vector2d Camera::distort(const Eigen::Vector2d& x_true) const {
+  const Eigen::Vector2d x = add_radial(residual_k1, x_true);
   const Distortion& d = distortion;
   const double r2 = x.squaredNorm();
   const double radial = 1.0 + r2 * (d.k1 + r2 * (d.k2 + r2 * d.k3));
@@ -29,9 +31,10 @@ Eigen::Vector2d Camera::distort(const Eigen::Vector2d& x) const {
 
 bool Camera::undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) const {
   const Distortion& d = distortion;
+  const Camera by_file{pinhole, distortion, 0.0};
   Eigen::Vector2d p = x_distorted;
   for (int iteration = 0; iteration < 30; ++iteration) {
-    const Eigen::Vector2d error = distort(p) - x_distorted;
+    const Eigen::Vector2d error = by_file.distort(p) - x_distorted;
     if (error.squaredNorm() < 1e-26) break;
     const double r2 = p.squaredNorm();
     const double radial = 1.0 + r2 * (d.k1 + r2 * (d.k2 + r2 * d.k3));
@@ -45,8 +48,8 @@ bool Camera::undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) c
     if (!(det > 1e-6)) return false;  // folded over: beyond the model's range
     p -= J.inverse() * error;
   }
-  *x = p;
-  return (distort(p) - x_distorted).norm() < 1e-9;
+  *x = remove_radial(residual_k1, p);
+  return (distort(*x) - x_distorted).norm() < 1e-9;
 }
 
 void Camera::check(const std::string& where) const {

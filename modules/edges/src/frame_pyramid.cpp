@@ -16,7 +16,9 @@ struct PyramidBuilder::Impl {
   cv::Mat fixed_map, fixed_map_fraction;  // empty where the camera has no distortion
 
   void make_maps() {
-    if (camera.distortion.is_zero()) return;
+    fixed_map.release();
+    fixed_map_fraction.release();
+    if (!camera.has_distortion()) return;
     UndistortionMaps maps = make_undistortion_maps(camera);
     const cv::Mat x(maps.height, maps.width, CV_32F, maps.x.data()), y(maps.height, maps.width, CV_32F, maps.y.data());
     cv::convertMaps(x, y, fixed_map, fixed_map_fraction, CV_16SC2);
@@ -53,6 +55,13 @@ PyramidBuilder::~PyramidBuilder() = default;
 PyramidBuilder::PyramidBuilder(PyramidBuilder&&) noexcept = default;
 
 const Pinhole& PyramidBuilder::pinhole() const { return impl_->camera.pinhole; }
+double PyramidBuilder::residual_k1() const { return impl_->camera.residual_k1; }
+
+void PyramidBuilder::set_residual_k1(double k1) {
+  if (k1 == impl_->camera.residual_k1) return;
+  impl_->camera.residual_k1 = k1;
+  impl_->make_maps();
+}
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image) {
   const Pinhole& camera = impl_->camera.pinhole;
@@ -61,6 +70,8 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image
                                   " but the camera is " + std::to_string(camera.width) + "x" +
                                   std::to_string(camera.height), "give the camera file of these images");
   auto pyramid = std::make_shared<FramePyramid>();
+  pyramid->source = image;
+  pyramid->residual_k1 = impl_->camera.residual_k1;
   pyramid->levels.resize(impl_->params.levels);
   for (int l = 0; l < impl_->params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[l];

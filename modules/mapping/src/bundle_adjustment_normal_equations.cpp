@@ -1,5 +1,6 @@
 #include "bundle_adjustment_normal_equations.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "edgevo/core/robust.h"
@@ -77,8 +78,11 @@ void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
 void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
   reset(state, out);
   for (int h = 0; h < n_; ++h) {
-    for (SchurBlock& block : schur_) block = SchurBlock{};
-    for (PackedVector6& b : schur_b_) b = PackedVector6{};
+    find_targets(h);
+    for (int row = first_target_; row <= last_target_; ++row) {
+      schur_b_[row] = PackedVector6{};
+      std::fill(&schur_[row * n_ + first_target_], &schur_[row * n_ + last_target_] + 1, SchurBlock{});
+    }
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& point = window_.points[i];
       add_point(point, h, i, state.idepth[point.index], out);
@@ -87,6 +91,16 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
     scatter_pairs(h, out);
     scatter_schur(h, out);
   }
+}
+
+// A host's points are seen by keyframes near it only: a long problem is a band.
+void NormalEquationsBuilder::find_targets(int host) {
+  first_target_ = n_, last_target_ = -1;
+  for (int i = window_.host_begin[host]; i < window_.host_begin[host + 1]; ++i)
+    for (int k = window_.points[i].begin; k < window_.points[i].end; ++k) {
+      first_target_ = std::min(first_target_, window_.observations[k].target);
+      last_target_ = std::max(last_target_, window_.observations[k].target);
+    }
 }
 
 // J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
@@ -183,7 +197,7 @@ void NormalEquationsBuilder::eliminate(const WindowPoint& point, int point_index
 
 void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
   const int h = 6 * host;
-  for (int target = 0; target < n_; ++target) {
+  for (int target = first_target_; target <= last_target_; ++target) {
     if (target == host) continue;
     const int t = 6 * target;
     const PairSums& pair = pairs_[host * n_ + target];
@@ -204,10 +218,10 @@ void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
 void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
   const int h = 6 * host;
   const Matrix6d* Ad = &out->adjoint[host * n_];
-  for (int col = 0; col < n_; ++col) {
+  for (int col = first_target_; col <= last_target_; ++col) {
     if (col == host) continue;
     Matrix6d with_host = Matrix6d::Zero();  // sum over rows of Ad_row^T M(row, col)
-    for (int row = 0; row < n_; ++row) {
+    for (int row = first_target_; row <= last_target_; ++row) {
       if (row == host) continue;
       const bool lower = row >= col;
       Matrix6d M = to_matrix(schur_[lower ? row * n_ + col : col * n_ + row]);

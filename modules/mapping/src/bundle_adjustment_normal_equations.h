@@ -52,6 +52,7 @@ class NormalEquationsBuilder {
   static void add_to_pair(const Derivatives& d, PairSums* sums);
 
   void reset(const State& state, NormalEquations* out);
+  void find_targets(int host);
   bool differentiate(const RelativePose& T, const WindowPoint& point, double idepth,
                      const WindowObservation& o, Derivatives* d) const;
   void add_point(const WindowPoint& point, int host, int point_index, double idepth, NormalEquations* out);
@@ -62,6 +63,7 @@ class NormalEquationsBuilder {
   const Window& window_;
   double huber_width_;
   int n_;
+  int first_target_ = 0, last_target_ = -1;  ///< of the host at hand
   std::vector<RelativePose> relative_;  ///< host * n + target
   std::vector<PairSums> pairs_;         ///< host * n + target
   std::vector<SchurBlock> schur_;       ///< of the host at hand: target_row * n + target_col, row >= col

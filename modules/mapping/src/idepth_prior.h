@@ -10,8 +10,10 @@ namespace edgevo {
 
 class IdepthPrior {
  public:
-  IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params)
-      : params_(params), grid_(pinhole.width, pinhole.height, params.cell_px), low_(grid_.size(), kNone), high_(grid_.size(), 0) {}
+  /// `median_before`: the median inverse depth of an earlier image, for one in which nothing is known.
+  IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params, double median_before)
+      : params_(params), grid_(pinhole.width, pinhole.height, params.cell_px), low_(grid_.size(), kNone), high_(grid_.size(), 0),
+        median_(median_before) {}
 
   void add(const Eigen::Vector2d& px, double idepth) {
     const int c = grid_.index(px.x(), px.y());
@@ -33,24 +35,25 @@ class IdepthPrior {
         high = std::max(high, high_[r * grid_.columns + c]);
       }
     if (high > 0) return {params_.prior_low * low, params_.prior_high * high};
-    return {params_.far_low * median(), params_.far_high * median()};
+    return {params_.far_low * median(), params_.far_high * median(), median()};
+  }
+
+  double median() {
+    if (!all_.empty()) {
+      std::nth_element(all_.begin(), all_.begin() + all_.size() / 2, all_.end());
+      median_ = all_[all_.size() / 2];
+      all_.clear();
+    }
+    return median_;
   }
 
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
-  double median() {
-    if (median_ == 0 && !all_.empty()) {
-      std::nth_element(all_.begin(), all_.begin() + all_.size() / 2, all_.end());
-      median_ = all_[all_.size() / 2];
-    }
-    return median_ > 0 ? median_ : 1.0;
-  }
-
   const DepthFilterParams& params_;
   CellGrid grid_;
   std::vector<double> low_, high_, all_;
-  double median_ = 0;
+  double median_;
 };
 
 }  // namespace edgevo

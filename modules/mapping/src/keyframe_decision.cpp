@@ -26,9 +26,10 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   d.flow_px = std::sqrt(square / counted);
   d.view_share = double(in_view) / double(cloud.points.size());
   const double flow = d.flow_px * scale;
-  // At a standstill or in a pure rotation a keyframe would bring matches but no depth.
-  d.needed = flow > params.flow_px || (flow > params.min_flow_px && (d.view_share < params.min_view_share ||
-                                                                     frames_since_keyframe >= params.max_frames));
+  // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
+  d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
+             (flow > params.min_flow_px &&
+              (d.view_share < params.min_view_share || frames_since_keyframe >= params.max_frames));
   return d;
 }
 

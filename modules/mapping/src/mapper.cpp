@@ -62,7 +62,8 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
 Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
                bool gradient_patches, uint64_t seed)
     : pinhole_(pinhole), params_(params), association_(association), gradient_patches_(gradient_patches),
-      random_(Random::derive(seed, 2)), window_(pinhole, params.window, association) {}
+      random_(Random::derive(seed, 2)), window_(pinhole, params.window, association),
+      calibration_(pinhole, SelfCalibrationParams{"none"}) {}
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   window_ = Window(pinhole_, params_.window, association_);
@@ -107,8 +108,10 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe, const 
       &random_);
 }
 
-MapUpdate Mapper::process(const TrackedFrame& frame) {
+MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
+  TrackedFrame frame = tracked;
+  frame.pyramid = corrected(tracked.pyramid);
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to help.
@@ -141,10 +144,40 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   timed("window", &update->times, [&] {
-    if (window_.full()) retired_.push_back(window_.remove_oldest());
+    if (window_.full()) {
+      retired_.push_back(window_.remove_oldest());
+      calibration_.remember(retired_.back());
+    }
+  });
+  if (calibration_.is_due(int(window_.keyframes().size())))
+    timed("self_calibration", &update->times, [&] { calibrate(false); });
+  timed("window", &update->times, [&] {
     seed_points(&window_.newest());
     publish();
   });
+}
+
+void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild) {
+  calibration_ = SelfCalibration(pinhole_, params);
+  rebuild_ = rebuild;
+}
+
+void Mapper::calibrate(bool at_end) {
+  std::vector<const Keyframe*> window;
+  for (const Keyframe& k : window_.keyframes()) window.push_back(&k);
+  BaOptions options;
+  options.huber_width = params_.window.ba_huber;
+  std::optional<MapRevision> revision = calibration_.estimate(window, options, at_end);
+  if (!revision) return;
+  const double k1 = revision->k1;
+  window_.apply(*revision, [&](const FramePyramid& old) { return rebuild_(old, k1); });
+  for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
+}
+
+// A frame that was on its way while the camera was corrected.
+std::shared_ptr<const FramePyramid> Mapper::corrected(const std::shared_ptr<const FramePyramid>& pyramid) const {
+  const double k1 = calibration_.state().k1;
+  return pyramid->residual_k1 == k1 || !rebuild_ ? pyramid : rebuild_(*pyramid, k1);
 }
 
 // Drops immature points that are dead or too old, and makes new ones in the newest keyframe where the map has none.
@@ -154,8 +187,9 @@ void Mapper::seed_points(Keyframe* keyframe) {
     for (ImmaturePoint& p : points) p.dead |= ++p.age > params_.depth_filter.max_age_keyframes;
     points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }), points.end());
   }
-  IdepthPrior prior(pinhole_, params_.depth_filter);
+  IdepthPrior prior(pinhole_, params_.depth_filter, median_idepth_);
   for (const CloudPoint& p : window_.cloud()) prior.add(p.px.cast<double>(), p.idepth);
+  median_idepth_ = prior.median();
   std::vector<bool> occupied(prior.grid().size());
   for (int c = 0; c < prior.grid().size(); ++c) occupied[c] = prior.occupied(c);
   keyframe->immature = make_immature_points(
@@ -167,12 +201,15 @@ void Mapper::publish() {
   const Keyframe& newest = window_.newest();
   reference->keyframe_id = newest.id;
   reference->T_ref_world = newest.T_cam_world;
-  reference->cloud = make_reference_cloud(newest.pyramid, window_.cloud(), gradient_patches_);
+  reference->camera = calibration_.state();
+  reference->cloud = make_reference_cloud(newest.pyramid, window_.tracking_cloud(), gradient_patches_);
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
   reference_ = std::move(reference);
 }
 
 void Mapper::close() {
+  calibrate(true);
+  calibration_.forget();
   for (Keyframe& k : window_.keyframes()) retired_.push_back(std::move(k));
   window_.keyframes().clear();
   reference_.reset();

@@ -16,6 +16,7 @@ namespace {
 constexpr int kMaxMisses = 3;       // a point that more keyframes than this should have seen is dropped
 constexpr double kDropSigmas = 4.0; // observations beyond this after the last adjustment are dropped
 constexpr double kViewBorderPx = 6;
+constexpr size_t kEnoughCloud = 500;  // with fewer points of known depth the cloud is filled up with immature ones
 
 bool in_view(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host, double idepth,
              Eigen::Vector2d* px) {
@@ -342,6 +343,28 @@ Keyframe Window::remove_oldest() {
                       host.points.end());
   }
   return oldest;
+}
+
+// Immature points of the newest keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma: under a pure
+// rotation, where depth does not matter, they count fully.
+void Window::add_immature(size_t wanted, std::vector<CloudPoint>* cloud) const {
+  std::vector<const ImmaturePoint*> alive;
+  for (const ImmaturePoint& p : newest().immature)
+    if (!p.dead) alive.push_back(&p);
+  wanted = std::min(wanted, alive.size());
+  for (size_t i = 0; i < wanted; ++i) {
+    const ImmaturePoint& p = *alive[i * alive.size() / wanted];
+    const bool measured = p.good > 0;
+    cloud->push_back({pinhole_.ray(p.px), measured ? p.idepth : p.idepth_guess, measured ? p.idepth_sigma : p.idepth_guess,
+                      p.px.cast<float>(), p.normal.cast<float>()});
+  }
+}
+
+std::vector<CloudPoint> Window::tracking_cloud() const {
+  std::vector<CloudPoint> points = cloud();
+  const size_t enough = std::min(kEnoughCloud, size_t(params_.max_cloud_points));
+  if (points.size() < enough && !keyframes_.empty()) add_immature(enough - points.size(), &points);
+  return points;
 }
 
 std::vector<CloudPoint> Window::cloud() const {

@@ -2,6 +2,8 @@
 
 #include <time.h>
 
+#include <cstdio>
+
 #include "edgevo/alignment/tracker.h"
 #include "mapping_thread.h"
 #include "run_records.h"
@@ -22,11 +24,18 @@ struct Odometry::Impl {
       : params(p), options(o), builder(camera, p.edges), bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
         mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
         records(camera.pinhole),
-        mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {}
+        rebuilder(camera, p.edges),
+        mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {
+    mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, double k1) {
+      rebuilder.set_residual_k1(k1);
+      return rebuilder.build(old.source);
+    });
+  }
 
   // ---- one frame -------------------------------------------------------------------------------------------------
 
   const FrameRecord& process(const Frame& frame) {
+    if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
     FrameRecord& record = records.begin_frame(frame);
@@ -40,7 +49,6 @@ struct Odometry::Impl {
 
   void track_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
     const double start = thread_cpu_ms();
-    change_reference(mapping.reference());
     const TrackResult result = track(*pyramid, reference->cloud, starts(), params.alignment);
     record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
     record->inlier_share = result.stats.inlier_share();
@@ -90,14 +98,25 @@ struct Odometry::Impl {
   }
 
   // A new keyframe became the reference: re-express the last pose against it.
-  void change_reference(std::shared_ptr<const Reference> newest) {
+  void change_reference(const Frame& frame, std::shared_ptr<const Reference> newest) {
     if (newest == reference) return;
+    if (newest->camera.k1 != builder.residual_k1()) change_camera(frame, newest->camera);
     if (reference) {
       const auto old = newest->T_keyframe_world.find(reference->keyframe_id);
       const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference->T_ref_world;
       T_last_ref = T_last_ref * T_old_world * newest->T_ref_world.inverse();
     }
     reference = std::move(newest);
+  }
+
+  // The map was corrected for a residual distortion: the images that follow are too.
+  void change_camera(const Frame& frame, const CameraRefinement& camera) {
+    builder.set_residual_k1(camera.k1);
+    bootstrap.reset();
+    char what[160];
+    std::snprintf(what, sizeof what, "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", camera.k1,
+                  camera.sigma, camera.keyframes);
+    say(frame, what);
   }
 
   // ---- bootstrap and segments --------------------------------------------------------------------------------------
@@ -172,6 +191,7 @@ struct Odometry::Impl {
   void close_segment() {
     mapper.close();
     records.retire(mapper.take_retired(), segment);
+    records.revise(mapper.take_revised());
     reference.reset();
     has_map = false;
   }
@@ -182,12 +202,15 @@ struct Odometry::Impl {
   void note_update(const TrackedFrame& frame, const MapUpdate& update) {
     records.note_mapping(frame.frame_index, update);
     records.retire(mapper.take_retired(), segment);
+    records.revise(mapper.take_revised());
   }
 
   Run finish() {
     mapping.wait_idle();
     if (has_map) close_segment();
-    return records.finish();
+    Run run = records.finish();
+    run.camera = mapper.camera();
+    return run;
   }
 
   void say(const Frame& frame, const std::string& what) const {
@@ -202,6 +225,7 @@ struct Odometry::Impl {
   Bootstrap bootstrap;
   Mapper mapper;
   RunRecords records;
+  PyramidBuilder rebuilder;  // the mapping side's own
   MappingThread mapping;  // last but the state: its thread ends before what it uses
 
   std::shared_ptr<const Reference> reference;

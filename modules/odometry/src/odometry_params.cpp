@@ -7,6 +7,7 @@ void RecoveryParams::visit(ParamVisitor& v) {
 }
 
 void OdometryParams::visit(ParamVisitor& v) {
+  { const auto g = v.group("camera"); camera.visit(v); }
   { const auto g = v.group("edges"); edges.visit(v); }
   { const auto g = v.group("alignment"); alignment.visit(v); }
   { const auto g = v.group("association"); association.visit(v); }

@@ -36,6 +36,16 @@ void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
   for (EdgePoint& p : k->points) p.idepth *= s, p.idepth_sigma *= s;
 }
 
+// A corrected map keeps the newest pose of its time; the run's world is that of its first one.
+void move_first_to_origin(Run* run) {
+  const auto first = std::find_if(run->frames.begin(), run->frames.end(), [](const FrameRecord& f) { return f.T_world_cam.has_value(); });
+  if (first == run->frames.end()) return;
+  const SE3 T_first_world = first->T_world_cam->inverse();
+  for (KeyframeRecord& k : run->keyframes) k.T_world_cam = T_first_world * k.T_world_cam;
+  for (FrameRecord& f : run->frames)
+    if (f.T_world_cam) f.T_world_cam = T_first_world * *f.T_world_cam;
+}
+
 }  // namespace
 
 RunRecords::RunRecords(const Pinhole& pinhole) : pinhole_(pinhole) {}
@@ -77,7 +87,7 @@ void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap) {
 }
 
 void RunRecords::place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map) {
-  Hook hook{keyframe_id, T_cam_ref, T_cam_ref * T_ref_map};
+  Hook hook{keyframe_id, current_revision(), T_cam_ref, T_cam_ref * T_ref_map};
   record->segment = segment;
   record->T_world_cam_live = T_world_map_[segment].apply(hook.T_cam_map_live.inverse());
   hooks_[record->index] = hook;
@@ -96,9 +106,43 @@ void RunRecords::note_mapping(int frame_index, const MapUpdate& update) {
   mapping_times_[frame_index] = update.times;
 }
 
+int RunRecords::current_revision() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return revision_;
+}
+
 void RunRecords::retire(std::vector<Keyframe> keyframes, int segment) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const Keyframe& k : keyframes) keyframes_[k.id] = to_record(k, segment);
+}
+
+void RunRecords::revise(std::vector<RevisedKeyframe> keyframes) {
+  if (keyframes.empty()) return;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++revision_;
+  for (const RevisedKeyframe& r : keyframes) {
+    length_ratio_[r.id].emplace_back(revision_, r.length_ratio);
+    const auto known = keyframes_.find(r.id);
+    if (known == keyframes_.end()) continue;  // still in the window: it retires with its new values
+    KeyframeRecord& k = known->second;
+    k.T_world_cam = r.T_cam_world.inverse();
+    for (size_t i = 0; i < k.points.size(); ++i) {
+      EdgePoint& p = k.points[i];
+      p.px = r.points[i].px.cast<float>();
+      p.idepth_sigma *= float(r.points[i].idepth) / p.idepth;
+      p.idepth = float(r.points[i].idepth);
+    }
+  }
+}
+
+// How much the unit of length near a keyframe has changed since a revision.
+double RunRecords::length_ratio_since(int keyframe_id, int revision) const {
+  const auto known = length_ratio_.find(keyframe_id);
+  double ratio = 1;
+  if (known != length_ratio_.end())
+    for (const auto& [number, value] : known->second)
+      if (number > revision) ratio *= value;
+  return ratio;
 }
 
 // The frame of a keyframe stands where the keyframe does: its pose was adjusted, while the one it was tracked with was not.
@@ -137,10 +181,12 @@ Run RunRecords::finish() {
     if (keyframe == position.end()) continue;
     frame.reference_keyframe = keyframe->second;
     const SE3 T_ref_cam = hook->second.T_cam_ref.inverse();
-    const SE3 T_ref_cam_scaled(T_ref_cam.rotation(), T_world_map.scale * T_ref_cam.translation());
+    const double length = T_world_map.scale * length_ratio_since(hook->second.keyframe_id, hook->second.revision);
+    const SE3 T_ref_cam_scaled(T_ref_cam.rotation(), length * T_ref_cam.translation());
     frame.T_world_cam = run.keyframes[keyframe->second].T_world_cam * T_ref_cam_scaled;
   }
   run.frames.assign(std::make_move_iterator(frames_.begin()), std::make_move_iterator(frames_.end()));
+  if (revision_ > 0) move_first_to_origin(&run);
   return run;
 }
 

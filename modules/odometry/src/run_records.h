@@ -29,6 +29,8 @@ class RunRecords {
 
   void note_mapping(int frame_index, const MapUpdate& update);
   void retire(std::vector<Keyframe> keyframes, int segment);
+  /// The camera was corrected: keyframes of the present segment have moved.
+  void revise(std::vector<RevisedKeyframe> keyframes);
 
   /// Final poses and keyframes. Call once.
   Run finish();
@@ -36,10 +38,13 @@ class RunRecords {
  private:
   struct Hook {  // what a frame hangs on
     int keyframe_id = -1;
+    int revision = 0;  // of the map that T_cam_ref was measured in
     SE3 T_cam_ref;
     SE3 T_cam_map_live;
   };
 
+  int current_revision();
+  double length_ratio_since(int keyframe_id, int revision) const;
   void hang_on_itself(int keyframe_id, const KeyframeRecord& keyframe);
 
   Pinhole pinhole_;
@@ -49,6 +54,8 @@ class RunRecords {
   std::vector<Sim3> T_world_map_;           // by segment
   std::mutex mutex_;                        // guards what follows
   std::map<int, StageTimes> mapping_times_; // by frame index
+  int revision_ = 0;                        // corrections of the map so far
+  std::map<int, std::vector<std::pair<int, double>>> length_ratio_;  // by keyframe id: revision, new over old length
   std::map<int, KeyframeRecord> keyframes_; // by keyframe id; pose and points still in the segment's map
 };
 

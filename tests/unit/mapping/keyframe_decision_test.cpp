@@ -44,13 +44,14 @@ TEST_F(Decision, NoneAtAStandstill) {
   EXPECT_EQ(d.view_share, 1);
 }
 
-TEST_F(Decision, NoneInPureRotationEvenWhenTheSceneLeavesTheView) {
-  for (double turn : {0.02, 0.3, 0.8, 2.0}) {
+TEST_F(Decision, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
+  for (double turn : {0.02, 0.1, 0.3, 0.5, 0.8, 2.0}) {
     const KeyframeDecision d = decide(move(0, 0, 0, turn), kLong);
-    EXPECT_FALSE(d.needed) << turn;
+    EXPECT_EQ(d.needed, d.view_share < params.min_turn_share) << turn;
     EXPECT_EQ(d.flow_px, 0);
   }
-  EXPECT_LT(decide(move(0, 0, 0, 0.8)).view_share, 0.75);
+  EXPECT_GT(decide(move(0, 0, 0, 0.1)).view_share, params.min_turn_share);
+  EXPECT_LT(decide(move(0, 0, 0, 0.8)).view_share, params.min_turn_share);
 }
 
 TEST_F(Decision, NoneForAShakeBelowTheSmallestFlow) {

@@ -22,7 +22,7 @@ struct AssociationParams {
   double max_normal_px = 4.0;      ///< projected point to tangent
   double min_normal_cosine = 0.7;
   // One-dimensional refinement along the normal.
-  bool refine = false;
+  bool refine = true;
   int refine_radius = 4;           ///< patch of 2 r + 1 pixels a side
   int refine_iterations = 12;
   double refine_max_move_px = 3.0;

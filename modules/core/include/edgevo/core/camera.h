@@ -40,7 +40,9 @@ struct Distortion {
 struct Camera {
   Pinhole pinhole;
   Distortion distortion;
+  double residual_k1 = 0;  ///< found by self-calibration, acts before `distortion`; see radial.h
 
+  bool has_distortion() const { return residual_k1 != 0 || !distortion.is_zero(); }
   /// Distorted normalised coordinates of undistorted ones.
   Eigen::Vector2d distort(const Eigen::Vector2d& x) const;
   /// Inverse of distort by Newton steps, to 1e-12 inside the image; returns false where they do not converge.

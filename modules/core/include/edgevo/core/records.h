@@ -52,8 +52,19 @@ struct KeyframeRecord {
   std::vector<EdgePoint> points;
 };
 
+/// What self-calibration says about the camera: images of the file's model are distorted by k1 (see radial.h).
+struct CameraRefinement {
+  enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied };
+  State state = State::kOff;
+  double k1 = 0;        ///< applied to all images; 0 unless kApplied
+  double estimate = 0;  ///< newest estimate, applied or not
+  double sigma = 0;     ///< one standard deviation of the estimate; 0: there is none
+  int keyframes = 0;    ///< that the estimate rests on
+};
+
 struct Run {
-  Pinhole pinhole;             ///< of the undistorted images; EdgePoint::px refers to it
+  Pinhole pinhole;             ///< of the undistorted images, camera.k1 taken out; EdgePoint::px refers to it
+  CameraRefinement camera;
   std::vector<FrameRecord> frames;
   std::vector<KeyframeRecord> keyframes;
   std::string scale_source = "none";  ///< "none": unit arbitrary; else metres

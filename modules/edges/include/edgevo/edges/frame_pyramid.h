@@ -24,6 +24,8 @@ struct PyramidLevel {
 
 struct FramePyramid {
   std::vector<PyramidLevel> levels;
+  GrayImage source;        ///< as the camera took it: to build the pyramid anew when the camera is corrected
+  double residual_k1 = 0;  ///< that was taken out of `levels`, see core/radial.h
   const PyramidLevel& finest() const { return levels.front(); }
 };
 
@@ -37,6 +39,9 @@ class PyramidBuilder {
 
   /// Pinhole of the undistorted images.
   const Pinhole& pinhole() const;
+  /// Residual distortion taken out of the images that follow. Changing it makes new undistortion maps, about 20 ms at 1241x376.
+  double residual_k1() const;
+  void set_residual_k1(double k1);
   /// `image` must have the camera's size (throws InputError). Cost at 1241x376: see tests/bench/bench_edges.cpp.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image);
 

@@ -3,6 +3,7 @@
 // outliers, smooth along the edge.
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "edgevo/association/association_params.h"
@@ -15,6 +16,8 @@ namespace edgevo {
 /// Where the inverse depth of a new point may lie.
 struct IdepthRange {
   double low = 0, high = 0;
+  double likely = 0;  ///< best guess within; 0: no better one than the geometric mean
+  double guess() const { return likely > 0 ? likely : std::sqrt(low * high); }
 };
 
 enum class EpipolarOutcome {
@@ -95,6 +98,7 @@ std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const 
     const IdepthRange r = range(p.px);
     p.idepth = 0.5 * (r.low + r.high);
     p.idepth_sigma = 0.25 * (r.high - r.low);  // the search covers two sigma to each side
+    p.idepth_guess = r.guess();
     points.push_back(p);
   }
   return points;

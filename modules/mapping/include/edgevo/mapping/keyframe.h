@@ -38,7 +38,8 @@ struct MapPoint {
 struct ImmaturePoint {
   Eigen::Vector2d px, normal;
   int edge_pixel = -1;
-  double idepth = 0, idepth_sigma = 0;
+  double idepth = 0, idepth_sigma = 0;  ///< until the first observation the middle and a quarter of the search range
+  double idepth_guess = 0;       ///< from its surroundings, before any observation
   int good = 0, bad = 0;         ///< depth observations that agreed, and that did not
   int age = 0;                   ///< keyframes since it was made
   bool dead = false;

@@ -1,6 +1,7 @@
 #pragma once
 // The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames, handing out the reference that
 // the next frames are tracked against. One thread at a time; reference() hands out immutable values.
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,6 +21,7 @@ struct Reference {
   SE3 T_ref_world;
   ReferenceCloud cloud;
   std::map<int, SE3> T_keyframe_world;  ///< of all keyframes in the window
+  CameraRefinement camera;              ///< that this map was made with
 };
 
 struct TrackedFrame {
@@ -46,6 +48,10 @@ class Mapper {
   Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
          uint64_t seed);
 
+  /// Lets the residual distortion of the camera be found; `rebuild(pyramid, k1)` builds a pyramid anew from its source image.
+  using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&, double k1)>;
+  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild);
+
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three between them. Returns an
   /// empty string, or why they make no map.
   [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
@@ -59,11 +65,16 @@ class Mapper {
   int next_id() const { return next_id_; }
   /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
   std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }
+  /// Keyframes, retired or in the window, that a correction of the camera moved since the last call.
+  std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
+  const CameraRefinement& camera() const { return calibration_.state(); }
 
  private:
   std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
   void seed_points(Keyframe* keyframe);
+  void calibrate(bool at_end);
+  std::shared_ptr<const FramePyramid> corrected(const std::shared_ptr<const FramePyramid>& pyramid) const;
   void publish();
 
   Pinhole pinhole_;
@@ -73,8 +84,12 @@ class Mapper {
   Random random_;
   Window window_;
   std::shared_ptr<const Reference> reference_;
+  SelfCalibration calibration_;
+  RebuildPyramid rebuild_;
   std::vector<Keyframe> retired_;
+  std::vector<RevisedKeyframe> revised_;
   int next_id_ = 0;
+  double median_idepth_ = 1;  ///< of the points seen in the newest keyframe
 };
 
 /// Should this frame become a keyframe?

@@ -39,8 +39,9 @@ struct DepthFilterParams {
 
 struct KeyframeParams {
   double flow_px = 30;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
-  double min_flow_px = 4;           ///< below it no keyframe at all: standstill or pure rotation
+  double min_flow_px = 4;           ///< below it no keyframe: standstill, or a rotation that keeps the map in view
   double min_view_share = 0.75;
+  double min_turn_share = 0.55;     ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
   int max_frames = 15;
 
   void visit(ParamVisitor& v);

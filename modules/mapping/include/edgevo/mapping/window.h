@@ -2,6 +2,7 @@
 // The sliding window of keyframes: association with a new keyframe, activation of immature points, local bundle adjustment with match
 // updates, removal of the oldest keyframe.
 #include <deque>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "edgevo/mapping/bundle_adjustment.h"
 #include "edgevo/mapping/keyframe.h"
 #include "edgevo/mapping/mapping_params.h"
+#include "edgevo/mapping/self_calibration.h"
 
 namespace edgevo {
 
@@ -54,6 +56,12 @@ class Window {
 
   /// The points seen in the newest keyframe, in its frame.
   std::vector<CloudPoint> cloud() const;
+  /// The same; where they are few (a rotation away from the map) with immature ones, whose depth is a guess.
+  std::vector<CloudPoint> tracking_cloud() const;
+
+  /// The camera was corrected: poses, points and prior as the revision says, images built anew by `rebuild`.
+  using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&)>;
+  void apply(const MapRevision& revision, const Rebuild& rebuild);
 
  private:
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const Keyframe& target) const;
@@ -69,6 +77,7 @@ class Window {
   int update_matches(const BaResult& result, const Adjustment& adjustment);
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
+  void add_immature(size_t wanted, std::vector<CloudPoint>* cloud) const;
   bool try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches);
 
   Pinhole pinhole_;

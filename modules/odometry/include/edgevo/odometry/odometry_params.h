@@ -3,6 +3,7 @@
 #include "edgevo/association/association_params.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/mapping/mapping_params.h"
+#include "edgevo/mapping/self_calibration.h"
 
 namespace edgevo {
 
@@ -14,6 +15,7 @@ struct RecoveryParams {
 
 /// All parameters of a run, group by group as in params/default.yaml.
 struct OdometryParams {
+  SelfCalibrationParams camera;
   EdgeParams edges;
   AlignmentParams alignment;
   AssociationParams association;

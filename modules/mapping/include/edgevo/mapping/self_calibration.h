@@ -1,0 +1,88 @@
+#pragma once
+// Self-calibration: the residual radial distortion k1 (core/radial.h) that the camera file does not know, estimated from the window's
+// own matches while the odometry runs.
+//
+// Not from the paper. A monocular map's scale grows or shrinks along a drive when the lens model is wrong, however good the matches: depth
+// is learnt near the image centre and used further out. The bundle adjustment sees it: its cost against k1 has a minimum where the
+// growth ends. How:
+//   1. Keyframes that leave the window are remembered with their matches, without images, up to `max_keyframes`.
+//   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown (Newton on the profile cost).
+//   3. Is k1 `significance` standard deviations from what is applied now, it is applied: poses, depths and matches move to the adjusted
+//      ones, anchored at the newest keyframe, whose pose and scale stay what they are, and the window's prior is formed anew.
+// After the last checkpoint nothing is remembered any more: memory and time are bounded. A run that ends earlier is estimated at its
+// end. A run too short, too straight or too still to tell says so and leaves the camera alone.
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgevo/core/params.h"
+#include "edgevo/core/records.h"
+#include "edgevo/mapping/bundle_adjustment.h"
+#include "edgevo/mapping/keyframe.h"
+
+namespace edgevo {
+
+struct SelfCalibrationParams {
+  std::string refine = "k1";     ///< "none": the camera file is taken as it is
+  int min_keyframes = 30;        ///< at the first checkpoint; the next ones at twice and four times as many
+  double prior_sigma = 0.01;     ///< of k1 before anything was seen
+  double max_k1 = 0.03;          ///< an estimate at this limit is not believed
+  double significance = 3.0;     ///< standard deviations
+  double model_sigma = 0.004;    ///< what biased matches add to the standard deviation, at 30 keyframes; falls with their number
+
+  void visit(ParamVisitor& v);
+};
+
+/// What a keyframe became when the camera was corrected. Everything in map coordinates.
+struct RevisedKeyframe {
+  int id = 0;
+  SE3 T_cam_world;
+  double length_ratio = 1;  ///< new length over old length near this keyframe
+  struct Point {
+    Eigen::Vector2d px;
+    double idepth = 0;
+  };
+  std::vector<Point> points;  ///< in the order of Keyframe::points
+};
+
+/// A correction of the camera and all that moves with it.
+struct MapRevision {
+  double k1_before = 0, k1 = 0;
+  std::vector<RevisedKeyframe> keyframes;  ///< remembered ones and the window's, ascending id
+  BaPrior prior;                           ///< of the remembered ones on the window
+};
+
+class SelfCalibration {
+ public:
+  SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params);
+
+  /// A keyframe that leaves the window; its images are not kept.
+  void remember(const Keyframe& keyframe);
+  /// A checkpoint is reached.
+  bool is_due(int window_keyframes) const;
+  /// Estimates k1 from all that is remembered and the window. A revision if it is to be applied; `at_end`: even if it changes little.
+  std::optional<MapRevision> estimate(const std::vector<const Keyframe*>& window, const BaOptions& options, bool at_end);
+  /// Begins anew: a segment has ended. What was found stays.
+  void forget();
+
+  const CameraRefinement& state() const { return state_; }
+
+ private:
+  bool is_significant(double k1, double sigma) const;
+
+  Pinhole pinhole_;
+  SelfCalibrationParams params_;
+  CameraRefinement state_;
+  std::vector<Keyframe> history_;  ///< without images
+  int next_checkpoint_;
+  bool finished_ = false;          ///< the last checkpoint has passed
+};
+
+/// Inverse of moving the images from k1_before to k1: where a pixel and its normal lie after the correction.
+Eigen::Vector2d correct_pixel(const Pinhole& pinhole, double k1_before, double k1, const Eigen::Vector2d& px);
+Eigen::Vector2d correct_normal(const Pinhole& pinhole, double k1_before, double k1, const Eigen::Vector2d& px,
+                               const Eigen::Vector2d& normal);
+
+}  // namespace edgevo

@@ -1,0 +1,54 @@
+// Residual radial distortion: inverse, derivatives, and its place in the camera model.
+#include "edgevo/core/radial.h"
+
+#include <gtest/gtest.h>
+
+#include "edgevo/core/camera.h"
+
+namespace edgevo {
+namespace {
+
+TEST(Radial, RemovingUndoesAdding) {
+  for (const double k1 : {-0.03, -0.01, 0.0, 0.012, 0.03})
+    for (double y = -0.8; y <= 0.8; y += 0.2)
+      for (double x = -1.2; x <= 1.2; x += 0.2) {
+        const Eigen::Vector2d p(x, y);
+        EXPECT_LT((remove_radial(k1, add_radial(k1, p)) - p).norm(), 1e-12) << k1 << " at " << p.transpose();
+      }
+}
+
+TEST(Radial, TheCentreStays) { EXPECT_EQ(remove_radial(0.02, Eigen::Vector2d::Zero()), Eigen::Vector2d::Zero()); }
+
+TEST(Radial, DerivativesAreTheNumericOnes) {
+  const double k1 = 0.017, step = 1e-6;
+  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.7, -0.2), Eigen::Vector2d(-0.3, 0.5), Eigen::Vector2d(0, 0)}) {
+    Eigen::Matrix2d J;
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector2d d = step * Eigen::Vector2d::Unit(i);
+      J.col(i) = (add_radial(k1, x + d) - add_radial(k1, x - d)) / (2 * step);
+    }
+    EXPECT_LT((J - radial_jacobian(k1, x)).norm(), 1e-9);
+    const Eigen::Vector2d by_k1 = (add_radial(k1 + step, x) - add_radial(k1 - step, x)) / (2 * step);
+    EXPECT_LT((by_k1 - radial_derivative(x)).norm(), 1e-9);
+  }
+}
+
+TEST(Radial, StandsBeforeTheFilesOwnDistortion) {
+  Camera file;
+  file.pinhole = {517.3, 516.5, 318.6, 255.3, 640, 480};
+  file.distortion = {0.262383, -0.953104, -0.005358, 0.002628, 1.163314};
+  Camera refined = file;
+  refined.residual_k1 = 0.01;
+  for (double v = 0; v < 480; v += 60)
+    for (double u = 0; u < 640; u += 60) {
+      const Eigen::Vector2d x = file.pinhole.ray({u, v}).head<2>();
+      const Eigen::Vector2d d = refined.distort(x);
+      EXPECT_LT((d - file.distort(add_radial(0.01, x))).norm(), 1e-15);
+      Eigen::Vector2d back;
+      ASSERT_TRUE(refined.undistort(d, &back));
+      EXPECT_LT((back - x).norm(), 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace edgevo

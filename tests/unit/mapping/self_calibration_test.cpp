@@ -1,0 +1,233 @@
+// Self-calibration on drives with exact truth: matches as a lens with a known residual distortion makes them.
+#include "edgevo/mapping/self_calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bundle_adjustment_scene.h"
+#include "edgevo/core/radial.h"
+
+namespace edgevo {
+namespace {
+
+struct DriveOptions {
+  int keyframes = 60;
+  double k1 = 0;          ///< of the images, unknown to the camera file
+  double noise_px = 0.15;
+  double step = 1.0;      ///< metres a keyframe; 0: a standstill
+  uint64_t seed = 1;
+};
+
+// A drive with gentle turns through points on both sides. Points are hosted by keyframes and matched, along random normals, in the
+// keyframes around. Estimates stand where a window would leave them: near the truth.
+std::vector<Keyframe> make_drive(const DriveOptions& o) {
+  const Pinhole camera = ba_scene::pinhole();
+  Random random(o.seed);
+  std::vector<SE3> T_world_cam(o.keyframes);
+  for (int i = 1; i < o.keyframes; ++i) {
+    Vector6d step = Vector6d::Zero();
+    step << 0.02 * random.normal() * o.step, 0.02 * random.normal() * o.step, o.step, 0.005 * random.normal() * o.step,
+        0.03 * std::sin(0.2 * i) * o.step, 0.005 * random.normal() * o.step;
+    T_world_cam[i] = T_world_cam[i - 1] * SE3::exp(step);
+  }
+  const auto seen_at = [&](const Eigen::Vector2d& px) {  // true pixel -> pixel in the file's image
+    return correct_pixel(camera, o.k1, 0.0, px);
+  };
+  std::vector<Keyframe> drive(o.keyframes);
+  for (int h = 0; h < o.keyframes; ++h) {
+    drive[h].id = 10 + h;
+    drive[h].T_cam_world = T_world_cam[h].inverse();
+    for (int n = 0; n < 120; ++n) {
+      const Eigen::Vector2d px(random.uniform(20, 1220), random.uniform(10, 366));
+      const double depth = random.uniform(5, 40);
+      MapPoint p;
+      p.px = seen_at(px);
+      p.normal = Eigen::Vector2d::UnitX();
+      p.idepth = 1.0 / depth;
+      for (int t = std::max(0, h - 2); t < std::min(o.keyframes, h + 9); ++t) {
+        const Eigen::Vector3d p_target = T_world_cam[t].inverse() * (T_world_cam[h] * Eigen::Vector3d(camera.ray(px) * depth));
+        if (t == h || p_target.z() < 1 || !camera.contains(camera.project(p_target), 8)) continue;
+        const double angle = random.uniform(0, 2 * M_PI);
+        Observation seen;
+        seen.keyframe_id = 10 + t;
+        seen.match.kind = MatchKind::kEdge;
+        seen.match.normal = {std::cos(angle), std::sin(angle)};
+        seen.match.px = seen_at(camera.project(p_target)) + o.noise_px * Eigen::Vector2d(random.normal(), random.normal());
+        seen.match.inv_sigma_normal = 1.0 / 0.3;
+        p.observations.push_back(seen);
+      }
+      if (!p.observations.empty()) drive[h].points.push_back(std::move(p));
+    }
+  }
+  return drive;
+}
+
+// Feeds a drive through as the mapper does; the last 12 keyframes are the window.
+struct Outcome {
+  CameraRefinement state;
+  std::optional<MapRevision> revision;
+  std::vector<Keyframe> drive;
+};
+
+Outcome calibrate(const DriveOptions& o, const SelfCalibrationParams& params = {}) {
+  Outcome out;
+  out.drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), params);
+  const size_t first_of_window = out.drive.size() - 12;
+  for (size_t i = 0; i < first_of_window; ++i) calibration.remember(out.drive[i]);
+  std::vector<const Keyframe*> window;
+  for (size_t i = first_of_window; i < out.drive.size(); ++i) window.push_back(&out.drive[i]);
+  out.revision = calibration.estimate(window, BaOptions(), true);
+  out.state = calibration.state();
+  return out;
+}
+
+TEST(SelfCalibration, FindsTheDistortion) {
+  for (const double k1 : {0.01, -0.008, 0.02})
+    for (const uint64_t seed : {1, 2, 3}) {
+      DriveOptions o;
+      o.k1 = k1, o.seed = seed;
+      const Outcome out = calibrate(o);
+      EXPECT_EQ(out.state.state, CameraRefinement::State::kApplied);
+      EXPECT_NEAR(out.state.k1, k1, 0.001);
+      ASSERT_TRUE(out.revision);
+      EXPECT_EQ(out.revision->k1, out.state.k1);
+    }
+}
+
+TEST(SelfCalibration, LeavesAGoodCameraAlone) {
+  for (const uint64_t seed : {1, 2, 3, 4}) {
+    DriveOptions o;
+    o.seed = seed;
+    const Outcome out = calibrate(o);
+    EXPECT_EQ(out.state.state, CameraRefinement::State::kInsignificant);
+    EXPECT_LT(std::abs(out.state.estimate), 0.001);
+    EXPECT_EQ(out.state.k1, 0);
+    EXPECT_FALSE(out.revision);
+  }
+}
+
+TEST(SelfCalibration, SaysWhenItCannotTell) {
+  DriveOptions still;
+  still.step = 0.002;
+  still.k1 = 0.01;
+  const Outcome out = calibrate(still);
+  EXPECT_EQ(out.state.state, CameraRefinement::State::kNotObservable);
+  EXPECT_FALSE(out.revision);
+
+  DriveOptions brief;
+  brief.keyframes = 20;
+  brief.k1 = 0.01;
+  EXPECT_EQ(calibrate(brief).state.state, CameraRefinement::State::kTooEarly);
+}
+
+TEST(SelfCalibration, OffMeansOff) {
+  DriveOptions o;
+  o.k1 = 0.02;
+  SelfCalibrationParams params;
+  params.refine = "none";
+  const Outcome out = calibrate(o, params);
+  EXPECT_EQ(out.state.state, CameraRefinement::State::kOff);
+  EXPECT_FALSE(out.revision);
+}
+
+TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const Outcome out = calibrate(o);
+  ASSERT_TRUE(out.revision);
+  const RevisedKeyframe& newest = out.revision->keyframes.back();
+  EXPECT_LT((newest.T_cam_world * out.drive.back().T_cam_world.inverse()).log().norm(), 1e-12);
+  EXPECT_NEAR(newest.length_ratio, 1.0, 0.05);
+  ASSERT_EQ(out.revision->keyframes.size(), out.drive.size());
+  for (size_t i = 0; i < out.drive.size(); ++i) {
+    EXPECT_EQ(out.revision->keyframes[i].id, out.drive[i].id);
+    EXPECT_EQ(out.revision->keyframes[i].points.size(), out.drive[i].points.size());
+  }
+}
+
+// The drive is the truth: after the correction the shape of the way is the true one again.
+TEST(SelfCalibration, TheRevisedWayHasTheTrueShape) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const Outcome out = calibrate(o);
+  ASSERT_TRUE(out.revision);
+  const auto step = [](const SE3& a, const SE3& b) { return (b * a.inverse()).translation().norm(); };
+  const auto& keyframes = out.revision->keyframes;
+  const double last = step(keyframes[58].T_cam_world, keyframes[59].T_cam_world) /
+                      step(out.drive[58].T_cam_world, out.drive[59].T_cam_world);
+  for (size_t i = 1; i < keyframes.size(); ++i) {
+    const double ratio = step(keyframes[i - 1].T_cam_world, keyframes[i].T_cam_world) /
+                         step(out.drive[i - 1].T_cam_world, out.drive[i].T_cam_world);
+    EXPECT_NEAR(ratio / last, 1.0, 0.02) << i;
+  }
+}
+
+// A window adjusted with the revision's prior stays where the whole adjustment put it.
+TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
+  DriveOptions o;
+  o.k1 = 0.01;
+  const Outcome out = calibrate(o);
+  ASSERT_TRUE(out.revision);
+  const MapRevision& r = *out.revision;
+  BaProblem window;
+  window.pinhole = ba_scene::pinhole();
+  window.prior = r.prior;
+  const int first = int(out.drive.size()) - 12;
+  for (size_t i = first; i < out.drive.size(); ++i) {
+    window.poses.push_back({r.keyframes[i].T_cam_world, false});
+    window.pose_ids.push_back(r.keyframes[i].id);
+  }
+  for (size_t h = first; h < out.drive.size(); ++h)
+    for (size_t n = 0; n < out.drive[h].points.size(); ++n) {
+      const MapPoint& p = out.drive[h].points[n];
+      const int index = int(window.points.size());
+      for (const Observation& seen : p.observations) {
+        const int target = seen.keyframe_id - 10 - first;
+        if (target < 0) continue;
+        window.observations.push_back({index, target, correct_pixel(window.pinhole, 0, r.k1, seen.match.px),
+                                       correct_normal(window.pinhole, 0, r.k1, seen.match.px, seen.match.normal),
+                                       seen.match.inv_sigma_normal, 0.0});
+      }
+      if (!window.observations.empty() && window.observations.back().point == index)
+        window.points.push_back({int(h) - first, window.pinhole.ray(r.keyframes[h].points[n].px), r.keyframes[h].points[n].idepth, false});
+    }
+  const BaProblem before = window;
+  const BaResult result = make_bundle_adjuster("schur")->solve(&window, BaOptions());
+  ASSERT_TRUE(result.usable);
+  EXPECT_LT(ba_scene::pose_difference(before, window), 0.01);  // of steps of one metre
+}
+
+TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
+  SelfCalibrationParams params;
+  params.min_keyframes = 15;  // checkpoints at 15, 30 and 60
+  DriveOptions o;
+  o.keyframes = 72;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), params);
+  int estimates = 0;
+  for (size_t i = 0; i + 12 < drive.size(); ++i) {
+    calibration.remember(drive[i]);
+    std::vector<const Keyframe*> window;
+    for (size_t k = i + 1; k <= i + 12; ++k) window.push_back(&drive[k]);
+    if (!calibration.is_due(12)) continue;
+    ++estimates;
+    calibration.estimate(window, BaOptions(), false);
+  }
+  EXPECT_EQ(estimates, 3);
+  EXPECT_EQ(calibration.state().keyframes, 60);
+}
+
+TEST(SelfCalibration, CorrectedNormalsAreThoseOfCorrectedEdges) {
+  const Pinhole c = ba_scene::pinhole();
+  const Eigen::Vector2d px(1100, 40), along(0.6, 0.8), normal(-0.8, 0.6);
+  const Eigen::Vector2d a = correct_pixel(c, 0.002, 0.015, px - along), b = correct_pixel(c, 0.002, 0.015, px + along);
+  const Eigen::Vector2d corrected = correct_normal(c, 0.002, 0.015, px, normal);
+  EXPECT_NEAR(corrected.norm(), 1, 1e-12);
+  EXPECT_NEAR(corrected.dot((b - a).normalized()), 0, 1e-4);
+  EXPECT_GT(corrected.dot(normal), 0.99);
+}
+
+}  // namespace
+}  // namespace edgevo
