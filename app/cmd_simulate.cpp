@@ -16,6 +16,7 @@ namespace {
 struct SimulateOptions {
   std::string scene, out, frames;
   std::optional<uint64_t> seed;
+  std::optional<double> rolling_shutter_s, exposure_s;
   bool depth = false;
 };
 
@@ -34,12 +35,19 @@ void set_range(const std::string& text, FolderExport* range) {
   range->end = number(text.substr(colon + 1), -1);
 }
 
+Scene scene_as_asked(const SimulateOptions& options) {
+  Scene scene = load_scene(options.scene, options.seed);
+  scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
+  scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
+  return scene;
+}
+
 int simulate(const SimulateOptions& options) {
   FolderExport range;
   set_range(options.frames, &range);
   range.depth = options.depth;
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
-  const SceneRenderer renderer(load_scene(options.scene, options.seed));
+  const SceneRenderer renderer(scene_as_asked(options));
   const int count = (range.end < 0 ? renderer.size() : range.end) - range.begin;
   {
     Progress progress("rendering", count);
@@ -61,6 +69,12 @@ void add_simulate_command(CLI::App& app, Action* action) {
   command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
+  command->add_option("--rolling-shutter", options->rolling_shutter_s,
+                      "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
+      ->check(number_from_zero());
+  command->add_option("--exposure", options->exposure_s,
+                      "seconds for which the shutter is open: blur along the true motion (default: the scene's own, mostly 0)")
+      ->check(number_from_zero());
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
   command->callback([=] { *action = [=] { return simulate(*options); }; });
 }

@@ -25,8 +25,11 @@ struct CameraParams {
     v.number("p2", d.p2, -0.1, 0.1, "plumb-bob distortion, tangential");
     v.number("k3", d.k3, -5, 5, "plumb-bob distortion");
     v.number("noise_sigma", noise_sigma, 0, 50, "noise of the sensor, gray levels");
+    v.number("rolling_shutter_s", rolling_shutter_s, 0, 1, "read-out of the image, first row to last, seconds; 0: all at once");
+    v.number("exposure_s", exposure_s, 0, 1, "each row gathers light for this long, seconds; 0: an instant");
   }
   double noise_sigma = 1.0;
+  double rolling_shutter_s = 0, exposure_s = 0;
 };
 
 struct MotionParams {
