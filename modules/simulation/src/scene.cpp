@@ -59,9 +59,9 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   scene.camera = params.camera.camera;
   scene.noise_sigma = params.camera.noise_sigma;
   scene.shutter = {params.camera.rolling_shutter_s, params.camera.exposure_s};
-  set_motion(make_trajectory(params, scene.seed, where), params, &scene);
-  scene.world = std::make_shared<const World>(build_world(params, scene.seed, where));
-  check_trajectory(scene);
+  set_motion(make_trajectory(params, scene.seed, params.where.way_points), params, &scene);
+  scene.world = std::make_shared<const World>(build_world(params, scene.seed));
+  check_trajectory(scene, params.where.way_points);
   return scene;
 }
 

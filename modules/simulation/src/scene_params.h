@@ -87,6 +87,11 @@ struct WorldParams {
   }
 };
 
+/// "street.yaml:31": the lines that an error found later points to.
+struct SceneLines {
+  std::string way_points, walls, sky;
+};
+
 struct SceneParams {
   int seed = 1;
   int frames = 0;
@@ -95,6 +100,7 @@ struct SceneParams {
   MotionParams motion;
   WorldParams world;
   std::vector<Eigen::Vector3d> way_points;  ///< metres
+  SceneLines where;
   void visit(ParamVisitor& v) {
     v.integer("seed", seed, 0, 1000000000, "everything random follows from it");
     v.integer("frames", frames, 1, 1000000, "number of images");
@@ -113,7 +119,7 @@ struct SceneParams {
 };
 
 /// Reads the text of a scene file. Throws InputError: unknown key, value out of range, no frames, way points that are no
-/// lists of two or three numbers, fewer than two of them, no camera.
-SceneParams parse_scene(const std::string& text, const std::string& where);
+/// lists of two or three numbers, fewer than two of them, no camera. Each message opens with `file` and, where there is one, the line.
+SceneParams parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace edgevo

@@ -49,7 +49,7 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed =
 /// Names that load_scene knows without a path, sorted.
 std::vector<std::string> scene_names();
 
-/// Throws InputError naming `scene.name` when the camera passes through a solid surface between two frames.
-void check_trajectory(const Scene& scene);
+/// Throws InputError naming `where` when the camera passes through a solid surface between two frames.
+void check_trajectory(const Scene& scene, const std::string& where);
 
 }  // namespace edgevo
