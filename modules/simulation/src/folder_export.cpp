@@ -73,15 +73,10 @@ std::string source_text(const Scene& scene, int begin, int end) {
 
 void write_texts(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
   const Scene& scene = renderer.scene();
-  const SE3 T_first_scene = scene.T_scene_cam[size_t(begin)].inverse();
-  std::string times, truth = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
-  for (int i = begin; i < end; ++i) {
-    const Timestamp time = scene.times[size_t(i)];
-    times += to_string(time) + "\n";
-    truth += pose_line(time, T_first_scene * scene.T_scene_cam[size_t(i)]);
-  }
+  std::string times;
+  for (int i = begin; i < end; ++i) times += to_string(scene.times[size_t(i)]) + "\n";
   write_file(folder + "/times.txt", times);
-  write_file(folder + "/groundtruth_tum.txt", truth);
+  write_file(folder + "/groundtruth_tum.txt", ground_truth_tum(renderer, begin, end));
   write_file(folder + "/camera.txt", camera_text(scene.camera));
   write_file(folder + "/SOURCE.md", source_text(scene, begin, end));
 }
@@ -108,6 +103,14 @@ void run_parallel(int begin, int end, int threads, const std::function<void(int)
 }
 
 }  // namespace
+
+std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end) {
+  const Scene& scene = renderer.scene();
+  const SE3 T_first_scene = scene.T_scene_cam[size_t(begin)].inverse();
+  std::string text = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
+  for (int i = begin; i < end; ++i) text += pose_line(scene.times[size_t(i)], T_first_scene * scene.T_scene_cam[size_t(i)]);
+  return text;
+}
 
 FolderWriter::FolderWriter(std::string folder, const Camera& camera) : folder_(std::move(folder)), camera_(camera) {
   make_output_folder(folder_ + "/images");
