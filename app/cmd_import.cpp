@@ -4,11 +4,10 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_file.h"
 #include "edgevo/datasets/ground_truth.h"
-#include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 #include "progress.h"
+#include "rawlog_output.h"
 #include "source_options.h"
 
 namespace edgevo::app {
@@ -23,7 +22,7 @@ bool is_same_place(const fs::path& a, const fs::path& b) {
 
 // Neither the rawlog nor the folder of its images may be what is being read.
 void check_output(const std::string& source, const std::string& rawlog) {
-  if (fs::path(rawlog).extension() != ".rawlog")
+  if (!names_rawlog(rawlog))
     throw InputError(rawlog, "does not end in .rawlog",
                      "name the output OUT.rawlog, so that the MRPT tools know it");
   const fs::path images = rawlog_stem(rawlog) + "_Images";
@@ -36,16 +35,12 @@ int import(const SourceOptions& options, const std::string& rawlog) {
   check_output(options.path, rawlog);
   const auto source = open_source(options);
   const std::string truth = ground_truth_tum(options, *source);
-  const std::string stem = rawlog_stem(rawlog);
-  if (fs::path(rawlog).has_parent_path()) make_output_folder(fs::path(rawlog).parent_path().string());
-  if (!truth.empty()) write_file(stem + "_groundtruth_tum.txt", truth);
   int count = 0;
   {
     Progress progress("importing", source->size());
-    count = import_rawlog(*source, rawlog, [&](int done) { progress.update(done); });
+    count = write_rawlog(*source, rawlog, truth, [&](int done) { progress.update(done); });
   }
-  std::printf("%s: %d frames, images in %s_Images%s\n", rawlog.c_str(), count, stem.c_str(),
-              truth.empty() ? "" : ", ground truth beside it");
+  std::printf("%s\n", describe_rawlog(rawlog, count, !truth.empty()).c_str());
   return 0;
 }
 

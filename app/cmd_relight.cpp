@@ -4,14 +4,12 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_file.h"
 #include "edgevo/datasets/ground_truth.h"
-#include "edgevo/mrpt_bridge/rawlog_import.h"
-#include "edgevo/mrpt_bridge/rawlog_writer.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/relit_source.h"
 #include "option_checks.h"
 #include "progress.h"
+#include "rawlog_output.h"
 #include "source_options.h"
 
 namespace edgevo::app {
@@ -44,12 +42,6 @@ int write_folder(RelitSource& source, const RelightOptions& options, const std::
   return count;
 }
 
-int write_rawlog(RelitSource& source, const RelightOptions& options, const std::string& truth, Progress& progress) {
-  if (fs::path(options.out).has_parent_path()) make_output_folder(fs::path(options.out).parent_path().string());
-  if (!truth.empty()) write_file(rawlog_stem(options.out) + "_groundtruth_tum.txt", truth);
-  return import_rawlog(source, options.out, [&](int done) { progress.update(done); });
-}
-
 int relight(const RelightOptions& options) {
   check_output(options);
   const Relight effect(options.kind, options.seed);
@@ -59,8 +51,9 @@ int relight(const RelightOptions& options) {
   int count = 0;
   {
     Progress progress("relighting", source.size());
-    const bool is_rawlog = fs::path(options.out).extension() == ".rawlog";
-    count = is_rawlog ? write_rawlog(source, options, truth, progress) : write_folder(source, options, truth, progress);
+    const auto on_frame_done = [&](int done) { progress.update(done); };
+    count = names_rawlog(options.out) ? write_rawlog(source, options.out, truth, on_frame_done)
+                                      : write_folder(source, options, truth, progress);
   }
   std::printf("%s: %d frames, %s\n", options.out.c_str(), count, options.kind.c_str());
   return 0;

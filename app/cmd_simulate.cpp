@@ -6,9 +6,11 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/simulation/folder_export.h"
+#include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene.h"
 #include "option_checks.h"
 #include "progress.h"
+#include "rawlog_output.h"
 
 namespace edgevo::app {
 namespace {
@@ -16,6 +18,7 @@ namespace {
 struct SimulateOptions {
   std::string scene, out, frames;
   std::optional<uint64_t> seed;
+  std::optional<double> rolling_shutter_s, exposure_s;
   bool depth = false;
 };
 
@@ -34,33 +37,63 @@ void set_range(const std::string& text, FolderExport* range) {
   range->end = number(text.substr(colon + 1), -1);
 }
 
+Scene scene_as_asked(const SimulateOptions& options) {
+  Scene scene = load_scene(options.scene, options.seed);
+  scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
+  scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
+  return scene;
+}
+
+void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range, Progress& progress) {
+  range.depth = options.depth;
+  range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
+  export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
+}
+
+std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer, const SimulateOptions& options,
+                            const FolderExport& range, Progress& progress) {
+  if (options.depth) throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or leave --depth out");
+  RenderedSource source(renderer, range.begin, range.end);
+  const int count = write_rawlog(source, options.out, ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
+                                 [&](int done) { progress.update(done); });
+  return describe_rawlog(options.out, count, true);
+}
+
 int simulate(const SimulateOptions& options) {
   FolderExport range;
   set_range(options.frames, &range);
-  range.depth = options.depth;
-  range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
-  const SceneRenderer renderer(load_scene(options.scene, options.seed));
-  const int count = (range.end < 0 ? renderer.size() : range.end) - range.begin;
+  const auto renderer = std::make_shared<const SceneRenderer>(scene_as_asked(options));
+  const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
+  std::string done = options.out + ": " + std::to_string(count) + " frames with exact ground truth" + (options.depth ? " and depth" : "");
   {
     Progress progress("rendering", count);
-    export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
+    if (names_rawlog(options.out))
+      done = write_as_rawlog(renderer, options, range, progress);
+    else
+      write_folder(*renderer, options, range, progress);
   }
-  std::printf("%s: %d frames with exact ground truth%s\n", options.out.c_str(), count, options.depth ? " and depth" : "");
+  std::printf("%s\n", done.c_str());
   return 0;
 }
 
 }  // namespace
 
 void add_simulate_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("simulate", "render a scene with exact ground truth into a folder");
+  CLI::App* command = app.add_subcommand("simulate", "render a scene with exact ground truth into a folder or a rawlog");
   auto options = std::make_shared<SimulateOptions>();
   std::string known;
   for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
   command->add_option("SCENE", options->scene, "a YAML file, or one of: " + known)->required();
-  command->add_option("-o,--out", options->out, "folder to write")->required()->check(path_given());
+  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")->required()->check(path_given());
   command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
+  command->add_option("--rolling-shutter", options->rolling_shutter_s,
+                      "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
+      ->check(number_from_zero());
+  command->add_option("--exposure", options->exposure_s,
+                      "seconds for which the shutter is open: blur along the true motion (default: the scene's own, mostly 0)")
+      ->check(number_from_zero());
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
   command->callback([=] { *action = [=] { return simulate(*options); }; });
 }

@@ -61,6 +61,15 @@ CLI::Validator positive_number() {
   return {check, "", "positive number"};
 }
 
+CLI::Validator number_from_zero() {
+  const auto check = [](std::string& text) -> std::string {
+    double value = 0;
+    if (parse(text, &value) && value >= 0 && std::isfinite(value)) return "";
+    return "'" + text + "' is not a number, 0 or larger";
+  };
+  return {check, "", "number"};
+}
+
 CLI::Validator path_given() {
   const auto check = [](std::string& text) -> std::string { return text.empty() ? "'' names no folder" : ""; };
   return {check, "", "path"};

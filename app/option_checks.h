@@ -11,6 +11,8 @@ namespace edgevo::app {
 CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_limits<int>::max());
 /// "must be a number larger than 0".
 CLI::Validator positive_number();
+/// "must be a number, 0 or larger".
+CLI::Validator number_from_zero();
 /// "names no folder": an empty word, as an unset variable of a script leaves it.
 CLI::Validator path_given();
 

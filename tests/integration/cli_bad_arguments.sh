@@ -15,6 +15,8 @@ complains "'' names no folder" "$edgevo" run "$desk" -o ''
 complains "SOURCE is required" "$edgevo" import
 complains "does not end in .rawlog" "$edgevo" import "$desk" seq.log
 complains "no-scene.*street" "$edgevo" simulate no-scene -o out
+for seconds in -0.1 x 1e999; do complains "rolling-shutter.*number, 0 or larger" "$edgevo" simulate desk -o out --rolling-shutter=$seconds; done
+complains "exposure of 0.5.* s is out of range; give 0 to 0.03" "$edgevo" simulate desk -o out --exposure 0.5
 complains "none.txt" "$edgevo" eval none.txt "$desk/groundtruth_tum.txt"
 
 for range in 5 a:b 5:5 9:5 1000:1001 -1:4 1:2:3 0:99999999999; do complains "--frames" run "$desk" -o out --frames=$range; done

@@ -158,26 +158,26 @@ double ease(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
 
 }  // namespace
 
-std::vector<PathPoint> drive_along(const SceneParams& params, const std::string& where) {
+std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_frame, const std::string& where) {
   const MotionParams& m = params.motion;
   const bool pauses = m.pause_turn_deg != 0;
   const Way way = make_way(params, pauses ? m.pause_at : -1, where);
   const double stop = pauses ? m.pause_at * way.gone.back() : 1e18;
   const double pause_seconds = pauses ? 1.5 * std::abs(m.pause_turn_deg) / m.pause_rate_deg : 0;  // 1.5: peak rate of ease()
-  constexpr int kSubSteps = 50;
-  const double dt = 1 / params.rate_hz / kSubSteps;
+  const double dt = 1 / params.rate_hz / steps_per_frame;
   Driver driver(way);
   double paused = 0;
   std::vector<PathPoint> out;
   for (int i = 0; i < params.frames; ++i) {
-    PathPoint p = driver.point();
-    if (pauses) p.yaw += m.pause_turn_deg * kPi / 180 * ease(paused / pause_seconds);
-    out.push_back(p);
-    for (int k = 0; k < kSubSteps; ++k)
+    for (int k = 0; k < steps_per_frame; ++k) {
+      PathPoint p = driver.point();
+      if (pauses) p.yaw += m.pause_turn_deg * kPi / 180 * ease(paused / pause_seconds);
+      out.push_back(p);
       if (driver.gone() >= stop && paused < pause_seconds)
         paused += dt;
       else
         driver.advance(dt);
+    }
     if (driver.at_end() && i + 1 < params.frames)
       throw InputError(where, "the way ends at frame " + std::to_string(i) + " of " + std::to_string(params.frames),
                        "add way points, or make frames or motion.speed smaller");

@@ -50,24 +50,33 @@ std::string pose_line(Timestamp time, const SE3& T) {
   return line + "\n";
 }
 
+// " --option 0.02"; empty for 0.
+std::string seconds_option(const char* name, double seconds) {
+  if (seconds == 0) return {};
+  const std::string digits = fixed(seconds, 9);
+  return name + digits.substr(0, digits.find_last_not_of('0') + 1);
+}
+
+std::string shutter_note(const Shutter& shutter) {
+  if (shutter.rolling_s == 0 && shutter.exposure_s == 0) return {};
+  return "The shutter takes time: time, pose and depth of a frame are those of the middle of the exposure of its middle row.\n";
+}
+
 std::string source_text(const Scene& scene, int begin, int end) {
+  const std::string shutter = seconds_option(" --rolling-shutter ", scene.shutter.rolling_s) +
+                              seconds_option(" --exposure ", scene.shutter.exposure_s);
   const std::string seed = std::to_string(scene.seed), frames = std::to_string(begin) + ":" + std::to_string(end);
   return "# Rendered scene `" + scene.name + "`\n\nFrames " + frames + ", seed " + seed +
          ". Rendered by edgevo; nothing in it was photographed or taken from others.\nPoses and depth are exact, in metres. Again: `edgevo simulate " +
-         scene.name + " --seed " + seed + " --frames " + frames + " -o FOLDER`\n";
+         scene.name + " --seed " + seed + " --frames " + frames + shutter + " -o FOLDER`\n" + shutter_note(scene.shutter);
 }
 
 void write_texts(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
   const Scene& scene = renderer.scene();
-  const SE3 T_first_scene = scene.T_scene_cam[size_t(begin)].inverse();
-  std::string times, truth = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
-  for (int i = begin; i < end; ++i) {
-    const Timestamp time = scene.times[size_t(i)];
-    times += to_string(time) + "\n";
-    truth += pose_line(time, T_first_scene * scene.T_scene_cam[size_t(i)]);
-  }
+  std::string times;
+  for (int i = begin; i < end; ++i) times += to_string(scene.times[size_t(i)]) + "\n";
   write_file(folder + "/times.txt", times);
-  write_file(folder + "/groundtruth_tum.txt", truth);
+  write_file(folder + "/groundtruth_tum.txt", ground_truth_tum(renderer, begin, end));
   write_file(folder + "/camera.txt", camera_text(scene.camera));
   write_file(folder + "/SOURCE.md", source_text(scene, begin, end));
 }
@@ -94,6 +103,14 @@ void run_parallel(int begin, int end, int threads, const std::function<void(int)
 }
 
 }  // namespace
+
+std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end) {
+  const Scene& scene = renderer.scene();
+  const SE3 T_first_scene = scene.T_scene_cam[size_t(begin)].inverse();
+  std::string text = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
+  for (int i = begin; i < end; ++i) text += pose_line(scene.times[size_t(i)], T_first_scene * scene.T_scene_cam[size_t(i)]);
+  return text;
+}
 
 FolderWriter::FolderWriter(std::string folder, const Camera& camera) : folder_(std::move(folder)), camera_(camera) {
   make_output_folder(folder_ + "/images");

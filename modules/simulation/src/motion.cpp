@@ -1,5 +1,6 @@
 #include "motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drive_path.h"
@@ -12,13 +13,18 @@ namespace {
 constexpr double kRadian = 3.14159265358979323846 / 180;
 constexpr uint64_t kMotionPurpose = 0x6d6f74696f6e;
 
+// Time of a step. At a frame it is the frame's own, to the last bit.
+double seconds_at(size_t step, double rate_hz) {
+  return (double(step / kStepsPerFrame) + double(step % kStepsPerFrame) / kStepsPerFrame) / rate_hz;
+}
+
 std::vector<SE3> drive(const SceneParams& params, Random random, const std::string& where) {
   const MotionParams& m = params.motion;
-  const std::vector<PathPoint> way = drive_along(params, where);
+  const std::vector<PathPoint> way = drive_along(params, kStepsPerFrame, where);
   const SmoothNoise pitch(&random, m.sway_hz), roll(&random, m.sway_hz), yaw(&random, m.sway_hz), lift(&random, m.sway_hz);
   std::vector<SE3> poses;
   for (size_t i = 0; i < way.size(); ++i) {
-    const double t = double(i) / params.rate_hz, sway = m.sway_deg * kRadian;
+    const double t = seconds_at(i, params.rate_hz), sway = m.sway_deg * kRadian;
     const Eigen::Vector3d position(way[i].x, way[i].y, m.height + m.sway_m * lift(t));
     poses.push_back(look(position, way[i].yaw - m.look_right_deg * kRadian + sway / 3 * yaw(t),
                          m.look_down_deg * kRadian + sway * pitch(t), sway * roll(t)));
@@ -39,8 +45,8 @@ std::vector<SE3> hand(const SceneParams& params, Random random) {
   for (double t = 0; t < kSeconds; t += kStep) length += (position(t + kStep) - position(t)).norm();
   const double pace = m.speed / (length / kSeconds), sway = m.sway_deg * kRadian;
   std::vector<SE3> poses;
-  for (int i = 0; i < params.frames; ++i) {
-    const double t = double(i) / params.rate_hz;
+  for (size_t i = 0; i < size_t(params.frames) * kStepsPerFrame; ++i) {
+    const double t = seconds_at(i, params.rate_hz);
     const Eigen::Vector3d p = position(pace * t), view = params.way_points[1] - p;
     poses.push_back(look(p, std::atan2(view.y(), view.x()) + sway * yaw(t),
                          std::atan2(-view.z(), view.head<2>().norm()) + sway * down(t), sway * roll(t)));
@@ -59,9 +65,15 @@ SE3 look(const Eigen::Vector3d& position, double yaw, double down, double roll) 
   return {R, position};
 }
 
-std::vector<SE3> make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where) {
+SE3 CameraMotion::at(double seconds) const {
+  const double steps = seconds / step_s;
+  const size_t i = size_t(std::clamp(std::floor(steps), 0.0, double(T_scene_cam.size() - 2)));
+  return T_scene_cam[i] * SE3::exp((steps - double(i)) * (T_scene_cam[i].inverse() * T_scene_cam[i + 1]).log());
+}
+
+CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where) {
   const Random random = Random::derive(seed, kMotionPurpose);
-  return params.motion.kind == "hand" ? hand(params, random) : drive(params, random, where);
+  return {1 / params.rate_hz / kStepsPerFrame, params.motion.kind == "hand" ? hand(params, random) : drive(params, random, where)};
 }
 
 }  // namespace edgevo

@@ -6,6 +6,10 @@ std::optional<int> RelitSource::size() const {
   return relight_.may_drop() ? std::nullopt : source_->size();
 }
 
+std::vector<Timestamp> RelitSource::times() const {
+  return relight_.may_drop() ? std::vector<Timestamp>() : source_->times();
+}
+
 std::optional<Frame> RelitSource::next() {
   while (std::optional<Frame> frame = source_->next()) {
     if (!begin_) begin_ = frame->time;

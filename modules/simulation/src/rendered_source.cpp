@@ -17,6 +17,11 @@ std::vector<std::pair<std::string, std::string>> RenderedSource::details() const
           {"surfaces", std::to_string(renderer_->scene().world->surfaces.size())}};
 }
 
+std::vector<Timestamp> RenderedSource::times() const {
+  const std::vector<Timestamp>& all = renderer_->scene().times;
+  return {all.begin() + begin_, all.begin() + end_};
+}
+
 std::optional<Frame> RenderedSource::next() {
   if (next_ >= end_) return std::nullopt;
   const int index = next_++;

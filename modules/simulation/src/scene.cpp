@@ -28,6 +28,14 @@ fs::path find_scene(const std::string& name_or_path) {
                    "give the path of a YAML file or one of " + known);
 }
 
+void set_motion(CameraMotion motion, const SceneParams& params, Scene* scene) {
+  for (int i = 0; i < params.frames; ++i) {
+    scene->T_scene_cam.push_back(motion.T_scene_cam[size_t(i) * kStepsPerFrame]);
+    scene->times.push_back(Timestamp::from_seconds(i / params.rate_hz));
+  }
+  scene->T_scene_cam_at = [motion = std::move(motion)](double seconds) { return motion.at(seconds); };
+}
+
 }  // namespace
 
 std::vector<std::string> scene_names() {
@@ -50,10 +58,10 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   scene.seed = seed.value_or(uint64_t(params.seed));
   scene.camera = params.camera.camera;
   scene.noise_sigma = params.camera.noise_sigma;
-  scene.T_scene_cam = make_trajectory(params, scene.seed, where);
-  for (int i = 0; i < params.frames; ++i) scene.times.push_back(Timestamp::from_seconds(i / params.rate_hz));
-  scene.world = std::make_shared<const World>(build_world(params, scene.seed, where));
-  check_trajectory(scene);
+  scene.shutter = {params.camera.rolling_shutter_s, params.camera.exposure_s};
+  set_motion(make_trajectory(params, scene.seed, params.where.way_points), params, &scene);
+  scene.world = std::make_shared<const World>(build_world(params, scene.seed));
+  check_trajectory(scene, params.where.way_points);
   return scene;
 }
 

@@ -1,77 +1,103 @@
 #include "scene_params.h"
 
-#include <mrpt/containers/yaml.h>
-
-#include <cmath>
+#include <charconv>
 #include <sstream>
+#include <string_view>
 
 #include "edgevo/core/error.h"
 
 namespace edgevo {
 namespace {
 
-using Yaml = mrpt::containers::yaml;
-constexpr const char* kRemedy = "write each way point as `- [x, y]` or `- [x, y, z]`, metres";
+constexpr const char* kKey = "way_points:";
+constexpr const char* kRemedy = "write each way point on a line of its own as `- [x, y]` or `- [x, y, z]`, metres";
 
-bool opens_section(const std::string& line, const std::string& key) {
-  return line.compare(0, key.size() + 1, key + ":") == 0;
+std::string at_line(const std::string& file, int line) { return file + ":" + std::to_string(line); }
+
+std::string_view trimmed(std::string_view s) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const size_t begin = s.find_first_not_of(kBlanks);
+  return begin == std::string_view::npos ? std::string_view() : s.substr(begin, s.find_last_not_of(kBlanks) - begin + 1);
 }
+std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
+
+bool opens_way_points(const std::string& line) { return line.compare(0, std::string_view(kKey).size(), kKey) == 0; }
 // A line of text outside of any list or group: it ends the section before it.
 bool is_top_level_key(const std::string& line) {
   return !line.empty() && line[0] != ' ' && line[0] != '\t' && line[0] != '#' && line[0] != '-' && line[0] != '\r';
 }
 
-// Cuts the section of a top-level key out of the text and returns it.
-std::string take_section(const std::string& key, std::string* text) {
-  std::istringstream in(*text);
-  std::string line, section, rest;
-  bool inside = false;
-  while (std::getline(in, line)) {
-    if (is_top_level_key(line)) inside = opens_section(line, key);
-    (inside ? section : rest) += line + "\n";
+// "[x, y]" or "[x, y, z]".
+bool parse_point(std::string_view text, Eigen::Vector3d* p) {
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return false;
+  text = text.substr(1, text.size() - 2);
+  int count = 0;
+  for (bool more = true; more; ++count) {
+    const size_t comma = text.find(',');
+    more = comma != std::string_view::npos;
+    const std::string_view digits = trimmed(text.substr(0, comma));
+    const char* const end = digits.data() + digits.size();
+    if (count == 3) return false;
+    const auto read = std::from_chars(digits.data(), end, (*p)[count]);
+    if (read.ec != std::errc() || read.ptr != end) return false;
+    if (more) text.remove_prefix(comma + 1);
   }
-  *text = rest;
-  return section;
+  return count >= 2;
 }
 
-Eigen::Vector3d parse_point(const Yaml::node_t& node, const std::string& where) {
+Eigen::Vector3d parse_item(std::string_view item, const std::string& where) {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  if (!node.isSequence() || node.asSequence().size() < 2 || node.asSequence().size() > 3)
-    throw InputError(where, "a way point is no list of two or three numbers", kRemedy);
-  for (int i = 0; i < int(node.asSequence().size()); ++i) {
-    p[i] = Yaml(node.asSequence()[size_t(i)]).as<double>();
-    if (!(std::abs(p[i]) < 1e5)) throw InputError(where, "a way point lies beyond 100 km", kRemedy);
-  }
+  if (item.front() != '-' || !parse_point(trimmed(item.substr(1)), &p))
+    throw InputError(where, "is no way point, a list of two or three numbers", kRemedy);
+  if (!(p.cwiseAbs().maxCoeff() < 1e5)) throw InputError(where, "a way point lies beyond 100 km", kRemedy);
   return p;
 }
 
-std::vector<Eigen::Vector3d> parse_way_points(const std::string& section, const std::string& where) {
-  std::vector<Eigen::Vector3d> points;
-  try {
-    if (section.empty()) throw InputError(where, "has no way_points", kRemedy);
-    const Yaml document = Yaml::FromText(section);
-    const Yaml list = document["way_points"];
-    if (!list.isSequence()) throw InputError(where, "way_points is no list", kRemedy);
-    for (const auto& node : list.asSequence()) points.push_back(parse_point(node, where));
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception&) {
-    throw InputError(where, "way_points is not readable as a list of numbers", kRemedy);
+// Takes the way points out of the text, whose other lines keep their numbers.
+std::string take_way_points(std::istream& in, const std::string& file, SceneParams* params) {
+  std::string line, rest;
+  bool inside = false;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (is_top_level_key(line)) inside = opens_way_points(line);
+    rest += (inside ? "" : line) + "\n";
+    const std::string where = at_line(file, number);
+    if (inside && opens_way_points(line)) {
+      if (!params->where.way_points.empty()) throw InputError(where, "way_points was given already", "keep one");
+      params->where.way_points = where;
+      if (!without_comment(std::string_view(line).substr(std::string_view(kKey).size())).empty())
+        throw InputError(where, "something follows way_points on its line", kRemedy);
+    } else if (inside && !without_comment(line).empty()) {
+      params->way_points.push_back(parse_item(without_comment(line), where));
+    }
   }
-  if (points.size() < 2) throw InputError(where, "has fewer than two way points", kRemedy);
-  return points;
+  return rest;
+}
+
+// The line of `key` in the group `world`, which need not be there.
+std::string where_in_world(const std::string& text, const std::string& key, const std::string& file) {
+  std::istringstream in(text);
+  std::string line;
+  bool inside = false;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (is_top_level_key(line)) inside = line.compare(0, 6, "world:") == 0;
+    if (inside && trimmed(line).substr(0, key.size() + 1) == key + ":") return at_line(file, number);
+  }
+  return file;
 }
 
 }  // namespace
 
-SceneParams parse_scene(const std::string& text, const std::string& where) {
+SceneParams parse_scene(const std::string& text, const std::string& file) {
   SceneParams params;
-  std::string scalars = text;
-  const std::string way_points = take_section("way_points", &scalars);
-  read_params(scalars, where, [&](ParamVisitor& v) { params.visit(v); });
-  if (params.frames < 1) throw InputError(where, "frames is missing: the scene would be empty", "give for example frames: 300");
-  params.way_points = parse_way_points(way_points, where);
-  params.camera.camera.check(where);
+  std::istringstream in(text);
+  const std::string rest = take_way_points(in, file, &params);
+  read_params(rest, file, [&](ParamVisitor& v) { params.visit(v); });
+  if (params.frames < 1) throw InputError(file, "frames is missing: the scene would be empty", "give for example frames: 300");
+  if (params.where.way_points.empty()) throw InputError(file, "has no way_points", kRemedy);
+  if (params.way_points.size() < 2) throw InputError(params.where.way_points, "has fewer than two way points", kRemedy);
+  params.where.walls = where_in_world(text, "walls", file);
+  params.where.sky = where_in_world(text, "sky", file);
+  params.camera.camera.check(file);
   return params;
 }
 

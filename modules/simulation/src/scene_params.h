@@ -25,8 +25,11 @@ struct CameraParams {
     v.number("p2", d.p2, -0.1, 0.1, "plumb-bob distortion, tangential");
     v.number("k3", d.k3, -5, 5, "plumb-bob distortion");
     v.number("noise_sigma", noise_sigma, 0, 50, "noise of the sensor, gray levels");
+    v.number("rolling_shutter_s", rolling_shutter_s, 0, 1, "read-out of the image, first row to last, seconds; 0: all at once");
+    v.number("exposure_s", exposure_s, 0, 1, "each row gathers light for this long, seconds; 0: an instant");
   }
   double noise_sigma = 1.0;
+  double rolling_shutter_s = 0, exposure_s = 0;
 };
 
 struct MotionParams {
@@ -84,6 +87,11 @@ struct WorldParams {
   }
 };
 
+/// "street.yaml:31": the lines that an error found later points to.
+struct SceneLines {
+  std::string way_points, walls, sky;
+};
+
 struct SceneParams {
   int seed = 1;
   int frames = 0;
@@ -92,6 +100,7 @@ struct SceneParams {
   MotionParams motion;
   WorldParams world;
   std::vector<Eigen::Vector3d> way_points;  ///< metres
+  SceneLines where;
   void visit(ParamVisitor& v) {
     v.integer("seed", seed, 0, 1000000000, "everything random follows from it");
     v.integer("frames", frames, 1, 1000000, "number of images");
@@ -110,7 +119,7 @@ struct SceneParams {
 };
 
 /// Reads the text of a scene file. Throws InputError: unknown key, value out of range, no frames, way points that are no
-/// lists of two or three numbers, fewer than two of them, no camera.
-SceneParams parse_scene(const std::string& text, const std::string& where);
+/// lists of two or three numbers, fewer than two of them, no camera. Each message opens with `file` and, where there is one, the line.
+SceneParams parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace edgevo

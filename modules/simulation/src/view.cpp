@@ -21,19 +21,22 @@ Polygon clip(const Polygon& polygon, const Eigen::Vector3d& plane, double offset
   return kept;
 }
 
-// Half the opening of the view in normalised coordinates, lens distortion included.
-Eigen::Vector4d view_limits(const Camera& camera) {
+// Least and largest x, then y, in normalised coordinates, that the image rows from `top` to `bottom` look along; lens
+// distortion included.
+Eigen::Vector4d view_limits(const Camera& camera, double top, double bottom) {
   const Pinhole& p = camera.pinhole;
-  Eigen::Vector4d limits(0, 0, 0, 0);
-  for (int i = 0; i <= 8; ++i)
-    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-1, i / 8.0 * p.height), Eigen::Vector2d(p.width, i / 8.0 * p.height),
-                                      Eigen::Vector2d(i / 8.0 * p.width, -1), Eigen::Vector2d(i / 8.0 * p.width, p.height)}) {
+  Eigen::Vector4d limits(1e9, -1e9, 1e9, -1e9);
+  for (int i = 0; i <= 8; ++i) {
+    const double u = i / 8.0 * p.width, v = top + i / 8.0 * (bottom - top);
+    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-1, v), Eigen::Vector2d(p.width, v), Eigen::Vector2d(u, top),
+                                      Eigen::Vector2d(u, bottom)}) {
       const Eigen::Vector2d distorted = p.ray(px).head<2>();
       Eigen::Vector2d x = distorted;
-      if (!camera.distortion.is_zero() && !camera.undistort(distorted, &x)) continue;
+      if (!camera.distortion.is_zero() && !camera.undistort(distorted, &x)) x = distorted;
       limits[0] = std::min(limits[0], x.x()), limits[1] = std::max(limits[1], x.x());
       limits[2] = std::min(limits[2], x.y()), limits[3] = std::max(limits[3], x.y());
     }
+  }
   return limits;
 }
 
@@ -121,8 +124,11 @@ void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u,
 
 }  // namespace
 
-std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam) {
-  const Eigen::Vector4d limits = view_limits(camera);
+std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam, RowRange rows) {
+  constexpr double kMargin = 3;  // rows: samples reach beyond the centre, and a lens bends rows
+  const double bottom = camera.pinhole.height;
+  const Eigen::Vector4d limits = view_limits(camera, -1, bottom);
+  const Eigen::Vector4d row_limits = view_limits(camera, std::max(-1.0, rows.begin - kMargin), std::min(bottom, rows.end + kMargin));
   const SE3 T_cam_scene = T_scene_cam.inverse();
   const Eigen::Matrix3d R = T_cam_scene.R();
   const Eigen::Vector3d eye = T_scene_cam.translation();
@@ -134,7 +140,7 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     const Eigen::Vector3d diagonal = s.side_u + s.side_v;
     const Eigen::Vector3d middle = R * (s.origin + 0.5 * diagonal - eye);
     const double radius = 0.5 * std::sqrt(std::max(diagonal.squaredNorm(), (s.side_u - s.side_v).squaredNorm()));
-    if (is_out_of_view(middle, radius, limits) || is_speck(middle, radius, camera.pinhole)) continue;
+    if (is_out_of_view(middle, radius, row_limits) || is_speck(middle, radius, camera.pinhole)) continue;
     const Eigen::Vector3d origin = R * (s.origin - eye), u = R * s.side_u, v = R * s.side_v;
     Polygon outline{origin, origin + u, origin + u + v, origin + v};
     if (s.is_triangle) outline.erase(outline.begin() + 2);
@@ -142,7 +148,7 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     if (seen.empty()) continue;
     ViewSurface view;
     bound(seen, camera, &view);
-    if (view.row_begin >= view.row_end || view.col_begin >= view.col_end) continue;
+    if (std::max(view.row_begin, rows.begin) >= std::min(view.row_end, rows.end) || view.col_begin >= view.col_end) continue;
     view.surface = &s;
     view.texture = &world.textures[size_t(s.texture)];
     view.distance = middle.norm();

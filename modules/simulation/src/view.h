@@ -37,8 +37,14 @@ struct ViewSurface {
   int col_begin = 0, col_end = 0;  ///< image columns that it may touch
 };
 
-/// Surfaces that may be seen, in the order of the world's.
-std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam);
+/// Rows begin <= v < end of an image.
+struct RowRange {
+  int begin, end;
+};
+
+/// Surfaces that may touch the rows, in the order of the world's. A surface is described as the whole image sees it,
+/// whatever the rows, so that an image may be put together from rows.
+std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam, RowRange rows);
 
 /// The cloud layer, a plane 1 km above the camera whatever its position.
 ViewSurface view_sky(const World& world, const SE3& T_scene_cam);

@@ -13,7 +13,7 @@ std::vector<std::string> wall_kinds(const std::string& list, const std::string& 
   std::istringstream in(list);
   std::vector<std::string> kinds;
   for (std::string kind; in >> kind;) {
-    texture_kind(kind, where + ": world.walls");
+    texture_kind(kind, where);
     kinds.push_back(kind);
   }
   if (kinds.empty()) throw InputError(where, "world.walls names no texture", "write for example walls: brick plaster");
@@ -28,10 +28,10 @@ Eigen::Vector3d sun_direction(const WorldParams& w) {
 
 }  // namespace
 
-World build_world(const SceneParams& params, uint64_t seed, const std::string& where) {
+World build_world(const SceneParams& params, uint64_t seed) {
   const WorldParams& w = params.world;
-  WorldBuilder builder(seed, where, sun_direction(w));
-  Site site{params, builder, wall_kinds(w.walls, where)};
+  WorldBuilder builder(seed, params.where.sky, sun_direction(w));
+  Site site{params, builder, wall_kinds(w.walls, params.where.walls)};
   builder.set_sky(w.sky, float(w.horizon_gray), float(w.haze_per_metre));
   if (w.kind == "street") build_street(site);
   if (w.kind == "desk") build_desk(site);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "edgevo/simulation/scene_renderer.h"
+#include "support/white_square.h"
 
 namespace edgevo {
 namespace {
@@ -71,27 +72,6 @@ TEST_P(SceneGeometry, ReprojectedDepthMeetsTheNextFrame) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneGeometry, ::testing::Values("street", "desk", "lakeshore", "corridor", "rotation"));
 
-// A white square before a dark plain, seen by a camera at the origin that looks along x.
-Scene white_square(const Camera& camera) {
-  auto world = std::make_shared<World>();
-  world->textures.push_back(make_texture({1, 1, {200}}));
-  world->sky.gray = 20;
-  Surface square;
-  square.origin = {4, 0.611, 0.327};  // upper left corner
-  square.side_u = {0, -1.1, 0};
-  square.side_v = {0, 0, -0.7};
-  world->surfaces.push_back(square);
-  Scene scene;
-  scene.name = "white square";
-  scene.camera = camera;
-  Eigen::Matrix3d R;
-  R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
-  scene.T_scene_cam = {{R, Eigen::Vector3d::Zero()}};
-  scene.times = {Timestamp{}};
-  scene.world = world;
-  return scene;
-}
-
 // Where a horizontal (or vertical) line of pixels passes through gray 110, between dark and bright, going along it.
 double crossing(const GrayImage& image, int u, int v, int du, int dv) {
   for (;; u += du, v += dv) {
@@ -110,7 +90,7 @@ TEST(PixelCentres, CornerIsSeenWhereItProjects) {
   Camera camera;
   camera.pinhole = {410.3, 405.7, 158.61, 121.37, 320, 240};
   const Eigen::Vector2d expected = camera.pinhole.project({-0.611, -0.327, 4});
-  const Eigen::Vector2d seen = corner_seen(SceneRenderer(white_square(camera)).render_image(0), expected);
+  const Eigen::Vector2d seen = corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
   EXPECT_NEAR(seen.x(), expected.x(), 0.06);
   EXPECT_NEAR(seen.y(), expected.y(), 0.06);
 }
@@ -121,7 +101,7 @@ TEST(PixelCentres, CornerIsSeenWhereTheLensPutsIt) {
   camera.distortion = {-0.25, 0.06, 0.001, -0.002, 0};
   const Eigen::Vector2d x = camera.distort(Eigen::Vector2d(-0.611, -0.327) / 4);
   const Eigen::Vector2d expected(310.3 * x.x() + 158.61, 305.7 * x.y() + 121.37);
-  const Eigen::Vector2d seen = corner_seen(SceneRenderer(white_square(camera)).render_image(0), expected);
+  const Eigen::Vector2d seen = corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
   EXPECT_NEAR(seen.x(), expected.x(), 0.1);  // the sides are bent: their crossings lie six pixels from the corner
   EXPECT_NEAR(seen.y(), expected.y(), 0.1);
 }
@@ -129,7 +109,7 @@ TEST(PixelCentres, CornerIsSeenWhereTheLensPutsIt) {
 TEST(Depth, IsTheDistanceAlongTheAxis) {
   Camera camera;
   camera.pinhole = {100, 100, 31.5, 31.5, 64, 64};
-  const std::vector<float> depth = SceneRenderer(white_square(camera)).render_depth(0);
+  const std::vector<float> depth = SceneRenderer(test::white_square(camera)).render_depth(0);
   EXPECT_FLOAT_EQ(depth_at(depth, 64, 31, 31), 4.0f);
   EXPECT_FLOAT_EQ(depth_at(depth, 64, 20, 28), 4.0f);
   EXPECT_EQ(depth_at(depth, 64, 0, 0), 0.0f);  // sky

@@ -69,8 +69,29 @@ TEST(BadScene, WayTooShort) {
 TEST(BadScene, WayPoints) {
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "")), HasSubstr("fewer than two way points"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1.05]")), HasSubstr("list of two or three numbers"));
-  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")), HasSubstr("way_points"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")), HasSubstr("34: is no way point"));
   EXPECT_THAT(refusal(edited("desk", "way_points:", "other_points:")), HasSubstr("list"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1, 2, 3, 4]")), HasSubstr("list of two or three numbers"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [nan, 2]")), HasSubstr("beyond 100 km"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - 1.05")), HasSubstr("list of two or three numbers"));
+  EXPECT_THAT(refusal(edited("desk", "way_points:  ", "way_points: []")), HasSubstr("something follows way_points"));
+  EXPECT_THAT(refusal(edited("desk", "seed: 1", "way_points:\n  - [0, 0]")), HasSubstr("given already"));
+}
+
+// Way points first, then the rest: the lines below keep their numbers.
+TEST(BadScene, MessagesNameTheLine) {
+  const auto with_points_first = [](const char* points, const char* rest) {
+    return refusal(std::string("way_points:  # metres\n") + points + rest);
+  };
+  const char* const points = "  - [0, 0, 1.35]\n\n  - [1, 0, 0.74]  # the desk\n";
+  EXPECT_THAT(with_points_first(points, "frames: 9\nrate_herz: 3\n"), HasSubstr("bad_scene.yaml:6: unknown parameter"));
+  EXPECT_THAT(with_points_first(points, "frames: 0\n"), HasSubstr("bad_scene.yaml:5: frames"));
+  EXPECT_THAT(with_points_first("  - [0, 0]\n  - [0, zero]\n", "frames: 9\n"), HasSubstr("bad_scene.yaml:3: is no way point"));
+  EXPECT_THAT(with_points_first("  - [0, 0]\n", "frames: 9\n"), HasSubstr("bad_scene.yaml:1: has fewer than two"));
+  EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")), HasSubstr("bad_scene.yaml:26: there is no texture"));
+  EXPECT_THAT(refusal(edited("street", "sky: clouds", "sky: cloud")), HasSubstr("bad_scene.yaml:27: there is no texture"));
+  EXPECT_THAT(refusal(edited("street", "lane_offset: 1.5", "lane_offset: 11")), HasSubstr("bad_scene.yaml:29: the camera passes"));
+  EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")), HasSubstr("bad_scene.yaml:29: the way ends"));
 }
 
 TEST(BadScene, NoCamera) { EXPECT_THAT(refusal(edited("desk", "  width: 640", "")), HasSubstr("image size")); }

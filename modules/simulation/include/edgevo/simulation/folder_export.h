@@ -37,6 +37,9 @@ class FolderWriter {
   Camera camera_;
 };
 
+/// Text of groundtruth_tum.txt for frames begin <= index < end, which exist.
+std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end);
+
 /// Called with the number of frames done, one call at a time.
 using OnFrameDone = std::function<void(int)>;
 

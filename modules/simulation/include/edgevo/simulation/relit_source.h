@@ -16,7 +16,10 @@ class RelitSource : public ImageSource {
   /// Of the source; nullopt if frames may be dropped.
   std::optional<int> size() const override;
   std::string kind() const override { return source_->kind() + ", relit"; }
+  std::string label() const override { return source_->label(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return source_->details(); }
+  /// Of the source; empty if frames may be dropped.
+  std::vector<Timestamp> times() const override;
   std::string ground_truth_path() const override { return source_->ground_truth_path(); }
   std::optional<Frame> next() override;
 

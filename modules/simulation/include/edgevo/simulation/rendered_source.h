@@ -17,6 +17,7 @@ class RenderedSource : public ImageSource {
   std::optional<int> size() const override { return end_ - begin_; }
   std::string kind() const override { return "rendered scene " + renderer_->scene().name; }
   std::vector<std::pair<std::string, std::string>> details() const override;
+  std::vector<Timestamp> times() const override;
   std::optional<Frame> next() override;
   bool skip() override;
 

@@ -4,6 +4,7 @@
 // The file names the kind of world (street, desk, lakeshore, corridor, plaza), a seed, the camera and the motion; the
 // world is then grown from the seed, textures included. The same file and seed give the same scene, to the byte.
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,12 +17,24 @@
 
 namespace edgevo {
 
+/// When the rows of an image gather light. The time of a frame, its pose and its depth are those of the middle of the
+/// exposure of the image's middle: what is true of the image as a whole, whatever the shutter.
+struct Shutter {
+  double rolling_s = 0;   ///< the last row is exposed this much later than the first (0.01 to 0.03 s in common cameras)
+  double exposure_s = 0;  ///< each row gathers light for this long
+
+  /// Middle of the exposure of row v of `height`, in seconds from the time of the frame.
+  double row_time(int v, int height) const { return rolling_s > 0 && height > 1 ? rolling_s * (double(v) / (height - 1) - 0.5) : 0; }
+};
+
 struct Scene {
   std::string name;
   uint64_t seed = 0;
   Camera camera;
   std::vector<SE3> T_scene_cam;      ///< pose of the camera at each frame; scene axes as in world.h, metres
   std::vector<Timestamp> times;      ///< of each frame, from 0 s on
+  std::function<SE3(double)> T_scene_cam_at;  ///< the same motion at any time, seconds; for a shutter that is open for a while
+  Shutter shutter;
   double noise_sigma = 0;            ///< standard deviation of the sensor's noise, gray levels
   std::shared_ptr<const World> world;  ///< shared, since it may hold tens of megabytes
 
@@ -36,7 +49,7 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed =
 /// Names that load_scene knows without a path, sorted.
 std::vector<std::string> scene_names();
 
-/// Throws InputError naming `scene.name` when the camera passes through a solid surface between two frames.
-void check_trajectory(const Scene& scene);
+/// Throws InputError naming `where` when the camera passes through a solid surface between two frames.
+void check_trajectory(const Scene& scene, const std::string& where);
 
 }  // namespace edgevo

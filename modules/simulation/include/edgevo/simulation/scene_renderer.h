@@ -7,7 +7,8 @@
 // How: for each surface, 1/z and the texture coordinates over z are linear functions of the viewing ray (x, y, 1). Every pixel is
 // looked through at nine points on a lattice; a depth buffer of one row finds the nearest surface at each; a pixel
 // whose nine points meet one surface is shaded once, others once for each surface. Textures are filtered along the longer axis
-// of the pixel's footprint. Pixel (0,0) is the centre of the top-left pixel, as everywhere here.
+// of the pixel's footprint. A shutter that is open for a while looks at several instants along the true motion, a rolling
+// shutter at each row from its own pose. Pixel (0,0) is the centre of the top-left pixel, as everywhere here.
 #include <vector>
 
 #include "edgevo/core/image.h"
@@ -19,13 +20,15 @@ namespace edgevo {
 struct RenderedFrame {
   int index = 0;
   Timestamp time;
-  GrayImage image;           ///< as the camera takes it: distorted if its lens is, with noise
+  GrayImage image;           ///< as the camera takes it: distorted if its lens is, with its shutter and noise
   std::vector<float> depth;  ///< z in metres at the pixel centres of the UNDISTORTED image, row by row; 0: sky
-  SE3 T_world_cam;           ///< world: the axes and origin of the scene's first camera
+  SE3 T_world_cam;           ///< world: the axes and origin of the scene's first camera. Pose and depth are those at `time`, the
+                             ///< middle of the exposure of the middle of the image
 };
 
 class SceneRenderer {
  public:
+  /// Throws InputError for a shutter that does not fit the times of the frames.
   explicit SceneRenderer(Scene scene);
 
   const Camera& camera() const { return scene_.camera; }

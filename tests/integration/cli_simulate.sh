@@ -1,0 +1,49 @@
+#!/bin/sh
+# edgevo simulate: folder and rawlog hold the same, a shutter that takes time, and scenes that cannot be.
+shipped=$(cd "$(dirname "$0")/../../datasets/scenes" && pwd)
+. "$(dirname "$0")/cli_common.sh"
+
+# A rawlog straight from the renderer is, byte for byte, what import makes of the folder.
+"$edgevo" simulate desk --frames 0:12 -o folder >/dev/null || fail "simulate into a folder"
+"$edgevo" import folder imported.rawlog >/dev/null || fail "import of that folder"
+"$edgevo" simulate desk --frames 0:12 -o made/desk.rawlog >said || fail "simulate into a rawlog"
+check "frames it tells of" "$(grep -c '12 frames, images in .*desk_Images, ground truth beside it' said)" -eq 1
+same "rawlog" made/desk.rawlog imported.rawlog
+same "ground truth" made/desk_groundtruth_tum.txt imported_groundtruth_tum.txt
+check "images" "$(ls made/desk_Images | wc -l)" -eq 12
+for image in made/desk_Images/*; do cmp -s "$image" "imported_Images/$(basename "$image")" || fail "$image differs"; done
+"$edgevo" info made/desk.rawlog >info.txt || fail "info on the rawlog"
+check "info knows its frames" "$(grep -c '12' info.txt)" -ge 1
+"$edgevo" simulate desk --frames 0:60 -o run.rawlog >/dev/null || fail "simulate for a run"
+"$edgevo" run run.rawlog -o out --quiet || fail "run on the rawlog"
+check "poses of the run" "$(poses out)" -ge 50
+cp run_groundtruth_tum.txt groundtruth_tum.txt
+below "its ATE, metres" "$(ate out .)" 0.003
+complains "a rawlog does not hold depth" "$edgevo" simulate desk -o x.rawlog --depth
+complains "frames 400:500 are not in it" "$edgevo" simulate rotation --frames 400:500 -o x.rawlog
+[ ! -e x.rawlog ] || fail "a rawlog was begun for frames that are not there"
+
+# A shutter that takes time: other images, the same poses and depth, the same bytes again.
+shuttered() { "$edgevo" simulate rotation --frames 20:22 --depth --exposure 0.02 --rolling-shutter 0.03 -o "$1" >/dev/null; }
+shuttered once && shuttered twice || fail "simulate with a shutter"
+"$edgevo" simulate rotation --frames 20:22 --depth -o sharp >/dev/null || fail "simulate without a shutter"
+same "image through a shutter, again" once/images/000020.png twice/images/000020.png
+differ "image with and without a shutter" once/images/000020.png sharp/images/000020.png
+same "poses" once/groundtruth_tum.txt sharp/groundtruth_tum.txt
+same "depth" once/depth/000020.pfm sharp/depth/000020.pfm
+check "SOURCE.md says how to make it again" "$(grep -c -e '--rolling-shutter 0.03 --exposure 0.02 -o' once/SOURCE.md)" -eq 1
+
+# Scenes that cannot be. bad SCENE SED_SCRIPT WORDS
+bad() {
+  sed "$2" "$shipped/$1.yaml" >bad.yaml
+  complains "$3" "$edgevo" simulate bad.yaml -o never
+}
+line_of() { grep -n "^ *$2" "$shipped/$1.yaml" | head -1 | cut -d: -f1; }
+bad desk 's/rate_hz:/rate_hertz:/' "bad.yaml:$(line_of desk rate_hz:): unknown parameter 'rate_hertz'.*rate_hz"
+bad desk 's/walls: .*/walls: plastre/' "bad.yaml:$(line_of desk walls:): there is no texture 'plastre'.*'plaster'"
+bad street 's/lane_offset: .*/lane_offset: 11/' "bad.yaml:$(line_of street way_points:): the camera passes through a wall"
+bad street 's/^frames: .*/frames: 0/' "bad.yaml:$(line_of street frames:): frames: '0' is out of range"
+bad street '/^frames:/d' "bad.yaml: frames is missing"
+bad street 's/  - \[105, 0\]/  - [105 0]/' "bad.yaml:$(($(line_of street way_points:) + 2)): is no way point"
+[ ! -e never ] || fail "a folder was made for a scene that cannot be"
+finish
