@@ -48,16 +48,15 @@ Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
 // From perturbations delta of the current poses to xi = log(T linearization^-1):  delta = J_l(xi_now) (xi -
 // xi_now).
 void move_linearization(const PriorTerm& prior, const Eigen::VectorXd& xi_prior, Quadratic* q) {
-  const Eigen::Index size = q->b.size();
-  Eigen::MatrixXd J = Eigen::MatrixXd::Identity(size, size);
-  Eigen::VectorXd xi_now = Eigen::VectorXd::Zero(size);
+  Eigen::VectorXd xi_now = Eigen::VectorXd::Zero(q->b.size()), gradient = q->b;
   for (std::size_t i = 0; i < prior.pose_index().size(); ++i) {
     const int row = 6 * prior.pose_index()[i];
     xi_now.segment<6>(row) = xi_prior.segment<6>(6 * i);
-    J.block<6, 6>(row, row) = left_jacobian(xi_prior.segment<6>(6 * i));
+    const Matrix6d J = left_jacobian(xi_prior.segment<6>(6 * i));  // J is block diagonal: J^T H J row by row, column by column
+    q->H.middleRows<6>(row) = (J.transpose() * q->H.middleRows<6>(row)).eval();
+    q->H.middleCols<6>(row) = (q->H.middleCols<6>(row) * J).eval();
+    gradient.segment<6>(row) = J.transpose() * q->b.segment<6>(row);
   }
-  q->H = (J.transpose() * q->H * J).eval();
-  const Eigen::VectorXd gradient = J.transpose() * q->b;
   q->constant += 0.5 * xi_now.dot(q->H * xi_now) - gradient.dot(xi_now);
   q->b = gradient - q->H * xi_now;
 }

@@ -1,9 +1,66 @@
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/mapping/mapper.h"
 
 namespace edgevo {
+
+namespace {
+
+// Image motion by the translation from a keyframe to the camera, of points given in the camera (rays and inverse depths).
+struct Parallax {
+  double flow_px = 0, view_share = 0;
+};
+
+Parallax parallax(const Pinhole& pinhole, const std::vector<CloudPoint>& seen, const SE3& T_keyframe_cam) {
+  const Eigen::Matrix3d R = T_keyframe_cam.R();
+  const Eigen::Vector3d t = R.transpose() * T_keyframe_cam.translation();  // in the camera's axes: the rotation left out
+  double square = 0;
+  int counted = 0, in_view = 0;
+  for (const CloudPoint& p : seen) {
+    const Projection there = project(pinhole, R, T_keyframe_cam.translation(), p.ray, p.idepth);
+    if (there.valid && pinhole.contains(there.px)) ++in_view;
+    const Projection moved = project(pinhole, Eigen::Matrix3d::Identity(), t, p.ray, p.idepth);
+    if (!moved.valid) continue;
+    square += (moved.px - pinhole.project(p.ray)).squaredNorm();
+    ++counted;
+  }
+  if (counted == 0) return {};
+  return {std::sqrt(square / counted), double(in_view) / double(seen.size())};
+}
+
+// Up to `count` points of the cloud that the camera sees, in its own frame.
+std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, size_t count) {
+  std::vector<CloudPoint> seen;
+  const size_t step = std::max<size_t>(1, cloud.points.size() / count);
+  for (size_t i = 0; i < cloud.points.size(); i += step) {
+    CloudPoint p = cloud.points[i];
+    const Eigen::Vector3d Y = T_cam_ref.R() * p.ray + p.idepth * T_cam_ref.translation();
+    if (!(Y.z() > kMinProjectedDepth) || !pinhole.contains(pinhole.project(Y))) continue;
+    p.idepth /= Y.z();
+    p.ray = Y / Y.z();
+    seen.push_back(p);
+  }
+  return seen;
+}
+
+}  // namespace
+
+NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref,
+                                      double min_view_share) {
+  constexpr size_t kPoints = 200;
+  const std::vector<CloudPoint> seen = visible_points(pinhole, reference.cloud, T_cam_ref, kPoints);
+  const SE3 T_world_cam = (T_cam_ref * reference.T_ref_world).inverse();
+  NearestKeyframe nearest;
+  for (const auto& [id, T_keyframe_world] : reference.T_keyframe_world) {
+    const Parallax p = parallax(pinhole, seen, T_keyframe_world * T_world_cam);
+    if (p.view_share < min_view_share) continue;
+    if (nearest.id < 0 || p.flow_px < nearest.flow_px) nearest = {id, p.flow_px};
+  }
+  return nearest;
+}
 
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                                  int frames_since_keyframe, const KeyframeParams& params) {

@@ -95,7 +95,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
   if (stats.cost_per_observation > kMaxFirstCost) return "the edges of the first views do not fit one rigid scene";
   next_id_ += int(chosen.size());
-  publish();
+  publish(window_.newest());
   return {};
 }
 
@@ -122,7 +122,10 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
       if (!host.immature.empty())
         update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter, association_, &host);
   });
-  if (frame.make_keyframe) make_keyframe(frame, T_cam_world, &update);
+  if (frame.make_keyframe)
+    make_keyframe(frame, T_cam_world, &update);
+  else if (frame.return_to >= 0)
+    timed("window", &update.times, [&] { return_to(frame.return_to); });
   return update;
 }
 
@@ -153,7 +156,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     timed("self_calibration", &update->times, [&] { calibrate(false); });
   timed("window", &update->times, [&] {
     seed_points(&window_.newest());
-    publish();
+    publish(window_.newest());
   });
 }
 
@@ -188,7 +191,7 @@ void Mapper::seed_points(Keyframe* keyframe) {
     points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }), points.end());
   }
   IdepthPrior prior(pinhole_, params_.depth_filter, median_idepth_);
-  for (const CloudPoint& p : window_.cloud()) prior.add(p.px.cast<double>(), p.idepth);
+  for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
   median_idepth_ = prior.median();
   std::vector<bool> occupied(prior.grid().size());
   for (int c = 0; c < prior.grid().size(); ++c) occupied[c] = prior.occupied(c);
@@ -196,15 +199,21 @@ void Mapper::seed_points(Keyframe* keyframe) {
       *keyframe, occupied, [&](const Eigen::Vector2d& px) { return prior.range(px); }, params_.depth_filter, &random_);
 }
 
-void Mapper::publish() {
+void Mapper::publish(const Keyframe& keyframe) {
   auto reference = std::make_shared<Reference>();
-  const Keyframe& newest = window_.newest();
-  reference->keyframe_id = newest.id;
-  reference->T_ref_world = newest.T_cam_world;
+  reference->keyframe_id = keyframe.id;
+  reference->T_ref_world = keyframe.T_cam_world;
   reference->camera = calibration_.state();
-  reference->cloud = make_reference_cloud(newest.pyramid, window_.tracking_cloud(), gradient_patches_);
+  reference->cloud = make_reference_cloud(keyframe.pyramid, window_.tracking_cloud(keyframe), gradient_patches_);
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
   reference_ = std::move(reference);
+}
+
+// The camera is back near an older keyframe: what follows is tracked against that one, and does not drift away from it.
+void Mapper::return_to(int keyframe_id) {
+  const auto& keyframes = window_.keyframes();
+  const auto old = std::find_if(keyframes.begin(), keyframes.end(), [&](const Keyframe& k) { return k.id == keyframe_id; });
+  if (old != keyframes.end() && keyframe_id != reference_->keyframe_id) publish(*old);
 }
 
 void Mapper::close() {

@@ -14,7 +14,7 @@ using ba::RadialEstimate;
 using ba::RadialProblem;
 
 constexpr int kCheckpoints = 3;          // at min_keyframes, twice and four times as many
-constexpr int kPriorSpan = 40;           // keyframes that a remembered one can share points with, more than any window
+constexpr int kGaugeSpan = 8;            // keyframes over which the scale of a new prior is held
 constexpr double kMaxUsefulSigma = 0.004;  // a k1 known no better than this is not observed
 constexpr double kModelKeyframes = 30;   // that SelfCalibrationParams::model_sigma refers to
 constexpr double kMinChange = 5e-4;      // of k1; smaller corrections wait for the end of the run
@@ -140,11 +140,13 @@ BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions&
   for (int i = 0; i < n; ++i) first_point[i + 1] += first_point[i];
   for (const BaObservation& o : solution.observations) ++first_observation[o.point + 1];
   for (size_t i = 1; i < first_observation.size(); ++i) first_observation[i] += first_observation[i - 1];
-  const int held = std::min(n - 1, count);  // the first pose, and its distance to this one, fix the gauge
+  const int held = std::min(n - 1, kGaugeSpan);  // the first pose, and its distance to this one, fix the gauge
+  int span = held + 1;                           // keyframes that any one shares points with, itself included
+  for (const BaObservation& o : solution.observations) span = std::max(span, o.target - solution.points[o.point].host + 1);
   BaPrior prior = hold_ends(solution.poses[0].T_cam_world, solution.poses[held].T_cam_world, solution.pose_ids[held]);
   std::vector<bool> drop;
   for (int i = 0; i < count; ++i) {
-    BaProblem part = first_host_problem(solution, i, std::min(n, std::max(i + kPriorSpan, held + 1)), first_point, first_observation);
+    BaProblem part = first_host_problem(solution, i, std::min(n, i + span), first_point, first_observation);
     part.poses[0].fixed = i == 0;
     part.prior = prior;
     prior = marginalize(part, part.pose_ids[0], options, &drop);

@@ -345,11 +345,11 @@ Keyframe Window::remove_oldest() {
   return oldest;
 }
 
-// Immature points of the newest keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma: under a pure
+// Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma: under a pure
 // rotation, where depth does not matter, they count fully.
-void Window::add_immature(size_t wanted, std::vector<CloudPoint>* cloud) const {
+void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
   std::vector<const ImmaturePoint*> alive;
-  for (const ImmaturePoint& p : newest().immature)
+  for (const ImmaturePoint& p : host.immature)
     if (!p.dead) alive.push_back(&p);
   wanted = std::min(wanted, alive.size());
   for (size_t i = 0; i < wanted; ++i) {
@@ -360,16 +360,15 @@ void Window::add_immature(size_t wanted, std::vector<CloudPoint>* cloud) const {
   }
 }
 
-std::vector<CloudPoint> Window::tracking_cloud() const {
-  std::vector<CloudPoint> points = cloud();
+std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const {
+  std::vector<CloudPoint> points = cloud(reference);
   const size_t enough = std::min(kEnoughCloud, size_t(params_.max_cloud_points));
-  if (points.size() < enough && !keyframes_.empty()) add_immature(enough - points.size(), &points);
+  if (points.size() < enough) add_immature(reference, enough - points.size(), &points);
   return points;
 }
 
-std::vector<CloudPoint> Window::cloud() const {
+std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> cloud;
-  const Keyframe& reference = newest();
   for (const Keyframe& host : keyframes_) {
     const SE3 T = relative_pose(reference, host);
     for (const MapPoint& p : host.points) {

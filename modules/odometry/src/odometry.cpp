@@ -92,7 +92,11 @@ struct Odometry::Impl {
     tracked.covariance = result.covariance;
     const KeyframeDecision decision = decide_keyframe(builder.pinhole(), reference->cloud, result.T_cur_ref,
                                                       ++frames_since_keyframe, params.mapping.keyframe);
-    tracked.make_keyframe = decision.needed && !mapping.keyframe_pending();
+    const NearestKeyframe nearest = find_nearest_keyframe(builder.pinhole(), *reference, result.T_cur_ref,
+                                                          params.mapping.keyframe.min_view_share);
+    const bool back = nearest.id >= 0 && nearest.id != reference->keyframe_id && nearest.flow_px < kBackShare * decision.flow_px;
+    if (back) tracked.return_to = nearest.id;
+    tracked.make_keyframe = decision.needed && !back && !mapping.keyframe_pending();
     if (tracked.make_keyframe) frames_since_keyframe = 0;
     mapping.submit(std::move(tracked));
   }
@@ -218,6 +222,7 @@ struct Odometry::Impl {
   }
 
   static constexpr int kMinEdges = 200;
+  static constexpr double kBackShare = 0.5;  // back at a keyframe that is nearer by so much than the present reference
 
   OdometryParams params;
   OdometryOptions options;

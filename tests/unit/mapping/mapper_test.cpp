@@ -121,7 +121,7 @@ TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
   const DepthFilterParams params;
   const CellGrid grid(320, 240, params.cell_px);
   std::vector<bool> known(size_t(grid.size()), false);
-  for (const CloudPoint& p : driver.mapper.window().cloud()) known[size_t(grid.index(p.px.x(), p.px.y()))] = true;
+  for (const CloudPoint& p : driver.mapper.window().cloud(driver.mapper.window().newest())) known[size_t(grid.index(p.px.x(), p.px.y()))] = true;
   const Keyframe& newest = driver.mapper.window().newest();
   EXPECT_GT(newest.immature.size(), 20u);
   for (const ImmaturePoint& p : newest.immature) EXPECT_FALSE(known[size_t(grid.index(p.px.x(), p.px.y()))]);

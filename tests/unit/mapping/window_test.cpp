@@ -125,7 +125,7 @@ TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
   for (const Keyframe& host : window.keyframes())
     for (const MapPoint& p : host.points) misses += p.misses;
   EXPECT_GT(misses, 0.8 * window.active_points());
-  EXPECT_TRUE(window.cloud().empty());
+  EXPECT_TRUE(window.cloud(window.newest()).empty());
 }
 
 // ---- adjustment ----------------------------------------------------------------------------------------------------
@@ -193,7 +193,7 @@ TEST(Window, AnEmptyWindowDoesNothing) {
   EXPECT_EQ(stats.points, 0);
   EXPECT_EQ(stats.observations, 0);
   for (const Keyframe& k : window.keyframes()) EXPECT_LT(pose_error(k).log().norm(), 1e-9);
-  EXPECT_TRUE(window.cloud().empty());
+  EXPECT_TRUE(window.cloud(window.newest()).empty());
 }
 
 // ---- leaving and cloud ---------------------------------------------------------------------------------------------
@@ -232,7 +232,7 @@ TEST_P(WindowGauge, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
 TEST(Window, TheCloudLiesInTheNewestFrame) {
   Window window = true_window(5, 0.0);
   window.activate(2, 2);
-  const auto cloud = window.cloud();
+  const auto cloud = window.cloud(window.newest());
   ASSERT_GT(cloud.size(), 150u);
   std::vector<double> relative, off_edge;
   const PyramidLevel& newest = window.newest().pyramid->finest();
@@ -257,7 +257,7 @@ TEST(Window, TheCloudHoldsAtMostItsLimit) {
   params.max_cloud_points = 90;
   Window window = true_window(5, 0.0, params);
   window.activate(2, 2);
-  EXPECT_EQ(window.cloud().size(), 90u);
+  EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
 }  // namespace

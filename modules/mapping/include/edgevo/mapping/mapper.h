@@ -15,7 +15,7 @@
 
 namespace edgevo {
 
-/// What a frame is tracked against: the newest keyframe's cloud, and where the window's keyframes stand. Immutable once handed out.
+/// What a frame is tracked against: the cloud of a keyframe, the newest unless the camera has come back to an older one, and where the window's keyframes stand. Immutable once handed out.
 struct Reference {
   int keyframe_id = 0;
   SE3 T_ref_world;
@@ -32,6 +32,7 @@ struct TrackedFrame {
   SE3 T_cam_ref;
   Matrix6d covariance = Matrix6d::Zero();
   bool make_keyframe = false;
+  int return_to = -1;         ///< keyframe of the window to track against from now on; -1: the present one
 };
 
 /// Milliseconds of CPU time by stage.
@@ -75,7 +76,8 @@ class Mapper {
   void seed_points(Keyframe* keyframe);
   void calibrate(bool at_end);
   std::shared_ptr<const FramePyramid> corrected(const std::shared_ptr<const FramePyramid>& pyramid) const;
-  void publish();
+  void publish(const Keyframe& keyframe);
+  void return_to(int keyframe_id);
 
   Pinhole pinhole_;
   MappingParams params_;
@@ -91,6 +93,14 @@ class Mapper {
   int next_id_ = 0;
   double median_idepth_ = 1;  ///< of the points seen in the newest keyframe
 };
+
+/// The keyframe of the window whose view is most like the present one.
+struct NearestKeyframe {
+  int id = -1;
+  double flow_px = 0;        ///< rms image motion of the cloud by the translation from there to here
+};
+/// Among the keyframes that have `min_view_share` of the cloud's visible points in view. Cost: keyframes x 200 projections.
+NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref, double min_view_share);
 
 /// Should this frame become a keyframe?
 struct KeyframeDecision {

@@ -42,13 +42,13 @@ struct KeyframeParams {
   double min_flow_px = 4;           ///< below it no keyframe: standstill, or a rotation that keeps the map in view
   double min_view_share = 0.75;
   double min_turn_share = 0.55;     ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
-  int max_frames = 15;
+  int max_frames = 200;
 
   void visit(ParamVisitor& v);
 };
 
 struct WindowParams {
-  int keyframes = 12;
+  int keyframes = 16;
   int max_points = 2000;
   double max_projected_sigma_px = 1.5;  ///< an immature point joins below it
   int min_matches = 2;                  ///< keyframes that must match a point before it joins

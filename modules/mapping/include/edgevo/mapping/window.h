@@ -54,10 +54,10 @@ class Window {
   /// Takes the oldest keyframe out and returns it with its points as they stand.
   Keyframe remove_oldest();
 
-  /// The points seen in the newest keyframe, in its frame.
-  std::vector<CloudPoint> cloud() const;
+  /// The points seen in a keyframe of the window, in its frame.
+  std::vector<CloudPoint> cloud(const Keyframe& reference) const;
   /// The same; where they are few (a rotation away from the map) with immature ones, whose depth is a guess.
-  std::vector<CloudPoint> tracking_cloud() const;
+  std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
   /// The camera was corrected: poses, points and prior as the revision says, images built anew by `rebuild`.
   using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&)>;
@@ -77,7 +77,7 @@ class Window {
   int update_matches(const BaResult& result, const Adjustment& adjustment);
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
-  void add_immature(size_t wanted, std::vector<CloudPoint>* cloud) const;
+  void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
   bool try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches);
 
   Pinhole pinhole_;
