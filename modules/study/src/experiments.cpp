@@ -1,0 +1,112 @@
+#include "experiments.h"
+
+#include <cstdio>
+#include <utility>
+
+namespace edgevo {
+namespace {
+
+using Experiments = std::vector<Experiment>;
+
+constexpr std::pair<const char*, const PatchComparison& (*)()> kCosts[] = {
+    {"gradient", gradient_comparison}, {"intensity", intensity_comparison}, {"census", census_comparison}};
+
+std::shared_ptr<const PairMatcher> ours(const AssociationParams& params, const PatchComparison& comparison = gradient_comparison()) {
+  return association_matcher(params, comparison);
+}
+
+AssociationParams edge_matches_only() {
+  AssociationParams params;
+  params.photometric = false;
+  return params;
+}
+
+// Search length by the formula alone: our floor of 2 px left out, our cap kept. 0: edge matches; max: the cap for all.
+void add_search_lengths(const StudyOptions& options, Experiments* all) {
+  const std::pair<const char*, double> kRatios[] = {{"0.25", 0.25}, {"0.5", 0.5}, {"1", 1}, {"2", 2}, {"4", 4}};
+  for (const auto& [method, comparison] : kCosts) {
+    int position = 0;
+    const auto add = [&, method = method, comparison = comparison](const char* setting, const AssociationParams& params) {
+      all->push_back({"search_length", method, setting, position++, options.distance, false, ours(params, comparison())});
+    };
+    add("0", edge_matches_only());
+    for (const auto& [setting, k] : kRatios) {
+      AssociationParams params;
+      params.k_p = params.k_mu = k;
+      params.min_search_px = 0;
+      add(setting, params);
+    }
+    AssociationParams fixed_length;
+    fixed_length.min_search_px = fixed_length.max_search_px;
+    add("max", fixed_length);
+  }
+}
+
+void add_patch_sizes(const StudyOptions& options, Experiments* all) {
+  for (const auto& [method, comparison] : kCosts) {
+    int position = 0;
+    for (const int side : {3, 5, 7, 9, 11}) {
+      AssociationParams params;
+      params.patch_side = params.max_patch_side = side;
+      all->push_back({"patch_size", method, std::to_string(side), position++, options.distance, false, ours(params, comparison())});
+    }
+    all->push_back({"patch_size", method, "adaptive", position, options.distance, false, ours({}, comparison())});
+  }
+}
+
+void add_distances(const StudyOptions& options, Experiments* all) {
+  for (int distance = 1; distance <= options.max_distance; ++distance) {
+    const auto add = [&](const char* method, std::shared_ptr<const PairMatcher> matcher) {
+      all->push_back({"frame_distance", method, std::to_string(distance), distance, distance, false, std::move(matcher)});
+    };
+    for (const auto& [method, comparison] : kCosts) add(method, ours({}, comparison()));
+    add("edge_matches", ours(edge_matches_only()));
+    add("lucas_kanade", lucas_kanade_matcher());
+    add("epipolar_flow", epipolar_flow_matcher());
+  }
+}
+
+// Two-dimensional residuals against those along the normal only, and both with the match refined along the normal.
+void add_residuals(const StudyOptions& options, Experiments* all) {
+  AssociationParams normal_only, refined, refined_edge = edge_matches_only();
+  normal_only.sigma_tangent_px = 0;
+  refined.refine = true;
+  refined_edge.refine = true;
+  int position = 0;
+  const auto add = [&](const char* method, std::shared_ptr<const PairMatcher> matcher) {
+    all->push_back({"residuals", method, std::to_string(options.distance), position++, options.distance, true, std::move(matcher)});
+  };
+  add("photometric_2d", ours({}));
+  add("photometric_normal_only", ours(normal_only));
+  add("edge_matches", ours(edge_matches_only()));
+  add("photometric_2d_refined", ours(refined));
+  add("edge_matches_refined", ours(refined_edge));
+  add("intensity_2d", ours({}, intensity_comparison()));
+  add("census_2d", ours({}, census_comparison()));
+  add("lucas_kanade", lucas_kanade_matcher());
+  add("epipolar_flow", epipolar_flow_matcher());
+}
+
+// Everything is accepted, with patches of one size, so that the confidences have something to rank.
+void add_confidences(const StudyOptions& options, Experiments* all) {
+  AssociationParams accept_all;
+  accept_all.tau_m = 0;
+  const std::string setting = std::to_string(options.distance);
+  for (const auto& [method, comparison] : kCosts)
+    all->push_back({"confidence", method, setting, 0, options.distance, true, ours(accept_all, comparison())});
+  all->push_back({"confidence", "edge_matches", setting, 0, options.distance, true, ours(edge_matches_only())});
+}
+
+}  // namespace
+
+Experiments make_experiments(const StudyOptions& options) {
+  Experiments all;
+  add_search_lengths(options, &all);
+  add_patch_sizes(options, &all);
+  add_distances(options, &all);
+  add_residuals(options, &all);
+  add_confidences(options, &all);
+  return all;
+}
+
+}  // namespace edgevo
