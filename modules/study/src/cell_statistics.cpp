@@ -28,9 +28,10 @@ std::vector<double> drifts(const StudyCell& cell) {
 CellStatistics statistics(const StudyCell& cell) {
   CellStatistics c;
   c.pairs = int(cell.samples.size());
-  const double n = std::max(1, c.pairs);
+  for (const StudySample& s : cell.samples) c.failed += s.failed;
+  const double n = std::max(1, c.pairs - c.failed);
   for (const StudySample& s : cell.samples) {
-    c.failed += s.failed;
+    if (s.failed) continue;
     c.rotation_mean_deg += s.rotation_deg / n;
     c.matches += s.matches / n;
     c.photometric += s.photometric / n;

@@ -61,6 +61,7 @@ void add_distances(const StudyOptions& options, Experiments* all) {
     };
     for (const auto& [method, comparison] : kCosts) add(method, ours({}, comparison()));
     add("edge_matches", ours(edge_matches_only()));
+    add("front_end", nullptr);
     add("lucas_kanade", lucas_kanade_matcher());
     add("epipolar_flow", epipolar_flow_matcher());
   }

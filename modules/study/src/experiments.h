@@ -14,7 +14,7 @@ struct Experiment {
   int position = 0;              ///< of the setting on the axis
   int distance = 1;              ///< frames
   bool keeps_errors = false;     ///< of single matches
-  std::shared_ptr<const PairMatcher> matcher;
+  std::shared_ptr<const PairMatcher> matcher;   ///< null: the pose as the front-end has it
 };
 
 std::vector<Experiment> make_experiments(const StudyOptions& options);

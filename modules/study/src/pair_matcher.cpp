@@ -29,6 +29,7 @@ class AssociationMatcher : public PairMatcher {
   AssociationMatcher(const AssociationParams& params, const PatchComparison& comparison)
       : params_(params), comparison_(comparison) {}
 
+  bool needs_front_end() const override { return true; }
   std::vector<Match> match(const HostView& host, const TargetView& target) const override {
     std::vector<Match> matches;
     matches.reserve(host.points.size());
@@ -66,6 +67,7 @@ cv::Mat gray_of(const FramePyramid& pyramid) {
 
 class LucasKanadeMatcher : public PairMatcher {
  public:
+  bool needs_front_end() const override { return false; }
   std::vector<Match> match(const HostView& host, const TargetView& target) const override {
     std::vector<cv::Point2f> from, to;
     for (const StudyPoint& p : host.points) from.emplace_back(float(p.px.x()), float(p.px.y()));
@@ -81,6 +83,7 @@ class LucasKanadeMatcher : public PairMatcher {
 
 class EpipolarFlowMatcher : public PairMatcher {
  public:
+  bool needs_front_end() const override { return false; }
   std::vector<Match> match(const HostView& host, const TargetView& target) const override {
     std::vector<Eigen::Vector2d> from;
     for (const StudyPoint& p : host.points) from.push_back(p.px);

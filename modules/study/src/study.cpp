@@ -81,6 +81,8 @@ void compare_pose(const SE3& T, const SE3& truth, StudySample* sample) {
   sample->rotation_deg = kDegrees * (T.inverse() * truth).angle();
 }
 
+bool is_lost(const TargetView& target) { return target.track.verdict == TrackingState::kLost; }
+
 // Errors of the matches that claim a position along the edge, too.
 std::vector<MatchError> photometric_only(const std::vector<MatchError>& errors) {
   std::vector<MatchError> some;
@@ -89,9 +91,18 @@ std::vector<MatchError> photometric_only(const std::vector<MatchError>& errors) 
   return some;
 }
 
+StudySample front_end_alone(const TargetView& target) {
+  StudySample sample;
+  sample.track_ms = target.track_ms;
+  sample.failed = is_lost(target);
+  if (!sample.failed) compare_pose(target.track.T_cur_ref, target.T_target_host, &sample);
+  return sample;
+}
+
 StudySample run_pair(const HostView& host, const TargetView& target, const PairMatcher& matcher, std::vector<MatchError>* errors) {
   StudySample sample;
   sample.track_ms = target.track_ms;
+  if (matcher.needs_front_end() && is_lost(target)) return sample;
   const Pinhole& camera = target.pyramid->finest().pinhole;
   double start = thread_cpu_ms();
   const auto lap = [&] {
@@ -170,7 +181,8 @@ class Study {
       if (experiments_[e].distance != distance) continue;
       const size_t cell = light * experiments_.size() + e;
       std::vector<MatchError> errors;
-      cells_[cell].samples[h] = run_pair(host, target, *experiments_[e].matcher, &errors);
+      const PairMatcher* matcher = experiments_[e].matcher.get();
+      cells_[cell].samples[h] = matcher ? run_pair(host, target, *matcher, &errors) : front_end_alone(target);
       if (experiments_[e].keeps_errors) errors_[cell * hosts_.size() + h] = std::move(errors);
     }
   }

@@ -1,6 +1,7 @@
 #include "study_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "cell_statistics.h"
@@ -55,6 +56,23 @@ std::string end_point_table(const StudyResult& result) {
       if (s.count == 0) continue;
       text += name_of(cell) + (photometric ? ",point," : ",tangent,") + std::to_string(s.count);
       append_numbers(&text, {s.median_px, s.mean_px, s.median_normal_px, s.median_tangent_px, s.wrong_share}, 4);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+std::string match_error_table(const StudyResult& result) {
+  constexpr int kSteps = 100;
+  std::string text = "light,method,error_px,share\n";
+  for (const StudyCell& cell : result.cells) {
+    const std::vector<MatchError> errors = errors_of(cell, true);
+    if (cell.curve != "residuals" || errors.empty()) continue;
+    for (int k = 0; k <= kSteps; ++k) {
+      const double limit = 0.02 * std::pow(1e4, double(k) / kSteps);
+      const auto count = std::count_if(errors.begin(), errors.end(), [&](const MatchError& e) { return e.norm() <= limit; });
+      text += name_of(cell);
+      append_numbers(&text, {limit, double(count) / double(errors.size())}, 4);
       text += "\n";
     }
   }

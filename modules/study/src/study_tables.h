@@ -10,6 +10,8 @@ namespace edgevo {
 std::string curve_table(const StudyResult& result, const std::string& curve);
 /// end_point_error.csv: single matches of the curve "residuals".
 std::string end_point_table(const StudyResult& result);
+/// match_errors.csv: distribution of the end-point errors behind it, 100 steps from 0.02 to 200 pixels.
+std::string match_error_table(const StudyResult& result);
 /// confidence.csv (at most 200 rows a curve) and confidence_areas.csv.
 std::string confidence_table(const StudyResult& result);
 std::string confidence_area_table(const StudyResult& result);

@@ -13,6 +13,8 @@ namespace edgevo {
 class PairMatcher {
  public:
   virtual ~PairMatcher() = default;
+  /// It starts from the tracked pose, so that there is nothing to match where tracking is lost.
+  virtual bool needs_front_end() const = 0;
   /// One match a point, kNone where there is none.
   virtual std::vector<Match> match(const HostView& host, const TargetView& target) const = 0;
   /// After a first adjustment: what does not fit is dropped, or searched again.
