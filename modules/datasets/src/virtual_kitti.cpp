@@ -21,7 +21,12 @@ constexpr double kFps = 10;                // KITTI's rate; there are no times
 constexpr double kMetresPerUnit = 0.01;    // depth images hold centimetres
 constexpr unsigned kSky = 65535;
 
-fs::path sequence_folder(const std::string& folder) { return fs::weakly_canonical(fs::path(folder + "/")).parent_path(); }
+// Absolute, without a slash at its end.
+fs::path sequence_folder(const std::string& folder) {
+  std::error_code ignored;
+  const fs::path path = fs::weakly_canonical(folder, ignored);
+  return path.has_filename() ? path : path.parent_path();
+}
 
 // ---- where things are ------------------------------------------------------------------------------------------------------
 

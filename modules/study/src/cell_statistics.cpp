@@ -33,6 +33,7 @@ CellStatistics statistics(const StudyCell& cell) {
   for (const StudySample& s : cell.samples) {
     if (s.failed) continue;
     c.rotation_mean_deg += s.rotation_deg / n;
+    c.direction_mean_deg += s.direction_deg / n;
     c.matches += s.matches / n;
     c.photometric += s.photometric / n;
     c.wrong_share += s.wrong_share / n;

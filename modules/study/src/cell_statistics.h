@@ -10,7 +10,7 @@ struct CellStatistics {
   int pairs = 0, failed = 0;
   double drift_mean = 0, drift_error = 0, drift_median = 0;  ///< per cent, a failure counting 100; standard error of the mean
   // Over the pairs that did not fail:
-  double rotation_mean_deg = 0;
+  double rotation_mean_deg = 0, direction_mean_deg = 0;
   double matches = 0, photometric = 0;                       ///< of a pair
   double wrong_share = 0, median_px = 0;
   double match_ms = 0, solve_ms = 0, track_ms = 0;

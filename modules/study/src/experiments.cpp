@@ -88,6 +88,30 @@ void add_residuals(const StudyOptions& options, Experiments* all) {
   add("epipolar_flow", epipolar_flow_matcher());
 }
 
+// Would other parameters than the odometry's be better?
+void add_variants(const StudyOptions& options, Experiments* all) {
+  int position = 0;
+  const auto add = [&](const char* name, int patch_side, int max_patch_side, bool refine, double min_search_px) {
+    AssociationParams params;
+    params.patch_side = patch_side;
+    params.max_patch_side = max_patch_side;
+    params.refine = refine;
+    params.min_search_px = min_search_px;
+    all->push_back({"variants", name, std::to_string(options.distance), position++, options.distance, false, ours(params)});
+  };
+  const AssociationParams d;
+  add("default", d.patch_side, d.max_patch_side, d.refine, d.min_search_px);
+  add("patch_7_to_11", 7, 11, d.refine, d.min_search_px);
+  add("patch_9_to_11", 9, 11, d.refine, d.min_search_px);
+  add("patch_9", 9, 9, d.refine, d.min_search_px);
+  add("patch_11", 11, 11, d.refine, d.min_search_px);
+  add("search_4_px_at_least", d.patch_side, d.max_patch_side, d.refine, 4);
+  add("patch_9_search_4", 9, 9, d.refine, 4);
+  add("refined", d.patch_side, d.max_patch_side, true, d.min_search_px);
+  add("patch_9_refined", 9, 9, true, d.min_search_px);
+  add("patch_9_search_4_refined", 9, 9, true, 4);
+}
+
 // Everything is accepted, with patches of one size, so that the confidences have something to rank.
 void add_confidences(const StudyOptions& options, Experiments* all) {
   AssociationParams accept_all;
@@ -106,6 +130,7 @@ Experiments make_experiments(const StudyOptions& options) {
   add_patch_sizes(options, &all);
   add_distances(options, &all);
   add_residuals(options, &all);
+  add_variants(options, &all);
   add_confidences(options, &all);
   return all;
 }

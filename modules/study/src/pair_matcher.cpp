@@ -65,15 +65,30 @@ cv::Mat gray_of(const FramePyramid& pyramid) {
   return cv::Mat(view.height, view.width, CV_8U, const_cast<uint8_t*>(view.data), size_t(view.stride));
 }
 
+// Points that are found, and from there found back to within a pixel.
+std::vector<uchar> track_both_ways(const cv::Mat& first, const cv::Mat& second, const std::vector<cv::Point2f>& from,
+                                   std::vector<cv::Point2f>* to) {
+  constexpr float kMaxReturnPx = 1;
+  const cv::Size window(21, 21);
+  std::vector<uchar> found, found_back;
+  std::vector<float> error;
+  std::vector<cv::Point2f> back;
+  cv::calcOpticalFlowPyrLK(first, second, from, *to, found, error, window, 3);
+  cv::calcOpticalFlowPyrLK(second, first, *to, back, found_back, error, window, 3);
+  for (size_t i = 0; i < from.size(); ++i) {
+    const cv::Point2f d = back[i] - from[i];
+    found[i] = found[i] && found_back[i] && d.dot(d) <= kMaxReturnPx * kMaxReturnPx;
+  }
+  return found;
+}
+
 class LucasKanadeMatcher : public PairMatcher {
  public:
   bool needs_front_end() const override { return false; }
   std::vector<Match> match(const HostView& host, const TargetView& target) const override {
     std::vector<cv::Point2f> from, to;
     for (const StudyPoint& p : host.points) from.emplace_back(float(p.px.x()), float(p.px.y()));
-    std::vector<uchar> found;
-    std::vector<float> error;
-    cv::calcOpticalFlowPyrLK(gray_of(*host.pyramid), gray_of(*target.pyramid), from, to, found, error, cv::Size(21, 21), 3);
+    const std::vector<uchar> found = track_both_ways(gray_of(*host.pyramid), gray_of(*target.pyramid), from, &to);
     std::vector<Match> matches(from.size());
     for (size_t i = 0; i < from.size(); ++i)
       if (found[i]) matches[i] = flow_match(host.points[i], target, {double(to[i].x), double(to[i].y)});

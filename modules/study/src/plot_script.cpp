@@ -30,43 +30,51 @@ terminal_for(format, w, h) = format eq "png" \
   ? sprintf("pngcairo size %d,%d font 'DejaVu Sans,13' background 'white'", 1.6*w, 1.6*h) \
   : sprintf("svg size %d,%d font 'DejaVu Sans,9' background 'white' dynamic", w, h)
 
+set_k_tics = 'set xtics ("0" 0, "0.25" 1, "0.5" 2, "1" 3, "2" 4, "4" 5, "max" 6); set xrange [-0.3:6.3]'
+set_patch_tics = 'set xtics ("3" 0, "5" 1, "7" 2, "9" 3, "11" 4, "adaptive" 5); set xrange [-0.3:5.3]'
+set_distance_tics = 'set xtics autofreq; set xrange [0.7:*]'
+costs = "gradient intensity census"
+all_methods = "gradient intensity census edge_matches lucas_kanade epipolar_flow"
+all_titles = "gradient intensity census 'edge matches' Lucas-Kanade 'epipolar flow'"
+
 do for [f = 1:2] {
-  # ---- drift against search length, patch size and frame distance (the paper's Fig. paramstudy)
-  set terminal unknown
-  eval("set terminal " . terminal_for(file[f], 760, 800))
-  set output "paramstudy." . file[f]
-  set multiplot layout 3,2 margins 0.085,0.985,0.065,0.955 spacing 0.085,0.095
-  set ylabel "mean translational drift, %" offset 1
-  do for [light in "normal changed"] {
-    set title title_of(light)
-    set key top right
-    set xlabel "search length ratio k (0: edge matches, max: fixed length)"
+  # ---- against search length, patch size and frame distance (the paper's Fig. paramstudy): drift, then direction
+  do for [figure in "paramstudy direction"] {
+    measure = figure eq "paramstudy" ? 7 : 11
+    name = figure eq "paramstudy" ? "mean drift, %" : "direction error, degrees"
+    eval("set terminal " . terminal_for(file[f], 760, 800))
+    set output figure . "." . file[f]
+    set multiplot layout 3,2 margins 0.085,0.985,0.065,0.955 spacing 0.085,0.095
+    set ylabel name offset 1
     set yrange [0:*]
-    set xrange [-0.3:6.3]
-    plot for [m = 1:3] "search_length.csv" using (pick(light, word("gradient intensity census", m), column(4))):7:xtic(3) \
-           with linespoints ls m title word("gradient intensity census", m)
-  }
-  unset title
-  unset key
-  do for [light in "normal changed"] {
+    set key bottom left samplen 2
+    eval(set_k_tics)
+    do for [light in "normal changed"] {
+      set title title_of(light)
+      set xlabel "search length ratio k (0: edge matches, max: fixed length)"
+      plot for [m = 1:3] "search_length.csv" using (pick(light, word(costs, m), column(4))):(column(measure)) with linespoints ls m \
+             title word(costs, m)
+    }
+    unset title
+    unset key
+    eval(set_patch_tics)
     set xlabel "patch size, pixels"
-    set xrange [-0.3:5.3]
-    plot for [m = 1:3] "patch_size.csv" using (pick(light, word("gradient intensity census", m), column(4))):7:xtic(3) \
-           with linespoints ls m
-  }
-  set xtics autofreq
-  do for [light in "normal changed"] {
+    do for [light in "normal changed"] {
+      plot for [m = 1:3] "patch_size.csv" using (pick(light, word(costs, m), column(4))):(column(measure)) with linespoints ls m
+    }
+    eval(set_distance_tics)
     set xlabel "frames between host and target"
     set logscale y
-    set yrange [0.5:110]
-    set xrange [0.7:*]
-    if (light eq "normal") { set key top left samplen 2 spacing 0.9 maxrows 4 } else { unset key }
-    plot for [m = 1:6] "frame_distance.csv" \
-           using (pick(light, word("gradient intensity census edge_matches lucas_kanade epipolar_flow", m), column(4))):7 \
-           with linespoints ls m title word("gradient intensity census edge-matches Lucas-Kanade epipolar-flow", m)
+    if (measure == 7) { set yrange [0.3:600] } else { set yrange [0.03:1000] }
+    set key top left samplen 2 maxrows 3
+    do for [light in "normal changed"] {
+      plot for [m = 1:6] "frame_distance.csv" using (pick(light, word(all_methods, m), column(4))):(column(measure)) with linespoints ls m \
+             title word(all_titles, m)
+      unset key
+    }
+    unset logscale y
+    unset multiplot
   }
-  unset logscale y
-  unset multiplot
 
   # ---- CPU time
   eval("set terminal " . terminal_for(file[f], 900, 300))
@@ -74,28 +82,24 @@ do for [f = 1:2] {
   set multiplot layout 1,3 margins 0.06,0.985,0.17,0.9 spacing 0.07,0.1
   set ylabel "matching, CPU ms a pair" offset 1
   set yrange [0:*]
-  set key top left
+  set key top left samplen 2
   set title "search length"
   set xlabel "search length ratio k"
-  set xrange [-0.3:6.3]
-  plot for [m = 1:3] "search_length.csv" using (pick("normal", word("gradient intensity census", m), column(4))):15:xtic(3) \
-         with linespoints ls m title word("gradient intensity census", m)
+  eval(set_k_tics)
+  plot for [m = 1:3] "search_length.csv" using (pick("normal", word(costs, m), column(4))):16 with linespoints ls m title word(costs, m)
   unset key
   set title "patch size"
   set xlabel "patch size, pixels"
-  set xrange [-0.3:5.3]
-  plot for [m = 1:3] "patch_size.csv" using (pick("normal", word("gradient intensity census", m), column(4))):15:xtic(3) \
-         with linespoints ls m
-  set xtics autofreq
+  eval(set_patch_tics)
+  plot for [m = 1:3] "patch_size.csv" using (pick("normal", word(costs, m), column(4))):16 with linespoints ls m
+  eval(set_distance_tics)
   set title "frame distance"
   set xlabel "frames between host and target"
   set logscale y
-  set yrange [0.05:1000]
-  set xrange [0.7:*]
+  set yrange [0.05:3000]
   set key top left maxrows 3 samplen 2
-  plot for [m = 1:6] "frame_distance.csv" \
-         using (pick("normal", word("gradient intensity census edge_matches lucas_kanade epipolar_flow", m), column(4))):15 \
-         with linespoints ls m title word("gradient intensity census edge-matches Lucas-Kanade epipolar-flow", m)
+  plot for [m = 1:6] "frame_distance.csv" using (pick("normal", word(all_methods, m), column(4))):16 with linespoints ls m \
+         title word(all_titles, m)
   unset logscale y
   unset multiplot
 
@@ -108,7 +112,8 @@ do for [f = 1:2] {
   set yrange [0:1]
   set xrange [0.05:100]
   set logscale x
-  set key bottom right samplen 2
+  set xtics 0.1,10,100
+  set key bottom right samplen 2 maxrows 6
   do for [light in "normal changed"] {
     set title title_of(light)
     set arrow 1 from 2, graph 0 to 2, graph 1 nohead ls 8
@@ -129,10 +134,11 @@ do for [f = 1:2] {
   set output "confidence." . file[f]
   set multiplot layout 2,2 margins 0.08,0.985,0.085,0.945 spacing 0.085,0.12
   set xrange [0:1]
+  set xtics 0,0.2,1
   set ylabel "precision"
   set xlabel "recall"
-  set yrange [0.4:1.01]
-  set key bottom left samplen 2
+  set yrange [0.6:1.01]
+  set key bottom left samplen 2 maxrows 6
   set title "C_m against the end-point error"
   plot for [m = 1:3] "confidence.csv" using (pick3("normal", word("gradient intensity census", m), "C_m", column(7))):6 with lines ls m \
          title word("gradient intensity census", m), \
@@ -145,7 +151,7 @@ do for [f = 1:2] {
   unset key
   set xlabel "density: share of the matches kept"
   set ylabel "error rate of the kept ones"
-  set yrange [0:0.6]
+  set yrange [0:*]
   plot for [m = 1:3] "confidence.csv" using (pick3("normal", word("gradient intensity census", m), "C_m", column(4))):5 with lines ls m, \
        for [m = 1:3] "" using (pick3("changed", word("gradient intensity census", m), "C_m", column(4))):5 with lines ls m dt 2
   plot "confidence.csv" using (pick3("normal", "edge_matches", "C_d", column(4))):5 with lines ls 1, \

@@ -78,6 +78,8 @@ void check_truth(const ExactFrames& frames, int index) {
 void compare_pose(const SE3& T, const SE3& truth, StudySample* sample) {
   const double drift = 100 * (T.translation() - truth.translation()).norm() / truth.translation().norm();
   sample->drift_percent = std::isfinite(drift) ? std::min(drift, kMaxDriftPercent) : kMaxDriftPercent;
+  const double cosine = T.translation().normalized().dot(truth.translation().normalized());
+  sample->direction_deg = kDegrees * std::acos(std::clamp(cosine, -1.0, 1.0));
   sample->rotation_deg = kDegrees * (T.inverse() * truth).angle();
 }
 
@@ -208,7 +210,16 @@ class Study {
 
 }  // namespace
 
+void check_study(const ExactFrames& frames, const StudyOptions& options) {
+  const Relight known_kind(options.light, options.seed);
+  if (options.distance > options.max_distance)
+    throw InputError("distance " + std::to_string(options.distance),
+                     "is more than the largest distance, " + std::to_string(options.max_distance), "make one smaller or the other larger");
+  choose_hosts(frames, options);
+}
+
 StudyResult run_study(const ExactFrames& frames, const StudyOptions& options, const std::function<void(int)>& on_host_done) {
+  check_study(frames, options);
   const std::vector<int> hosts = choose_hosts(frames, options);
   check_truth(frames, hosts.front());
   const OneOpenCvThread one_thread;

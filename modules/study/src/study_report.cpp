@@ -14,7 +14,7 @@ namespace edgevo {
 
 void write_study(const StudyResult& result, const std::string& folder) {
   make_output_folder(folder);
-  for (const char* curve : {"search_length", "patch_size", "frame_distance", "residuals"})
+  for (const char* curve : {"search_length", "patch_size", "frame_distance", "residuals", "variants"})
     write_file(folder + "/" + curve + ".csv", curve_table(result, curve));
   write_file(folder + "/end_point_error.csv", end_point_table(result));
   write_file(folder + "/match_errors.csv", match_error_table(result));

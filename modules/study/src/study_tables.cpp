@@ -30,14 +30,14 @@ std::string measure_of(const StudyCell& cell) { return cell.method == "edge_matc
 
 std::string curve_table(const StudyResult& result, const std::string& curve) {
   std::string text =
-      "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_median_percent,rotation_mean_deg,"
+      "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_median_percent,rotation_mean_deg,direction_mean_deg,"
       "matches,photometric_matches,wrong_share,median_error_px,match_ms,solve_ms,track_ms\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != curve) continue;
     const CellStatistics s = statistics(cell);
     text += name_of(cell) + "," + cell.setting + "," + std::to_string(cell.position) + "," + std::to_string(s.pairs) + "," +
             std::to_string(s.failed);
-    append_numbers(&text, {s.drift_mean, s.drift_error, s.drift_median, s.rotation_mean_deg}, 4);
+    append_numbers(&text, {s.drift_mean, s.drift_error, s.drift_median, s.rotation_mean_deg, s.direction_mean_deg}, 4);
     append_numbers(&text, {s.matches, s.photometric}, 1);
     append_numbers(&text, {s.wrong_share, s.median_px}, 4);
     append_numbers(&text, {s.match_ms, s.solve_ms, s.track_ms}, 2);

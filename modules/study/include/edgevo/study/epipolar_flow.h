@@ -14,7 +14,7 @@ namespace edgevo {
 
 struct EpipolarFlowParams {
   int patch_radius = 3;
-  int coarse_radius = 6;        ///< search on the coarsest level, pixels there
+  int coarse_radius = 10;       ///< search on the coarsest level, pixels there
   int support_points = 1200;    ///< edge pixels that help to find the geometry and to spread the flow
   double ransac_px = 1.0;       ///< distance from the epipolar line
   int line_radius = 4;          ///< search along the line about each prediction, pixels
@@ -27,7 +27,7 @@ struct FlowMatch {
   double correlation = -1;      ///< ZNCC
 };
 
-/// Flow of `points` (pixels of `from`). Without a geometry (fewer than 20 inliers) nothing is found. Deterministic. Cost: about 60 ms for
+/// Flow of `points` (pixels of `from`). Without a geometry (fewer than 20 inliers) nothing is found. Deterministic. Cost: about 150 ms for
 /// 800 points at 1241x376.
 std::vector<FlowMatch> epipolar_flow(const FramePyramid& from, const FramePyramid& to, const std::vector<Eigen::Vector2d>& points,
                                      const EpipolarFlowParams& params = {});

@@ -25,7 +25,8 @@ class PairMatcher {
 /// Ours: associate() with these parameters; update() searches again where needs_update() says so.
 std::unique_ptr<PairMatcher> association_matcher(const AssociationParams& params, const PatchComparison& comparison);
 
-/// Pyramidal Lucas-Kanade (OpenCV, 21x21 windows, four levels), which knows neither pose nor depth.
+/// Pyramidal Lucas-Kanade (OpenCV, 21x21 windows, four levels), which knows neither pose nor depth. Points must be found back to
+/// within a pixel.
 std::unique_ptr<PairMatcher> lucas_kanade_matcher();
 
 /// Semi-dense epipolar flow (epipolar_flow.h), likewise.

@@ -17,9 +17,9 @@ namespace edgevo {
 
 struct StudyOptions {
   int points = 800;
-  double noise = 0.1;          ///< of the inverse depth, relative (study_points.h)
-  int pairs = 24;              ///< host frames, spread over the sequence
-  int distance = 3;            ///< frames between host and target, curves 1 and 2
+  double noise = 0.05;         ///< of the inverse depth, relative (study_points.h)
+  int pairs = 40;              ///< host frames, spread over the sequence
+  int distance = 2;            ///< frames between host and target, curves 1 and 2
   int max_distance = 8;        ///< curve 3
   int begin = 0, end = -1;     ///< frames begin <= index < end are used; -1: to the last
   std::string light = "mixed"; ///< kind of relight.h
@@ -31,6 +31,7 @@ struct StudyOptions {
 struct StudySample {
   double drift_percent = 100;     ///< |t - t_true| / |t_true|, at most 100, which is also what a failure counts
   double rotation_deg = 0;
+  double direction_deg = 0;       ///< angle between t and t_true: what the scale, hence the noise of the depths, has no part in
   bool failed = true;             ///< tracking lost, or too few matches
   int matches = 0, photometric = 0;
   double wrong_share = 0, median_px = 0;   ///< of the photometric matches (of all, for flow methods)
@@ -39,7 +40,7 @@ struct StudySample {
 
 /// One point of a curve: all pairs of one method with one setting.
 struct StudyCell {
-  std::string curve;              ///< "search_length", "patch_size", "frame_distance" or "residuals"
+  std::string curve;              ///< "search_length", "patch_size", "frame_distance", "residuals", "variants" or "confidence"
   std::string light;              ///< "normal" or "changed"
   std::string method;             ///< "gradient", "intensity", "census", "lucas_kanade", "epipolar_flow", ...
   std::string setting;            ///< "0.25", "max", "adaptive", ...
@@ -57,7 +58,10 @@ struct StudyResult {
   std::vector<StudyCell> cells;
 };
 
-/// Throws InputError: too few frames for the distances, depth and poses that do not belong together. `on_host_done` is told how many
+/// Throws InputError where run_study() cannot begin: too few frames for the distances, a kind of light that is not known.
+void check_study(const ExactFrames& frames, const StudyOptions& options);
+
+/// Throws InputError as check_study(), and for depth and poses that do not belong together. `on_host_done` is told how many
 /// hosts are done, one call at a time.
 StudyResult run_study(const ExactFrames& frames, const StudyOptions& options, const std::function<void(int)>& on_host_done = {});
 

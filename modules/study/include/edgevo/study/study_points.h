@@ -4,7 +4,7 @@
 // The paper adds "white Gaussian noise with 1.0 standard variance to ground truth inverse depth". In 1/m that would be many times
 // the inverse depth of anything in a street (0.02 to 0.3), so the unit cannot be that. Here the noise is relative: rho' = rho (1 + s n)
 // with n standard normal, which moves every point's depth by the same share and thus its projection by s times its own flow. s is a
-// parameter.
+// parameter; 0.05 is about what the odometry's depth filter hands over (a projection known to 1.5 px at 30 px of flow).
 #include <Eigen/Core>
 #include <vector>
 
