@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
@@ -82,6 +83,12 @@ std::vector<TextLine> rows_of(const std::string& path) {
   return lines;
 }
 
+// A frame's or a camera's number in a list.
+int count_from(double value, const std::string& where) {
+  if (!(value >= 0 && value < 1e9) || value != std::floor(value)) throw InputError(where, "has no frame number", "restore the file");
+  return int(value);
+}
+
 SE3 pose_from(const std::vector<double>& numbers, size_t first, const std::string& where) {
   Eigen::Matrix4d M;
   for (int i = 0; i < 16; ++i) M(i / 4, i % 4) = numbers[first + size_t(i)];
@@ -98,8 +105,8 @@ std::map<int, SE3> read_poses(const std::string& path, const std::string& camera
   std::map<int, SE3> poses;
   for (const TextLine& line : rows_of(path)) {
     const auto numbers = parse_numbers(line, first + 16, "a frame and a 4x4 matrix, row by row");
-    if (first == 2 && int(numbers[1]) != camera_name.back() - '0') continue;
-    poses[int(numbers[0])] = pose_from(numbers, first, line.where);
+    if (first == 2 && count_from(numbers[1], line.where) != camera_name.back() - '0') continue;
+    poses[count_from(numbers[0], line.where)] = pose_from(numbers, first, line.where);
   }
   return poses;
 }
@@ -108,7 +115,7 @@ Camera read_intrinsics(const std::string& path, const std::string& camera_name, 
   Camera camera;
   for (const TextLine& line : rows_of(path)) {
     const auto n = parse_numbers(line, 6, "frame, camera, fx, fy, cx, cy");
-    if (int(n[1]) != camera_name.back() - '0') continue;
+    if (count_from(n[1], line.where) != camera_name.back() - '0') continue;
     const Pinhole pinhole{n[2], n[3], n[4], n[5], image.width, image.height};
     const Pinhole& before = camera.pinhole;
     if (before.width > 0 && (before.fx != pinhole.fx || before.fy != pinhole.fy || before.cx != pinhole.cx || before.cy != pinhole.cy))

@@ -139,28 +139,38 @@ int reach(const StudyResult& result, const std::string& light, const std::string
   return reached;
 }
 
+// All distances under one light.
+StudyCell all_distances(const StudyResult& result, const std::string& light, const std::string& method) {
+  StudyCell all;
+  for (const StudyCell& cell : result.cells)
+    if (cell.curve == "frame_distance" && cell.light == light && cell.method == method)
+      all.samples.insert(all.samples.end(), cell.samples.begin(), cell.samples.end());
+  return all;
+}
+
 std::string motion_is_larger(const StudyResult& result) {
-  bool at_least = true, larger = false;
+  bool is_always_larger = true, is_ever_larger = false;
+  for (const char* light : kLights)
+    for (const char* flow : {"lucas_kanade", "epipolar_flow"}) {
+      const bool is_larger = reach(result, light, "gradient") > reach(result, light, flow);
+      is_always_larger = is_always_larger && is_larger;
+      is_ever_larger = is_ever_larger || is_larger;
+    }
   std::string table = header({"method", "reach, normal light", "reach, changed light", "mean drift %, all distances, normal", "changed"});
   for (const char* method : {"gradient", "edge_matches", "front_end", "lucas_kanade", "epipolar_flow"}) {
-    std::vector<std::string> fields{method}, drifts;
+    std::vector<std::string> fields{method};
+    for (const char* light : kLights) fields.push_back(std::to_string(reach(result, light, method)));
     for (const char* light : kLights) {
-      const int ours = reach(result, light, "gradient"), other = reach(result, light, method);
-      const bool is_flow = std::string(method) == "lucas_kanade" || std::string(method) == "epipolar_flow";
-      at_least = at_least && (!is_flow || ours >= other);
-      larger = larger || (is_flow && ours > other);
-      fields.push_back(std::to_string(other));
-      StudyCell all;
-      for (const StudyCell& cell : result.cells)
-        if (cell.curve == "frame_distance" && cell.light == light && cell.method == method)
-          all.samples.insert(all.samples.end(), cell.samples.begin(), cell.samples.end());
-      drifts.push_back(with_error(statistics(all).drift_mean, statistics(all).drift_error));
+      const CellStatistics s = statistics(all_distances(result, light, method));
+      fields.push_back(with_error(s.drift_mean, s.drift_error));
     }
-    fields.insert(fields.end(), drifts.begin(), drifts.end());
     table += row(fields);
   }
-  return "### 4. Our association copes with larger motion than optical flow: " + verdict(at_least && larger, larger) + "\nReach: frames up to which " +
-         percent(kGoodPairs) + " of the pairs drift less than " + fixed(kGoodDriftPercent, 0) + " %.\n\n" + table + "\n";
+  return "### 4. Our association copes with larger motion than optical flow: " + verdict(is_always_larger, is_ever_larger) +
+         "\nReach: frames up to which " + percent(kGoodPairs) + " of the pairs drift less than " + fixed(kGoodDriftPercent, 0) +
+         " %. It holds when the reach of gradient patches is larger than that of both flows under both lights. Ours cannot reach further than the "
+         "front-end that it starts from.\n\n" +
+         table + "\n";
 }
 
 // ---- figures beside them ---------------------------------------------------------------------------------------------------

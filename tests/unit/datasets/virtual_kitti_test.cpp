@@ -1,12 +1,9 @@
 // Both releases of Virtual KITTI, from small folders written here.
 #include "edgevo/datasets/virtual_kitti.h"
 
-#include <Eigen/LU>
-#include <opencv2/imgcodecs.hpp>
-
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/datasets/open_source.h"
-#include "temp_sequence.h"
+#include "virtual_kitti_folder.h"
 
 namespace edgevo {
 namespace {
@@ -14,37 +11,7 @@ namespace {
 using namespace test;
 using ::testing::HasSubstr;
 
-constexpr int kFrames = 3;
-
-SE3 pose_of(int frame) {  // T_world_cam
-  return {Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * frame, Eigen::Vector3d::UnitY())), Eigen::Vector3d(0.5 * frame, 0.1, 2.0 * frame)};
-}
-
-std::string matrix_row(const SE3& T_world_cam) {
-  const Eigen::Matrix4d M = T_world_cam.inverse().matrix();  // world to camera
-  std::string text;
-  char number[32];
-  for (int i = 0; i < 16; ++i) {
-    std::snprintf(number, sizeof number, " %.12g", M(i / 4, i % 4));
-    text += number;
-  }
-  return text + "\n";
-}
-
-std::string five_digits(int i) {
-  char name[16];
-  std::snprintf(name, sizeof name, "%05d", i);
-  return name;
-}
-
-// Depth in centimetres rises by one a pixel from 500; the last pixel is sky.
-void write_depth(const std::string& path, int width = 24, int height = 16) {
-  fs::create_directories(fs::path(path).parent_path());
-  cv::Mat depth(height, width, CV_16U);
-  for (int i = 0; i < width * height; ++i) depth.at<uint16_t>(i / width, i % width) = uint16_t(500 + i);
-  depth.at<uint16_t>(height - 1, width - 1) = 65535;
-  cv::imwrite(path, depth);
-}
+constexpr int kFrames = kVirtualKittiFrames;
 
 SourceOptions from(const std::string& folder, const std::string& sensor = "") {
   SourceOptions options;
@@ -55,16 +22,7 @@ SourceOptions from(const std::string& folder, const std::string& sensor = "") {
 
 class VirtualKitti1 : public ::testing::Test {
  protected:
-  VirtualKitti1() {
-    std::string poses = "frame r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3 0 0 0 1\n";
-    fs::create_directories(sequence);
-    for (int i = 0; i < kFrames; ++i) {
-      write_png(sequence + "/" + five_digits(i) + ".png", make_image(i));
-      write_depth(root.path() + "/vkitti_1.3.1_depthgt/0001/15-deg-left/" + five_digits(i) + ".png");
-      poses += std::to_string(i) + matrix_row(pose_of(i));
-    }
-    write_text(poses_path, poses);
-  }
+  VirtualKitti1() { write_virtual_kitti_1(root.path()); }
   TempFolder root;
   std::string sequence = root.path() + "/vkitti_1.3.1_rgb/0001/15-deg-left";
   std::string poses_path = root.path() + "/vkitti_1.3.1_extrinsicsgt/0001_15-deg-left.txt";
@@ -72,23 +30,7 @@ class VirtualKitti1 : public ::testing::Test {
 
 class VirtualKitti2 : public ::testing::Test {
  protected:
-  VirtualKitti2() {
-    std::string poses = "frame cameraID r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3 0 0 0 1\n";
-    std::string intrinsics = "frame cameraID K[0,0] K[1,1] K[0,2] K[1,2]\n";
-    for (int i = 0; i < kFrames; ++i)
-      for (int c = 0; c < 2; ++c) {
-        const std::string camera = "/Camera_" + std::to_string(c);
-        fs::create_directories(sequence + "/frames/rgb" + camera);
-        cv::Mat rgb(16, 24, CV_8UC3, cv::Scalar(40 * i, 100 * c, 90));
-        cv::imwrite(sequence + "/frames/rgb" + camera + "/rgb_" + five_digits(i) + ".jpg", rgb);
-        write_depth(sequence + "/frames/depth" + camera + "/depth_" + five_digits(i) + ".png");
-        const SE3 T_cam0_cam(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.5 * c, 0, 0));
-        poses += std::to_string(i) + " " + std::to_string(c) + matrix_row(pose_of(i) * T_cam0_cam);
-        intrinsics += std::to_string(i) + " " + std::to_string(c) + " 20.5 21 " + std::to_string(11 + c) + " 7.5\n";
-      }
-    write_text(sequence + "/extrinsic.txt", poses);
-    write_text(sequence + "/intrinsic.txt", intrinsics);
-  }
+  VirtualKitti2() { write_virtual_kitti_2(sequence); }
   TempFolder root;
   std::string sequence = root.path() + "/Scene01/clone";
 };
@@ -96,7 +38,7 @@ class VirtualKitti2 : public ::testing::Test {
 void expect_poses(const VirtualKitti& v, double beside) {
   ASSERT_EQ(v.T_world_cam.size(), size_t(kFrames));
   for (int i = 0; i < kFrames; ++i) {
-    const SE3 expected = pose_of(i) * SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(beside, 0, 0));
+    const SE3 expected = virtual_kitti_pose(i) * SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(beside, 0, 0));
     EXPECT_LT((v.T_world_cam[size_t(i)].matrix() - expected.matrix()).norm(), 1e-9);
   }
 }
@@ -188,6 +130,7 @@ TEST_F(VirtualKitti1, BadPosesAreTold) {
   EXPECT_THAT(message("frame x\n0 1 2 3\n"), HasSubstr("line 2"));
   EXPECT_THAT(message("frame x\n0 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1\n"), HasSubstr("no rigid motion"));
   EXPECT_THAT(message("frame x\n0 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 7\n"), HasSubstr("no rigid motion"));
+  EXPECT_THAT(message("frame x\n1e300 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"), HasSubstr("no frame number"));
   EXPECT_THAT(message("frame x\n0 1 0 0 nan 0 1 0 0 0 0 1 0 0 0 0 1\n"), HasSubstr("nan"));
 }
 
@@ -201,11 +144,11 @@ TEST_F(VirtualKitti2, ACalibrationThatChangesIsTold) {
 TEST_F(VirtualKitti1, BadDepthIsTold) {
   const std::string path = root / "depth.png";
   EXPECT_THAT(error_of([&] { read_virtual_kitti_depth(path, 24, 16); }), HasSubstr("depth.png"));
-  write_depth(path, 25, 16);
+  write_virtual_kitti_depth(path, 25, 16);
   EXPECT_THAT(error_of([&] { read_virtual_kitti_depth(path, 24, 16); }), HasSubstr("25 x 16"));
   write_png(path, make_image(1));
   EXPECT_THAT(error_of([&] { read_virtual_kitti_depth(path, 24, 16); }), HasSubstr("16 bits"));
-  write_depth(path);
+  write_virtual_kitti_depth(path);
   fs::resize_file(path, fs::file_size(path) / 2);
   EXPECT_NE(error_of([&] { read_virtual_kitti_depth(path, 24, 16); }), "") << "cut short";
 }
