@@ -121,8 +121,8 @@ std::string adaption_pays(const StudyResult& result) {
     beating += s.match_ms < adaptive.match_ms && s.wrong_share < adaptive.wrong_share;
   }
   return "### 3. Adaptive patches take less time for better matches than fixed ones: " + verdict(beaten == sizes, beaten > 0) +
-         "\nGradient patches, both lights. Better in both time and share of wrong matches than " + std::to_string(beaten) + " of " +
-         std::to_string(sizes) + " fixed sizes; " + std::to_string(beating) + " fixed sizes are better in both than the adaptive one.\n\n" + table +
+         "\nGradient patches, both lights. In both time and share of wrong matches better than " + std::to_string(beaten) + " and worse than " +
+         std::to_string(beating) + " of the " + std::to_string(sizes) + " fixed sizes.\n\n" + table +
          "\n";
 }
 
