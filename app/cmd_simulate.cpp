@@ -72,6 +72,7 @@ int simulate(const SimulateOptions& options) {
     throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
   const auto renderer = std::make_shared<const SceneRenderer>(scene_as_asked(options));
   const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
+  if (options.correspondences) write_correspondences(*renderer, options.out, range.begin, range.begin + count);
   std::string done = options.out + ": " + std::to_string(count) + " frames with exact ground truth" + (options.depth ? " and depth" : "");
   {
     Progress progress("rendering", count);
@@ -80,7 +81,6 @@ int simulate(const SimulateOptions& options) {
     else
       write_folder(*renderer, options, range, progress);
   }
-  if (options.correspondences) write_correspondences(*renderer, options.out, range.begin, range.begin + count);
   std::printf("%s\n", done.c_str());
   return 0;
 }

@@ -18,7 +18,7 @@ same "script of the plots" a/plots.gnuplot c/plots.gnuplot
 
 check "rows of search_length.csv: 7 settings, 3 costs, 2 lights" "$(wc -l <a/search_length.csv)" -eq 43
 check "rows of patch_size.csv: 6 sizes, 3 costs, 2 lights" "$(wc -l <a/patch_size.csv)" -eq 37
-check "rows of frame_distance.csv: 3 distances, 7 methods, 2 lights" "$(wc -l <a/frame_distance.csv)" -eq 43
+check "rows of frame_distance.csv: 3 distances, 8 methods, 2 lights" "$(wc -l <a/frame_distance.csv)" -eq 49
 check "verdicts on the paper's observations" "$(grep -c '^### [1-4].*here.*\*\*' a/study.md)" -eq 4
 drift() { awk -F, -v l="$1" -v m="$2" '$1 == l && $2 == m && $3 == 1 { print $7 }' a/frame_distance.csv; }
 below "drift of gradient patches, one frame apart, %" "$(drift normal gradient)" 3
@@ -48,5 +48,7 @@ complains "file: is a file" study -o file
 run_code 0 "$edgevo" simulate corridor --frames 10:13 -o corridor --correspondences
 check "files for three frames" "$(ls corridor/correspondences | wc -l)" -eq 2
 check "rows with a place in the next frame" "$(grep -c ',1$' corridor/correspondences/000010.csv)" -gt 1000
-complains "need two frames" "$edgevo" simulate corridor --frames 10:11 -o one --correspondences
+complains "need two frames of it" "$edgevo" simulate corridor --frames 10:11 -o one --correspondences
+complains "a rawlog does not hold correspondences" "$edgevo" simulate corridor --frames 10:13 -o c.rawlog --correspondences
+complains "rolling shutter" "$edgevo" simulate corridor --frames 10:13 -o one --correspondences --rolling-shutter 0.02
 finish

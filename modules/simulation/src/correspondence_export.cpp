@@ -38,8 +38,12 @@ std::string numbered(const std::string& folder, int index) {
 
 void export_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end,
                             const std::function<void(int)>& on_pair_done) {
-  if (end - begin < 2)
-    throw InputError("scene " + renderer.scene().name, "correspondences need two frames", "render more, as --frames 0:2");
+  if (begin < 0 || end > renderer.size() || end - begin < 2)
+    throw InputError("scene " + renderer.scene().name, "correspondences need two frames of it",
+                     "it has frames 0:" + std::to_string(renderer.size()));
+  if (renderer.scene().shutter.rolling_s > 0)
+    throw InputError("scene " + renderer.scene().name, "with a rolling shutter its rows have poses of their own: correspondences would not be exact",
+                     "leave the rolling shutter out");
   make_output_folder(folder + "/correspondences");
   const int width = renderer.camera().pinhole.width, height = renderer.camera().pinhole.height;
   PyramidBuilder builder(renderer.camera(), EdgeParams());

@@ -50,8 +50,11 @@ class VirtualKittiFrames : public ExactFrames {
 
 }  // namespace
 
-std::unique_ptr<ExactFrames> rendered_frames(const std::string& scene) {
-  return std::make_unique<RenderedFrames>(load_scene(scene));
+std::unique_ptr<ExactFrames> rendered_frames(const std::string& name) {
+  Scene scene = load_scene(name);
+  if (scene.shutter.rolling_s > 0)
+    throw InputError("scene " + scene.name, "with a rolling shutter, depth and pose are not those of all rows", "take a scene without one");
+  return std::make_unique<RenderedFrames>(std::move(scene));
 }
 
 std::unique_ptr<ExactFrames> virtual_kitti_frames(const SourceOptions& options) {

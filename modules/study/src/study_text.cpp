@@ -157,7 +157,7 @@ std::string motion_is_larger(const StudyResult& result) {
       is_ever_larger = is_ever_larger || is_larger;
     }
   std::string table = header({"method", "reach, normal light", "reach, changed light", "mean drift %, all distances, normal", "changed"});
-  for (const char* method : {"gradient", "edge_matches", "front_end", "lucas_kanade", "epipolar_flow"}) {
+  for (const char* method : {"gradient", "gradient_refined", "edge_matches", "front_end", "lucas_kanade", "epipolar_flow"}) {
     std::vector<std::string> fields{method};
     for (const char* light : kLights) fields.push_back(std::to_string(reach(result, light, method)));
     for (const char* light : kLights) {
@@ -213,7 +213,7 @@ std::string variants(const StudyResult& result) {
   const StudyCell own = pooled(result, "variants", "default", setting);
   std::string text = "## Other parameters\nGradient patches, both lights, " + setting +
                      " frames. Patch sizes in pixels (from to, where ambiguous ones grow), the least half search length, refinement along the "
-                     "normal.\n\n";
+                     "normal; the default is the odometry's.\n\n";
   text += header({"variant", "mean drift %", "drift minus the default's", "direction deg", "matches", "2-D", "wrong", "matching ms"});
   for (const StudyCell& named : result.cells) {
     if (named.curve != "variants" || named.light != kLights[0]) continue;

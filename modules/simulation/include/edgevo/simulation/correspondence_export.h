@@ -13,7 +13,7 @@
 namespace edgevo {
 
 /// Frames begin <= index < end into `folder`/correspondences. Edges are those of the default detector. Throws InputError for fewer than
-/// two frames and where something cannot be written. `on_pair_done` is told how many pairs are done.
+/// two frames, for a rolling shutter (rows have poses of their own) and where something cannot be written. `on_pair_done` is told how many pairs are done.
 void export_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end,
                             const std::function<void(int)>& on_pair_done = {});
 

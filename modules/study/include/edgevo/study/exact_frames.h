@@ -33,8 +33,8 @@ class ExactFrames {
   virtual ExactFrame load(int index) const = 0;
 };
 
-/// A scene by name or file (simulation/scene.h). Throws InputError.
-std::unique_ptr<ExactFrames> rendered_frames(const std::string& scene);
+/// A scene by name or file (simulation/scene.h). Throws InputError, also for a rolling shutter.
+std::unique_ptr<ExactFrames> rendered_frames(const std::string& name);
 
 /// A Virtual KITTI sequence (datasets/virtual_kitti.h). Throws InputError, also where its poses are missing.
 std::unique_ptr<ExactFrames> virtual_kitti_frames(const SourceOptions& options);
