@@ -252,7 +252,8 @@ std::string introduction(const StudyResult& result) {
          fixed(result.median_flow_px_per_frame, 1) +
          " px a frame (median). The target comes as it is (normal) and under the lighting change `" + o.light +
          "` (changed). Drift: |t - t_true| / |t_true| of the two-view adjustment, in per cent; a pair that fails counts 100. Part of it is the "
-         "scale, which the noisy depths carry and no matching can mend; direction is the angle between t and t_true, free of it. Means with their "
+         "scale, which the noisy depths carry and no matching can mend; direction is the angle between t and t_true, free of it (of the pairs that did not "
+         "fail). Means with their "
          "standard errors. Times: CPU ms of one thread, of finding the matches, without edges, tracking (ours) and adjustment.\n\n";
 }
 
