@@ -42,22 +42,28 @@ int study(StudyCommand command) {
   if (draw_plots(command.out))
     std::printf("%s: tables, plots and study.md\n", command.out.c_str());
   else
-    std::printf("%s: tables and study.md; no plots: install gnuplot-nox and run `gnuplot plots.gnuplot` there\n", command.out.c_str());
+    std::printf("%s: tables and study.md; no plots: install gnuplot-nox and run `gnuplot plots.gnuplot` there\n",
+                command.out.c_str());
   return 0;
 }
 
 }  // namespace
 
 void add_study_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("study", "measure data association against exact depth and pose (the paper's section V-A)");
+  CLI::App* command =
+      app.add_subcommand("study", "measure data association against exact depth and pose (the paper's section V-A)");
   auto c = std::make_shared<StudyCommand>();
   command->add_option("-o,--out", c->out, "folder to write")->required()->check(path_given());
   command->add_option("--scene", c->scene, "rendered scene: a name that `simulate` knows, or a YAML file")->capture_default_str();
   command->add_option("--source", c->source.path, "a Virtual KITTI sequence (1.3.1 or 2.0.3) instead of a rendered scene");
   command->add_option("--sensor", c->source.sensor_label, "its camera, Camera_0 or Camera_1 (2.0.3)");
   command->add_option("--frames", c->frames, "A:B uses frames A to B-1");
-  command->add_option("--pairs", c->options.pairs, "host frames, spread evenly")->check(whole_number(1, 100000))->capture_default_str();
-  command->add_option("--points", c->options.points, "edge points in each")->check(whole_number(20, 100000))->capture_default_str();
+  command->add_option("--pairs", c->options.pairs, "host frames, spread evenly")
+      ->check(whole_number(1, 100000))
+      ->capture_default_str();
+  command->add_option("--points", c->options.points, "edge points in each")
+      ->check(whole_number(20, 100000))
+      ->capture_default_str();
   command->add_option("--noise", c->options.noise, "standard deviation of the inverse depth, relative")
       ->check(number_between(0, 0.5))
       ->capture_default_str();

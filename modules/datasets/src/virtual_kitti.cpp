@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFps = 10;                // KITTI's rate; there are no times
-constexpr double kMetresPerUnit = 0.01;    // depth images hold centimetres
+constexpr double kFps = 10;              // KITTI's rate; there are no times
+constexpr double kMetresPerUnit = 0.01;  // depth images hold centimetres
 constexpr unsigned kSky = 65535;
 
 // Absolute, without a slash at its end.
@@ -31,9 +31,7 @@ fs::path sequence_folder(const std::string& folder) {
 
 // ---- where things are ------------------------------------------------------------------------------------------------------
 
-bool is_release_1(const fs::path& sequence) {
-  return sequence.parent_path().parent_path().filename() == "vkitti_1.3.1_rgb";
-}
+bool is_release_1(const fs::path& sequence) { return sequence.parent_path().parent_path().filename() == "vkitti_1.3.1_rgb"; }
 
 std::vector<std::string> camera_names(const fs::path& sequence) {
   std::vector<std::string> found;
@@ -85,7 +83,8 @@ std::vector<TextLine> rows_of(const std::string& path) {
 
 // A frame's or a camera's number in a list.
 int count_from(double value, const std::string& where) {
-  if (!(value >= 0 && value < 1e9) || value != std::floor(value)) throw InputError(where, "has no frame number", "restore the file");
+  if (!(value >= 0 && value < 1e9) || value != std::floor(value))
+    throw InputError(where, "has no frame number", "restore the file");
   return int(value);
 }
 
@@ -118,7 +117,8 @@ Camera read_intrinsics(const std::string& path, const std::string& camera_name, 
     if (count_from(n[1], line.where) != camera_name.back() - '0') continue;
     const Pinhole pinhole{n[2], n[3], n[4], n[5], image.width, image.height};
     const Pinhole& before = camera.pinhole;
-    if (before.width > 0 && (before.fx != pinhole.fx || before.fy != pinhole.fy || before.cx != pinhole.cx || before.cy != pinhole.cy))
+    if (before.width > 0 &&
+        (before.fx != pinhole.fx || before.fy != pinhole.fy || before.cx != pinhole.cx || before.cy != pinhole.cy))
       throw InputError(line.where, "the calibration changes within the sequence", "restore the file");
     camera.pinhole = pinhole;
   }
@@ -182,7 +182,8 @@ bool is_virtual_kitti(const std::string& folder) {
 VirtualKitti read_virtual_kitti(const SourceOptions& options) {
   const fs::path sequence = sequence_folder(options.path);
   if (is_release_1(sequence) && !options.sensor_label.empty())
-    throw InputError(options.path, "no sensor '" + options.sensor_label + "': it has one camera, without a name", "leave --sensor out");
+    throw InputError(options.path, "no sensor '" + options.sensor_label + "': it has one camera, without a name",
+                     "leave --sensor out");
   VirtualKitti result = is_release_1(sequence) ? read_release_1(sequence) : read_release_2(sequence, options.sensor_label);
   if (!options.camera_file.empty()) result.camera = read_camera_file(options.camera_file);
   const double fps = options.fps > 0 ? options.fps : kFps;
@@ -193,8 +194,9 @@ VirtualKitti read_virtual_kitti(const SourceOptions& options) {
 std::vector<float> read_virtual_kitti_depth(const std::string& path, int width, int height) {
   const GrayImage whole = read_gray_image(path);  // for its checks: missing, cut short, damaged
   if (whole.width != width || whole.height != height)
-    throw InputError(path, "has " + std::to_string(whole.width) + " x " + std::to_string(whole.height) + " pixels, the image " +
-                               std::to_string(width) + " x " + std::to_string(height),
+    throw InputError(path,
+                     "has " + std::to_string(whole.width) + " x " + std::to_string(whole.height) + " pixels, the image " +
+                         std::to_string(width) + " x " + std::to_string(height),
                      "restore the file");
   const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
   if (image.type() != CV_16UC1) throw InputError(path, "is not a depth image of 16 bits", "restore the file");

@@ -18,7 +18,8 @@ double idepth_at(const ImageView<float>& depth, int x, int y) {
 double nearest_idepth(const ImageView<float>& depth, int x, int y) {
   double nearest = 0;
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, depth.height - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, depth.width - 1); ++u) nearest = std::max(nearest, idepth_at(depth, u, v));
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, depth.width - 1); ++u)
+      nearest = std::max(nearest, idepth_at(depth, u, v));
   return nearest;
 }
 
@@ -62,7 +63,8 @@ Correspondence find_correspondence(const ViewPair& views, const Eigen::Vector2d&
   const double idepth = edge_idepth(views.depth_from, px);
   if (!(idepth >= 0)) return c;
   c.idepth = idepth;
-  const Eigen::Vector3d Y = views.T_to_from.R() * views.pinhole.ray(px) + idepth * views.T_to_from.translation();  // z_from times closer
+  const Eigen::Vector3d Y =
+      views.T_to_from.R() * views.pinhole.ray(px) + idepth * views.T_to_from.translation();  // z_from times closer
   if (!(Y.z() > 0)) return c;
   c.px = views.pinhole.project(Y);
   c.in_view = contains(views.depth_to, c.px);

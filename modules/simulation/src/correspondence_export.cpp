@@ -23,8 +23,7 @@ void append_row(std::string* text, const EdgePixel& edge, const Correspondence& 
 
 std::string rows_of(const EdgeMap& edges, const ViewPair& views) {
   std::string text = "x,y,x_next,y_next,visible\n";
-  for (const EdgePixel& edge : edges.pixels)
-    append_row(&text, edge, find_correspondence(views, edge.position().cast<double>()));
+  for (const EdgePixel& edge : edges.pixels) append_row(&text, edge, find_correspondence(views, edge.position().cast<double>()));
   return text;
 }
 
@@ -42,7 +41,8 @@ void export_correspondences(const SceneRenderer& renderer, const std::string& fo
     throw InputError("scene " + renderer.scene().name, "correspondences need two frames of it",
                      "it has frames 0:" + std::to_string(renderer.size()));
   if (renderer.scene().shutter.rolling_s > 0)
-    throw InputError("scene " + renderer.scene().name, "with a rolling shutter its rows have poses of their own: correspondences would not be exact",
+    throw InputError("scene " + renderer.scene().name,
+                     "with a rolling shutter its rows have poses of their own: correspondences would not be exact",
                      "leave the rolling shutter out");
   make_output_folder(folder + "/correspondences");
   const int width = renderer.camera().pinhole.width, height = renderer.camera().pinhole.height;
@@ -50,7 +50,9 @@ void export_correspondences(const SceneRenderer& renderer, const std::string& fo
   std::vector<float> depth = renderer.render_depth(begin);
   for (int i = begin; i + 1 < end; ++i) {
     const std::vector<float> next = renderer.render_depth(i + 1);
-    const ViewPair views{builder.pinhole(), {depth.data(), width, height, width}, {next.data(), width, height, width},
+    const ViewPair views{builder.pinhole(),
+                         {depth.data(), width, height, width},
+                         {next.data(), width, height, width},
                          renderer.T_world_cam(i + 1).inverse() * renderer.T_world_cam(i)};
     const auto pyramid = builder.build(renderer.render_image(i));
     write_file(numbered(folder + "/correspondences", i), rows_of(pyramid->finest().edges, views));

@@ -11,7 +11,7 @@ struct CellStatistics {
   double drift_mean = 0, drift_error = 0, drift_median = 0;  ///< per cent, a failure counting 100; standard error of the mean
   // Over the pairs that did not fail:
   double rotation_mean_deg = 0, direction_mean_deg = 0;
-  double matches = 0, photometric = 0;                       ///< of a pair
+  double matches = 0, photometric = 0;  ///< of a pair
   double wrong_share = 0, median_px = 0;
   double match_ms = 0, solve_ms = 0, track_ms = 0;
 };
@@ -25,7 +25,7 @@ struct Difference {
 Difference drift_difference(const StudyCell& a, const StudyCell& b);
 
 /// The cell of that name. Throws std::logic_error if the study has none.
-const StudyCell& find_cell(const StudyResult& result, const std::string& curve, const std::string& light, const std::string& method,
-                           const std::string& setting);
+const StudyCell& find_cell(const StudyResult& result, const std::string& curve, const std::string& light,
+                           const std::string& method, const std::string& setting);
 
 }  // namespace edgevo

@@ -11,15 +11,15 @@
 namespace edgevo {
 namespace {
 
-constexpr float kMinDeviation = 1.5f;   // gray levels; flatter patches say nothing
-constexpr int kNeighbourCellPx = 32;    // points are ordered by cells of this size, so that list neighbours are image neighbours
+constexpr float kMinDeviation = 1.5f;  // gray levels; flatter patches say nothing
+constexpr int kNeighbourCellPx = 32;   // points are ordered by cells of this size, so that list neighbours are image neighbours
 constexpr int kMinInliers = 20;
 
 struct Track {
-  Eigen::Vector2d from;                 // finest level
+  Eigen::Vector2d from;                          // finest level
   Eigen::Vector2d to = Eigen::Vector2d::Zero();  // pixels of the current level
   double correlation = -1;
-  Patch patch;                          // of the current level
+  Patch patch;  // of the current level
   bool usable = false;
 };
 
@@ -104,7 +104,8 @@ void estimate_flow(const FramePyramid& from, const FramePyramid& to, const Epipo
   }
 }
 
-bool estimate_geometry(const Pinhole& camera, const std::vector<Track>& tracks, const EpipolarFlowParams& params, Eigen::Matrix3d* F) {
+bool estimate_geometry(const Pinhole& camera, const std::vector<Track>& tracks, const EpipolarFlowParams& params,
+                       Eigen::Matrix3d* F) {
   std::vector<cv::Point2d> first, last;
   for (const Track& t : tracks) {
     if (!t.usable || t.correlation < params.min_correlation) continue;
@@ -126,7 +127,7 @@ bool estimate_geometry(const Pinhole& camera, const std::vector<Track>& tracks, 
 // The epipolar line of a point: positions foot + s direction.
 struct Line {
   Eigen::Vector2d normal, direction;
-  double offset;                        // normal^T px + offset = 0
+  double offset;  // normal^T px + offset = 0
   Eigen::Vector2d project(const Eigen::Vector2d& px) const { return px - (normal.dot(px) + offset) * normal; }
 };
 
@@ -144,13 +145,14 @@ void search_line(Track* t, const Line& line, const ImageView<uint8_t>& image, co
 
 // Sub-pixel along the line by a parabola through three correlations.
 void refine_on_line(Track* t, const Line& line, const ImageView<uint8_t>& image) {
-  const double a = correlation_at(t->patch, image, t->to - line.direction), b = correlation_at(t->patch, image, t->to + line.direction);
+  const double a = correlation_at(t->patch, image, t->to - line.direction),
+               b = correlation_at(t->patch, image, t->to + line.direction);
   const double curvature = a - 2 * t->correlation + b;
   if (a > -1 && b > -1 && curvature < -1e-6) t->to += std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5) * line.direction;
 }
 
-void search_lines(const FramePyramid& to, const EpipolarFlowParams& params, const Eigen::Matrix3d& F, const std::vector<size_t>& order,
-                  std::vector<Track>* tracks) {
+void search_lines(const FramePyramid& to, const EpipolarFlowParams& params, const Eigen::Matrix3d& F,
+                  const std::vector<size_t>& order, std::vector<Track>* tracks) {
   const ImageView<uint8_t> image = to.finest().gray.view();
   std::vector<Line> lines;
   for (Track& t : *tracks) {

@@ -37,7 +37,10 @@ class VirtualKittiFrames : public ExactFrames {
   ExactFrame load(int index) const override {
     const auto i = size_t(index);
     const Pinhole& pinhole = sequence_.camera.pinhole;
-    ExactFrame frame{index, seconds_between(sequence_.times.front(), sequence_.times[i]), read_gray_image(sequence_.images[i]), {},
+    ExactFrame frame{index,
+                     seconds_between(sequence_.times.front(), sequence_.times[i]),
+                     read_gray_image(sequence_.images[i]),
+                     {},
                      sequence_.T_world_cam[i]};
     check_image_size(frame.image, pinhole, sequence_.images[i]);
     frame.depth = read_virtual_kitti_depth(sequence_.depths[i], pinhole.width, pinhole.height);
@@ -53,7 +56,8 @@ class VirtualKittiFrames : public ExactFrames {
 std::unique_ptr<ExactFrames> rendered_frames(const std::string& name) {
   Scene scene = load_scene(name);
   if (scene.shutter.rolling_s > 0)
-    throw InputError("scene " + scene.name, "with a rolling shutter, depth and pose are not those of all rows", "take a scene without one");
+    throw InputError("scene " + scene.name, "with a rolling shutter, depth and pose are not those of all rows",
+                     "take a scene without one");
   return std::make_unique<RenderedFrames>(std::move(scene));
 }
 

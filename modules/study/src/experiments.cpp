@@ -11,7 +11,8 @@ using Experiments = std::vector<Experiment>;
 constexpr std::pair<const char*, const PatchComparison& (*)()> kCosts[] = {
     {"gradient", gradient_comparison}, {"intensity", intensity_comparison}, {"census", census_comparison}};
 
-std::shared_ptr<const PairMatcher> ours(const AssociationParams& params, const PatchComparison& comparison = gradient_comparison()) {
+std::shared_ptr<const PairMatcher> ours(const AssociationParams& params,
+                                        const PatchComparison& comparison = gradient_comparison()) {
   return association_matcher(params, comparison);
 }
 
@@ -61,7 +62,8 @@ void add_patch_sizes(const StudyOptions& options, Experiments* all) {
     for (const int side : {3, 5, 7, 9, 11}) {
       AssociationParams params = paper();
       params.patch_side = params.max_patch_side = side;
-      all->push_back({"patch_size", method, std::to_string(side), position++, options.distance, false, ours(params, comparison())});
+      all->push_back(
+          {"patch_size", method, std::to_string(side), position++, options.distance, false, ours(params, comparison())});
     }
     all->push_back({"patch_size", method, "adaptive", position, options.distance, false, ours(paper(), comparison())});
   }
@@ -88,7 +90,8 @@ void add_residuals(const StudyOptions& options, Experiments* all) {
   refined_edge.refine = true;
   int position = 0;
   const auto add = [&](const char* method, std::shared_ptr<const PairMatcher> matcher) {
-    all->push_back({"residuals", method, std::to_string(options.distance), position++, options.distance, true, std::move(matcher)});
+    all->push_back(
+        {"residuals", method, std::to_string(options.distance), position++, options.distance, true, std::move(matcher)});
   };
   add("photometric_2d", ours(paper()));
   add("photometric_normal_only", ours(normal_only));

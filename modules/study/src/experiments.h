@@ -11,10 +11,10 @@ namespace edgevo {
 
 struct Experiment {
   std::string curve, method, setting;
-  int position = 0;              ///< of the setting on the axis
-  int distance = 1;              ///< frames
-  bool keeps_errors = false;     ///< of single matches
-  std::shared_ptr<const PairMatcher> matcher;   ///< null: the pose as the front-end has it
+  int position = 0;                            ///< of the setting on the axis
+  int distance = 1;                            ///< frames
+  bool keeps_errors = false;                   ///< of single matches
+  std::shared_ptr<const PairMatcher> matcher;  ///< null: the pose as the front-end has it
 };
 
 std::vector<Experiment> make_experiments(const StudyOptions& options);

@@ -46,7 +46,8 @@ class AssociationMatcher : public PairMatcher {
       Match& m = (*matches)[i];
       if (m.kind == MatchKind::kNone) continue;
       if (!needs_update(m, solution.residual_normal_px[i], solution.residual_tangent_px[i], params_)) continue;
-      m = associate(query(host, target, host.points[i], solution.idepth[i], solution.T_target_host, settled), params_, comparison_);
+      m = associate(query(host, target, host.points[i], solution.idepth[i], solution.T_target_host, settled), params_,
+                    comparison_);
     }
   }
 

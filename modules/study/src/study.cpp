@@ -30,7 +30,9 @@ class OneOpenCvThread {
   int before_;
 };
 
-ImageView<float> depth_view(const ExactFrame& frame, const Pinhole& p) { return {frame.depth.data(), p.width, p.height, p.width}; }
+ImageView<float> depth_view(const ExactFrame& frame, const Pinhole& p) {
+  return {frame.depth.data(), p.width, p.height, p.width};
+}
 
 // ---- which frames ----------------------------------------------------------------------------------------------------------
 
@@ -44,11 +46,13 @@ std::vector<int> choose_hosts(const ExactFrames& frames, const StudyOptions& opt
   if (first > last)
     throw InputError(frames.name(),
                      "a distance of " + std::to_string(options.max_distance) + " frames to both sides of a host needs " +
-                         std::to_string(2 * options.max_distance + 1) + " frames, there are " + std::to_string(end - options.begin),
+                         std::to_string(2 * options.max_distance + 1) + " frames, there are " +
+                         std::to_string(end - options.begin),
                      "take more frames");
   std::vector<int> hosts;
   const int count = std::min(options.pairs, last - first + 1);
-  for (int i = 0; i < count; ++i) hosts.push_back(count > 1 ? first + int(std::lround(double(last - first) * i / (count - 1))) : first);
+  for (int i = 0; i < count; ++i)
+    hosts.push_back(count > 1 ? first + int(std::lround(double(last - first) * i / (count - 1))) : first);
   return hosts;
 }
 
@@ -67,9 +71,10 @@ void check_truth(const ExactFrames& frames, int index) {
       visible += c.visible;
     }
   if (in_view == 0 || visible < in_view / 2)
-    throw InputError(frames.name(), "depth and poses of frames " + std::to_string(index) + " and " + std::to_string(index + 1) +
-                                        " do not belong together: " + std::to_string(visible) + " of " + std::to_string(in_view) +
-                                        " pixels agree",
+    throw InputError(frames.name(),
+                     "depth and poses of frames " + std::to_string(index) + " and " + std::to_string(index + 1) +
+                         " do not belong together: " + std::to_string(visible) + " of " + std::to_string(in_view) +
+                         " pixels agree",
                      "check that all parts are of one sequence and release");
 }
 
@@ -101,7 +106,8 @@ StudySample front_end_alone(const TargetView& target) {
   return sample;
 }
 
-StudySample run_pair(const HostView& host, const TargetView& target, const PairMatcher& matcher, std::vector<MatchError>* errors) {
+StudySample run_pair(const HostView& host, const TargetView& target, const PairMatcher& matcher,
+                     std::vector<MatchError>* errors) {
   StudySample sample;
   sample.track_ms = target.track_ms;
   if (matcher.needs_front_end() && is_lost(target)) return sample;
@@ -114,7 +120,8 @@ StudySample run_pair(const HostView& host, const TargetView& target, const PairM
   std::vector<Match> matches = matcher.match(host, target);
   sample.match_ms = lap();
   *errors = match_errors(host, target, matches);
-  for (const Match& m : matches) sample.matches += m.kind != MatchKind::kNone, sample.photometric += m.kind == MatchKind::kPhotometric;
+  for (const Match& m : matches)
+    sample.matches += m.kind != MatchKind::kNone, sample.photometric += m.kind == MatchKind::kPhotometric;
   const ErrorSummary summary = summarise(photometric_only(*errors));
   sample.wrong_share = summary.wrong_share;
   sample.median_px = summary.median_px;
@@ -137,8 +144,13 @@ StudySample run_pair(const HostView& host, const TargetView& target, const PairM
 class Study {
  public:
   Study(const ExactFrames& frames, const StudyOptions& options, std::vector<int> hosts)
-      : frames_(frames), options_(options), hosts_(std::move(hosts)), experiments_(make_experiments(options)),
-        relight_(options.light, options.seed), errors_(experiments_.size() * 2 * hosts_.size()), flow_(hosts_.size()) {
+      : frames_(frames),
+        options_(options),
+        hosts_(std::move(hosts)),
+        experiments_(make_experiments(options)),
+        relight_(options.light, options.seed),
+        errors_(experiments_.size() * 2 * hosts_.size()),
+        flow_(hosts_.size()) {
     for (const char* light : kLights)
       for (const Experiment& e : experiments_)
         cells_.push_back({e.curve, light, e.method, e.setting, e.position, std::vector<StudySample>(hosts_.size()), {}});
@@ -203,8 +215,8 @@ class Study {
   std::vector<int> hosts_;
   std::vector<Experiment> experiments_;
   Relight relight_;
-  std::vector<StudyCell> cells_;                    // light by light, in the order of experiments_
-  std::vector<std::vector<MatchError>> errors_;     // of each cell and host
+  std::vector<StudyCell> cells_;                 // light by light, in the order of experiments_
+  std::vector<std::vector<MatchError>> errors_;  // of each cell and host
   std::vector<double> flow_;
 };
 
@@ -214,7 +226,8 @@ void check_study(const ExactFrames& frames, const StudyOptions& options) {
   const Relight known_kind(options.light, options.seed);
   if (options.distance > options.max_distance)
     throw InputError("distance " + std::to_string(options.distance),
-                     "is more than the largest distance, " + std::to_string(options.max_distance), "make one smaller or the other larger");
+                     "is more than the largest distance, " + std::to_string(options.max_distance),
+                     "make one smaller or the other larger");
   choose_hosts(frames, options);
 }
 

@@ -30,7 +30,8 @@ std::string measure_of(const StudyCell& cell) { return cell.method == "edge_matc
 
 std::string curve_table(const StudyResult& result, const std::string& curve) {
   std::string text =
-      "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_median_percent,rotation_mean_deg,direction_mean_deg,"
+      "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_median_percent,rotation_"
+      "mean_deg,direction_mean_deg,"
       "matches,photometric_matches,wrong_share,median_error_px,match_ms,solve_ms,track_ms\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != curve) continue;
@@ -47,8 +48,7 @@ std::string curve_table(const StudyResult& result, const std::string& curve) {
 }
 
 std::string end_point_table(const StudyResult& result) {
-  std::string text =
-      "light,method,matches,count,median_px,mean_px,median_normal_px,median_tangent_px,wrong_share\n";
+  std::string text = "light,method,matches,count,median_px,mean_px,median_normal_px,median_tangent_px,wrong_share\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != "residuals") continue;
     for (const bool photometric : {true, false}) {

@@ -69,7 +69,8 @@ TEST_P(PatchComparisons, GainAndOffset) {
 TEST_P(PatchComparisons, TheBorderIsRefused) {
   Patch patch;
   EXPECT_FALSE(comparison().cut(level, {1, 100}, kNoWarp, 2, &patch));
-  ASSERT_TRUE(comparison().cut(level, level.edges.pixels[level.edges.pixels.size() / 2].position().cast<double>(), kNoWarp, 2, &patch));
+  ASSERT_TRUE(
+      comparison().cut(level, level.edges.pixels[level.edges.pixels.size() / 2].position().cast<double>(), kNoWarp, 2, &patch));
   EXPECT_EQ(comparison().cost(patch, level, 1, 100), kWorstPatchCost);
   EXPECT_EQ(comparison().cost(patch, level, 318.5, 100), kWorstPatchCost);
 }
@@ -87,7 +88,13 @@ TEST_P(PatchComparisons, FindsPointsAlongTheEdge) {
     const EdgePixel& e = level.edges.pixels[i];
     const Eigen::Vector2d px = e.position().cast<double>();
     const double idepth = scene.idepth(SE3(), px);
-    const AssociationQuery query{host.get(), target.get(), px, e.normal().cast<double>(), 1.02 * idepth, 0.03 * idepth, T_target_host,
+    const AssociationQuery query{host.get(),
+                                 target.get(),
+                                 px,
+                                 e.normal().cast<double>(),
+                                 1.02 * idepth,
+                                 0.03 * idepth,
+                                 T_target_host,
                                  1e-6 * Matrix6d::Identity()};
     const Match m = associate(query, params, comparison());
     if (m.kind != MatchKind::kPhotometric) continue;
@@ -120,7 +127,8 @@ TEST(PatchComparison, TheOdometryUsesGradient) {
   const auto host = scene.pyramid(SE3());
   const EdgePixel& e = host->finest().edges.pixels[500];
   const Eigen::Vector2d px = e.position().cast<double>();
-  const AssociationQuery query{host.get(), host.get(), px, e.normal().cast<double>(), 0.2, 0.01, SE3(), 1e-6 * Matrix6d::Identity()};
+  const AssociationQuery query{host.get(), host.get(), px,    e.normal().cast<double>(),
+                               0.2,        0.01,       SE3(), 1e-6 * Matrix6d::Identity()};
   const Match a = associate(query, {}), b = associate(query, {}, gradient_comparison());
   EXPECT_EQ(a.kind, b.kind);
   EXPECT_EQ(a.cost, b.cost);

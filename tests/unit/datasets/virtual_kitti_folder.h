@@ -12,7 +12,8 @@ namespace edgevo::test {
 constexpr int kVirtualKittiFrames = 3;
 
 inline SE3 virtual_kitti_pose(int frame) {  // T_world_cam
-  return {Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * frame, Eigen::Vector3d::UnitY())), Eigen::Vector3d(0.5 * frame, 0.1, 2.0 * frame)};
+  return {Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * frame, Eigen::Vector3d::UnitY())),
+          Eigen::Vector3d(0.5 * frame, 0.1, 2.0 * frame)};
 }
 
 inline std::string virtual_kitti_row(const SE3& T_world_cam) {

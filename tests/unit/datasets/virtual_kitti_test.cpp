@@ -84,7 +84,8 @@ TEST_F(VirtualKitti2, ArchivesUnpackedApart) {
   fs::create_directories(fs::path(apart).parent_path());
   fs::create_directories(apart + "/frames");
   fs::rename(sequence + "/frames/rgb", apart + "/frames/rgb");
-  for (const char* archive : {"vkitti_2.0.3_depth", "vkitti_2.0.3_textgt"}) fs::create_directories(root.path() + "/" + archive + "/Scene01");
+  for (const char* archive : {"vkitti_2.0.3_depth", "vkitti_2.0.3_textgt"})
+    fs::create_directories(root.path() + "/" + archive + "/Scene01");
   fs::create_directories(root.path() + "/vkitti_2.0.3_depth/Scene01/clone/frames");
   fs::rename(sequence + "/frames/depth", root.path() + "/vkitti_2.0.3_depth/Scene01/clone/frames/depth");
   fs::rename(sequence, root.path() + "/vkitti_2.0.3_textgt/Scene01/clone");

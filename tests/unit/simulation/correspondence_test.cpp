@@ -83,7 +83,9 @@ TEST(Correspondence, RenderedPointsLookAlike) {
   const RenderedFrame a = renderer.render(10), b = renderer.render(13);
   Camera camera = renderer.camera();
   const Pinhole& p = camera.pinhole;
-  const ViewPair views{p, {a.depth.data(), p.width, p.height, p.width}, {b.depth.data(), p.width, p.height, p.width},
+  const ViewPair views{p,
+                       {a.depth.data(), p.width, p.height, p.width},
+                       {b.depth.data(), p.width, p.height, p.width},
                        b.T_world_cam.inverse() * a.T_world_cam};
   const auto gray = [&](const GrayImage& image, const Eigen::Vector2d& px) {
     const Eigen::Vector2d d = camera.distort(p.ray(px).head<2>());

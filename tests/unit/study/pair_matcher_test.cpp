@@ -84,7 +84,8 @@ TEST_P(EpipolarFlow, FindsThePointsWhateverTheLight) {
   EXPECT_LT(errors[errors.size() / 2], 0.5);
   EXPECT_LT(errors[errors.size() * 9 / 10], 2);
 }
-INSTANTIATE_TEST_SUITE_P(Lights, EpipolarFlow, ::testing::Values(std::pair(1.0, 0.0), std::pair(0.6, 40.0), std::pair(0.8, -10.0)));
+INSTANTIATE_TEST_SUITE_P(Lights, EpipolarFlow,
+                         ::testing::Values(std::pair(1.0, 0.0), std::pair(0.6, 40.0), std::pair(0.8, -10.0)));
 
 TEST(EpipolarFlowOfNothing, FindsNothing) {
   const test::PlanePair pair;

@@ -16,7 +16,9 @@ class StudyPoints : public ::testing::Test {
     Random random(seed);
     return sample_points(pair.host.pyramid->finest().edges, depth(), count, noise, &random);
   }
-  ImageView<float> depth() const { return {pair.depth_host.data(), pair.camera().width, pair.camera().height, pair.camera().width}; }
+  ImageView<float> depth() const {
+    return {pair.depth_host.data(), pair.camera().width, pair.camera().height, pair.camera().width};
+  }
   test::PlanePair pair;
 };
 

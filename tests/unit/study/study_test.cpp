@@ -27,7 +27,9 @@ class PlaneFrames : public ExactFrames {
   const Camera& camera() const override { return scene_.camera; }
   int size() const override { return size_; }
   std::string name() const override { return "plane"; }
-  SE3 T_world_cam(int i) const override { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.06 * i, 0.01 * i, 0.05 * i)}; }
+  SE3 T_world_cam(int i) const override {
+    return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.06 * i, 0.01 * i, 0.05 * i)};
+  }
   ExactFrame load(int i) const override {
     const Pinhole& p = scene_.camera.pinhole;
     ExactFrame frame{i, 0.1 * i, scene_.render(T_world_cam(i)), {}, T_world_cam(i)};
@@ -65,7 +67,8 @@ TEST(Study, EveryCurveHasItsSettings) {
   EXPECT_EQ(done, 2);
   for (const char* light : {"normal", "changed"}) {
     for (const char* cost : {"gradient", "intensity", "census"}) {
-      for (const char* k : {"0", "0.25", "0.5", "1", "2", "4", "max"}) EXPECT_EQ(cell(r, "search_length", light, cost, k).samples.size(), 2u);
+      for (const char* k : {"0", "0.25", "0.5", "1", "2", "4", "max"})
+        EXPECT_EQ(cell(r, "search_length", light, cost, k).samples.size(), 2u);
       for (const char* s : {"3", "5", "7", "9", "11", "adaptive"}) cell(r, "patch_size", light, cost, s);
     }
     for (const char* method : {"gradient", "edge_matches", "front_end", "lucas_kanade", "epipolar_flow"})
@@ -99,12 +102,14 @@ TEST(Study, VirtualKittiFolders) {
   for (int i = 0; i < frames.size(); ++i) {
     const ExactFrame frame = frames.load(i);
     cv::Mat depth(240, 320, CV_16U);
-    for (int k = 0; k < 320 * 240; ++k) depth.at<uint16_t>(k / 320, k % 320) = uint16_t(std::lround(100 * double(frame.depth[size_t(k)])));
+    for (int k = 0; k < 320 * 240; ++k)
+      depth.at<uint16_t>(k / 320, k % 320) = uint16_t(std::lround(100 * double(frame.depth[size_t(k)])));
     const std::string digits = "0000" + std::to_string(i) + ".png";
     cv::imwrite(folder + "/frames/depth/Camera_0/depth_" + digits, depth);
     write_png(folder + "/frames/rgb/Camera_0/rgb_" + digits, frame.image);
     const Eigen::Vector3d t = frame.T_world_cam.inverse().translation();
-    poses += std::to_string(i) + " 0 1 0 0 " + fixed(t.x(), 6) + " 0 1 0 " + fixed(t.y(), 6) + " 0 0 1 " + fixed(t.z(), 6) + " 0 0 0 1\n";
+    poses += std::to_string(i) + " 0 1 0 0 " + fixed(t.x(), 6) + " 0 1 0 " + fixed(t.y(), 6) + " 0 0 1 " + fixed(t.z(), 6) +
+             " 0 0 0 1\n";
     intrinsics += std::to_string(i) + " 0 260 260 159.5 119.5\n";
   }
   write_file(folder + "/extrinsic.txt", poses);
@@ -139,8 +144,8 @@ TEST(Study, TheNumbersDependOnTheSeedAndNotOnThreads) {
 TEST(Study, TablesAndText) {
   const test::TempFolder folder;
   write_study(run_study(PlaneFrames(7), small_study()), folder / "out");
-  for (const char* name : {"search_length.csv", "patch_size.csv", "frame_distance.csv", "residuals.csv", "variants.csv", "end_point_error.csv",
-                           "match_errors.csv", "confidence.csv", "confidence_areas.csv", "plots.gnuplot"})
+  for (const char* name : {"search_length.csv", "patch_size.csv", "frame_distance.csv", "residuals.csv", "variants.csv",
+                           "end_point_error.csv", "match_errors.csv", "confidence.csv", "confidence_areas.csv", "plots.gnuplot"})
     EXPECT_GT(std::filesystem::file_size(folder / (std::string("out/") + name)), 100u) << name;
   const std::string text = read_file(folder / "out/study.md", "");
   for (const char* number : {"### 1. ", "### 2. ", "### 3. ", "### 4. "}) EXPECT_THAT(text, HasSubstr(number));

@@ -24,7 +24,8 @@ class PatchComparison {
   /// The host patch around px_host as the target will see it, ready to be compared. False where it leaves the image or is flat.
   [[nodiscard]] virtual bool cut(const PyramidLevel& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
                                  int radius, Patch* patch) const = 0;
-  /// Cost of a patch made by cut() against the target around (x, y); kWorstPatchCost where that is too close to the border or flat.
+  /// Cost of a patch made by cut() against the target around (x, y); kWorstPatchCost where that is too close to the border or
+  /// flat.
   virtual double cost(const Patch& patch, const PyramidLevel& target, double x, double y) const = 0;
 };
 

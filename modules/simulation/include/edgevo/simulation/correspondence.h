@@ -4,8 +4,8 @@
 // For rendered frames and anything else with depth and pose (Virtual KITTI, for instance; there, what moves by itself is wrong).
 // Depth images hold z in metres at pixel centres of the undistorted image, 0 for sky, which is infinitely far away.
 //
-// An edge often lies between two surfaces and belongs to the nearer one. Where the depth around a sub-pixel position is one surface,
-// its inverse depth is interpolated (exact on planes); where it is not, the nearest surface within a pixel is taken.
+// An edge often lies between two surfaces and belongs to the nearer one. Where the depth around a sub-pixel position is one
+// surface, its inverse depth is interpolated (exact on planes); where it is not, the nearest surface within a pixel is taken.
 #include <Eigen/Core>
 #include <vector>
 
@@ -27,7 +27,7 @@ struct Correspondence {
 
 /// Two views of one scene.
 struct ViewPair {
-  Pinhole pinhole;               ///< of both
+  Pinhole pinhole;  ///< of both
   ImageView<float> depth_from, depth_to;
   SE3 T_to_from;
 };

@@ -19,12 +19,12 @@ struct CurvePoint {
 };
 
 struct ConfidenceCurve {
-  std::vector<CurvePoint> points;   ///< by falling confidence; equal confidences enter together
-  double error_rate = 0;            ///< of all matches
-  double roc_area = 0.5;            ///< chance that a right match ranks above a wrong one; 0.5 says nothing
+  std::vector<CurvePoint> points;  ///< by falling confidence; equal confidences enter together
+  double error_rate = 0;           ///< of all matches
+  double roc_area = 0.5;           ///< chance that a right match ranks above a wrong one; 0.5 says nothing
   double precision_recall_area = 0;
-  double sparsification_area = 0;   ///< under error_rate over density
-  double optimal_area = 0;          ///< of the best possible ranking, e + (1 - e) ln(1 - e)
+  double sparsification_area = 0;  ///< under error_rate over density
+  double optimal_area = 0;         ///< of the best possible ranking, e + (1 - e) ln(1 - e)
 };
 
 /// Empty curve for no matches. Cost: one sort.

@@ -2,8 +2,8 @@
 // How far matches lie from the exact correspondences.
 #include <vector>
 
-#include "edgevo/study/study_pair.h"
 #include "edgevo/association/associate.h"
+#include "edgevo/study/study_pair.h"
 
 namespace edgevo {
 
@@ -23,14 +23,14 @@ std::vector<MatchError> match_errors(const HostView& host, const TargetView& tar
 
 struct ErrorSummary {
   int count = 0;
-  double median_px = 0, mean_px = 0;                 ///< end-point error
+  double median_px = 0, mean_px = 0;                   ///< end-point error
   double median_normal_px = 0, median_tangent_px = 0;  ///< of the absolute values
-  double wrong_share = 0;                            ///< end-point error above kWrongMatchPx
+  double wrong_share = 0;                              ///< end-point error above kWrongMatchPx
 };
 ErrorSummary summarise(const std::vector<MatchError>& errors);
 
-/// Inverse depth at which the point projects onto the tangent of its edge match, for the pose T_target_host: g^T (p(rho) - m) = 0 is
-/// linear in rho. NaN where the tangent is parallel to the epipolar line.
+/// Inverse depth at which the point projects onto the tangent of its edge match, for the pose T_target_host: g^T (p(rho) - m) = 0
+/// is linear in rho. NaN where the tangent is parallel to the epipolar line.
 double idepth_from_edge(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host, const Match& match);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
 #pragma once
-// One way to find the points of a host in a target. All are followed by the same two-view adjustment, so that only the matches differ.
+// One way to find the points of a host in a target. All are followed by the same two-view adjustment, so that only the matches
+// differ.
 #include <memory>
 #include <string>
 #include <vector>
