@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/simulation/correspondence_export.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene.h"
@@ -19,7 +20,7 @@ struct SimulateOptions {
   std::string scene, out, frames;
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
-  bool depth = false;
+  bool depth = false, correspondences = false;
 };
 
 // "A:B", "A:" or ":B"; empty: all.
@@ -59,11 +60,19 @@ std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer
   return describe_rawlog(options.out, count, true);
 }
 
+void write_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
+  Progress progress("correspondences", end - begin - 1);
+  export_correspondences(renderer, folder, begin, end, [&](int done) { progress.update(done); });
+}
+
 int simulate(const SimulateOptions& options) {
   FolderExport range;
   set_range(options.frames, &range);
+  if (options.correspondences && names_rawlog(options.out))
+    throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
   const auto renderer = std::make_shared<const SceneRenderer>(scene_as_asked(options));
   const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
+  if (options.correspondences) write_correspondences(*renderer, options.out, range.begin, range.begin + count);
   std::string done = options.out + ": " + std::to_string(count) + " frames with exact ground truth" + (options.depth ? " and depth" : "");
   {
     Progress progress("rendering", count);
@@ -95,6 +104,8 @@ void add_simulate_command(CLI::App& app, Action* action) {
                       "seconds for which the shutter is open: blur along the true motion (default: the scene's own, mostly 0)")
       ->check(number_from_zero());
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
+  command->add_flag("--correspondences", options->correspondences,
+                    "write where each edge pixel of a frame is seen in the next one (correspondences/*.csv)");
   command->callback([=] { *action = [=] { return simulate(*options); }; });
 }
 

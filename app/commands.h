@@ -18,5 +18,6 @@ void add_info_command(CLI::App& app, Action* action);
 void add_eval_command(CLI::App& app, Action* action);
 void add_simulate_command(CLI::App& app, Action* action);
 void add_relight_command(CLI::App& app, Action* action);
+void add_study_command(CLI::App& app, Action* action);
 
 }  // namespace edgevo::app

@@ -70,6 +70,17 @@ CLI::Validator number_from_zero() {
   return {check, "", "number"};
 }
 
+CLI::Validator number_between(double least, double most) {
+  const auto check = [=](std::string& text) -> std::string {
+    double value = 0;
+    if (parse(text, &value) && value >= least && value <= most) return "";
+    std::ostringstream message;
+    message << "'" << text << "' is not a number from " << least << " to " << most;
+    return message.str();
+  };
+  return {check, "", "number"};
+}
+
 CLI::Validator path_given() {
   const auto check = [](std::string& text) -> std::string { return text.empty() ? "'' names no folder" : ""; };
   return {check, "", "path"};

@@ -13,6 +13,8 @@ CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_limits<
 CLI::Validator positive_number();
 /// "must be a number, 0 or larger".
 CLI::Validator number_from_zero();
+/// "must be a number from LEAST to MOST".
+CLI::Validator number_between(double least, double most);
 /// "names no folder": an empty word, as an unset variable of a script leaves it.
 CLI::Validator path_given();
 

@@ -7,12 +7,14 @@
 # Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
 set -eu
 
-# compiler and tools | mathematics, images | MRPT, ViSP, OctoMap and the tools that open our files | command line, JSON, tests
+# compiler and tools | mathematics, images | MRPT, ViSP, OctoMap and the tools that open our files | command line, JSON, tests |
+# plots of `edgevo study`
 PACKAGES="
 build-essential cmake ninja-build git
 libeigen3-dev libopencv-dev libceres-dev zlib1g-dev
 libmrpt-maps-dev mrpt-apps libvisp-dev liboctomap-dev octomap-tools
 libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev
+gnuplot-nox
 "
 
 fail() {
@@ -20,7 +22,9 @@ fail() {
   exit 2
 }
 
+# Any other build of gnuplot will do, and would be removed by this one.
 is_installed() {
+  if [ "$1" = gnuplot-nox ] && command -v gnuplot >/dev/null; then return 0; fi
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 

@@ -6,7 +6,9 @@
 #include "edgevo/datasets/describe.h"
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/datasets/open_source.h"
+#include "edgevo/datasets/virtual_kitti.h"
 #include "fuzz/mutate.h"
+#include "unit/datasets/virtual_kitti_folder.h"
 #include "unit/mrpt_bridge/rawlog_test_tools.h"
 
 namespace edgevo {
@@ -46,6 +48,38 @@ FuzzCounts fuzz_file(const std::string& root, const std::string& file, int round
   write_text(path, valid);
   use_source(options);  // the valid one is
   return counts;
+}
+
+// Mutates `file`, and uses the sequence in the folder `sequence` with its depth.
+FuzzCounts fuzz_virtual_kitti(const std::string& sequence, const std::string& file, int rounds, uint64_t seed) {
+  SourceOptions options;
+  options.path = sequence;
+  const std::string valid = read_text(file);
+  const auto counts = fuzz(valid, rounds, seed, [&](const std::string& bytes) {
+    write_text(file, bytes);
+    use_source(options);
+    const VirtualKitti v = read_virtual_kitti(options);
+    EXPECT_EQ(v.T_world_cam.size(), v.images.size());
+    for (const std::string& depth : v.depths) read_virtual_kitti_depth(depth, v.camera.pinhole.width, v.camera.pinhole.height);
+  });
+  write_text(file, valid);
+  return counts;
+}
+
+TEST(FuzzSources, VirtualKitti1) {
+  TempFolder folder;
+  test::write_virtual_kitti_1(folder.path());
+  const std::string sequence = folder.path() + "/vkitti_1.3.1_rgb/0001/15-deg-left";
+  test::expect_both(fuzz_virtual_kitti(sequence, folder.path() + "/vkitti_1.3.1_extrinsicsgt/0001_15-deg-left.txt", 500, 91));
+  EXPECT_EQ(fuzz_virtual_kitti(sequence, folder.path() + "/vkitti_1.3.1_depthgt/0001/15-deg-left/00001.png", 500, 92).accepted, 0);
+}
+
+TEST(FuzzSources, VirtualKitti2) {
+  TempFolder folder;
+  const std::string sequence = folder.path() + "/Scene01/clone";
+  test::write_virtual_kitti_2(sequence);
+  test::expect_both(fuzz_virtual_kitti(sequence, sequence + "/extrinsic.txt", 500, 93));
+  test::expect_both(fuzz_virtual_kitti(sequence, sequence + "/intrinsic.txt", 500, 94));
 }
 
 TEST(FuzzSources, EdgevoFolder) {

@@ -6,7 +6,6 @@
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/association/normal_refinement.h"
-#include "edgevo/association/patch_cost.h"
 #include "edgevo/association/uncertainty.h"
 
 namespace edgevo {
@@ -46,24 +45,24 @@ Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
 struct TemplateMatch {
   bool found = false;
   int best = 0;                 // index into the walk
-  double cost = 2, confidence = 0, offset = 0;  // offset: sub-pixel, in candidates, [-0.5, 0.5]
+  double cost = kWorstPatchCost, confidence = 0, offset = 0;  // offset: sub-pixel, in candidates, [-0.5, 0.5]
 };
 
-TemplateMatch match_template(const Patch& patch, const ImageView<float>& magnitude, const EdgeMap& edges, const Walk& walk,
+TemplateMatch match_template(const PatchComparison& comparison, const Patch& patch, const PyramidLevel& target, const Walk& walk,
                              double sigma_c) {
   TemplateMatch m;
   std::array<double, kMaxCandidates> cost;
   for (int k = 0; k < walk.count; ++k) {
-    const EdgePixel& e = edges.pixels[walk.pixel[k]];
-    cost[k] = patch_cost(patch, magnitude, e.x, e.y);
+    const EdgePixel& e = target.edges.pixels[walk.pixel[k]];
+    cost[k] = comparison.cost(patch, target, e.x, e.y);
     if (cost[k] < cost[m.best]) m.best = k;
   }
   m.cost = cost[m.best];
   m.confidence = aml_confidence(cost.data(), walk.count, m.cost, sigma_c);
-  m.found = m.cost < 2.0;
+  m.found = m.cost < kWorstPatchCost;
   if (m.best > 0 && m.best + 1 < walk.count) {
     const double a = cost[m.best - 1], b = cost[m.best + 1], curvature = a - 2 * m.cost + b;
-    if (curvature > 1e-9 && a < 2.0 && b < 2.0) m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
+    if (curvature > 1e-9 && a < kWorstPatchCost && b < kWorstPatchCost) m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
   }
   return m;
 }
@@ -91,15 +90,14 @@ int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen:
 
 // Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was found.
 bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int centre, const AssociationParams& params,
-                        Match* match) {
+                        const PatchComparison& comparison, Match* match) {
   const PyramidLevel& host = q.host->finest();
   const PyramidLevel& target = q.target->finest();
   const Walk walk = walk_along_edge(target.edges, centre, match->search_px);
   for (int side = params.patch_side; side <= params.max_patch_side; side += 2) {
     Patch patch;
-    if (!sample_warped(host.gradient_magnitude.view(), q.px_host, A, side / 2, &patch) || !divide_by_mean(&patch)) return false;
-    const TemplateMatch m =
-        match_template(patch, target.gradient_magnitude.view(), target.edges, walk, params.sigma_c);
+    if (!comparison.cut(host, q.px_host, A, side / 2, &patch)) return false;
+    const TemplateMatch m = match_template(comparison, patch, target, walk, params.sigma_c);
     match->patch_side = side;
     match->cost = m.cost;
     match->match_confidence = m.confidence;
@@ -163,7 +161,9 @@ void AssociationParams::visit(ParamVisitor& v) {
   v.number("sigma_tangent_px", sigma_tangent_px, 0, 100, "of a photometric match along the edge, pixels; 0: unused");
 }
 
-Match associate(const AssociationQuery& q, const AssociationParams& params) {
+Match associate(const AssociationQuery& q, const AssociationParams& params) { return associate(q, params, gradient_comparison()); }
+
+Match associate(const AssociationQuery& q, const AssociationParams& params, const PatchComparison& comparison) {
   Match match;
   const PyramidLevel& target = q.target->finest();
   const Pinhole& camera = target.pinhole;
@@ -182,7 +182,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params) {
                                params.min_search_px, std::max(params.min_search_px, params.max_search_px));
   match.depth_confidence = depth_confidence(Sigma_p, depth.direction, match.normal, params.sigma_p_floor_px);
 
-  if (params.photometric && search_photometric(q, A, centre, params, &match)) {
+  if (params.photometric && search_photometric(q, A, centre, params, comparison, &match)) {
     match.kind = MatchKind::kPhotometric;
   } else {
     if (params.photometric && match.cost > 0 && match.cost > params.max_cost) return match;  // looks like something else

@@ -4,6 +4,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/datasets/virtual_kitti.h"
 #include "euroc.h"
 #include "kitti.h"
 #include "sequence.h"
@@ -69,12 +70,21 @@ std::string convert_euroc(const SourceOptions& options) {
   return text;
 }
 
+std::string convert_virtual_kitti(const SourceOptions& options) {
+  const VirtualKitti sequence = read_virtual_kitti(options);
+  if (sequence.T_world_cam.empty()) return {};
+  std::string text = "# Virtual KITTI ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
+  for (size_t i = 0; i < sequence.T_world_cam.size(); ++i) append_pose(&text, sequence.times[i], sequence.T_world_cam[i]);
+  return text;
+}
+
 }  // namespace
 
 std::string ground_truth_tum(const SourceOptions& options, const ImageSource& source) {
   if (const std::string path = source.ground_truth_path(); !path.empty()) return read_text_file(path);
   if (source.kind() == "KITTI odometry") return convert_kitti(options);
   if (source.kind() == "EuRoC") return convert_euroc(options);
+  if (source.kind().rfind("Virtual KITTI", 0) == 0) return convert_virtual_kitti(options);
   return {};
 }
 

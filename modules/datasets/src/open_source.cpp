@@ -7,6 +7,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/virtual_kitti.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "sequence.h"
 #include "subsampled_source.h"
@@ -36,6 +37,7 @@ constexpr Layout kLayouts[] = {
     {is_kitti_layout, read_kitti_layout, true},
     {is_tum_layout, read_tum_layout, false},
     {is_euroc_layout, read_euroc_layout, true},
+    {is_virtual_kitti, read_virtual_kitti_layout, true},
 };
 
 bool is_anything(const std::string&) { return true; }

@@ -48,6 +48,7 @@ Sequence read_edgevo_layout(const SourceOptions& options);
 Sequence read_kitti_layout(const SourceOptions& options);
 Sequence read_tum_layout(const SourceOptions& options);
 Sequence read_euroc_layout(const SourceOptions& options);
+Sequence read_virtual_kitti_layout(const SourceOptions& options);
 Sequence read_image_folder(const SourceOptions& options);
 
 }  // namespace edgevo

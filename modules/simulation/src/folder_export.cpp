@@ -1,14 +1,12 @@
 #include "edgevo/simulation/folder_export.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
 #include <opencv2/imgcodecs.hpp>
-#include <thread>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/run_parallel.h"
 
 namespace edgevo {
 namespace {
@@ -79,27 +77,6 @@ void write_texts(const SceneRenderer& renderer, const std::string& folder, int b
   write_file(folder + "/groundtruth_tum.txt", ground_truth_tum(renderer, begin, end));
   write_file(folder + "/camera.txt", camera_text(scene.camera));
   write_file(folder + "/SOURCE.md", source_text(scene, begin, end));
-}
-
-// Runs job(i) for begin <= i < end on some threads; the first exception ends all and is thrown on.
-void run_parallel(int begin, int end, int threads, const std::function<void(int)>& job) {
-  std::atomic<int> next{begin};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    for (int i = next++; i < end; i = next++) try {
-        job(i);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = end;
-      }
-  };
-  std::vector<std::thread> others;
-  for (int t = 1; t < threads; ++t) others.emplace_back(work);
-  work();
-  for (std::thread& thread : others) thread.join();
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace

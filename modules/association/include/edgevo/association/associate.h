@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "edgevo/association/association_params.h"
+#include "edgevo/association/patch_comparison.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edges/frame_pyramid.h"
 
@@ -43,6 +44,8 @@ struct Match {
 
 /// Cost: about 2 to 6 us.
 Match associate(const AssociationQuery& query, const AssociationParams& params);
+/// The same with patches compared in another way than by their gradient.
+Match associate(const AssociationQuery& query, const AssociationParams& params, const PatchComparison& comparison);
 
 /// Must the match be searched again? |<r, g_perp>| > k_m lambda_max, Eq. (distancecheck) with |e| (DESIGN.md section 4, point 5), or a
 /// residual along the normal beyond 3.5 sigma.

@@ -8,10 +8,12 @@
 //                         and groundtruth_tum.txt if there is ground truth
 //   folder with image_N/  and calib.txt: KITTI odometry, sequences/NN; sensor_label image_0 .. image_3,
 //                         by default the first that is there
-//   folder with rgb.txt   TUM RGB-D; the published calibration where the folder's name holds freiburg1, 2 or
-//   3 folder with mav0/     EuRoC (ASL); sensor_label cam0 (default), cam1 folder of images      needs a
-//   camera file; times from the names (ns or seconds) or from fps any other file        a video, by OpenCV;
-//   needs a camera file
+//   folder with rgb.txt   TUM RGB-D; the published calibration where the folder's name holds
+//                         freiburg1, freiburg2 or freiburg3
+//   folder with mav0/     EuRoC (ASL); sensor_label cam0 (default), cam1
+//   Virtual KITTI         a sequence's folder of either release (virtual_kitti.h); 2.0.3: sensor_label Camera_0 (default), Camera_1
+//   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
+//   any other file        a video, by OpenCV; needs a camera file
 // A camera file given by the user wins over the source's own calibration.
 //
 // Frames come out as the camera took them (gray, distorted) in time order, numbered from 0 in the whole
