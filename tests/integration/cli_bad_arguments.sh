@@ -28,6 +28,7 @@ for fps in 0 -1 x; do complains "--fps.*larger than 0" run "$desk" -o out --fps=
 complains "unknown parameter 'edges.canny_percentil'.*did you mean 'edges.canny_percentile'" run "$desk" -o out --set edges.canny_percentil=0.9
 complains "'7' is out of range.*between" run "$desk" -o out --set edges.canny_percentile=7
 complains "'many' is not a number" run "$desk" -o out --set edges.canny_percentile=many
+complains "association.patch_side: '4' is even; write an odd number" run "$desk" -o out --set association.patch_side=4
 complains "is not KEY=VALUE" run "$desk" -o out --set nonsense
 complains "'cany' is not one of.*did you mean canny" run "$desk" -o out --detector cany
 printf 'edges:\n  detector: canny\n  canny_percentil: 0.9\n' >unknown.yaml

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "edgevo/alignment/patch_normalisation.h"
+
 namespace edgevo {
 namespace {
 
@@ -29,23 +31,11 @@ bool sample(const ImageView<T>& image, float x, float y, Patch* out) {
 
 // To zero mean and unit deviation; returns the deviation, or 0 for a flat patch.
 float normalise(Patch* patch) {
-  float sum = 0, square = 0;
-  for (float v : *patch) sum += v, square += v * v;
-  const float mean = sum / kPatchPixels;
-  const float deviation = std::sqrt(std::max(0.0f, square / kPatchPixels - mean * mean));
-  if (!(deviation >= kMinDeviation)) return 0;
-  const float scale = 1.0f / deviation;
-  for (float& v : *patch) v = (v - mean) * scale;
-  return deviation;
-}
-
-// Takes out of a gradient what the normalisation cancels: its mean and its part along the patch itself.
-void project_out(const Patch& value, Patch* gradient) {
-  float mean = 0, along = 0;
-  for (int i = 0; i < kPatchPixels; ++i) mean += (*gradient)[i], along += (*gradient)[i] * value[i];
-  mean /= kPatchPixels;
-  along /= kPatchPixels;
-  for (int i = 0; i < kPatchPixels; ++i) (*gradient)[i] -= mean + along * value[i];
+  const PatchMoments m = patch_moments(patch->data(), kPatchPixels);
+  if (!(m.deviation >= kMinDeviation)) return 0;
+  const float scale = 1.0f / m.deviation;
+  for (float& v : *patch) v = (v - m.mean) * scale;
+  return m.deviation;
 }
 
 }  // namespace
@@ -67,8 +57,8 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
       p.gx[i] = half * (right[i] - left[i]);
       p.gy[i] = half * (down[i] - up[i]);
     }
-    project_out(p.value, &p.gx);
-    project_out(p.value, &p.gy);
+    project_out_normalisation(p.value.data(), kPatchPixels, p.gx.data());
+    project_out_normalisation(p.value.data(), kPatchPixels, p.gy.data());
     double xx = 0, xy = 0, yy = 0;
     for (int i = 0; i < kPatchPixels; ++i) xx += p.gx[i] * p.gx[i], xy += p.gx[i] * p.gy[i], yy += p.gy[i] * p.gy[i];
     p.information << xx, xy, xy, yy;

@@ -140,8 +140,8 @@ void AssociationParams::visit(ParamVisitor& v) {
   v.number("min_search_px", min_search_px, 0, 15, "floor of the half search length, pixels");
   v.number("max_search_px", max_search_px, 0, 30, "cap of the half search length, pixels");
   v.boolean("photometric", photometric, "search along the edge by patches (paper); false: edge matches only");
-  v.integer("patch_side", patch_side, 3, 11, "first patch size S_p, odd, pixels");
-  v.integer("max_patch_side", max_patch_side, 3, 11, "patches grow up to tau_S, odd, pixels");
+  v.odd("patch_side", patch_side, 3, 11, "first patch size S_p, pixels");
+  v.odd("max_patch_side", max_patch_side, 3, 11, "patches grow up to tau_S, pixels");
   v.number("max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
   v.number("sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
   v.number("tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");

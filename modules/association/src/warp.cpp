@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/alignment/patch_normalisation.h"
 #include "edgevo/alignment/projection.h"
 
 namespace edgevo {
@@ -27,22 +28,14 @@ Eigen::Vector2d warp_normal(const Eigen::Matrix2d& A, const Eigen::Vector2d& nor
 }
 
 float normalise(Patch* patch, float min_deviation) {
-  const int n = patch->size();
-  float sum = 0, square = 0;
-  for (int i = 0; i < n; ++i) sum += patch->value[i], square += patch->value[i] * patch->value[i];
-  const float mean = sum / float(n);
-  const float deviation = std::sqrt(std::max(0.0f, square / float(n) - mean * mean));
-  if (!(deviation >= min_deviation)) return 0;
-  for (int i = 0; i < n; ++i) patch->value[i] = (patch->value[i] - mean) / deviation;
-  return deviation;
+  const PatchMoments m = patch_moments(patch->value.data(), patch->size());
+  if (!(m.deviation >= min_deviation)) return 0;
+  for (int i = 0; i < patch->size(); ++i) patch->value[i] = (patch->value[i] - m.mean) / m.deviation;
+  return m.deviation;
 }
 
 void project_out_normalisation(const Patch& normalised, Patch* derivative) {
-  const int n = normalised.size();
-  float mean = 0, along = 0;
-  for (int i = 0; i < n; ++i) mean += derivative->value[i], along += derivative->value[i] * normalised.value[i];
-  mean /= float(n), along /= float(n);
-  for (int i = 0; i < n; ++i) derivative->value[i] -= mean + along * normalised.value[i];
+  project_out_normalisation(normalised.value.data(), normalised.size(), derivative->value.data());
 }
 
 template <class T>

@@ -78,6 +78,13 @@ class Assigner : public ParamVisitor {
     if (!(parsed >= min && parsed <= max)) out_of_range(*given, key, std::to_string(min), std::to_string(max));
     value = int(parsed);
   }
+  void odd(const char* key, int& value, int min, int max, const char* help) override {
+    int parsed = value;
+    integer(key, parsed, min, max, help);
+    const Given* given = find(key);
+    if (given && parsed % 2 == 0) fail(*given, key, "is even; write an odd number");
+    value = parsed;
+  }
   void boolean(const char* key, bool& value, const char*) override {
     const Given* given = find(key);
     if (!given) return;
@@ -164,6 +171,9 @@ class Writer : public ParamVisitor {
   }
   void integer(const char* key, int& value, int min, int max, const char* help) override {
     line(key, std::to_string(value), help, "[" + std::to_string(min) + ", " + std::to_string(max) + "]");
+  }
+  void odd(const char* key, int& value, int min, int max, const char* help) override {
+    line(key, std::to_string(value), help, "[" + std::to_string(min) + ", " + std::to_string(max) + "], odd");
   }
   void boolean(const char* key, bool& value, const char* help) override {
     line(key, value ? "true" : "false", help, "true or false");

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/image_names.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
@@ -55,30 +56,6 @@ bool is_image_name(const fs::path& path) {
   for (char& c : suffix) c = char(std::tolower(static_cast<unsigned char>(c)));
   static const char* known[] = {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff"};
   return std::find(std::begin(known), std::end(known), suffix) != std::end(known);
-}
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// Runs of digits compare as numbers (of any length), all else byte by byte.
-bool natural_less(const std::string& a, const std::string& b) {
-  size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (!is_digit(a[i]) || !is_digit(b[j])) {
-      if (a[i] != b[j]) return a[i] < b[j];
-      ++i, ++j;
-      continue;
-    }
-    while (i + 1 < a.size() && a[i] == '0' && is_digit(a[i + 1])) ++i;
-    while (j + 1 < b.size() && b[j] == '0' && is_digit(b[j + 1])) ++j;
-    size_t m = i, n = j;
-    while (m < a.size() && is_digit(a[m])) ++m;
-    while (n < b.size() && is_digit(b[n])) ++n;
-    if (m - i != n - j) return m - i < n - j;
-    if (const int order = a.compare(i, m - i, b, j, n - j); order != 0) return order < 0;
-    i = m, j = n;
-  }
-  if ((i < a.size()) != (j < b.size())) return j < b.size();
-  return a < b;
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 #include "edgevo/mapping/mapper.h"
 
-#include <time.h>
-
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/thread_clock.h"
 #include "idepth_prior.h"
 
 namespace edgevo {
@@ -12,12 +11,6 @@ namespace {
 
 constexpr int kMinFirstPoints = 100;         // fewer do not make a map
 constexpr double kMaxFirstCost = 1.2;        // Huber cost an observation above which the two views do not fit
-
-double thread_cpu_ms() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
-}
 
 // Runs `work` and notes its CPU time under `name`.
 template <class Work>

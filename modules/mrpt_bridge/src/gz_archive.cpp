@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "edgevo/core/error.h"
@@ -67,45 +66,6 @@ size_t GzInputArchive::read(void* buffer, size_t size) {
 }
 
 size_t GzInputArchive::write(const void*, size_t) { throw std::logic_error("opened for reading"); }
-
-GzOutputArchive::GzOutputArchive(const std::string& path) : path_(path), file_(gzopen(path.c_str(), "wb3")) {
-  if (file_) return;
-  failure_ = errno;
-  throw_failure();
-}
-
-GzOutputArchive::~GzOutputArchive() {
-  if (file_) gzclose(file_);
-}
-
-void GzOutputArchive::close() {
-  errno = 0;
-  if (gzclose(std::exchange(file_, nullptr)) != Z_OK && failure_ == 0) failure_ = errno ? errno : EIO;
-  if (failure_ != 0) throw_failure();
-}
-
-void GzOutputArchive::throw_failure() const {
-  throw InputError(path_, std::string("cannot be written: ") + std::strerror(failure_),
-                   failure_ == ENOSPC ? "free space or give another place; what was written so far is kept"
-                                      : "give another place that you may write to");
-}
-
-size_t GzOutputArchive::read(void*, size_t) { throw std::logic_error("opened for writing"); }
-
-size_t GzOutputArchive::write(const void* buffer, size_t size) {
-  const auto* source = static_cast<const char*>(buffer);
-  for (size_t left = size; left > 0;) {
-    errno = 0;
-    const int count = gzwrite(file_, source, unsigned(std::min(left, kChunk)));
-    if (count <= 0) {
-      if (failure_ == 0) failure_ = errno ? errno : EIO;
-      throw std::runtime_error("write failed");
-    }
-    source += count;
-    left -= size_t(count);
-  }
-  return size;
-}
 
 std::string gz_checksum_damage(const std::string& path, int64_t limit) {
   const gzFile file = open_for_reading(path);

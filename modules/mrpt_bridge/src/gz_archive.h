@@ -1,5 +1,5 @@
 #pragma once
-// MRPT archives over gz files that never lose an error.
+// An MRPT archive read from a gz file, which never loses an error.
 //
 // MRPT's own streams report the end of a file, a file cut short and damaged data alike; here they are three
 // things. A file that is not compressed reads as it is, as zlib and MRPT have it.
@@ -36,31 +36,6 @@ class GzInputArchive : public mrpt::serialization::CArchive {
  private:
   gzFile file_ = nullptr;
   bool ran_short_ = false;
-};
-
-class GzOutputArchive : public mrpt::serialization::CArchive {
- public:
-  /// Overwrites. Throws InputError.
-  explicit GzOutputArchive(const std::string& path);
-  /// Closes; call close() where failure matters.
-  ~GzOutputArchive() override;
-  GzOutputArchive(const GzOutputArchive&) = delete;
-  GzOutputArchive& operator=(const GzOutputArchive&) = delete;
-
-  /// Throws InputError when what was left in the buffer cannot be written.
-  void close();
-  /// The errno of the first write that failed; 0: none did.
-  int failure() const { return failure_; }
-  [[noreturn]] void throw_failure() const;
-
- protected:
-  size_t read(void* buffer, size_t size) override;
-  size_t write(const void* buffer, size_t size) override;
-
- private:
-  std::string path_;
-  gzFile file_ = nullptr;
-  int failure_ = 0;
 };
 
 /// Reads the compressed file through, at most `limit` bytes of it, and lets zlib compare its checksum.

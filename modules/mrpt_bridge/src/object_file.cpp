@@ -18,7 +18,13 @@ ObjectFile::ObjectFile(const std::string& path) : file_(path) {
     throw std::bad_alloc();
 }
 
-ObjectFile::~ObjectFile() { deflateEnd(&gzip_); }
+ObjectFile::~ObjectFile() {
+  try {
+    if (is_open_) close();
+  } catch (const std::exception&) {  // a disk that is full, and whoever cares has called close()
+  }
+  deflateEnd(&gzip_);
+}
 
 void ObjectFile::write(const mrpt::serialization::CSerializable& object) {
   memory_.clear();
@@ -28,6 +34,7 @@ void ObjectFile::write(const mrpt::serialization::CSerializable& object) {
 }
 
 void ObjectFile::close() {
+  is_open_ = false;
   deflate_bytes(nullptr, 0, Z_FINISH);
   file_.close();
 }

@@ -18,11 +18,13 @@ class ObjectFile {
  public:
   /// Throws InputError, as all of these do.
   explicit ObjectFile(const std::string& path);
+  /// Closes, if that was not done; a failure here goes unheard.
   ~ObjectFile();
   ObjectFile(const ObjectFile&) = delete;
   ObjectFile& operator=(const ObjectFile&) = delete;
 
   void write(const mrpt::serialization::CSerializable& object);
+  /// Nothing may be written afterwards.
   void close();
 
  private:
@@ -31,6 +33,7 @@ class ObjectFile {
   OutputFile file_;
   mrpt::io::CMemoryStream memory_;
   z_stream gzip_{};
+  bool is_open_ = true;
 };
 
 }  // namespace edgevo

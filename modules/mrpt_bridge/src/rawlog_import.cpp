@@ -2,10 +2,10 @@
 
 #include <mrpt/obs/CObservationImage.h>
 
-#include <cctype>
-#include <cstdio>
 #include <filesystem>
+#include <set>
 
+#include "edgevo/core/image_names.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
@@ -16,17 +16,11 @@ namespace {
 
 constexpr const char* kDefaultLabel = "CAM0";
 
-// A label as part of a file name.
-std::string file_label(std::string label) {
-  for (char& c : label)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-') c = '_';
-  return label;
-}
-
-std::string image_name(const std::string& label, int index) {
-  char number[16];
-  std::snprintf(number, sizeof number, "_%06d.png", index);
-  return file_label(label) + number;
+// The image's own name; when a second folder of the source has one of that name, too, with the frame's number.
+std::string unused_name(const Frame& frame, std::set<std::string>* used) {
+  std::string name = image_name(frame);
+  while (!used->insert(name).second) name += "_" + padded_number(frame.index);
+  return name + ".png";
 }
 
 mrpt::obs::CObservationImage make_observation(const ImageSource& source, const std::string& label) {
@@ -46,9 +40,10 @@ int import_rawlog(ImageSource& source, const std::string& rawlog_path, const Imp
   const std::string label = source.label().empty() ? kDefaultLabel : source.label();
   mrpt::obs::CObservationImage observation = make_observation(source, label);
   RawlogWriter writer(rawlog_path);
+  std::set<std::string> used;
   int written = 0;
   while (const auto frame = source.next()) {
-    const std::string name = image_name(label, frame->index);
+    const std::string name = unused_name(*frame, &used);
     write_png((folder / name).string(), frame->image);
     observation.timestamp = to_mrpt(frame->time);
     observation.image.setExternalStorage(name);

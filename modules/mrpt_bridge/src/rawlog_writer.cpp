@@ -2,24 +2,17 @@
 
 #include <filesystem>
 
-#include "gz_archive.h"
+#include "object_file.h"
 
 namespace edgevo {
 
-RawlogWriter::RawlogWriter(const std::string& path) : archive_(std::make_unique<GzOutputArchive>(path)) {}
+RawlogWriter::RawlogWriter(const std::string& path) : file_(std::make_unique<ObjectFile>(path)) {}
 
 RawlogWriter::~RawlogWriter() = default;
 
-void RawlogWriter::write(const mrpt::serialization::CSerializable& object) {
-  try {
-    *archive_ << object;
-  } catch (const std::exception&) {
-    if (archive_->failure() != 0) archive_->throw_failure();
-    throw;
-  }
-}
+void RawlogWriter::write(const mrpt::serialization::CSerializable& object) { file_->write(object); }
 
-void RawlogWriter::close() { archive_->close(); }
+void RawlogWriter::close() { file_->close(); }
 
 std::string rawlog_stem(const std::string& rawlog_path) {
   std::filesystem::path path(rawlog_path);

@@ -1,24 +1,13 @@
 #include "edgevo/odometry/odometry.h"
 
-#include <time.h>
-
 #include <cstdio>
 
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/core/thread_clock.h"
 #include "mapping_thread.h"
 #include "run_records.h"
 
 namespace edgevo {
-namespace {
-
-double thread_cpu_ms() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
-}
-
-}  // namespace
-
 struct Odometry::Impl {
   Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
       : params(p), options(o), builder(camera, p.edges), bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),

@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/image_names.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/run_parallel.h"
 
@@ -12,8 +13,7 @@ namespace edgevo {
 namespace {
 
 std::string numbered(const std::string& folder, int index, const char* extension) {
-  const std::string digits = std::to_string(index);
-  return folder + "/" + std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + extension;
+  return folder + "/" + padded_number(index) + extension;
 }
 
 void write_png(const std::string& path, const GrayImage& image) {
@@ -94,7 +94,13 @@ FolderWriter::FolderWriter(std::string folder, const Camera& camera) : folder_(s
 }
 
 void FolderWriter::add(const Frame& frame) {
-  write_png(numbered(folder_ + "/images", frame.index, ".png"), frame.image);
+  const std::string name = image_name(frame);
+  if (!times_.empty() && !natural_less(last_name_, name))
+    throw InputError(frame.image_path.empty() ? name : frame.image_path,
+                     "does not follow " + last_name_ + " by its name, so that a folder would play in another order",
+                     "name the output OUT.rawlog");
+  write_png(folder_ + "/images/" + name + ".png", frame.image);
+  last_name_ = name;
   times_ += to_string(frame.time) + "\n";
 }
 

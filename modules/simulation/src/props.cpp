@@ -7,12 +7,16 @@ namespace edgevo {
 void add_tree(WorldBuilder& b, const Place& place, double height) {
   Random& r = b.random();
   const double trunk = 0.34 * height;
-  b.prism(place, 0.022 * height + 0.05, trunk + 0.12 * height, 7, b.any_texture("bark", 4));
+  const double radius = 0.022 * height + 0.05;
+  const int bark = b.any_texture("bark", 4);
+  b.prism(place, radius, trunk, 7, bark);
+  b.prism(place.moved(0, 0, trunk), 0.65 * radius, 0.1 * height, 6, bark);  // it gets thinner among the leaves
+  b.prism(place.moved(0, 0, trunk + 0.1 * height), 0.35 * radius, 0.18 * height, 5, bark);
   const double size = height - trunk + 0.6, turn = r.uniform(0, 1);
   for (int i = 0; i < 4; ++i) {  // crossing cards, some in front of the others
     const Place centre = place.moved(r.uniform(-0.12, 0.12) * size, r.uniform(-0.12, 0.12) * size, trunk - 0.6 + r.uniform(-0.1, 0.15) * size);
     b.card(centre, size * r.uniform(0.8, 1.05), size * r.uniform(0.85, 1), turn + 0.785 * i, b.any_texture("crown", 5),
-           float(r.uniform(0.8, 1.15)));
+           float(r.uniform(0.9, 1.08)));
   }
 }
 

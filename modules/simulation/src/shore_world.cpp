@@ -1,5 +1,6 @@
 // A lake shore: water, a bank to the right of the way, reeds, trees and a few houses against a bright sky.
 #include <cmath>
+#include <tuple>
 
 #include "props.h"
 #include "smooth_noise.h"
@@ -20,7 +21,8 @@ class ShoreBuilder {
         way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kBeyond, kBeyond, kBeyond).front()),
         shore_{&way_, -1},
         line_(&random_, 0.03),
-        detail_(&random_, 0.15) {}
+        detail_(&random_, 0.15),
+        meadow_(&random_, 0.02) {}
 
   void build() {
     water();
@@ -37,14 +39,22 @@ class ShoreBuilder {
   // Distance of the water's edge from the way.
   double waterline(double s) const { return 11 + 1.6 * line_(s) + 0.4 * detail_(s); }
 
+  // Near the boat the water mirrors the sky, towards the bank more and more the trees.
   void water() {
+    constexpr double kBright = 4, kDark = 11, kStep = 0.5;  // metres from the way
+    water_strip(-48, kBright, 1.25);
+    for (double d = kBright; d < kDark; d += kStep) water_strip(d, d + kStep, 1.25 - 0.6 * (d - kBright) / (kDark - kBright));
+    water_strip(kDark, 24, 0.65);
+  }
+  void water_strip(double from, double to, double gain) {
+    constexpr double kTile = 12, kLength = 24;  // metres
     const int texture = b_.texture("water", 0);
-    for (double s = 0; s < way_.length; s += 24)
-      for (double d = -48; d < 24; d += 24) {
-        const Place p = shore_.left_end(s, 24, d, 0);
-        Surface& tile = b_.tile(p.point(0, -24, 0), 24 * p.right, 24 * p.out, texture);
-        tile.uv_origin = {0, 0};
-      }
+    for (double s = 0; s < way_.length; s += kLength) {
+      const Place p = shore_.left_end(s, kLength, from, 0);
+      Surface& tile = b_.tile(p.point(0, from - to, 0), kLength * p.right, (to - from) * p.out, texture);
+      tile.uv_origin = {0, std::ceil(to / kTile) - to / kTile};  // goes on from strip to strip
+      tile.gain *= float(gain);
+    }
   }
 
   // Stones at the water's edge, then grass that rises in three steps of different slope.
@@ -60,27 +70,40 @@ class ShoreBuilder {
         };
         // Seen from the water the right end has the smaller s. Two triangles, as four corners need not be flat.
         const Eigen::Vector3d a = corner(s + step, k + 1), b = corner(s, k + 1), c = corner(s + step, k), d = corner(s, k);
-        b_.tile(a, b - a, c - a, b_.texture(kinds[k], 0)).is_triangle = true;
-        b_.tile(d, c - d, b - d, b_.texture(kinds[k], 0)).is_triangle = true;
+        const float gain = k == 0 ? 1 : float(1.15 + 0.12 * meadow_(s) + 0.06 * k);
+        for (const auto& [corner_of, side_u, side_v] : {std::tuple{a, b - a, c - a}, std::tuple{d, c - d, b - d}}) {
+          Surface& half = b_.tile(corner_of, side_u, side_v, b_.texture(kinds[k], 0));
+          half.is_triangle = true;
+          half.gain *= gain;
+        }
       }
-    for (double s = 0; s < way_.length; s += random_.uniform(0.7, 3)) {
-      const double size = random_.uniform(0.15, 0.7);
-      const int rock = b_.any_texture("rock", 4);
-      b_.box(shore_.place(s, waterline(s) + random_.uniform(-0.6, 0.8), -0.1).moved(0, 0, 0, random_.uniform(0, 3)),
-             {-size, size, -0.7 * size, 0.7 * size, 0, size}, rock, rock, -1, false, float(random_.uniform(0.7, 1.1)));
+    for (double s = 0; s < way_.length; s += random_.uniform(0.4, 2.2)) {
+      const double width = random_.uniform(0.4, 1.7);
+      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.6, 0.9), -0.12), width, width * random_.uniform(0.35, 0.6),
+              random_.uniform(-0.3, 0.3), b_.any_texture("boulder", 6), float(random_.uniform(0.8, 1.15)));
     }
   }
 
   void plants() {
     const double density = std::max(0.05, site_.params.world.density);
-    for (double s = 1; s < way_.length; s += random_.uniform(1.2, 3.5) / density)
-      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.9, 0.6), -0.05), random_.uniform(1.5, 3), random_.uniform(0.6, 1.3),
-              random_.uniform(-0.4, 0.4), b_.any_texture("reeds", 4), float(random_.uniform(0.8, 1.2)));
+    for (double s = 1; s < way_.length; s += random_.uniform(0.5, 2.6) / density)
+      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.9, 0.6), -0.05), random_.uniform(1.2, 2.6), random_.uniform(0.6, 1.4),
+              random_.uniform(-0.5, 0.5), b_.any_texture("reeds", 6), float(random_.uniform(0.8, 1.2)));
     for (double s = 1; s < way_.length; s += random_.uniform(2, 6) / density)
       add_bush(b_, shore_.place(s, waterline(s) + random_.uniform(1.5, 6), 0.7), random_.uniform(1.2, 3.2));
     for (double s = 1; s < way_.length; s += random_.uniform(3, 7) / density) tree(s, random_.uniform(3, 14), 1.0);
     for (double s = 1; s < way_.length; s += random_.uniform(3, 6) / density) tree(s, random_.uniform(26, 50), 3.0);
+    for (double s = 1; s < way_.length; s += random_.uniform(1, 3) / density) {  // undergrowth up the slope
+      const double beyond = random_.uniform(16, 48);
+      add_bush(b_, shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 0.1), random_.uniform(1.2, 3.5));
+    }
+    for (double beyond : {60.0, 56.0})  // the wood on the ridge
+      for (double s = -10; s < way_.length + 10; s += random_.uniform(12, 17))
+        b_.card(shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 1.2), 28, random_.uniform(9, 13),
+                random_.uniform(-0.1, 0.1), b_.any_texture("forest", 5), float(random_.uniform(0.85, 1.1)));
   }
+  // The last step of the bank, over the water.
+  static double height_of_meadow(double beyond_water) { return 1.7 + (beyond_water - 16) / 44 * 7.3; }
   void tree(double s, double beyond_water, double foot) {
     const Place place = shore_.place(s, waterline(s) + beyond_water, foot - 0.3);
     if (random_.uniform() < 0.35)
@@ -102,7 +125,7 @@ class ShoreBuilder {
   Random& random_;
   Street way_;
   Side shore_;
-  SmoothNoise line_, detail_;
+  SmoothNoise line_, detail_, meadow_;
 };
 
 }  // namespace

@@ -35,10 +35,10 @@ Canvas asphalt(Random& random) {
 
 Canvas slabs(Random& random) {
   const int n = 512, count = 8;
-  Canvas c(n, n, 78);
+  Canvas c(n, n, 92);
   for (int y = 0; y < count; ++y)
     for (int x = 0; x < count; ++x)
-      c.rect(x * 64 + 1.5, y * 64 + 1.5, x * 64 + 62.5, y * 64 + 62.5, 140 + float(random.uniform(-16, 16)));
+      c.rect(x * 64 + 1.5, y * 64 + 1.5, x * 64 + 62.5, y * 64 + 62.5, 140 + float(random.uniform(-11, 11)));
   c.noise(random, 2, 8, 32, 0.72f);
   c.grain(random, 6);
   for (int i = 0; i < 40; ++i)

@@ -1,4 +1,5 @@
-// Trees, bushes, rocks and clouds.
+// Trees, bushes, reeds, boulders and clouds.
+#include <algorithm>
 #include <cmath>
 
 #include "texture_kinds.h"
@@ -10,7 +11,7 @@ Canvas bark(Random& random) {
   Canvas c(128, 256, float(random.uniform(60, 105)));
   for (int i = 0; i < 260; ++i) {
     const double x = random.uniform(0, 128), y = random.uniform(0, 256), length = random.uniform(15, 60);
-    c.line(x, y, x + random.uniform(-6, 6), y + length, random.uniform(1, 3.5), float(random.uniform(25, 150)), 0.55f);
+    c.line(x, y, x + random.uniform(-6, 6), y + length, random.uniform(1, 3.5), float(random.uniform(40, 125)), 0.36f);
   }
   c.noise(random, 4, 5, 20);
   return c;
@@ -22,12 +23,12 @@ void leaves(Canvas* c, Random& random, int clusters, int per_cluster, double spr
   for (int k = 0; k < clusters; ++k) {
     const double x = random.uniform(0, c->width()), y = random.uniform(0, c->height());
     if (!inside(x / c->width(), y / c->height())) continue;
-    const double light = random.uniform(0.55, 1.1) * (1.15 - 0.5 * y / c->height()) * (0.45 + 0.55 * k / clusters);
+    const double light = random.uniform(0.65, 1.1) * (1.15 - 0.5 * y / c->height()) * (0.55 + 0.45 * k / clusters);
     for (int i = 0; i < per_cluster; ++i) {
       const double size = leaf * random.uniform(0.6, 1.3);
       const double px = x + spread * random.normal(), py = y + 0.8 * spread * random.normal();
       if (px < 6 || py < 6 || px > c->width() - 6 || py > c->height() - 6) continue;  // must not wrap around
-      const float tone = float(light * (50 + 95 * i / per_cluster) + random.uniform(-18, 18));
+      const float tone = float(light * (70 + 30 * i / per_cluster) + random.uniform(-6, 6));
       c->ellipse(px, py, size, size * random.uniform(0.35, 0.65), random.uniform(0, 3.1416), tone);
     }
   }
@@ -45,9 +46,9 @@ Canvas crown(Random& random) {
   const int n = 512;
   Canvas c(n, n, 60);
   c.cut_out();
-  branch(&c, random, n / 2.0, n - 7, -1.5708, 95, 13);
+  branch(&c, random, n / 2.0, 0.82 * n, -1.5708, 80, 11);  // from inside the leaves on: the trunk is a prism
   const double phase = random.uniform(0, 6.283), bumps = 3 + random.below(3);
-  leaves(&c, random, 330, 30, 17, 5.5, [&](double x, double y) {
+  leaves(&c, random, 460, 30, 17, 5.5, [&](double x, double y) {
     const double dx = (x - 0.5) / 0.42, dy = (y - 0.46) / 0.40, a = std::atan2(dy, dx);
     return dx * dx + dy * dy < 0.85 + 0.22 * std::sin(bumps * a + phase);
   });
@@ -89,19 +90,61 @@ Canvas bush(Random& random) {
     const double outline = 0.35 + 0.12 * std::sin(9 * x + phase) + 0.06 * std::sin(23 * x + 2 * phase);
     return x > 0.06 && x < 0.94 && y > outline + 1.4 * std::pow(std::abs(x - 0.5), 2);
   });
-  c.rect(24, h - 26, w - 24, h - 1, 42);
+  for (int i = 0; i < 60; ++i) {  // shade at its foot
+    const double off = random.uniform(-1, 1);
+    c.ellipse(w * (0.5 + 0.42 * off), h - 8 - 14 * (1 - off * off) * random.uniform(), random.uniform(8, 16), random.uniform(5, 9), 0, 42);
+  }
   return c;
 }
 
-Canvas reeds(Random& random) {
+// A wood seen from afar: crowns and tips before and above each other, as dark as trees against the sky are.
+Canvas forest(Random& random) {
   const int w = 512, h = 256;
+  Canvas c(w, h, 55);
+  c.cut_out();
+  for (int i = 0; i < 22; ++i) {
+    const double cx = random.uniform(50, w - 50), top = random.uniform(14, 130), half = random.uniform(22, 46);
+    const bool is_conifer = random.uniform() < 0.4;
+    leaves(&c, random, 700, 14, 6, 3.4, [&](double x, double y) {
+      const double dx = (x * w - cx) / half, dy = y * h - top;
+      if (dy < 0) return false;
+      return is_conifer ? std::abs(dx) < 0.75 * dy / (h - top) : dx * dx < 1 - std::pow(std::max(0.0, 1 - dy / half), 2);
+    });
+  }
+  return c;
+}
+
+// A clump: blades lean outwards, the outer ones are shorter, those behind are darker.
+Canvas reeds(Random& random) {
+  const int w = 512, h = 256, blades = 430;
   Canvas c(w, h, 90);
   c.cut_out();
-  for (int i = 0; i < 520; ++i) {
-    const double x = random.uniform(12, w - 12), top = random.uniform(8, 130);
-    c.line(x, h - 3, x + random.uniform(-9, 9), top, random.uniform(1.4, 3), float(random.uniform(55, 175)));
-    if (random.uniform() < 0.15) c.ellipse(x, top + 8, 3, 9, 0, 55);
+  for (int i = 0; i < blades; ++i) {
+    const double off = std::clamp(0.4 * random.normal(), -1.0, 1.0), x = w * (0.5 + 0.4 * off);
+    const double top = 16 + 120 * off * off + random.uniform(0, 80), lean = 26 * off + random.uniform(-10, 10);
+    const float tone = float(random.uniform(50, 85) + 55.0 * i / blades);
+    const double knee = h - 0.6 * (h - top);
+    c.line(x, h - 3, x + 0.35 * lean, knee, random.uniform(2, 3.2), 0.75f * tone);
+    c.line(x + 0.35 * lean, knee, x + lean, top, random.uniform(1.2, 2), tone);
+    if (random.uniform() < 0.1) c.ellipse(x + lean, top + 8, 3, 9, 0, 50);
   }
+  return c;
+}
+
+// A boulder from the side: light from above, wet and dark at the foot.
+Canvas boulder(Random& random) {
+  const int w = 256, h = 128;
+  Canvas c(w, h, 100);
+  c.cut_out();
+  const double tilt = random.uniform(-0.25, 0.25), tone = random.uniform(0.85, 1.15);
+  c.ellipse(w / 2.0, h - 32, 104, 27, 0, float(60 * tone));
+  for (int i = 0; i < 70; ++i) {
+    const double a = random.uniform(0, 3.1416), r = std::sqrt(random.uniform());
+    const double x = w / 2.0 + 80 * r * std::cos(a), y = h - 30 - 60 * r * std::sin(a) * (1 + tilt * std::cos(a));
+    const float light = float(tone * (150 - 85 * y / h + random.uniform(-14, 14)));
+    c.ellipse(x, y, random.uniform(10, 22), random.uniform(6, 14), random.uniform(-0.6, 0.6) + tilt, light, 0.9f);
+  }
+  c.noise(random, 5, 6, 45, 0.8f);
   return c;
 }
 
@@ -129,7 +172,8 @@ Canvas clouds(Random& random) {
 
 std::vector<TextureKind> nature_textures() {
   return {{"bark", 1, 2, bark},   {"crown", 5, 5, crown}, {"conifer", 4, 8, conifer}, {"bush", 2.4, 1.2, bush},
-          {"reeds", 2.4, 1.2, reeds}, {"rock", 1, 1, rock},   {"clouds", 1800, 1800, clouds}};
+          {"reeds", 2.4, 1.2, reeds}, {"forest", 28, 12, forest}, {"boulder", 1, 0.5, boulder},
+          {"rock", 1, 1, rock}, {"clouds", 1800, 1800, clouds}};
 }
 
 }  // namespace edgevo

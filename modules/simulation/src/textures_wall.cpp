@@ -28,6 +28,12 @@ Canvas masonry(Random& random, int courses, int blocks, double joint, float bloc
   return c;
 }
 
+// Joints are a little lighter than the bricks: worn, not freshly pointed.
+Canvas brick_wall(Random& random) {
+  const float block = float(random.uniform(80, 125));
+  return masonry(random, 52, 16, 1.8, block, block + float(random.uniform(22, 42)), 13);
+}
+
 // Dirt that rain has drawn downwards.
 void streaks(Canvas* c, Random& random, int count, float strength) {
   for (int i = 0; i < count; ++i) {
@@ -66,12 +72,12 @@ Canvas boards(Random& random) {
   const int count = 20;
   const double h = double(kSize) / count;
   for (int i = 0; i < count; ++i) {
-    const float tone = c.at(0, int(i * h)) + float(random.uniform(-22, 22));
+    const float tone = c.at(0, int(i * h)) + float(random.uniform(-14, 14));
     c.rect(0, i * h, kSize, (i + 1) * h, tone);
     for (int k = 0; k < 14; ++k)
       c.line(random.uniform(0, kSize), i * h + random.uniform(2, h - 2), random.uniform(0, kSize),
              i * h + random.uniform(2, h - 2), 1, tone - 25, 0.4f);
-    c.rect(0, (i + 1) * h - 2.5, kSize, (i + 1) * h, 35, 0.85f);
+    c.rect(0, (i + 1) * h - 2.5, kSize, (i + 1) * h, 45, 0.6f);
     const double joint = random.uniform(0, kSize);
     c.rect(joint, i * h, joint + 1.5, (i + 1) * h, 40, 0.8f);
   }
@@ -118,7 +124,7 @@ Canvas hedge(Random& random) {
   for (int i = 0; i < 5200; ++i) {
     const double size = random.uniform(2.5, 6);
     c.ellipse(random.uniform(0, kSize), random.uniform(0, kSize), size, size * random.uniform(0.35, 0.7),
-              random.uniform(0, 3.1416), float(random.uniform(35, 50) + 95 * std::pow(random.uniform(), 2) * i / 5200), 0.9f);
+              random.uniform(0, 3.1416), float(random.uniform(35, 50) + 60 * std::pow(random.uniform(), 2) * i / 5200), 0.8f);
   }
   c.noise(random, 3, 4, 22);
   return c;
@@ -128,8 +134,8 @@ Canvas hedge(Random& random) {
 
 std::vector<TextureKind> wall_textures() {
   return {
-      {"brick", 4, 4, [](Random& r) { return masonry(r, 52, 16, 1.8, float(r.uniform(75, 125)), float(r.uniform(120, 175)), 22); }},
-      {"stone", 4, 4, [](Random& r) { return masonry(r, 14, 8, 4.0, float(r.uniform(125, 165)), float(r.uniform(75, 105)), 30); }},
+      {"brick", 4, 4, brick_wall},
+      {"stone", 4, 4, [](Random& r) { return masonry(r, 14, 8, 4.0, float(r.uniform(120, 148)), float(r.uniform(96, 112)), 12); }},
       {"plaster", 4, 4, plaster},
       {"boards", 4, 4, boards},
       {"concrete", 4, 4, concrete},

@@ -5,15 +5,12 @@
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/random.h"
 #include "support/plane_scene.h"
+#include "support/twist.h"
 
 namespace edgevo {
 namespace {
 
-Vector6d twist(double vx, double vy, double vz, double wx, double wy, double wz) {
-  Vector6d xi;
-  xi << vx, vy, vz, wx, wy, wz;
-  return xi;
-}
+using test::twist;
 
 double rotation_error_deg(const SE3& a, const SE3& b) { return (a * b.inverse()).angle() * 180 / M_PI; }
 

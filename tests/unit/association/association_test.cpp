@@ -10,15 +10,12 @@
 #include "edgevo/association/uncertainty.h"
 #include "edgevo/core/random.h"
 #include "support/plane_scene.h"
+#include "support/twist.h"
 
 namespace edgevo {
 namespace {
 
-Vector6d twist(double vx, double vy, double vz, double wx, double wy, double wz) {
-  Vector6d xi;
-  xi << vx, vy, vz, wx, wy, wz;
-  return xi;
-}
+using test::twist;
 
 // ---- uncertainty, against Monte Carlo on a synthetic edge ------------------------------------------------------------------
 

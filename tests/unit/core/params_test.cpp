@@ -27,7 +27,7 @@ struct EdgeParams {
 };
 
 struct TestParams {
-  int window = 7;
+  int window = 7, patch = 5;
   bool realtime = false;
   std::string model;
   EdgeParams edges;
@@ -35,6 +35,7 @@ struct TestParams {
     {
       auto g = v.group("mapping");
       v.integer("window", window, 3, 20, "keyframes");
+      v.odd("patch", patch, 3, 11, "side of a patch");
       auto inner = v.group("deep");
       v.boolean("realtime", realtime, "two threads");
     }
@@ -69,6 +70,15 @@ TEST(Params, OverwritesOnlyWhatIsNamed) {
   EXPECT_TRUE(p.realtime);
   EXPECT_EQ(p.window, 7);
   EXPECT_EQ(p.edges.detector, "canny");
+}
+
+TEST(Params, OddNumbersAreOdd) {
+  EXPECT_EQ(read("mapping:\n  patch: 7\n").patch, 7);
+  EXPECT_THAT(error_of("mapping:\n  patch: 6\n"), StartsWith("p.yaml:2: mapping.patch: '6' is even; write an odd number"));
+  EXPECT_THAT(error_of("mapping:\n  patch: 13\n"), HasSubstr("between 3 and 11"));
+  EXPECT_THAT(error_of("mapping:\n  patch: 5.5\n"), HasSubstr("not a whole number"));
+  TestParams p;
+  EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("patch: 5  # side of a patch; [3, 11], odd\n"));
 }
 
 TEST(Params, EmptyTextAndEmptyGroupsChangeNothing) {
@@ -213,7 +223,7 @@ TEST(Params, WrittenValuesReadBackUnchanged) {
 TEST(Params, WritesInTheOrderOfVisitWithHelpAndRange) {
   TestParams p;
   EXPECT_EQ(write_params(visitor(&p), 2),
-            "  mapping:\n    window: 7\n    deep:\n      realtime: false\n  model: ''\n  edges:\n    percentile: 0.9\n"
+            "  mapping:\n    window: 7\n    patch: 5\n    deep:\n      realtime: false\n  model: ''\n  edges:\n    percentile: 0.9\n"
             "    detector: canny\n");
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("window: 7  # keyframes; [3, 20]"));
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("canny | edge_drawing | structured"));

@@ -56,6 +56,34 @@ TEST(Import, IsRepeatable) {
   EXPECT_EQ(test::read_text(folder / "a.rawlog"), test::read_text(folder / "b.rawlog"));
 }
 
+// Three frames, read from files of one name in different folders.
+class SameNames : public ImageSource {
+ public:
+  explicit SameNames(Camera camera) : camera_(std::move(camera)) {}
+  const Camera& camera() const override { return camera_; }
+  std::optional<int> size() const override { return 3; }
+  std::string kind() const override { return "test"; }
+  std::optional<Frame> next() override {
+    if (index_ == 3) return std::nullopt;
+    const int w = camera_.pinhole.width, h = camera_.pinhole.height, i = index_++;
+    return Frame{i, Timestamp::from_seconds(i), {w, h, std::vector<uint8_t>(size_t(w) * h, uint8_t(i))},
+                 "/" + std::to_string(i) + "/left.png"};
+  }
+
+ private:
+  Camera camera_;
+  int index_ = 0;
+};
+
+TEST(Import, ImagesOfOneNameDoNotOverwriteEachOther) {
+  TempFolder folder;
+  test::write_edgevo_layout(folder / "seq", 1);
+  const Camera camera = open_source(source(folder / "seq"))->camera();
+  SameNames frames(camera), again(camera);
+  EXPECT_EQ(import_rawlog(frames, folder / "x.rawlog"), 3);
+  EXPECT_EQ(expect_same_frames(again, *open_source(source(folder / "x.rawlog"))), 3);
+}
+
 TEST(Import, KeepsTheFramesBeforeABadOne) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 4);

@@ -53,6 +53,18 @@ TEST(RawlogSource, ActionsAndSensoryFrames) {
   expect_frames(*s, 3);
 }
 
+// As when a source breaks in the middle of an import: what was written is whole.
+TEST(RawlogSource, OfAWriterThatWasNotClosed) {
+  TempFolder folder;
+  {
+    RawlogWriter writer(folder / "x.rawlog");
+    for (int i = 0; i < 3; ++i) writer.write(embedded(i));
+  }
+  const auto s = test::open(folder / "x.rawlog");
+  EXPECT_EQ(s->size(), 3);
+  expect_frames(*s, 3);
+}
+
 TEST(RawlogSource, LeftImageOfStereo) {
   TempFolder folder;
   RawlogWriter writer(folder / "x.rawlog");

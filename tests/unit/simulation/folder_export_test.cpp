@@ -48,6 +48,20 @@ TEST(FolderExport, FirstPoseIsTheIdentityAndDepthIsExact) {
   EXPECT_EQ(bottom_left, renderer.render_depth(3)[479 * 640]);
 }
 
+TEST(FolderWriter, NamesThatWouldPlayInAnotherOrderAreRefused) {
+  Camera camera;
+  camera.pinhole = {10, 10, 1, 1, 2, 2};
+  const test::TempFolder temp;
+  FolderWriter writer(temp / "out", camera);
+  const auto frame = [](int i, const char* path) { return Frame{i, Timestamp::from_seconds(i), {2, 2, {1, 2, 3, 4}}, path}; };
+  writer.add(frame(0, "/source/img9.png"));
+  writer.add(frame(1, "/source/img10.jpg"));
+  EXPECT_THROW(writer.add(frame(2, "/source/img1.png")), InputError);
+  writer.finish("", "");
+  EXPECT_FALSE(content(temp / "out/images/img10.png").empty());
+  EXPECT_EQ(content(temp / "out/times.txt"), "0.0000000\n1.0000000\n");
+}
+
 TEST(FolderExport, RangeOutsideIsRefused) {
   const SceneRenderer renderer(load_scene("desk"));
   FolderExport options;

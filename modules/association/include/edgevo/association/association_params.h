@@ -10,8 +10,8 @@ struct AssociationParams {
   double max_search_px = 12.0;     ///< cap
   // Template matching.
   bool photometric = true;         ///< search along the edge at all; off: edge matches only
-  int patch_side = 5;              ///< S_p
-  int max_patch_side = 9;          ///< tau_S
+  int patch_side = 5;              ///< S_p, odd
+  int max_patch_side = 9;          ///< tau_S, odd
   double max_cost = 0.35;          ///< mean |a - b| of patches divided by their own mean
   double sigma_c = 0.08;           ///< AML's cost deviation
   double tau_m = 0.3;              ///< match confidence below this is ambiguous

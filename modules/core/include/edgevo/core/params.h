@@ -24,6 +24,8 @@ class ParamVisitor {
   virtual ~ParamVisitor() = default;
   virtual void number(const char* key, double& value, double min, double max, const char* help) = 0;
   virtual void integer(const char* key, int& value, int min, int max, const char* help) = 0;
+  /// An odd integer, such as the side of a patch that has a middle.
+  virtual void odd(const char* key, int& value, int min, int max, const char* help) { integer(key, value, min, max, help); }
   virtual void boolean(const char* key, bool& value, const char* help) = 0;
   /// Free text; with `choices`, one of these.
   virtual void text(const char* key, std::string& value, const std::vector<std::string>& choices,

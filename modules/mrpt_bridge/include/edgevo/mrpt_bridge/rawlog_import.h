@@ -1,6 +1,7 @@
 #pragma once
 // Any ImageSource to a rawlog that the stock MRPT tools play: observations only, one CObservationImage a
-// frame, its image stored externally as an 8-bit gray PNG in `<OUT without suffix>_Images/`. Lossless:
+// frame, its image stored externally as an 8-bit gray PNG in `<OUT without suffix>_Images/` under its own
+// name (its number, where it was no file of its own). Lossless:
 // pixels, times and calibration come back bit for bit. RawLogViewer and rawlog-edit of MRPT 2.5.8 find the
 // images when started in the folder of the rawlog.
 #include <functional>

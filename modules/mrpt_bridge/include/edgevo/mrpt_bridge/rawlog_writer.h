@@ -10,7 +10,7 @@
 
 namespace edgevo {
 
-class GzOutputArchive;
+class ObjectFile;
 
 class RawlogWriter {
  public:
@@ -25,7 +25,7 @@ class RawlogWriter {
   void close();
 
  private:
-  std::unique_ptr<GzOutputArchive> archive_;
+  std::unique_ptr<ObjectFile> file_;
 };
 
 /// "/a/b/x.rawlog" -> "/a/b/x": what the names of the files beside a rawlog begin with (x_Images, ...).

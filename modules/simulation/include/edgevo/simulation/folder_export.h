@@ -26,14 +26,15 @@ class FolderWriter {
  public:
   /// Makes the folders. Throws InputError.
   FolderWriter(std::string folder, const Camera& camera);
-  /// Writes the image under the frame's number in its source. Throws InputError.
+  /// Writes the image under its name in its source, or the frame's number if it has none. Throws InputError, also when the names of the
+  /// source are not in the order of its frames: the folder would play in another order.
   void add(const Frame& frame);
   /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note` that of
   /// SOURCE.md. Throws InputError.
   void finish(const std::string& ground_truth, const std::string& source_note);
 
  private:
-  std::string folder_, times_;
+  std::string folder_, times_, last_name_;
   Camera camera_;
 };
 

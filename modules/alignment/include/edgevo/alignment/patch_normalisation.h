@@ -1,0 +1,29 @@
+#pragma once
+// Patches of zero mean and unit deviation, so that gain and offset of the light cancel. The patch is `count` values, row by row;
+// a constant count unrolls.
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+
+struct PatchMoments {
+  float mean = 0, deviation = 0;
+};
+
+inline PatchMoments patch_moments(const float* value, int count) {
+  float sum = 0, square = 0;
+  for (int i = 0; i < count; ++i) sum += value[i], square += value[i] * value[i];
+  const float mean = sum / float(count);
+  return {mean, std::sqrt(std::max(0.0f, square / float(count) - mean * mean))};
+}
+
+/// Takes out of a patch's derivative what its normalisation cancels: the mean, and the part along the normalised patch itself.
+inline void project_out_normalisation(const float* normalised, int count, float* derivative) {
+  float mean = 0, along = 0;
+  for (int i = 0; i < count; ++i) mean += derivative[i], along += derivative[i] * normalised[i];
+  mean /= float(count);
+  along /= float(count);
+  for (int i = 0; i < count; ++i) derivative[i] -= mean + along * normalised[i];
+}
+
+}  // namespace edgevo
