@@ -9,6 +9,8 @@ namespace edgevo {
 
 namespace {
 
+constexpr double kReferenceWidth = 1241;  // the pixel thresholds are stated at this width
+
 // Image motion by the translation from a keyframe to the camera, of points given in the camera (rays and inverse depths).
 struct Parallax {
   double flow_px = 0, view_share = 0;
@@ -49,22 +51,27 @@ std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCl
 }  // namespace
 
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref,
-                                      double min_view_share) {
+                                      const KeyframeParams& params) {
   constexpr size_t kPoints = 200;
   const std::vector<CloudPoint> seen = visible_points(pinhole, reference.cloud, T_cam_ref, kPoints);
   const SE3 T_world_cam = (T_cam_ref * reference.T_ref_world).inverse();
   NearestKeyframe nearest;
   for (const auto& [id, T_keyframe_world] : reference.T_keyframe_world) {
     const Parallax p = parallax(pinhole, seen, T_keyframe_world * T_world_cam);
-    if (p.view_share < min_view_share) continue;
+    if (p.view_share < params.min_view_share) continue;
     if (nearest.id < 0 || p.flow_px < nearest.flow_px) nearest = {id, p.flow_px};
   }
   return nearest;
 }
 
+bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params) {
+  constexpr double kBackShare = 0.5;
+  return nearest.id >= 0 && nearest.id != reference_id && nearest.flow_px < kBackShare * flow_px &&
+         flow_px * kReferenceWidth / pinhole.width > params.min_flow_px;
+}
+
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                                  int frames_since_keyframe, const KeyframeParams& params) {
-  constexpr double kReferenceWidth = 1241;  // the pixel thresholds are stated at this width
   KeyframeDecision d;
   const Eigen::Matrix3d R = T_cam_ref.R();
   const Eigen::Vector3d t = T_cam_ref.translation();

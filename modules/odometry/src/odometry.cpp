@@ -81,9 +81,10 @@ struct Odometry::Impl {
     tracked.covariance = result.covariance;
     const KeyframeDecision decision = decide_keyframe(builder.pinhole(), reference->cloud, result.T_cur_ref,
                                                       ++frames_since_keyframe, params.mapping.keyframe);
-    const NearestKeyframe nearest = find_nearest_keyframe(builder.pinhole(), *reference, result.T_cur_ref,
-                                                          params.mapping.keyframe.min_view_share);
-    const bool back = nearest.id >= 0 && nearest.id != reference->keyframe_id && nearest.flow_px < kBackShare * decision.flow_px;
+    const NearestKeyframe nearest =
+        find_nearest_keyframe(builder.pinhole(), *reference, result.T_cur_ref, params.mapping.keyframe);
+    const bool back =
+        is_back(builder.pinhole(), nearest, reference->keyframe_id, decision.flow_px, params.mapping.keyframe);
     if (back) tracked.return_to = nearest.id;
     tracked.make_keyframe = decision.needed && !back && !mapping.keyframe_pending();
     if (tracked.make_keyframe) frames_since_keyframe = 0;
@@ -211,7 +212,6 @@ struct Odometry::Impl {
   }
 
   static constexpr int kMinEdges = 200;
-  static constexpr double kBackShare = 0.5;  // back at a keyframe that is nearer by so much than the present reference
 
   OdometryParams params;
   OdometryOptions options;

@@ -99,8 +99,13 @@ struct NearestKeyframe {
   int id = -1;
   double flow_px = 0;        ///< rms image motion of the cloud by the translation from there to here
 };
-/// Among the keyframes that have `min_view_share` of the cloud's visible points in view. Cost: keyframes x 200 projections.
-NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref, double min_view_share);
+/// Among the keyframes that have `params.min_view_share` of the cloud's visible points in view. Cost: keyframes x 200 projections.
+NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref,
+                                      const KeyframeParams& params);
+
+/// Is the camera back at another keyframe than its reference? One that is nearer by half, and the reference is left by more than the
+/// smallest flow: at a standstill all are equally near.
+bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params);
 
 /// Should this frame become a keyframe?
 struct KeyframeDecision {
