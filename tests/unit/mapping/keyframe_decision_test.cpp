@@ -107,5 +107,41 @@ TEST_F(Decision, NoneWhereEverythingIsBehind) {
   EXPECT_EQ(d.flow_px, 0);
 }
 
+// Keyframes 0 to 4, one metre apart to the right of each other; the reference is number 4.
+Reference row_of_keyframes(const Pinhole& camera) {
+  Reference reference;
+  reference.keyframe_id = 4;
+  for (int id = 0; id < 5; ++id) reference.T_keyframe_world[id] = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-id, 0, 0));
+  reference.T_ref_world = reference.T_keyframe_world[4];
+  reference.cloud = grid_cloud(camera);
+  return reference;
+}
+
+TEST_F(Decision, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
+  const Reference reference = row_of_keyframes(camera);
+  params.min_view_share = 0.3;
+  for (const double back : {0.0, 0.9, 1.1, 2.0}) {
+    const NearestKeyframe nearest = find_nearest_keyframe(camera, reference, move(back, 0, 0), params);
+    EXPECT_EQ(nearest.id, 4 - int(std::lround(back))) << back;
+    EXPECT_NEAR(nearest.flow_px, 720 * std::abs(back - std::round(back)) / 7, 15) << back;
+  }
+}
+
+TEST_F(Decision, AKeyframeThatLooksElsewhereIsNotNear) {
+  Reference reference = row_of_keyframes(camera);
+  reference.T_keyframe_world[2] = move(0, 0, 0, 2.0) * reference.T_keyframe_world[2];
+  params.min_view_share = 0.3;
+  EXPECT_NE(find_nearest_keyframe(camera, reference, move(2, 0, 0), params).id, 2);
+}
+
+TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
+  const NearestKeyframe near{2, 3.0};
+  EXPECT_TRUE(is_back(camera, near, 4, 10.0, params));
+  EXPECT_FALSE(is_back(camera, near, 2, 10.0, params)) << "it is the reference";
+  EXPECT_FALSE(is_back(camera, near, 4, 5.0, params)) << "hardly nearer";
+  EXPECT_FALSE(is_back(camera, {2, 0.1}, 4, 1.0, params)) << "a standstill";
+  EXPECT_FALSE(is_back(camera, NearestKeyframe{}, 4, 10.0, params)) << "there is none";
+}
+
 }  // namespace
 }  // namespace edgevo

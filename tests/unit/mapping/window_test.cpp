@@ -260,5 +260,28 @@ TEST(Window, TheCloudHoldsAtMostItsLimit) {
   EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
+TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
+  Window window = true_window(3, 0.0);  // no point is active
+  const Keyframe& newest = window.newest();
+  EXPECT_TRUE(window.cloud(newest).empty());
+  const std::vector<CloudPoint> cloud = window.tracking_cloud(newest);
+  EXPECT_GT(cloud.size(), 100u);
+  EXPECT_LE(cloud.size(), newest.immature.size());
+  for (const CloudPoint& p : cloud) {
+    EXPECT_GT(p.idepth, 0);
+    EXPECT_GT(p.idepth_sigma, 0);
+  }
+}
+
+TEST(Window, TheCloudOfAnOlderKeyframeIsWhatThatOneSees) {
+  Window window = true_window(5, 0.0);
+  window.activate(2, 2);
+  const Keyframe& older = window.keyframes()[1];
+  const std::vector<CloudPoint> cloud = window.cloud(older);
+  EXPECT_GT(cloud.size(), 50u);
+  for (const CloudPoint& p : cloud)
+    EXPECT_NEAR(p.idepth, Sweep::idepth(older.frame_index, p.px.cast<double>()), 0.1 * p.idepth);
+}
+
 }  // namespace
 }  // namespace edgevo
