@@ -1,13 +1,11 @@
-#include <csignal>
 #include <cstdio>
 #include <memory>
-#include <opencv2/core.hpp>
 
 #include "commands.h"
+#include "drive.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/scale_run.h"
 #include "edgevo/datasets/open_source.h"
-#include "edgevo/odometry/odometry.h"
 #include "option_checks.h"
 #include "progress.h"
 #include "run_outputs.h"
@@ -27,9 +25,6 @@ struct RunArguments {
   bool realtime = false, quiet = false;
   std::vector<std::string> command_line;
 };
-
-volatile std::sig_atomic_t interrupted = 0;
-void on_interrupt(int) { interrupted = 1; }
 
 RunParams effective_params(const RunArguments& args) {
   RunParams params;
@@ -51,24 +46,23 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
-// Feeds the source to the odometry until it ends, breaks, or the user stops it. What broke it is returned, not thrown, so that
-// what was computed before is written first.
-std::exception_ptr feed(ImageSource& source, Odometry& odometry, RunOutputs& outputs, bool quiet) {
+// What is to be done after each frame: keep its image for the playback, and show how far we are.
+std::function<bool(const Frame&)> after_each_frame(RunOutputs& outputs, std::optional<Progress>& progress) {
+  return [&, done = 0](const Frame& frame) mutable {
+    if (!outputs.add_frame(frame, frame.image_path)) return false;
+    if (progress) progress->update(++done);
+    return true;
+  };
+}
+
+Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params, RunOutputs& outputs) {
+  OdometryOptions options;
+  options.seed = args.seed;
+  options.realtime = args.realtime;
+  if (!args.quiet) options.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   std::optional<Progress> progress;
-  if (!quiet) progress.emplace("tracking", source.size());
-  try {
-    int done = 0;
-    while (!interrupted) {
-      const std::optional<Frame> frame = source.next();
-      if (!frame) break;
-      odometry.process(*frame);
-      if (!outputs.add_frame(*frame, frame->image_path)) break;
-      if (progress) progress->update(++done);
-    }
-  } catch (const std::exception&) {
-    return std::current_exception();
-  }
-  return nullptr;
+  if (!args.quiet) progress.emplace("tracking", source.size());
+  return drive(source, params, options, after_each_frame(outputs, progress));
 }
 
 void print_summary(const Run& run, const std::string& out) {
@@ -96,25 +90,15 @@ int run(const RunArguments& args) {
   check_scale_option(args.scale);
   const std::unique_ptr<ImageSource> source = open_source(args.source);
   RunOutputs outputs(args.out, source->camera(), params.occupancy);
-  OdometryOptions options;
-  options.seed = args.seed;
-  options.realtime = args.realtime;
-  if (!args.quiet) options.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
-  cv::setNumThreads(1);  // the threads are ours: tracking and mapping
-  Odometry odometry(source->camera(), params.odometry, options);
-
-  interrupted = 0;
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);  // job schedulers end a run this way
-  const std::exception_ptr broken = feed(*source, odometry, outputs, args.quiet);
-  Run result = odometry.finish();
-  result.T_vehicle_cam = source->T_vehicle_cam();
+  listen_to_signals();
+  Drive driven = drive_as_asked(args, *source, params.odometry, outputs);
+  Run& result = driven.run;
   apply_scale_option(args.scale, &result);
   RunInfo info = describe(args, *source, params);
-  info.interrupted = broken || interrupted;
+  info.interrupted = driven.broken || interrupted();
   outputs.finish(result, info);
   if (!args.quiet) print_summary(result, args.out);
-  if (broken) std::rethrow_exception(broken);
+  if (driven.broken) std::rethrow_exception(driven.broken);
   if (mostly_failed(result)) {
     std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv\n", args.source.path.c_str(),
                  args.out.c_str());

@@ -86,6 +86,7 @@ std::string calibration_statement(const CameraRefinement& c) {
 // x_file = x (1 + residual_k1 r^2): before the file's own distortion.
 void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
   y->open("self_calibration");
+  y->text("state", to_string(c.state));
   y->text("result", calibration_statement(c));
   y->number("residual_k1", c.k1, 5);
   if (c.sigma > 0) {

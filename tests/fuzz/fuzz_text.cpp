@@ -5,6 +5,7 @@
 #include "edgevo/core/timestamp.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/open_source.h"
+#include "edgevo/evaluation/bench_list.h"
 #include "edgevo/evaluation/trajectory.h"
 #include "fuzz/mutate.h"
 
@@ -61,6 +62,15 @@ TEST(FuzzText, Parameters) {
 TEST(FuzzText, Trajectory) {
   expect_both(fuzz("# t tx ty tz qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3.5 0 0.6 0 0.8\n", kRounds, 5,
                    [](const std::string& text) { parse_trajectory(text, "f"); }));
+}
+
+TEST(FuzzText, BenchList) {
+  expect_both(fuzz("seeds: 1..3 7\nvariants: normal every3+glare\nsequences:\n  a:\n    source: scene:desk\n  b:\n    source: x\n    variants: glare\n",
+                   kRounds, 8, [](const std::string& text) {
+                     const BenchList list = parse_bench_list(text, "f", {"glare"});
+                     EXPECT_GT(list.jobs(), 0) << text;
+                     for (const BenchSequence& s : list.sequences) EXPECT_EQ(s.name.find_first_of("/."), std::string::npos) << text;
+                   }));
 }
 
 TEST(FuzzText, FrameRange) {

@@ -1,4 +1,4 @@
-#include "block_yaml.h"
+#include "edgevo/core/block_yaml.h"
 
 #include <algorithm>
 #include <cctype>

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "block_yaml.h"
+#include "edgevo/core/block_yaml.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 

@@ -7,10 +7,10 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/subsample.h"
 #include "edgevo/datasets/virtual_kitti.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "sequence.h"
-#include "subsampled_source.h"
 #include "text_file.h"
 #include "video_source.h"
 

@@ -62,6 +62,13 @@ struct CameraRefinement {
   int keyframes = 0;    ///< that the estimate rests on
 };
 
+/// Words for the states in files, in their order.
+inline const std::vector<std::string>& refinement_state_names() {
+  static const std::vector<std::string> names{"off", "too_early", "not_observable", "insignificant", "applied"};
+  return names;
+}
+inline const std::string& to_string(CameraRefinement::State state) { return refinement_state_names()[size_t(state)]; }
+
 struct Run {
   Pinhole pinhole;             ///< of the undistorted images, camera.k1 taken out; EdgePoint::px refers to it
   CameraRefinement camera;

@@ -1,4 +1,4 @@
-#include "subsampled_source.h"
+#include "edgevo/datasets/subsample.h"
 
 #include <algorithm>
 #include <climits>

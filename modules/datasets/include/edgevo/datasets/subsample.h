@@ -1,4 +1,5 @@
 #pragma once
+// Some frames of another source, as --frames and --every choose them.
 #include <memory>
 
 #include "edgevo/core/image_source.h"

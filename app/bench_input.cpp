@@ -1,0 +1,116 @@
+#include "bench_input.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "drive.h"
+#include "edgevo/core/block_yaml.h"
+#include "edgevo/core/error.h"
+#include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/ground_truth.h"
+#include "edgevo/datasets/subsample.h"
+#include "edgevo/simulation/folder_export.h"
+#include "edgevo/simulation/relit_source.h"
+#include "edgevo/simulation/rendered_source.h"
+#include "progress.h"
+
+namespace edgevo::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kScene = "scene:";
+
+// `path` itself if it is absolute, else below `folder`.
+std::string below(const fs::path& folder, const std::string& path) { return path.empty() ? "" : (folder / path).lexically_normal().string(); }
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+bool is_scene_name(const std::string& name) {
+  const std::vector<std::string> names = scene_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Puts the line of the list before an error that comes from what it names.
+template <class Read>
+void at(const std::string& where, Read&& read) {
+  try {
+    read();
+  } catch (const InputError& e) {
+    throw InputError(where, e.what(), "");
+  }
+}
+
+std::string indented(const std::string& text) {
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);) result += "  " + line + '\n';
+  return result;
+}
+
+}  // namespace
+
+BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list) : sequence_(sequence) {
+  const fs::path beside = fs::path(list).parent_path();
+  const std::string& where = sequence.where;
+  const bool is_scene = sequence.source.rfind(kScene, 0) == 0;
+  if (is_scene) scene_ = sequence.source.substr(kScene.size());
+  if (is_scene && !is_scene_name(scene_)) scene_ = below(beside, scene_);
+  source_.path = below(data, sequence.source);
+  source_.camera_file = below(beside, sequence.camera);
+  if (!is_scene_name(scene_) && !is_there(is_scene ? scene_ : source_.path))
+    throw InputError(where, "there is no " + (is_scene ? "scene '" + scene_ : "'" + source_.path) + "'",
+                     is_scene ? "name one that ships with the program or a YAML file" : "give the folder of the data with --data DIR");
+  at(where, [&] {
+    if (!sequence.frames.empty()) set_frame_range(sequence.frames, &source_);
+    if (!source_.camera_file.empty()) camera_text_ = camera_yaml(read_camera_file(source_.camera_file), "");
+    if (!sequence.params.empty()) read_params_file(below(beside, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
+  });
+  if (is_scene && !camera_text_.empty()) throw InputError(where, "a scene has its own camera", "leave `camera` out");
+}
+
+void BenchInput::render() {
+  const auto renderer = std::make_shared<const SceneRenderer>(load_scene(scene_));
+  RenderedSource rendered(renderer, source_.first, source_.last.value_or(-1));
+  const int begin = source_.first, end = begin + *rendered.size();
+  ground_truth_ = ground_truth_tum(*renderer, begin, end);
+  Progress progress("rendering " + sequence_.name, rendered.size());
+  clip_ = read_clip(rendered, [&](int done) {
+    progress.update(done);
+    return !interrupted();
+  });
+}
+
+std::unique_ptr<ImageSource> BenchInput::open_scene() {
+  if (!clip_) render();
+  return std::make_unique<ClipSource>(clip_);
+}
+
+std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint64_t seed) {
+  std::unique_ptr<ImageSource> source;
+  if (scene_.empty()) {
+    SourceOptions options = source_;
+    options.every = variant.every;
+    source = open_source(options);
+    ground_truth_ = edgevo::ground_truth_tum(options, *source);
+  } else {
+    SourceOptions thinned;
+    thinned.every = variant.every;
+    source = subsample(open_scene(), thinned);
+  }
+  if (variant.light.empty()) return source;
+  return std::make_unique<RelitSource>(std::move(source), Relight(variant.light, seed));
+}
+
+std::string BenchInput::description() const {
+  const auto visit = [this](ParamVisitor& v) { RunParams(params_).visit(v); };
+  const std::string camera = camera_text_.empty() ? "" : "camera: |\n" + indented(camera_text_);
+  return "sequence: " + yaml_scalar(sequence_.name) + "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScene) + scene_) +
+         "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" + write_params(visit, 2);
+}
+
+}  // namespace edgevo::app

@@ -1,0 +1,91 @@
+#include "bench_job.h"
+
+#include <filesystem>
+
+#include "drive.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/evaluation/evaluate.h"
+#include "progress.h"
+#include "run_outputs_text.h"
+
+namespace edgevo::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTrajectory = "trajectory_tum.txt";
+
+std::string in_folder(const BenchJob& job, const char* name) { return (fs::path(job.folder) / name).string(); }
+
+VisitParams figures_of(Trial* trial) {
+  return [trial](ParamVisitor& v) { trial->visit(v); };
+}
+
+// A trajectory that cannot be compared is a result, too: a note says why.
+void evaluate_trajectory(const BenchJob& job, const std::string& truth_text, Trial* trial) {
+  if (truth_text.empty()) {
+    trial->note = "no ground truth";
+    return;
+  }
+  const Trajectory truth = parse_trajectory(truth_text, "ground truth of " + job.folder);
+  if (trial->completion_percent == 0) {
+    trial->note = "no frame has a pose";
+    return;
+  }
+  try {
+    add_errors(evaluate(read_trajectory(in_folder(job, kTrajectory)), truth, {}), trial);
+  } catch (const InputError& e) {
+    trial->note = e.what();
+  }
+}
+
+void begin_folder(const BenchJob& job) {
+  make_output_folder(job.folder);
+  std::error_code ignored;
+  fs::remove(in_folder(job, "job.yaml"), ignored);  // until the job has ended again, it has not
+}
+
+}  // namespace
+
+BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out, const std::string& version) {
+  BenchJob job{variant, seed, {}, {}};
+  job.folder = (fs::path(out) / input.sequence().name / variant.name / ("seed" + std::to_string(seed))).string();
+  job.description = "edgevo: \"" + version + "\"\nvariant: " + variant.name + "\nseed: " + std::to_string(seed) + '\n' + input.description();
+  return job;
+}
+
+std::optional<Trial> finished_trial(const BenchJob& job) {
+  const std::string path = in_folder(job, "job.yaml"), result = in_folder(job, "result.yaml");
+  const std::string remedy = "remove " + job.folder + " to run the job again";
+  std::error_code ignored;
+  if (!fs::exists(path, ignored) || read_file(path, remedy) != job.description) return std::nullopt;
+  Trial trial;
+  read_params(read_file(result, remedy), result, figures_of(&trial));
+  return trial;
+}
+
+std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::string& title) {
+  begin_folder(job);
+  const std::unique_ptr<ImageSource> source = input.open(job.variant, job.seed);
+  if (interrupted()) return std::nullopt;  // while a scene was rendered
+  OdometryOptions options;
+  options.seed = job.seed;
+  Progress progress(title, source->size());
+  const Drive driven = drive(*source, input.params().odometry, options, [&, done = 0](const Frame&) mutable {
+    progress.update(++done);
+    return true;
+  });
+  if (driven.broken) std::rethrow_exception(driven.broken);
+  if (interrupted()) return std::nullopt;
+  write_file(in_folder(job, kTrajectory), trajectory_tum(driven.run, PoseKind::kFinal));
+  write_file(in_folder(job, "frames.csv"), frames_csv(driven.run));
+  Trial trial = trial_of(driven.run, driven.cpu_s);
+  evaluate_trajectory(job, input.ground_truth(), &trial);
+  write_file(in_folder(job, "result.yaml"), write_params(figures_of(&trial)));
+  write_file(in_folder(job, "job.yaml"), job.description);
+  return trial;
+}
+
+}  // namespace edgevo::app

@@ -1,0 +1,33 @@
+#pragma once
+// One job of a benchmark: a sequence under a variant with a seed, and its folder of results.
+//
+//   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, frames.csv   as `edgevo run` writes them
+//                              result.yaml                      the figures (evaluation/trial.h)
+//                              job.yaml                         what was run, by which version; written last: the job has ended
+//
+// A job whose job.yaml tells the same as it would write now is not run again.
+#include <optional>
+
+#include "bench_input.h"
+#include "edgevo/evaluation/trial.h"
+
+namespace edgevo::app {
+
+struct BenchJob {
+  BenchVariant variant;
+  uint64_t seed = 1;
+  std::string folder, description;
+};
+
+/// `out` is OUT, `version` what tells one build of the program from another.
+BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out, const std::string& version);
+
+/// The result of a job that has ended before; nullopt if it has not, or was another one. Throws InputError for a result that was changed by
+/// other hands.
+std::optional<Trial> finished_trial(const BenchJob& job);
+
+/// Runs the job and writes its folder; nullopt when a signal has ended it. Throws InputError: a broken source, no room. `title` opens the
+/// progress line.
+std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::string& title);
+
+}  // namespace edgevo::app

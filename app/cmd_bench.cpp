@@ -1,0 +1,136 @@
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "bench_job.h"
+#include "commands.h"
+#include "drive.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/evaluation/bench_table.h"
+#include "edgevo/simulation/relight.h"
+#include "edgevo_build_info.h"
+#include "option_checks.h"
+
+namespace edgevo::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchArguments {
+  std::string list, out, data = ".";
+};
+
+struct Progression {
+  int jobs = 0, ran = 0, taken = 0;
+  std::optional<InputError> first_failure;
+  int ended() const { return ran + taken; }
+};
+
+std::string version() { return std::string(build_info::kVersion) + " " + build_info::kGitHash + " " + build_info::kBuildType; }
+
+// As the operating system names it.
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
+  return "unknown";
+}
+
+std::string parameter_files(const BenchList& list) {
+  std::string text;
+  for (const BenchSequence& s : list.sequences)
+    if (!s.params.empty()) text += ", " + s.params + " for " + s.name;
+  return "the defaults" + text + "; in full in each job.yaml";
+}
+
+BenchHeader make_header(const BenchList& list) {
+  std::string seeds;
+  for (const uint64_t seed : list.seeds) seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
+  return {{"edgevo", version()},
+          {"machine", processor_name() + ", one thread a job"},
+          {"trials", std::to_string(list.seeds.size()) + " of each, seeds " + seeds},
+          {"parameters", parameter_files(list)},
+          {"CPU", "of the odometry alone; images are read or rendered beforehand"}};
+}
+
+// One job, or what it left before. False when a signal has ended it.
+bool do_job(const BenchJob& job, BenchInput& input, BenchRow* row, Progression* all) {
+  ++row->missing;
+  try {
+    std::optional<Trial> trial = finished_trial(job);
+    int& count = trial ? all->taken : all->ran;
+    if (!trial) {
+      const std::string title = std::to_string(all->ended() + 1) + "/" + std::to_string(all->jobs) + " " + row->sequence + " " + row->variant +
+                                " seed " + std::to_string(job.seed);
+      trial = run_job(job, input, title);
+      if (!trial) return false;
+    }
+    ++count, --row->missing;
+    row->trials.push_back(*trial);
+  } catch (const InputError& e) {
+    if (!all->first_failure) all->first_failure = e;
+  }
+  return !interrupted();
+}
+
+std::vector<BenchRow> do_jobs(const BenchList& list, std::vector<BenchInput>& inputs, const std::string& out, Progression* all) {
+  std::vector<BenchRow> rows;
+  bool go_on = true;
+  for (BenchInput& input : inputs) {
+    for (const BenchVariant& variant : input.sequence().variants) {
+      rows.push_back({input.sequence().name, variant.name, {}, 0});
+      for (const uint64_t seed : list.seeds) {
+        if (go_on)
+          go_on = do_job(make_job(input, variant, seed, out, version()), input, &rows.back(), all);
+        else
+          ++rows.back().missing;
+      }
+    }
+    input.release();
+  }
+  return rows;
+}
+
+void throw_if_incomplete(const Progression& all, const std::string& out) {
+  const std::string counts = std::to_string(all.ended()) + " of " + std::to_string(all.jobs) + " jobs have ended";
+  if (interrupted()) throw InputError(out, "interrupted: " + counts, "call again to go on");
+  if (all.first_failure) throw InputError(out, counts + "; first failure: " + all.first_failure->what(), "");
+}
+
+int bench(const BenchArguments& args) {
+  const BenchList list =
+      parse_bench_list(read_file(args.list, "give a list such as share/bench/rendered.yaml"), args.list, relight_kinds());
+  std::vector<BenchInput> inputs;
+  for (const BenchSequence& sequence : list.sequences) inputs.emplace_back(sequence, args.data, args.list);
+  make_output_folder(args.out);
+  listen_to_signals();
+  Progression all;
+  all.jobs = list.jobs();
+  const std::vector<BenchRow> rows = do_jobs(list, inputs, args.out, &all);
+  const BenchHeader header = make_header(list);
+  const std::string table = bench_markdown(header, rows);
+  write_file((fs::path(args.out) / "table.md").string(), table);
+  write_file((fs::path(args.out) / "table.csv").string(), bench_csv(header, rows));
+  std::printf("%s\n%d jobs: %d run, %d had been run before; table.md and table.csv in %s\n", table.c_str(), all.jobs, all.ran, all.taken,
+              args.out.c_str());
+  throw_if_incomplete(all, args.out);
+  return 0;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Action* action) {
+  CLI::App* command = app.add_subcommand("bench", "sequences x variants x seeds: runs, errors, one table");
+  auto args = std::make_shared<BenchArguments>();
+  command->add_option("LIST", args->list, "YAML list of sequences, such as share/bench/rendered.yaml")->required();
+  command->add_option("-o,--out", args->out, "folder for table and jobs; jobs that ended there before are not run again")
+      ->required()
+      ->check(path_given());
+  command->add_option("--data", args->data, "folder that the sources of LIST are in (default: the current one)")->check(path_given());
+  command->callback([=] { *action = [=] { return bench(*args); }; });
+}
+
+}  // namespace edgevo::app

@@ -1,0 +1,28 @@
+#pragma once
+// A source through the odometry, from its first frame to its last or to Ctrl-C: what `edgevo run` and `edgevo bench` have in common.
+#include <exception>
+#include <functional>
+
+#include "edgevo/core/image_source.h"
+#include "edgevo/core/records.h"
+#include "edgevo/odometry/odometry.h"
+
+namespace edgevo::app {
+
+struct Drive {
+  Run run;
+  double cpu_s = 0;           ///< of the odometry, all threads: reading images and `on_frame` are not in it
+  std::exception_ptr broken;  ///< what the source threw, if it did: `run` is the part before
+};
+
+/// `on_frame` is called after each frame; false ends the drive. Throws InputError for an unusable camera or detector; what the source
+/// throws is returned, so that what was computed before can be written first.
+Drive drive(ImageSource& source, const OdometryParams& params, const OdometryOptions& options,
+            const std::function<bool(const Frame&)>& on_frame);
+
+/// From here on SIGINT and SIGTERM (job schedulers end a run by it) no longer end the program: they end drives.
+void listen_to_signals();
+/// Such a signal has come.
+bool interrupted();
+
+}  // namespace edgevo::app

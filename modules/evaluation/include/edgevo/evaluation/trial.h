@@ -1,0 +1,33 @@
+#pragma once
+// The figures of one run that a benchmark's table is made of, as a value that is written to a file and read back.
+#include <limits>
+#include <string>
+
+#include "edgevo/core/params.h"
+#include "edgevo/core/records.h"
+#include "edgevo/evaluation/evaluate.h"
+
+namespace edgevo {
+
+struct Trial {
+  int frames = 0;                 ///< put in
+  double completion_percent = 0;  ///< of them, with a pose
+  int segments = 0;
+  double cpu_ms = 0;              ///< of the odometry a frame, all threads; images are read or rendered beforehand
+  bool evaluated = false;         ///< against ground truth; if not, `note` says why and the figures below say nothing
+  std::string note;
+  double path_m = 0;              ///< of the ground truth
+  double ate_m = 0;               ///< RMSE after Sim(3)
+  double ate200_m = 0;            ///< scale re-corrected every 200 input frames (absolute_error.h)
+  double drift_cm_per_m = 0;
+
+  void visit(ParamVisitor& v);
+};
+
+/// What the run itself tells; `cpu_s` of all its frames.
+Trial trial_of(const Run& run, double cpu_s);
+
+/// Adds the errors to a trial.
+void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial);
+
+}  // namespace edgevo

@@ -1,0 +1,164 @@
+#include "edgevo/evaluation/bench_list.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "edgevo/core/block_yaml.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/params.h"
+
+namespace edgevo {
+namespace {
+
+constexpr const char* kGroup = "sequences.";
+
+// The texts of the file, strictly read, and the place of each key.
+struct RawList {
+  std::string seeds = "1..5", variants = "normal";
+  std::vector<BenchSequence> sequences;
+  std::vector<std::string> sequence_variants;  // of each sequence; empty: those of all
+  std::map<std::string, std::string> places;   // dotted key -> "file:line"
+  std::string file;
+
+  std::string place(const std::string& key) const {
+    const auto it = places.find(key);
+    return it == places.end() ? file : it->second;
+  }
+};
+
+std::vector<std::string> words(const std::string& text, const char* separators) {
+  std::vector<std::string> all;
+  for (size_t begin = 0; (begin = text.find_first_not_of(separators, begin)) != std::string::npos;) {
+    const size_t end = std::min(text.find_first_of(separators, begin), text.size());
+    all.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return all;
+}
+
+// True for `text` that is one whole number and nothing else.
+template <class T>
+bool whole(const std::string& text, T* value) {
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), *value);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size();
+}
+
+void add_seeds(const std::string& word, const std::string& where, std::vector<uint64_t>* seeds) {
+  constexpr uint64_t kMost = 1000;
+  const size_t dots = word.find("..");
+  uint64_t first = 0, last = 0;
+  const bool good = dots == std::string::npos ? whole(word, &first) && whole(word, &last)
+                                              : whole(word.substr(0, dots), &first) && whole(word.substr(dots + 2), &last);
+  if (!good || last < first || last - first >= kMost)
+    throw InputError(where, "'" + word + "' is no seed", "write whole numbers as `1 2 7` or `1..5`, a thousand at most");
+  for (uint64_t i = 0; i <= last - first; ++i) {
+    if (std::find(seeds->begin(), seeds->end(), first + i) != seeds->end())
+      throw InputError(where, "the seed " + std::to_string(first + i) + " stands there twice", "keep one");
+    seeds->push_back(first + i);
+  }
+}
+
+void add_effect(const std::string& word, const std::string& where, const std::vector<std::string>& lights, BenchVariant* variant) {
+  constexpr std::string_view kEvery = "every";
+  const bool thins = word.compare(0, kEvery.size(), kEvery) == 0;
+  if (thins && whole(word.substr(kEvery.size()), &variant->every) && variant->every >= 1) return;
+  if (word == "normal") return;
+  if (std::find(lights.begin(), lights.end(), word) == lights.end()) {
+    std::vector<std::string> known = lights;
+    known.insert(known.end(), {"normal", "every3"});
+    throw InputError(where, "unknown variant '" + word + "'", "did you mean '" + nearest_name(word, known) + "'?");
+  }
+  if (!variant->light.empty()) throw InputError(where, "'" + variant->name + "' changes the light twice", "keep one");
+  variant->light = word;
+}
+
+std::vector<BenchVariant> parse_variants(const std::string& text, const std::string& where, const std::vector<std::string>& lights) {
+  std::vector<BenchVariant> variants;
+  std::set<std::string> names;
+  for (const std::string& name : words(text, " \t,")) {
+    if (!names.insert(name).second) throw InputError(where, "the variant '" + name + "' stands there twice", "keep one");
+    BenchVariant variant;
+    variant.name = name;
+    if (words(name, "+").empty()) throw InputError(where, "'" + name + "' is no variant", "write for example every3+glare");
+    for (const std::string& word : words(name, "+")) add_effect(word, where, lights, &variant);
+    variants.push_back(variant);
+  }
+  if (variants.empty()) throw InputError(where, "names no variant", "write for example `variants: normal`");
+  return variants;
+}
+
+// Sequences have names of the user's choosing: a first look finds them, so that the strict reader knows all keys.
+void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
+  std::set<std::string> names;
+  for (const YamlEntry& entry : entries) {
+    list->places[entry.key] = list->file + ":" + std::to_string(entry.line);
+    if (entry.key.rfind(kGroup, 0) != 0) continue;
+    const std::string name = entry.key.substr(std::string_view(kGroup).size());
+    if (names.count(name.substr(0, name.find('.')))) continue;
+    if (entry.has_value)
+      throw InputError(list->place(entry.key), "the sequence '" + name + "' is not a group", "write its `source: ...` indented below it");
+    if (name.find('.') != std::string::npos)
+      throw InputError(list->place(entry.key), "a sequence's name holds a dot", "use letters, digits, - and _");
+    names.insert(name);
+    BenchSequence sequence;
+    sequence.name = name;
+    sequence.where = list->place(entry.key);
+    list->sequences.push_back(sequence);
+  }
+  list->sequence_variants.resize(list->sequences.size());
+}
+
+void visit(ParamVisitor& v, RawList* list) {
+  v.text("seeds", list->seeds, {}, "");
+  v.text("variants", list->variants, {}, "");
+  const auto all = v.group("sequences");
+  for (size_t i = 0; i < list->sequences.size(); ++i) {
+    BenchSequence& s = list->sequences[i];
+    const auto one = v.group(s.name.c_str());
+    v.text("source", s.source, {}, "");
+    v.text("frames", s.frames, {}, "");
+    v.text("camera", s.camera, {}, "");
+    v.text("params", s.params, {}, "");
+    v.text("variants", list->sequence_variants[i], {}, "");
+  }
+}
+
+RawList read_raw(const std::string& text, const std::string& where) {
+  RawList list;
+  list.file = where;
+  find_sequences(parse_block_yaml(text, where), &list);
+  read_params(text, where, [&](ParamVisitor& v) { visit(v, &list); });
+  if (list.sequences.empty()) throw InputError(where, "names no sequence", "see share/bench/rendered.yaml");
+  return list;
+}
+
+}  // namespace
+
+int BenchList::jobs() const {
+  size_t count = 0;
+  for (const BenchSequence& s : sequences) count += s.variants.size() * seeds.size();
+  return int(count);
+}
+
+BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights) {
+  RawList raw = read_raw(text, where);
+  BenchList list;
+  for (const std::string& word : words(raw.seeds, " \t,")) add_seeds(word, raw.place("seeds"), &list.seeds);
+  if (list.seeds.empty()) throw InputError(raw.place("seeds"), "names no seed", "write for example `seeds: 1..5`");
+  for (size_t i = 0; i < raw.sequences.size(); ++i) {
+    BenchSequence& s = raw.sequences[i];
+    if (s.source.empty())
+      throw InputError(s.where, "the sequence '" + s.name + "' has no source", "write `source: ...` indented below it");
+    const std::string group = kGroup + s.name, own = raw.sequence_variants[i];
+    s.where = raw.place(group + ".source");
+    s.variants = own.empty() ? parse_variants(raw.variants, raw.place("variants"), lights)
+                             : parse_variants(own, raw.place(group + ".variants"), lights);
+    list.sequences.push_back(s);
+  }
+  return list;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,45 @@
+#include "edgevo/evaluation/trial.h"
+
+#include <algorithm>
+
+namespace edgevo {
+
+void Trial::visit(ParamVisitor& v) {
+  constexpr int kMany = std::numeric_limits<int>::max();
+  constexpr double kLarge = std::numeric_limits<double>::max();
+  v.integer("frames", frames, 0, kMany, "put in");
+  v.number("completion_percent", completion_percent, 0, 100, "frames with a pose");
+  v.integer("segments", segments, 0, kMany, "connected stretches of trajectory");
+  v.number("cpu_ms", cpu_ms, 0, kLarge, "of the odometry a frame");
+  v.boolean("evaluated", evaluated, "against ground truth");
+  v.text("note", note, {}, "why not");
+  v.number("path_m", path_m, 0, kLarge, "of the ground truth");
+  v.number("ate_m", ate_m, 0, kLarge, "RMSE after Sim(3)");
+  v.number("ate200_m", ate200_m, 0, kLarge, "scale re-corrected every 200 input frames");
+  v.number("drift_cm_per_m", drift_cm_per_m, 0, kLarge, "mean over stretches");
+}
+
+Trial trial_of(const Run& run, double cpu_s) {
+  Trial trial;
+  trial.frames = int(run.frames.size());
+  int posed = 0;
+  for (const FrameRecord& frame : run.frames) {
+    posed += frame.T_world_cam.has_value();
+    trial.segments = std::max(trial.segments, frame.segment + 1);
+  }
+  if (trial.frames == 0) return trial;
+  trial.completion_percent = 100.0 * posed / trial.frames;
+  trial.cpu_ms = 1000.0 * cpu_s / trial.frames;
+  return trial;
+}
+
+void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
+  trial->evaluated = true;
+  trial->ate_m = evaluation.ate_sim3.rmse;
+  trial->ate200_m = evaluation.ate_blocks.rmse;
+  if (!evaluation.drift) return;
+  trial->path_m = evaluation.drift->path_m;
+  trial->drift_cm_per_m = evaluation.drift->mean_cm_per_m;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,36 @@
+#pragma once
+// A source held in memory, to be played many times: rendering a frame costs more than tracking it.
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "edgevo/core/image_source.h"
+
+namespace edgevo {
+
+struct Clip {
+  Camera camera;
+  std::string kind;
+  std::vector<Frame> frames;
+};
+
+/// Reads a source to its end, calling `on_frame` with the number of frames so far; false from it ends the clip there. Memory: the images.
+std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame);
+
+class ClipSource : public ImageSource {
+ public:
+  explicit ClipSource(std::shared_ptr<const Clip> clip) : clip_(std::move(clip)) {}
+
+  const Camera& camera() const override { return clip_->camera; }
+  std::optional<int> size() const override { return int(clip_->frames.size()); }
+  std::string kind() const override { return clip_->kind; }
+  std::vector<Timestamp> times() const override;
+  std::optional<Frame> next() override;
+  bool skip() override;
+
+ private:
+  std::shared_ptr<const Clip> clip_;
+  size_t next_ = 0;
+};
+
+}  // namespace edgevo

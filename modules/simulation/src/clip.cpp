@@ -1,0 +1,31 @@
+#include "edgevo/simulation/clip.h"
+
+namespace edgevo {
+
+std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame) {
+  auto clip = std::make_shared<Clip>(Clip{source.camera(), source.kind(), {}});
+  while (std::optional<Frame> frame = source.next()) {
+    clip->frames.push_back(std::move(*frame));
+    if (!on_frame(int(clip->frames.size()))) break;
+  }
+  return clip;
+}
+
+std::vector<Timestamp> ClipSource::times() const {
+  std::vector<Timestamp> times;
+  for (const Frame& frame : clip_->frames) times.push_back(frame.time);
+  return times;
+}
+
+std::optional<Frame> ClipSource::next() {
+  if (next_ >= clip_->frames.size()) return std::nullopt;
+  return clip_->frames[next_++];
+}
+
+bool ClipSource::skip() {
+  if (next_ >= clip_->frames.size()) return false;
+  ++next_;
+  return true;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,69 @@
+#!/bin/sh
+# A small benchmark, twice: the second time runs nothing; a spoilt job and a changed list are run again; bad lists are told by their line.
+. "$(dirname "$0")/cli_common.sh"
+
+cat >list.yaml <<'EOF'
+seeds: 1 7
+variants: normal every2+glare
+sequences:
+  desk:
+    source: scene:desk
+    frames: 0:40
+  recorded:
+    source: desk
+    frames: 0:25
+    variants: normal
+EOF
+run_code 0 "$edgevo" bench list.yaml -o out --data "$scenes"
+sed 's/^/      /' stdout
+check "jobs run" "$(grep -c '^6 jobs: 6 run, 0 had been run before' stdout)" -eq 1
+check "rows of table.csv" "$(grep -c '^desk,\|^recorded,' out/table.csv)" -eq 3
+check "rows of table.md" "$(grep -c '^| desk |\|^| recorded |' out/table.md)" -eq 3
+check "header of table.csv" "$(grep -c '^# \(edgevo\|machine\|trials\|parameters\): .' out/table.csv)" -eq 4
+column() { awk -F, -v row="$1" -v name="$2" '/^sequence,/ { for (i = 1; i <= NF; ++i) if ($i == name) c = i }
+  $1 "," $2 == row { print $c }' out/table.csv; }
+below "median ATE, % of the path" "$(column desk,normal ate_percent_median)" 2
+check "every second frame" "$(rows out/desk/every2+glare/seed7)" -eq 20
+check "completion" "$(column recorded,normal completion_percent_median | cut -d. -f1)" -ge 80
+below "the worst seed is not better than the median" "$(column desk,normal ate_m_median)" "$(column desk,normal ate_m_worst)1"
+
+# The same figures as run and eval give.
+run_code 0 "$edgevo" run "$scenes/desk" --frames 0:25 --seed 7 -o single --quiet
+same "trajectory of run and of bench" single/trajectory_tum.txt out/recorded/normal/seed7/trajectory_tum.txt
+below "ATE of eval and of bench, their difference" "$(awk -v a="$(ate single "$scenes/desk")" -v b="$(sed -n 's/^ate_m: //p' out/recorded/normal/seed7/result.yaml)" \
+  'BEGIN { print (a - b) * (a - b) }')" 1e-12
+
+cp out/table.csv first.csv
+cp out/table.md first.md
+run_code 0 "$edgevo" bench list.yaml -o out --data "$scenes"
+check "nothing is run the second time" "$(grep -c '^6 jobs: 0 run, 6 had been run before' stdout)" -eq 1
+same "table.csv" first.csv out/table.csv
+same "table.md" first.md out/table.md
+
+rm out/recorded/normal/seed7/job.yaml  # as a job that was killed leaves it
+sed 's/    frames: 0:40/    frames: 0:30/; s/seeds: .*/seeds: 7/' list.yaml >changed.yaml
+run_code 0 "$edgevo" bench changed.yaml -o out --data "$scenes"
+check "what changed and what had not ended is run again" "$(grep -c '^3 jobs: 3 run' stdout)" -eq 1
+
+# A broken sequence does not keep the others from being run; the table says what is missing.
+copy_sequence "$scenes/desk" broken
+printf 'x' >bad.png && rm broken/images/000010.png && cp bad.png broken/images/000010.png
+printf 'seeds: 7\nsequences:\n  broken:\n    source: broken\n  desk:\n    source: scene:desk\n    frames: 0:30\n' >half.yaml
+complains "1 of 2 jobs have ended; first failure: .*000010.png" "$edgevo" bench half.yaml -o out
+check "the table says so" "$(grep -c '^| broken | normal | 0 of 1 |' out/table.md)" -eq 1
+
+bad_list() {
+  pattern=$1
+  printf "$2" >bad.yaml
+  complains "$pattern" "$edgevo" bench bad.yaml -o none
+}
+complains "none.yaml: cannot be read" "$edgevo" bench none.yaml -o none
+bad_list "bad.yaml:3: there is no scene 'stret'\|bad.yaml:3: there is no scene" 'sequences:\n  a:\n    source: scene:stret\n'
+bad_list "bad.yaml:3: there is no 'nowhere'.*--data" 'sequences:\n  a:\n    source: nowhere\n'
+bad_list "bad.yaml:2: unknown variant 'glaer'; did you mean 'glare'" '# x\nvariants: normal glaer\nsequences:\n  a:\n    source: scene:desk\n'
+bad_list "bad.yaml:1: 'five' is no seed" 'seeds: five\nsequences:\n  a:\n    source: scene:desk\n'
+bad_list "bad.yaml:4: unknown parameter.*did you mean 'sequences.a.source'" 'sequences:\n  a:\n    source: scene:desk\n    sourc: x\n'
+bad_list "bad.yaml:3: --frames '9'.*A:B" 'sequences:\n  a:\n    source: scene:desk\n    frames: 9\n'
+bad_list "bad.yaml:3: params.yaml: cannot be read" 'sequences:\n  a:\n    source: scene:desk\n    params: params.yaml\n'
+check "nothing was begun for these" "$(ls -d none 2>/dev/null | wc -l)" -eq 0
+finish

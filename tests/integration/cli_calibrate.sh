@@ -1,0 +1,40 @@
+#!/bin/sh
+# A street through a lens with k1 = 0.01, of which the camera file knows nothing: run, calibrate, and the corrected file is right and of
+# use to others.
+. "$(dirname "$0")/cli_common.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+
+sed 's/^  noise_sigma:.*/&\n  k1: 0.01/' "$here/../../datasets/scenes/street.yaml" >street_k1.yaml
+run_code 0 "$edgevo" simulate street_k1.yaml --frames 0:130 -o drive
+check "the renderer's lens has k1 0.01" "$(grep -v '^#' drive/camera.txt | awk '{ print ($5 == 0.01) }')" -eq 1
+awk '!/^#/ { $5 = 0 } { print }' drive/camera.txt >pinhole.txt
+run_code 0 "$edgevo" run drive --camera pinhole.txt -o run --quiet
+
+run_code 0 "$edgevo" calibrate run -o camera.yaml
+sed 's/^/      /' stdout
+k1=$(sed -n '/^distortion_coefficients:/,/data:/s/.*data: \[\([^,]*\),.*/\1/p' camera.yaml)
+below "k1 found" "$k1" 0.012
+below "k1 found, from below" 0.008 "$k1"
+check "before and after on stdout" "$(grep -c '^  before \|^  after ' stdout)" -eq 2
+check "the standard deviation on stdout" "$(grep -c 'residual k1 .* +- 0.0' stdout)" -eq 1
+
+# The corrected file as --camera: there is nothing left to find.
+run_code 0 "$edgevo" run drive --camera camera.yaml -o corrected --frames 0:12 --quiet
+check "k1 that the second run was given" "$(sed -n '/^camera:/,/^[a-z]*:/s/^  k1: 0.0\(0[89]\|1[01]\).*/ok/p' corrected/summary.yaml | wc -l)" -eq 1
+run_code 0 "$edgevo" calibrate run --camera drive/camera.txt -o other.yaml
+check "--camera instead of the run's own: both distortions together" \
+  "$(awk '/data: \[0.0[12]/ { split($2, v, /[\[,]/); print (v[2] > 0.017 && v[2] < 0.023) }' other.yaml)" -eq 1
+
+# Runs that cannot tell, and what is no run.
+complains "too short.*longer sequence" "$edgevo" calibrate corrected -o none.yaml
+run_code 0 "$edgevo" run drive -o off --frames 0:12 --set camera.refine=none --quiet
+complains "self-calibration was off" "$edgevo" calibrate off -o none.yaml
+check "no camera file from these" "$(ls none.yaml 2>/dev/null | wc -l)" -eq 0
+complains "summary.yaml: cannot be read.*folder that a finished" "$edgevo" calibrate drive -o none.yaml
+sed 's/^  fx: .*/  fx: wide/' run/summary.yaml >off/summary.yaml
+complains "summary.yaml:[0-9]*: camera.fx: 'wide' is not a number" "$edgevo" calibrate off -o none.yaml
+grep -v '^  state:' run/summary.yaml >off/summary.yaml
+complains "state of self_calibration" "$edgevo" calibrate off -o none.yaml
+complains "image size is not that of the run" "$edgevo" calibrate run --camera "$scenes/desk/camera.txt" -o none.yaml
+complains "no/such/camera.yaml" "$edgevo" calibrate run -o no/such/camera.yaml
+finish

@@ -1,0 +1,56 @@
+#include "edgevo/simulation/clip.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+// Frames 5, 6, 7, ... of plain images whose gray is their number.
+class CountingSource : public ImageSource {
+ public:
+  explicit CountingSource(int count) : count_(count) { camera_.pinhole = {10, 10, 4, 3, 8, 6}; }
+  const Camera& camera() const override { return camera_; }
+  std::optional<int> size() const override { return count_; }
+  std::string kind() const override { return "counting"; }
+  std::optional<Frame> next() override {
+    if (next_ == count_) return std::nullopt;
+    const int i = next_++;
+    return Frame{5 + i, Timestamp{1000 * i}, GrayImage{8, 6, std::vector<uint8_t>(48, uint8_t(i))}};
+  }
+
+ private:
+  Camera camera_;
+  int count_, next_ = 0;
+};
+
+TEST(Clip, PlaysTheSameAgainAndAgain) {
+  CountingSource source(4);
+  const auto clip = read_clip(source, [](int) { return true; });
+  for (int round = 0; round < 2; ++round) {
+    ClipSource player(clip);
+    EXPECT_EQ(player.size(), 4);
+    EXPECT_EQ(player.kind(), "counting");
+    EXPECT_EQ(player.camera().pinhole.width, 8);
+    EXPECT_EQ(player.times().size(), 4u);
+    EXPECT_TRUE(player.skip());
+    for (int i = 1; i < 4; ++i) {
+      const std::optional<Frame> frame = player.next();
+      ASSERT_TRUE(frame.has_value());
+      EXPECT_EQ(frame->index, 5 + i);
+      EXPECT_EQ(frame->time, Timestamp{1000 * i});
+      EXPECT_EQ(frame->image.pixels[0], i);
+    }
+    EXPECT_FALSE(player.next().has_value());
+    EXPECT_FALSE(player.skip());
+  }
+}
+
+TEST(Clip, ReadingCanBeEnded) {
+  CountingSource source(100);
+  const auto clip = read_clip(source, [](int done) { return done < 3; });
+  EXPECT_EQ(clip->frames.size(), 3u);
+}
+
+}  // namespace
+}  // namespace edgevo
