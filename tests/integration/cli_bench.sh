@@ -52,6 +52,22 @@ printf 'seeds: 7\nsequences:\n  broken:\n    source: broken\n  desk:\n    source
 complains "1 of 2 jobs have ended; first failure: .*000010.png" "$edgevo" bench half.yaml -o out
 check "the table says so" "$(grep -c '^| broken | normal | 0 of 1 |' out/table.md)" -eq 1
 
+# Ended early: one line, the table of what there is, and no job is lost or run twice.
+sed 's/^seeds: .*/seeds: 1..40/' half.yaml | grep -v broken >long.yaml
+"$edgevo" bench long.yaml -o cut >stdout 2>stderr </dev/null &
+pid=$!
+for i in $(seq 300); do [ -f cut/desk/normal/seed1/job.yaml ] || sleep 0.1; done
+kill -TERM $pid
+code=0
+wait $pid || code=$?
+check "exit code of a benchmark that was ended" "$code" -eq 2
+check "one line that says so" "$(grep -c '^edgevo: cut: interrupted: [0-9]* of 40 jobs have ended; call again' stderr)" -eq 1
+ended=$(ls cut/desk/normal/*/job.yaml | wc -l)
+check "the table counts what has ended" "$(grep -c "^| desk | normal | $ended of 40 |" cut/table.md)" -eq 1
+sed 's/^seeds: .*/seeds: 1/' long.yaml >first_job.yaml
+run_code 0 "$edgevo" bench first_job.yaml -o cut
+check "what had ended is not run again" "$(grep -c '^1 jobs: 0 run, 1 had been run before' stdout)" -eq 1
+
 bad_list() {
   pattern=$1
   printf "$2" >bad.yaml
