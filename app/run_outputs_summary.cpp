@@ -91,7 +91,7 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
   y->number("residual_k1", c.k1, 5);
   if (c.sigma > 0) {
     y->number("estimate", c.estimate, 5);
-    y->number("standard_deviation", c.sigma, 3);
+    y->number("standard_deviation", c.sigma, 4);
     y->integer("keyframes", c.keyframes);
   }
   y->close();

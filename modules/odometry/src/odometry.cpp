@@ -1,5 +1,6 @@
 #include "edgevo/odometry/odometry.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "edgevo/alignment/tracker.h"
@@ -32,8 +33,17 @@ struct Odometry::Impl {
     record.edges = int(pyramid->finest().edges.pixels.size());
     if (lost) ++frames_lost;
     if (has_map && frames_lost <= params.recovery.max_frames) track_frame(frame, pyramid, &record);
-    if (!has_map || lost) bootstrap_frame(frame, pyramid, &record);
+    if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
     return record;
+  }
+
+  // A rotation has turned the camera away from nearly all that has depth. The rotation can be followed, a translation only while what
+  // is left explains the images: where it does not, a new map is sought beside the old one.
+  bool is_out_of_map() {
+    const bool few = has_map && !lost && reference->known_points < kFewKnownPoints;
+    if (seeking && !few && has_map && !lost) bootstrap.reset();
+    seeking = few && (seeking || degraded_frames >= kManyDegraded);
+    return seeking;
   }
 
   void track_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
@@ -51,6 +61,7 @@ struct Odometry::Impl {
     if (lost) say(frame, "tracking resumed in the old map");
     lost = false;
     record->state = result.verdict;
+    degraded_frames = std::clamp(degraded_frames + (result.verdict == TrackingState::kDegraded ? 1 : -1), 0, 2 * kManyDegraded);
     record->covariance = result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     follow_motion(result.T_cur_ref);
@@ -120,13 +131,14 @@ struct Odometry::Impl {
     BootstrapStatus status = bootstrap.add(frame.index, frame.time, pyramid);
     if (status.result) {
       mapping.wait_idle();
+      const std::optional<double> depth = has_map && !lost ? std::optional<double>(1.0 / reference->median_idepth) : std::nullopt;
       if (has_map) close_segment();
       status.reason = mapper.initialise(*status.result);
       bootstrap.reset();
-      if (status.reason.empty()) begin_segment(frame, *status.result, record);
+      if (status.reason.empty()) begin_segment(frame, *status.result, depth, record);
     }
     record->stage_ms.emplace_back("bootstrap", thread_cpu_ms() - start);
-    if (record->segment >= 0) return;
+    if (record->T_world_cam_live) return;
     // After a loss a frame stays LOST until there is something to follow again.
     const bool nothing_to_follow = record->edges < kMinEdges;
     record->state = ever_tracked && (nothing_to_follow || lost_at == frame.index) ? TrackingState::kLost
@@ -134,11 +146,13 @@ struct Odometry::Impl {
     record->note = (record->note.empty() ? "" : record->note + "; ") + status.reason;
   }
 
-  void begin_segment(const Frame& frame, const BootstrapResult& result, FrameRecord* record) {
+  void begin_segment(const Frame& frame, const BootstrapResult& result, std::optional<double> depth_before, FrameRecord* record) {
     ++segment;
     mapping.refresh();
     reference = mapping.reference();
-    records.begin_segment(segment, result);
+    const std::optional<double> scale =
+        depth_before ? std::optional<double>(*depth_before / params.mapping.bootstrap.median_depth) : std::nullopt;
+    records.begin_segment(segment, result, scale);
     place_bootstrap_frames(result);
     const SE3& T_cur = reference->T_ref_world;
     T_last_ref = SE3();
@@ -146,7 +160,8 @@ struct Odometry::Impl {
     velocity = before ? T_cur * before->inverse() : SE3();
     frames_since_keyframe = 0;
     has_map = ever_tracked = true;
-    lost = false;
+    lost = seeking = false;
+    degraded_frames = 0;
     frames_lost = 0;
     record->note.clear();
     say(frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " + std::to_string(segment));
@@ -212,6 +227,8 @@ struct Odometry::Impl {
   }
 
   static constexpr int kMinEdges = 200;
+  static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
+  static constexpr int kManyDegraded = 6;      // more DEGRADED frames than TRACKING ones, of late
 
   OdometryParams params;
   OdometryOptions options;
@@ -225,7 +242,8 @@ struct Odometry::Impl {
   std::shared_ptr<const Reference> reference;
   SE3 T_last_ref, velocity;
   int frames_since_keyframe = 0;
-  int segment = -1, lost_at = -1, frames_lost = 0;
+  int segment = -1, lost_at = -1, frames_lost = 0, degraded_frames = 0;
+  bool seeking = false;  // a bootstrap runs beside the map, see is_out_of_map
   bool has_map = false, lost = false, ever_tracked = false;
 };
 

@@ -64,11 +64,11 @@ FrameRecord* RunRecords::find(int frame_index) {
   return it == position_.end() ? nullptr : &frames_[it->second];
 }
 
-void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap) {
+void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap, std::optional<double> scale) {
   Sim3 T_world_map;
   std::vector<const FrameRecord*> last;  // newest first
   for (auto f = frames_.rbegin(); f != frames_.rend() && last.size() < kVelocityFrames; ++f)
-    if (f->T_world_cam_live && f->segment == segment - 1) last.push_back(&*f);
+    if (f->T_world_cam_live && f->segment == segment - 1 && f->index <= bootstrap.views.front().frame_index) last.push_back(&*f);
   const BootstrapView& first_view = bootstrap.views.front();
   const BootstrapView& last_view = bootstrap.views.back();
   if (last.size() >= 2) {
@@ -78,7 +78,10 @@ void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap) {
     const Eigen::Vector3d velocity = (here - oldest.T_world_cam_live->translation()) / span;
     const double new_speed = last_view.T_cam_first.inverse().translation().norm() /
                              seconds_between(first_view.time, last_view.time);
-    if (velocity.norm() > 1e-9 && new_speed > 1e-9) T_world_map.scale = velocity.norm() / new_speed;
+    if (scale)
+      T_world_map.scale = *scale;
+    else if (velocity.norm() > 1e-9 && new_speed > 1e-9)
+      T_world_map.scale = velocity.norm() / new_speed;
     const double gap = seconds_between(newest.time, first_view.time);
     T_world_map.rigid = SE3(newest.T_world_cam_live->rotation(), here + gap * velocity);
   }

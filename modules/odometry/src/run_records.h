@@ -20,8 +20,9 @@ class RunRecords {
   FrameRecord& begin_frame(const Frame& frame);
   FrameRecord* find(int frame_index);
 
-  /// Fixes where a segment's map lies in the world: the first at the origin, a later one by constant velocity from the last pose.
-  void begin_segment(int segment, const BootstrapResult& bootstrap);
+  /// Fixes where a segment's map lies in the world: the first at the origin, a later one by constant velocity from the last pose
+  /// up to the bootstrap's first view. `scale`, world over map, where it is known better than by equal speed.
+  void begin_segment(int segment, const BootstrapResult& bootstrap, std::optional<double> scale);
   /// Hangs a frame on a keyframe and notes its live pose.
   void place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map);
   /// T_cam_map of the last placed frame of `segment` before `frame_index`.

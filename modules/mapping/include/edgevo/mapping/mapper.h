@@ -20,6 +20,8 @@ struct Reference {
   int keyframe_id = 0;
   SE3 T_ref_world;
   ReferenceCloud cloud;
+  int known_points = 0;                 ///< of the cloud's points, those of known depth
+  double median_idepth = 1;             ///< of the map where the newest keyframe sees it
   std::map<int, SE3> T_keyframe_world;  ///< of all keyframes in the window
   CameraRefinement camera;              ///< that this map was made with
 };
