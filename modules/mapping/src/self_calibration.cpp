@@ -167,6 +167,21 @@ RevisedKeyframe revise(const Pinhole& c, double k1_before, double k1, const Keyf
   return r;
 }
 
+// The solution, anchored at the newest keyframe, as what became of each keyframe; the first `remembered` ones are no longer in the window.
+MapRevision make_revision(const Pinhole& c, double k1_before, const std::vector<const Keyframe*>& keyframes, size_t remembered,
+                          const History& history, const BaOptions& options, RadialEstimate* e) {
+  const size_t n = keyframes.size();
+  anchor(keyframes.back()->T_cam_world, idepth_ratio(keyframes, remembered, n, history, e->solution), &e->solution);
+  MapRevision r;
+  r.k1_before = k1_before;
+  r.k1 = e->k1;
+  for (size_t k = 0; k < n; ++k)
+    r.keyframes.push_back(revise(c, k1_before, e->k1, *keyframes[k], e->solution.poses[k].T_cam_world,
+                                 idepth_ratio(keyframes, k, k + 1, history, e->solution), history.point_index[k], e->solution));
+  r.prior = marginalize_first(e->solution, int(remembered), options);
+  return r;
+}
+
 void apply_to_history(const Pinhole& c, const MapRevision& revision, std::vector<Keyframe>* history) {
   for (size_t h = 0; h < history->size(); ++h) {
     Keyframe& k = (*history)[h];
@@ -229,8 +244,27 @@ void SelfCalibration::forget() {
   history_.clear();
 }
 
-bool SelfCalibration::is_significant(double k1, double sigma) const {
-  return std::abs(k1) >= params_.significance * sigma && std::abs(k1) < 0.999 * params_.max_k1;
+// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays applied.
+bool SelfCalibration::judge(double k1, double sigma, int keyframes) {
+  using State = CameraRefinement::State;
+  state_.estimate = k1;
+  state_.sigma = std::hypot(sigma, params_.model_sigma * kModelKeyframes / double(keyframes));
+  state_.keyframes = keyframes;
+  const bool observed = state_.sigma < kMaxUsefulSigma, believable = std::abs(k1) < 0.999 * params_.max_k1;
+  if (state_.state == State::kApplied) return observed && believable;
+  const bool significant = observed && believable && std::abs(k1) >= params_.significance * state_.sigma;
+  state_.state = significant ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
+  return significant;
+}
+
+// The next checkpoint; after the last one nothing is remembered any more.
+void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
+  const int last = params_.min_keyframes << (kCheckpoints - 1);
+  while (keyframes >= next_checkpoint_ && next_checkpoint_ < last) next_checkpoint_ *= 2;
+  if (keyframes < last || at_end) return;
+  finished_ = true;
+  history_.clear();
+  history_.shrink_to_fit();
 }
 
 std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Keyframe*>& window, const BaOptions& ba_options,
@@ -240,46 +274,19 @@ std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Key
   for (const Keyframe& k : history_) keyframes.push_back(&k);
   keyframes.insert(keyframes.end(), window.begin(), window.end());
   if (int(keyframes.size()) < params_.min_keyframes) return std::nullopt;
-  while (int(keyframes.size()) >= next_checkpoint_ && next_checkpoint_ < params_.min_keyframes << (kCheckpoints - 1))
-    next_checkpoint_ *= 2;
-  const bool last = int(keyframes.size()) >= params_.min_keyframes << (kCheckpoints - 1);
 
   BaOptions options = ba_options;
   options.max_iterations = 15;
   options.relative_decrease = 1e-6;
-  History history = make_history(pinhole_, state_.k1, keyframes);
+  const History history = make_history(pinhole_, state_.k1, keyframes);
   RadialEstimate e = estimate_k1(history.problem, state_.k1, params_.prior_sigma, params_.max_k1, options);
   std::optional<MapRevision> revision;
-  if (e.usable) {
-    state_.estimate = e.k1;
-    state_.sigma = std::hypot(e.sigma, params_.model_sigma * kModelKeyframes / double(keyframes.size()));
-    state_.keyframes = int(keyframes.size());
-    using State = CameraRefinement::State;
-    const bool observed = state_.sigma < kMaxUsefulSigma;
-    const bool significant = observed && (state_.state == State::kApplied || is_significant(e.k1, state_.sigma));
-    if (state_.state != State::kApplied)
-      state_.state = significant ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
-    if (significant && (at_end || std::abs(e.k1 - state_.k1) > kMinChange)) {
-      const size_t n = keyframes.size(), first_of_window = history_.size();
-      const double length = idepth_ratio(keyframes, first_of_window, n, history, e.solution);
-      anchor(keyframes.back()->T_cam_world, length, &e.solution);
-      MapRevision r;
-      r.k1_before = state_.k1;
-      r.k1 = e.k1;
-      for (size_t k = 0; k < n; ++k)
-        r.keyframes.push_back(revise(pinhole_, r.k1_before, r.k1, *keyframes[k], e.solution.poses[k].T_cam_world,
-                                     idepth_ratio(keyframes, k, k + 1, history, e.solution), history.point_index[k], e.solution));
-      r.prior = marginalize_first(e.solution, int(first_of_window), ba_options);
-      apply_to_history(pinhole_, r, &history_);
-      state_.k1 = e.k1;
-      revision = std::move(r);
-    }
+  if (e.usable && judge(e.k1, e.sigma, int(keyframes.size())) && (at_end || std::abs(e.k1 - state_.k1) > kMinChange)) {
+    revision = make_revision(pinhole_, state_.k1, keyframes, history_.size(), history, ba_options, &e);
+    apply_to_history(pinhole_, *revision, &history_);
+    state_.k1 = e.k1;
   }
-  if (last && !at_end) {
-    finished_ = true;
-    history_.clear();
-    history_.shrink_to_fit();
-  }
+  pass_checkpoint(int(keyframes.size()), at_end);
   return revision;
 }
 

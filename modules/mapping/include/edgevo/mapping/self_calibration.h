@@ -70,7 +70,8 @@ class SelfCalibration {
   const CameraRefinement& state() const { return state_; }
 
  private:
-  bool is_significant(double k1, double sigma) const;
+  bool judge(double k1, double sigma, int keyframes);
+  void pass_checkpoint(int keyframes, bool at_end);
 
   Pinhole pinhole_;
   SelfCalibrationParams params_;
