@@ -13,7 +13,6 @@ namespace {
 using ba::RadialEstimate;
 using ba::RadialProblem;
 
-constexpr int kCheckpoints = 3;          // at min_keyframes, twice and four times as many
 constexpr int kGaugeSpan = 8;            // keyframes over which the scale of a new prior is held
 constexpr double kMaxUsefulSigma = 0.004;  // a k1 known no better than this is not observed
 constexpr double kModelKeyframes = 30;   // that SelfCalibrationParams::model_sigma refers to
@@ -217,7 +216,8 @@ Eigen::Vector2d correct_normal(const Pinhole& c, double k1_before, double k1, co
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
   v.text("refine", refine, {"none", "k1"}, "residual radial distortion found while running; none: the file is taken as it is");
-  v.integer("min_keyframes", min_keyframes, 10, 200, "at the first estimate; further ones at twice and four times as many");
+  v.integer("min_keyframes", min_keyframes, 10, 200, "at the first estimate; each further one at twice as many");
+  v.integer("checkpoints", checkpoints, 1, 5, "estimates while running; the last one takes about a second; realtime: two at most");
   v.number("prior_sigma", prior_sigma, 1e-4, 1, "standard deviation of k1 before anything was seen");
   v.number("max_k1", max_k1, 1e-4, 0.2, "an estimate at this limit is not applied");
   v.number("significance", significance, 0, 100, "standard deviations from zero that an estimate needs to be applied");
@@ -259,7 +259,7 @@ bool SelfCalibration::judge(double k1, double sigma, int keyframes) {
 
 // The next checkpoint; after the last one nothing is remembered any more.
 void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
-  const int last = params_.min_keyframes << (kCheckpoints - 1);
+  const int last = params_.min_keyframes << (params_.checkpoints - 1);
   while (keyframes >= next_checkpoint_ && next_checkpoint_ < last) next_checkpoint_ *= 2;
   if (keyframes < last || at_end) return;
   finished_ = true;

@@ -16,7 +16,10 @@ struct Odometry::Impl {
         records(camera.pinhole),
         rebuilder(camera, p.edges),
         mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {
-    mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, double k1) {
+    // In realtime the mapping must not stand still for long: without the last and dearest estimate.
+    SelfCalibrationParams calibration = p.camera;
+    if (o.realtime) calibration.checkpoints = std::min(calibration.checkpoints, 2);
+    mapper.enable_self_calibration(calibration, [this](const FramePyramid& old, double k1) {
       rebuilder.set_residual_k1(k1);
       return rebuilder.build(old.source);
     });
@@ -25,6 +28,7 @@ struct Odometry::Impl {
   // ---- one frame -------------------------------------------------------------------------------------------------
 
   const FrameRecord& process(const Frame& frame) {
+    if (options.realtime) mapper.wait_for_calibration();
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then

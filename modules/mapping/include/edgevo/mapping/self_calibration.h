@@ -26,7 +26,8 @@ namespace edgevo {
 
 struct SelfCalibrationParams {
   std::string refine = "k1";     ///< "none": the camera file is taken as it is
-  int min_keyframes = 30;        ///< at the first checkpoint; the next ones at twice and four times as many
+  int min_keyframes = 30;        ///< at the first checkpoint; each next one at twice as many
+  int checkpoints = 3;           ///< the last one is the dearest, about a second at 120 keyframes; realtime runs leave it out
   double prior_sigma = 0.01;     ///< of k1 before anything was seen
   double max_k1 = 0.03;          ///< an estimate at this limit is not believed
   double significance = 3.0;     ///< standard deviations
