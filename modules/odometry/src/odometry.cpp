@@ -45,6 +45,7 @@ struct Odometry::Impl {
   // is left explains the images: where it does not, a new map is sought beside the old one.
   bool is_out_of_map() {
     const bool few = has_map && !lost && reference->known_points < kFewKnownPoints;
+    if (!few) degraded_frames = 0;  // fast motion blurs images of a map that is in view, too
     if (seeking && !few && has_map && !lost) bootstrap.reset();
     seeking = few && (seeking || degraded_frames >= kManyDegraded);
     return seeking;
