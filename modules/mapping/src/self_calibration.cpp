@@ -247,6 +247,7 @@ void SelfCalibration::forget() {
 // Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays applied.
 bool SelfCalibration::judge(double k1, double sigma, int keyframes) {
   using State = CameraRefinement::State;
+  if (state_.state == State::kApplied && keyframes < state_.keyframes) return false;  // a later, shorter segment knows less
   state_.estimate = k1;
   state_.sigma = std::hypot(sigma, params_.model_sigma * kModelKeyframes / double(keyframes));
   state_.keyframes = keyframes;

@@ -219,6 +219,24 @@ TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
   EXPECT_EQ(calibration.state().keyframes, 60);
 }
 
+TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const std::vector<Keyframe> drive = make_drive(o);
+  const auto pointers = [&](size_t begin, size_t end) {
+    std::vector<const Keyframe*> window;
+    for (size_t i = begin; i < end; ++i) window.push_back(&drive[i]);
+    return window;
+  };
+  SelfCalibration calibration(ba_scene::pinhole(), {});
+  ASSERT_TRUE(calibration.estimate(pointers(0, 60), BaOptions(), true));
+  const CameraRefinement found = calibration.state();
+  calibration.forget();
+  EXPECT_FALSE(calibration.estimate(pointers(0, 35), BaOptions(), true));
+  EXPECT_EQ(calibration.state().k1, found.k1);
+  EXPECT_EQ(calibration.state().keyframes, found.keyframes);
+}
+
 TEST(SelfCalibration, CorrectedNormalsAreThoseOfCorrectedEdges) {
   const Pinhole c = ba_scene::pinhole();
   const Eigen::Vector2d px(1100, 40), along(0.6, 0.8), normal(-0.8, 0.6);

@@ -1,0 +1,68 @@
+// What a keyframe of the window shows the tracker: its points of known depth, and immature ones where those are few.
+#include <algorithm>
+
+#include "edgevo/alignment/projection.h"
+#include "edgevo/mapping/window.h"
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kEnoughCloud = 500;  // with fewer points of known depth the cloud is filled up with immature ones
+
+}  // namespace
+
+// Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma: under a pure
+// rotation, where depth does not matter, they count fully.
+void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
+  std::vector<const ImmaturePoint*> alive;
+  for (const ImmaturePoint& p : host.immature)
+    if (!p.dead) alive.push_back(&p);
+  wanted = std::min(wanted, alive.size());
+  for (size_t i = 0; i < wanted; ++i) {
+    const ImmaturePoint& p = *alive[i * alive.size() / wanted];
+    const bool measured = p.good > 0;
+    cloud->push_back({pinhole_.ray(p.px), measured ? p.idepth : p.idepth_guess, measured ? p.idepth_sigma : p.idepth_guess,
+                      p.px.cast<float>(), p.normal.cast<float>()});
+  }
+}
+
+std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const {
+  std::vector<CloudPoint> points = cloud(reference);
+  const size_t enough = std::min(kEnoughCloud, size_t(params_.max_cloud_points));
+  if (points.size() < enough) add_immature(reference, enough - points.size(), &points);
+  return points;
+}
+
+std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
+  std::vector<CloudPoint> cloud;
+  for (const Keyframe& host : keyframes_) {
+    const SE3 T = relative_pose(reference, host);
+    for (const MapPoint& p : host.points) {
+      CloudPoint c;
+      if (host.id == reference.id) {
+        c = {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
+      } else {
+        const Observation* seen = p.find(reference.id);
+        if (!seen) continue;
+        const Eigen::Vector3d Y = T.R() * pinhole_.ray(p.px) + p.idepth * T.translation();
+        if (!(Y.z() > kMinProjectedDepth)) continue;
+        const Eigen::Vector2d px = pinhole_.project(Y);
+        if (!pinhole_.contains(px)) continue;
+        // rho' = rho / Y_z, and so does its sigma to first order.
+        c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(), seen->match.normal.cast<float>()};
+      }
+      cloud.push_back(c);
+    }
+  }
+  // Where there are more than needed, every k-th of the evenly ordered points stays.
+  const size_t limit = size_t(params_.max_cloud_points);
+  if (cloud.size() > limit) {
+    std::vector<CloudPoint> thinned;
+    thinned.reserve(limit);
+    for (size_t i = 0; i < limit; ++i) thinned.push_back(cloud[i * cloud.size() / limit]);
+    cloud.swap(thinned);
+  }
+  return cloud;
+}
+
+}  // namespace edgevo
