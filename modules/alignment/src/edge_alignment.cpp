@@ -71,7 +71,7 @@ class EdgeCost {
  public:
   EdgeCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
       : level_(current.levels[level]), cloud_(cloud), params_(params),
-        photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {}
+        huber_(params.robust == "huber"), photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {}
 
   NormalEquations operator()(const SE3& T_cur_ref) const {
     NormalEquations eq;
@@ -96,11 +96,11 @@ class EdgeCost {
  private:
   double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
   double robust_cost(double r) const {
-    return params_.robust == "huber" ? huber_cost(r, params_.huber_px)
-                                     : 3.0 * std::log1p(r * r / (5.0 * params_.huber_px * params_.huber_px));
+    return huber_ ? huber_cost(r, params_.huber_px)
+                  : 3.0 * std::log1p(r * r / (5.0 * params_.huber_px * params_.huber_px));
   }
   double robust_weight(double r) const {
-    return params_.robust == "huber" ? huber_weight(r, params_.huber_px) : student_t_weight(r, params_.huber_px);
+    return huber_ ? huber_weight(r, params_.huber_px) : student_t_weight(r, params_.huber_px);
   }
 
   // Returns the cost of the point: Eq. (edgeerror), truncated.
@@ -141,7 +141,7 @@ class EdgeCost {
   const PyramidLevel& level_;
   const ReferenceCloud& cloud_;
   const AlignmentParams& params_;
-  bool photometric_;
+  bool huber_, photometric_;
 };
 
 class PatchCost {

@@ -9,6 +9,35 @@ namespace {
 constexpr double kStopPx = 0.02;
 constexpr float kMinDeviation = 1.5f;  // gray levels
 
+// How the image at a trial position, brought to zero mean and unit deviation, compares with the template.
+struct Comparison {
+  float correlation = 0;  // sum of products, at most the number of pixels
+  float gradient = 0;     // sum of slope * (image - template)
+};
+
+// The template has zero mean, and its slope is orthogonal to a constant and to the template itself: of the image's normalisation only
+// the division by its deviation is left in both sums, so that one pass over the pixels does.
+bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
+  const int n = image.size();
+  const float* v = image.value.data();
+  const float* t = patch.value.value.data();
+  const float* s = patch.slope.value.data();
+  float sum = 0, square = 0, correlation = 0, gradient = 0;
+#pragma omp simd reduction(+ : sum, square, correlation, gradient)
+  for (int i = 0; i < n; ++i) {
+    sum += v[i];
+    square += v[i] * v[i];
+    correlation += v[i] * t[i];
+    gradient += v[i] * s[i];
+  }
+  const float mean = sum / float(n);
+  const float deviation = std::sqrt(std::max(0.0f, square / float(n) - mean * mean));
+  if (!(deviation >= kMinDeviation)) return false;
+  out->correlation = correlation / deviation;
+  out->gradient = gradient / deviation;
+  return true;
+}
+
 }  // namespace
 
 bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
@@ -45,16 +74,12 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
   for (int iteration = 0; iteration <= params.refine_iterations; ++iteration) {
     const Eigen::Vector2d px = start + move * normal;
     Patch current;
-    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || normalise(&current, kMinDeviation) == 0) return result;
-    float correlation = 0, gradient = 0;
-    for (int i = 0; i < n; ++i) {
-      correlation += current.value[i] * patch.value.value[i];
-      gradient += patch.slope.value[i] * (current.value[i] - patch.value.value[i]);
-    }
-    const double step = -double(gradient) / patch.slope_square;
+    Comparison c;
+    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || !compare(patch, current, &c)) return result;
+    const double step = -double(c.gradient) / patch.slope_square;
     result.px = px;
     result.move_px = move;
-    result.zncc_loss = 1.0 - double(correlation) / n;
+    result.zncc_loss = 1.0 - double(c.correlation) / n;
     if (std::abs(step) < kStopPx) break;
     if (iteration == params.refine_iterations) return result;
     move += std::clamp(step, -1.0, 1.0);

@@ -7,6 +7,7 @@ namespace edgevo {
 bool divide_by_mean(Patch* patch) {
   float sum = 0;
   const int n = patch->size();
+#pragma omp simd reduction(+ : sum)
   for (int i = 0; i < n; ++i) sum += patch->value[i];
   const float mean = sum / float(n);
   if (!(mean > 1.0f)) return false;
@@ -20,6 +21,7 @@ double patch_cost(const Patch& prepared, const ImageView<float>& gradient_magnit
   if (!sample_patch(gradient_magnitude, x, y, prepared.radius, &target) || !divide_by_mean(&target)) return 2.0;
   float sum = 0;
   const int n = prepared.size();
+#pragma omp simd reduction(+ : sum)
   for (int i = 0; i < n; ++i) sum += std::abs(target.value[i] - prepared.value[i]);
   return double(sum) / n;
 }

@@ -58,20 +58,44 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, con
   return true;
 }
 
+namespace {
+
+// Bilinear values at a square of pixels that all lie (fx, fy) off the grid; `corner` is the grid point of the first. Each row is
+// interpolated along itself once and serves the patch row above and below it.
+template <int kSide, class T>
+void sample_square(const T* corner, std::ptrdiff_t stride, float fx, float fy, float* to) {
+  float rows[2][kSide];
+  const auto interpolate = [fx](const T* row, float* out) {
+    for (int u = 0; u < kSide; ++u) out[u] = float(row[u]) + fx * (float(row[u + 1]) - float(row[u]));
+  };
+  interpolate(corner, rows[0]);
+  for (int v = 0; v < kSide; ++v, to += kSide) {
+    const float* above = rows[v & 1];
+    float* below = rows[(v + 1) & 1];
+    corner += stride;
+    interpolate(corner, below);
+    for (int u = 0; u < kSide; ++u) to[u] = above[u] + fy * (below[u] - above[u]);
+  }
+}
+
+}  // namespace
+
 template <class T>
 bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Patch* patch) {
   const double xf = std::floor(x), yf = std::floor(y);
   if (!(xf >= radius && yf >= radius && xf < image.width - radius - 1 && yf < image.height - radius - 1)) return false;
   const float fx = float(x - xf), fy = float(y - yf);
-  const float w00 = (1 - fx) * (1 - fy), w01 = fx * (1 - fy), w10 = (1 - fx) * fy, w11 = fx * fy;
-  patch->radius = radius;
-  const int side = patch->side();
-  const T* row = image.data + (int(yf) - radius) * image.stride + int(xf) - radius;
+  const T* corner = image.data + (int(yf) - radius) * image.stride + int(xf) - radius;
   float* to = patch->value.data();
-  for (int v = 0; v < side; ++v, row += image.stride, to += side) {
-    const T* below = row + image.stride;
-    for (int u = 0; u < side; ++u)
-      to[u] = w00 * float(row[u]) + w01 * float(row[u + 1]) + w10 * float(below[u]) + w11 * float(below[u + 1]);
+  patch->radius = radius;
+  static_assert(kMaxPatchRadius == 5);
+  switch (radius) {
+    case 0: to[0] = bilinear(image, float(x), float(y)); break;
+    case 1: sample_square<3>(corner, image.stride, fx, fy, to); break;
+    case 2: sample_square<5>(corner, image.stride, fx, fy, to); break;
+    case 3: sample_square<7>(corner, image.stride, fx, fy, to); break;
+    case 4: sample_square<9>(corner, image.stride, fx, fy, to); break;
+    default: sample_square<11>(corner, image.stride, fx, fy, to); break;
   }
   return true;
 }

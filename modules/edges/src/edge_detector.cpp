@@ -1,12 +1,11 @@
 #include "edgevo/edges/edge_detector.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/edge_drawing.hpp>
 
 #include "edgevo/core/error.h"
+#include "canny.h"
 #include "opencv_view.h"
 
 namespace edgevo {
@@ -16,8 +15,8 @@ namespace {
 // not below the floor.
 double high_threshold(const Plane<float>& magnitude, const EdgeParams& params) {
   constexpr double kShareOfPeak = 0.7;
-  const double percentile = gradient_percentile(magnitude, params.canny_percentile);
-  const double peak = gradient_percentile(magnitude, 1.0);
+  const GradientHistogram histogram(magnitude);
+  const double percentile = histogram.percentile(params.canny_percentile), peak = histogram.percentile(1.0);
   return std::max(std::min(percentile, kShareOfPeak * peak), params.min_gradient * kSobelPerGrayLevel);
 }
 
@@ -25,12 +24,9 @@ class CannyDetector : public EdgeDetector {
  public:
   explicit CannyDetector(const EdgeParams& params) : params_(params) {}
 
-  Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) override {
+  Plane<uint8_t> detect(const ImageView<uint8_t>&, const Gradient& gradient) override {
     const double high = high_threshold(gradient.magnitude, params_);
-    Plane<uint8_t> mask(gray.width, gray.height);
-    cv::Mat out = as_mat(mask);
-    cv::Canny(as_mat(gradient.dx), as_mat(gradient.dy), out, params_.canny_low_ratio * high, high, true);
-    return mask;
+    return canny(gradient, float(params_.canny_low_ratio * high), float(high));
   }
 
  private:
@@ -64,13 +60,6 @@ class EdgeDrawingDetector : public EdgeDetector {
   cv::Ptr<cv::ximgproc::EdgeDrawing> drawing_;
 };
 
-void magnitude(const int16_t* __restrict dx, const int16_t* __restrict dy, float* __restrict out, size_t n) {
-  for (size_t i = 0; i < n; ++i) {
-    const float x = dx[i], y = dy[i];
-    out[i] = std::sqrt(x * x + y * y);
-  }
-}
-
 }  // namespace
 
 void EdgeParams::visit(ParamVisitor& v) {
@@ -82,30 +71,6 @@ void EdgeParams::visit(ParamVisitor& v) {
   v.number("min_gradient", min_gradient, 0.5, 50, "floor of the high threshold, gray levels per pixel");
   v.integer("min_chain", min_chain, 2, 100, "shorter edges are dropped, pixels");
   v.integer("field_radius", field_radius, 2, 15, "nearest-neighbour fields reach this far, pixels");
-}
-
-Gradient compute_gradient(const ImageView<uint8_t>& gray) {
-  Gradient g{Plane<int16_t>(gray.width, gray.height), Plane<int16_t>(gray.width, gray.height),
-             Plane<float>(gray.width, gray.height)};
-  cv::Mat smooth, dx = as_mat(g.dx), dy = as_mat(g.dy);
-  cv::GaussianBlur(as_mat(gray), smooth, cv::Size(5, 5), 1.0, 1.0, cv::BORDER_REPLICATE);
-  cv::spatialGradient(smooth, dx, dy, 3, cv::BORDER_REPLICATE);
-  magnitude(g.dx.row(0), g.dy.row(0), g.magnitude.row(0), size_t(gray.width) * gray.height);
-  return g;
-}
-
-float gradient_percentile(const Plane<float>& magnitude, double percentile) {
-  constexpr int kBins = 1536;  // Sobel magnitudes stay below 4 * 255 * sqrt(2) = 1443
-  std::array<int, kBins> histogram{};
-  int total = 0;
-  for (int y = 0; y < magnitude.height(); y += 2) {
-    const float* row = magnitude.row(y);
-    for (int x = 0; x < magnitude.width(); x += 2, ++total) ++histogram[std::min(int(row[x]), kBins - 1)];
-  }
-  int below = 0;
-  for (int b = 0; b < kBins; ++b)
-    if ((below += histogram[b]) >= percentile * total) return float(b + 1);
-  return float(kBins);
 }
 
 std::vector<std::string> edge_detector_names() { return {"canny", "edge_drawing"}; }

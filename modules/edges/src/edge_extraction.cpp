@@ -3,94 +3,120 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace edgevo {
 namespace {
 
 constexpr int kBorder = 2;
+
+struct Pixel {
+  int x, y;
+};
 // Eight neighbours by angle; even entries share a side, odd ones a corner.
-constexpr std::array<std::pair<int, int>, 8> kStep{
-    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr std::array<Pixel, 8> kStep{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+// By the set of open neighbours, bit d for kStep[d]: an end of an edge has one, or two that touch each other.
+std::array<bool, 256> make_end_table() {
+  std::array<bool, 256> is_end{};
+  for (int set = 0; set < 256; ++set) {
+    int runs = 0, count = 0;
+    for (int d = 0; d < 8; ++d) {
+      const bool now = set >> d & 1, previous = set >> ((d + 7) & 7) & 1;
+      count += now;
+      runs += now && !previous;
+    }
+    is_end[set] = count > 0 && count < 3 && runs == 1;
+  }
+  return is_end;
+}
 
 // Edge mask in which walked pixels are struck out.
 class Walker {
  public:
   explicit Walker(const Plane<uint8_t>& mask) : open_(mask.width(), mask.height()) {
-    for (int y = 0; y < mask.height(); ++y) {
-      const uint8_t* from = mask.row(y);
-      uint8_t* to = open_.row(y);
-      const bool inside = y >= kBorder && y < mask.height() - kBorder;
-      for (int x = 0; x < mask.width(); ++x) to[x] = inside && from[x];
-      for (int x = 0; x < std::min(kBorder, mask.width()); ++x) to[x] = to[mask.width() - 1 - x] = 0;
-      if (inside)
-        for (int x = kBorder; x < mask.width() - kBorder; ++x)
-          if (to[x]) pixels_.emplace_back(x, y);
+    const int width = mask.width(), height = mask.height();
+    std::copy_n(mask.row(0), size_t(width) * height, open_.row(0));
+    for (int y = 0; y < height; ++y) {
+      uint8_t* row = open_.row(y);
+      if (y < kBorder || y >= height - kBorder) {
+        std::fill_n(row, width, uint8_t(0));
+        continue;
+      }
+      row[0] = row[1] = row[width - 2] = row[width - 1] = 0;
+      list_edges(row, y, width);
     }
+    for (int d = 0; d < 8; ++d) offset_[d] = kStep[d].y * width + kStep[d].x;
   }
 
-  const std::vector<std::pair<int, int>>& pixels() const { return pixels_; }
-  bool is_open(int x, int y) const { return open_.at(x, y); }
+  const std::vector<Pixel>& pixels() const { return pixels_; }
+  bool is_open(Pixel p) const { return open_.at(p.x, p.y) != 0; }
 
-  // An end has one neighbour, or two that touch each other.
-  bool is_end(int x, int y) const {
-    int runs = 0, count = 0;
-    bool previous = is_neighbour(x, y, 7);
-    for (int d = 0; d < 8; ++d) {
-      const bool now = is_neighbour(x, y, d);
-      count += now;
-      runs += now && !previous;
-      previous = now;
-    }
-    return count > 0 && count < 3 && runs == 1;
+  bool is_end(Pixel p) const {
+    static const std::array<bool, 256> table = make_end_table();
+    const uint8_t* at = &open_.at(p.x, p.y);
+    int set = 0;
+    for (int d = 0; d < 8; ++d) set |= int(at[offset_[d]] != 0) << d;
+    return table[set];
   }
 
-  // Follows the edge from (x, y), striking it out; `heading` is the direction of arrival, -1 if none.
-  std::vector<std::pair<int, int>> walk(int x, int y, int heading) {
-    std::vector<std::pair<int, int>> path;
-    for (;;) {
-      open_.at(x, y) = 0;
-      path.emplace_back(x, y);
-      const int d = next_direction(x, y, heading);
-      if (d < 0) return path;
-      strike_shoulders(x, y, d);
-      x += kStep[d].first, y += kStep[d].second, heading = d;
+  // Follows the edge from p, striking it out, and appends it to `path`.
+  void walk(Pixel p, std::vector<Pixel>* path) {
+    uint8_t* at = &open_.at(p.x, p.y);
+    for (int heading = -1;;) {
+      *at = 0;
+      path->push_back(p);
+      heading = next_direction(at, heading);
+      if (heading < 0) return;
+      strike_shoulders(at, heading);
+      at += offset_[heading];
+      p.x += kStep[heading].x, p.y += kStep[heading].y;
     }
   }
 
  private:
-  bool is_neighbour(int x, int y, int d) const { return open_.at(x + kStep[d].first, y + kStep[d].second); }
+  // Most of a row is empty: eight pixels at a time.
+  void list_edges(const uint8_t* row, int y, int width) {
+    int x = 0;
+    for (; x + 8 <= width; x += 8) {
+      uint64_t eight;
+      std::memcpy(&eight, row + x, 8);
+      if (eight == 0) continue;
+      for (int i = x; i < x + 8; ++i)
+        if (row[i]) pixels_.push_back({i, y});
+    }
+    for (; x < width; ++x)
+      if (row[x]) pixels_.push_back({x, y});
+  }
 
-  // Side neighbours before corner ones at equal turn, smaller turns first; never more than 90 degrees.
-  int next_direction(int x, int y, int heading) const {
+  // Side neighbours before corner ones at equal turn, smaller turns first; never more than 90 degrees. -1: the edge ends here.
+  int next_direction(const uint8_t* at, int heading) const {
     static constexpr std::array<int, 5> kTurns{0, 1, -1, 2, -2};
     if (heading >= 0) {
       for (int turn : kTurns)
-        if (is_neighbour(x, y, (heading + turn) & 7)) return (heading + turn) & 7;
+        if (at[offset_[(heading + turn) & 7]]) return (heading + turn) & 7;
       return -1;
     }
     for (int d : {0, 2, 4, 6, 1, 3, 5, 7})
-      if (is_neighbour(x, y, d)) return d;
+      if (at[offset_[d]]) return d;
     return -1;
   }
 
   // A corner step passes between two pixels that share a side with both ends: they belong to the same thick line.
-  void strike_shoulders(int x, int y, int d) {
-    if (d % 2 == 1) {
-      const auto strike = [&](int e) { open_.at(x + kStep[e & 7].first, y + kStep[e & 7].second) = 0; };
-      strike(d + 1);
-      strike(d - 1);
-    }
+  void strike_shoulders(uint8_t* at, int d) const {
+    if (d % 2 == 1) at[offset_[(d + 1) & 7]] = at[offset_[d - 1]] = 0;
   }
 
   Plane<uint8_t> open_;
-  std::vector<std::pair<int, int>> pixels_;
+  std::array<int, 8> offset_;  // of kStep in the mask
+  std::vector<Pixel> pixels_;
 };
 
 EdgePixel locate(int x, int y, const Gradient& g) {
   const float m0 = std::max(g.magnitude.at(x, y), 1e-3f);
   EdgePixel e;
-  e.nx = float(g.dx.at(x, y)) / m0;
-  e.ny = float(g.dy.at(x, y)) / m0;
+  e.nx = float(g.dx.at(x, y)) / (kGradientSteps * m0);
+  e.ny = float(g.dy.at(x, y)) / (kGradientSteps * m0);
   const ImageView<float> m = g.magnitude.view();
   const float before = bilinear(m, float(x) - e.nx, float(y) - e.ny);
   const float after = bilinear(m, float(x) + e.nx, float(y) + e.ny);
@@ -102,12 +128,12 @@ EdgePixel locate(int x, int y, const Gradient& g) {
   return e;
 }
 
-void append_chain(const std::vector<std::pair<int, int>>& path, const Gradient& gradient, EdgeMap* map) {
+void append_chain(const std::vector<Pixel>& path, const Gradient& gradient, EdgeMap* map) {
   const int chain = int(map->chains.size());
   const int begin = int(map->pixels.size());
-  for (const auto& [x, y] : path) {
-    if (gradient.magnitude.at(x, y) < 1.0f) continue;  // a detector other than Canny may mark flat pixels
-    map->pixels.push_back(locate(x, y, gradient));
+  for (const Pixel& p : path) {
+    if (gradient.magnitude.at(p.x, p.y) < 1.0f) continue;  // a detector other than Canny may mark flat pixels
+    map->pixels.push_back(locate(p.x, p.y, gradient));
     map->pixels.back().chain = chain;
   }
   map->chains.push_back({begin, int(map->pixels.size())});
@@ -122,20 +148,24 @@ EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int 
   if (map.width <= 2 * kBorder || map.height <= 2 * kBorder) return map;
   Walker walker(mask);
   map.pixels.reserve(walker.pixels().size());
-  const auto keep = [&](const std::vector<std::pair<int, int>>& path) {
+  std::vector<Pixel> path;
+  const auto keep = [&] {
     if (int(path.size()) >= min_chain) append_chain(path, gradient, &map);
+    path.clear();
   };
-  for (const auto& [x, y] : walker.pixels())
-    if (walker.is_open(x, y) && walker.is_end(x, y)) keep(walker.walk(x, y, -1));
-  for (const auto& [x, y] : walker.pixels()) {
-    if (!walker.is_open(x, y)) continue;
-    // A closed edge, or what a branch left: walk both ways from here and join the two halves.
-    std::vector<std::pair<int, int>> forward = walker.walk(x, y, -1);
-    std::vector<std::pair<int, int>> backward = walker.walk(x, y, -1);
-    std::reverse(backward.begin(), backward.end());
-    backward.pop_back();  // (x, y) itself, walked twice
-    backward.insert(backward.end(), forward.begin(), forward.end());
-    keep(backward);
+  for (const Pixel& p : walker.pixels()) {
+    if (!walker.is_open(p) || !walker.is_end(p)) continue;
+    walker.walk(p, &path);
+    keep();
+  }
+  for (const Pixel& p : walker.pixels()) {
+    if (!walker.is_open(p)) continue;
+    // A closed edge, or what a branch left: walk both ways from here and join the two halves, without p twice.
+    walker.walk(p, &path);
+    std::reverse(path.begin(), path.end());
+    path.pop_back();
+    walker.walk(p, &path);
+    keep();
   }
   return map;
 }

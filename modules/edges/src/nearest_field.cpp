@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
-#include "edgevo/core/error.h"
+#include "edgevo/core/simd.h"
 
 namespace edgevo {
 namespace {
@@ -36,11 +37,23 @@ void fill_row(const std::vector<int>& xs, int width, int radius, const Ramp& ram
   }
 }
 
-// best = min(best, row + share): the vectorised heart of the second pass.
-void take_minimum(const int16_t* __restrict row, int16_t share, int16_t* __restrict best, int width) {
-  for (int x = 0; x < width; ++x) {
-    const int16_t candidate = int16_t(row[x] + share);
-    best[x] = candidate < best[x] ? candidate : best[x];
+// Sixteen columns; the compiler's vector type, which lives in registers of whatever width there is.
+using Keys = int16_t __attribute__((vector_size(32)));
+constexpr int kBlock = 64;  // columns that stay in registers while the rows go by
+
+// best[x] = min over rows of rows[k][x] + share[k]; `width` is a multiple of kBlock.
+EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* share, int count, int16_t* best, int width) {
+  constexpr int kLanes = sizeof(Keys) / sizeof(int16_t), kParts = kBlock / kLanes;
+  for (int x = 0; x < width; x += kBlock) {
+    Keys least[kParts], candidate;
+    for (Keys& part : least) part = Keys{} + int16_t(0x7FFF);
+    for (int k = 0; k < count; ++k)
+      for (int part = 0; part < kParts; ++part) {
+        std::memcpy(&candidate, rows[k] + x + part * kLanes, sizeof(Keys));
+        candidate += share[k];
+        least[part] = candidate < least[part] ? candidate : least[part];
+      }
+    std::memcpy(best + x, least, sizeof(least));
   }
 }
 
@@ -61,19 +74,25 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
     columns[y].push_back(x);
   }
   const Ramp ramp(radius);
-  Plane<int16_t> in_row(width, height);
+  const int padded = (width + kBlock - 1) / kBlock * kBlock;
+  Plane<int16_t> in_row(padded, height);
   for (int y = 0; y < height; ++y) {
     std::sort(columns[y].begin(), columns[y].end());
     columns[y].erase(std::unique(columns[y].begin(), columns[y].end()), columns[y].end());
     fill_row(columns[y], width, radius, ramp, in_row.row(y), row_offset_.row(y));
+    std::fill(in_row.row(y) + width, in_row.row(y) + padded, kFar);
   }
+  std::vector<int16_t> best(padded), share;
+  std::vector<const int16_t*> rows;
   for (int y = 0; y < height; ++y) {
-    int16_t* best = keys_.row(y);
-    std::fill(best, best + width, int16_t(0x7FFF));
+    rows.clear(), share.clear();
     for (int dy = std::max(-radius, -y); dy <= std::min(radius, height - 1 - y); ++dy) {
       if (columns[y + dy].empty()) continue;
-      take_minimum(in_row.row(y + dy), int16_t((dy * dy << kRowBits) + dy + radius), best, width);
+      rows.push_back(in_row.row(y + dy));
+      share.push_back(int16_t((dy * dy << kRowBits) + dy + radius));
     }
+    take_minimum(rows.data(), share.data(), int(rows.size()), best.data(), padded);
+    std::copy_n(best.begin(), width, keys_.row(y));
   }
 }
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "edgevo/core/robust.h"
+#include "edgevo/core/simd.h"
 
 namespace edgevo::ba {
 namespace {
@@ -42,8 +44,9 @@ Matrix6d NormalEquationsBuilder::to_matrix(const PairSums& pair) {
 }
 
 Matrix6d NormalEquationsBuilder::to_matrix(const SchurBlock& block) {
-  Matrix6d M;
-  for (int i = 0; i < 6; ++i) M.row(i) = to_vector(block.row[i]);
+  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> M;
+  static_assert(sizeof(block.quad) == sizeof(M));
+  std::memcpy(M.data(), block.quad, sizeof(M));
   return M;
 }
 
@@ -59,7 +62,7 @@ NormalEquationsBuilder::NormalEquationsBuilder(const Window& window, double hube
 void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
   out->adjoint.resize(n_ * n_);
   for (int h = 0; h < n_; ++h)
-    for (int t = 0; t < n_; ++t) {
+    for (int t = window_.targets[h].first; t <= window_.targets[h].last; ++t) {
       const int pair = h * n_ + t;
       relative_[pair] = relative_pose(state.poses[t], state.poses[h]);
       out->adjoint[pair] = (state.poses[t] * state.poses[h].inverse()).adjoint();
@@ -78,10 +81,10 @@ void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
 void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
   reset(state, out);
   for (int h = 0; h < n_; ++h) {
-    find_targets(h);
-    for (int row = first_target_; row <= last_target_; ++row) {
+    const auto [first, last] = window_.targets[h];
+    for (int row = first; row <= last; ++row) {
       schur_b_[row] = PackedVector6{};
-      std::fill(&schur_[row * n_ + first_target_], &schur_[row * n_ + last_target_] + 1, SchurBlock{});
+      std::fill(&schur_[row * n_ + first], &schur_[row * n_ + last] + 1, SchurBlock{});
     }
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& point = window_.points[i];
@@ -91,16 +94,6 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
     scatter_pairs(h, out);
     scatter_schur(h, out);
   }
-}
-
-// A host's points are seen by keyframes near it only: a long problem is a band.
-void NormalEquationsBuilder::find_targets(int host) {
-  first_target_ = n_, last_target_ = -1;
-  for (int i = window_.host_begin[host]; i < window_.host_begin[host + 1]; ++i)
-    for (int k = window_.points[i].begin; k < window_.points[i].end; ++k) {
-      first_target_ = std::min(first_target_, window_.observations[k].target);
-      last_target_ = std::max(last_target_, window_.observations[k].target);
-    }
 }
 
 // J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
@@ -175,29 +168,55 @@ void NormalEquationsBuilder::add_point(const WindowPoint& point, int host, int p
   out->idepth_gradient[point_index] = depth[1];
 }
 
-void NormalEquationsBuilder::eliminate(const WindowPoint& point, int point_index, NormalEquations* out) {
-  const double inv = 1.0 / out->idepth_information[point_index];
-  const double step = out->idepth_gradient[point_index] * inv;
-  const WindowObservation* observations = window_.observations.data();
-  for (int i = point.begin; i < point.end; ++i) {
+// The quads of a row-major outer product q e^T are products of four numbers of q, repeated, by four of e.
+struct RepeatedRows {
+  Quad quad[9];
+};
+struct RepeatedColumns {
+  Quad quad[3];
+};
+
+inline RepeatedRows repeat_rows(const PackedVector6& q, double factor) {
+  double v[6];
+  std::memcpy(v, &q, sizeof(v));
+  for (double& x : v) x *= factor;
+  return {{Quad{v[0], v[0], v[0], v[0]}, Quad{v[0], v[0], v[1], v[1]}, Quad{v[1], v[1], v[1], v[1]},
+           Quad{v[2], v[2], v[2], v[2]}, Quad{v[2], v[2], v[3], v[3]}, Quad{v[3], v[3], v[3], v[3]},
+           Quad{v[4], v[4], v[4], v[4]}, Quad{v[4], v[4], v[5], v[5]}, Quad{v[5], v[5], v[5], v[5]}}};
+}
+
+inline RepeatedColumns repeat_columns(const PackedVector6& e) {
+  double v[6];
+  std::memcpy(v, &e, sizeof(v));
+  return {{Quad{v[0], v[1], v[2], v[3]}, Quad{v[4], v[5], v[0], v[1]}, Quad{v[2], v[3], v[4], v[5]}}};
+}
+
+// M(target i, target j) += inverse e_i e_j^T for the couplings e of one point. Targets ascend, so blocks on and below the diagonal are
+// filled; two matches in one target also meet crosswise.
+EDGEVO_WIDE_CLONES void add_outer_products(const PackedVector6* coupling, const WindowObservation* observations, int count, double inverse,
+                                           int n, SchurBlock* schur) {
+  for (int i = 0; i < count; ++i) {
     const int row = observations[i].target;
-    const PackedVector6 e_row = out->coupling[i];
-    add_scaled(step, e_row, &schur_b_[row]);
-    PackedVector6 q{};
-    add_scaled(inv, e_row, &q);
-    // Targets ascend, so blocks on and below the diagonal are filled; two matches in one target also meet
-    // crosswise.
-    for (int j = point.begin; j < point.end && observations[j].target <= row; ++j) {
-      const PackedVector6 e = out->coupling[j];
-      SchurBlock& block = schur_[row * n_ + observations[j].target];
-      for (int k = 0; k < 6; ++k) add_scaled(q.x[k / 2][k % 2], e, &block.row[k]);
+    const RepeatedRows rows = repeat_rows(coupling[i], inverse);
+    for (int j = 0; j < count && observations[j].target <= row; ++j) {
+      const RepeatedColumns columns = repeat_columns(coupling[j]);
+      Quad* block = schur[row * n + observations[j].target].quad;
+      for (int m = 0; m < 9; ++m) block[m] += rows.quad[m] * columns.quad[m % 3];
     }
   }
 }
 
+void NormalEquationsBuilder::eliminate(const WindowPoint& point, int point_index, NormalEquations* out) {
+  const double inverse = 1.0 / out->idepth_information[point_index];
+  const double step = out->idepth_gradient[point_index] * inverse;
+  const int count = point.end - point.begin;
+  for (int i = point.begin; i < point.end; ++i) add_scaled(step, out->coupling[i], &schur_b_[window_.observations[i].target]);
+  add_outer_products(&out->coupling[point.begin], &window_.observations[point.begin], count, inverse, n_, schur_.data());
+}
+
 void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
   const int h = 6 * host;
-  for (int target = first_target_; target <= last_target_; ++target) {
+  for (int target = window_.targets[host].first; target <= window_.targets[host].last; ++target) {
     if (target == host) continue;
     const int t = 6 * target;
     const PairSums& pair = pairs_[host * n_ + target];
@@ -218,10 +237,11 @@ void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
 void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
   const int h = 6 * host;
   const Matrix6d* Ad = &out->adjoint[host * n_];
-  for (int col = first_target_; col <= last_target_; ++col) {
+  const auto [first, last] = window_.targets[host];
+  for (int col = first; col <= last; ++col) {
     if (col == host) continue;
     Matrix6d with_host = Matrix6d::Zero();  // sum over rows of Ad_row^T M(row, col)
-    for (int row = first_target_; row <= last_target_; ++row) {
+    for (int row = first; row <= last; ++row) {
       if (row == host) continue;
       const bool lower = row >= col;
       Matrix6d M = to_matrix(schur_[lower ? row * n_ + col : col * n_ + row]);

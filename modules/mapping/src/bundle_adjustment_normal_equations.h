@@ -15,6 +15,14 @@ struct PackedVector6 {
   Rows x[3];
 };
 
+/// Four doubles: one register with AVX2, two without.
+using Quad = double __attribute__((vector_size(32)));
+
+/// A 6x6 matrix, row by row. Without AVX the compiler would align a Quad to sixteen bytes only.
+struct alignas(32) SchurBlock {
+  Quad quad[9];
+};
+
 /// Poses' 6x6 blocks are ordered as the window's poses, fixed ones included. H and S are symmetric and full.
 struct NormalEquations {
   double cost = 0;    ///< sum of Huber costs
@@ -25,7 +33,7 @@ struct NormalEquations {
   std::vector<double> idepth_information;  ///< per window point, sum w (dr/drho)^2
   std::vector<double> idepth_gradient;     ///< per window point, sum w r dr/drho
   std::vector<PackedVector6> coupling;     ///< per window observation, E = sum w J_target^T dr/drho
-  std::vector<Matrix6d> adjoint;           ///< of T_target_host, host * n + target: J_host = -J_target Ad
+  std::vector<Matrix6d> adjoint;           ///< of T_target_host, host * n + target in the host's range: J_host = -J_target Ad
 };
 
 /// Below this a point's depth is held: no parallax, nothing to divide by.
@@ -44,15 +52,11 @@ class NormalEquationsBuilder {
     Rows H[21];  ///< upper triangle of a 6x6 matrix, row by row
     Rows b[6];
   };
-  struct SchurBlock {
-    PackedVector6 row[6];
-  };
   static Matrix6d to_matrix(const PairSums& sums);
   static Matrix6d to_matrix(const SchurBlock& block);
   static void add_to_pair(const Derivatives& d, PairSums* sums);
 
   void reset(const State& state, NormalEquations* out);
-  void find_targets(int host);
   bool differentiate(const RelativePose& T, const WindowPoint& point, double idepth,
                      const WindowObservation& o, Derivatives* d) const;
   void add_point(const WindowPoint& point, int host, int point_index, double idepth, NormalEquations* out);
@@ -63,7 +67,6 @@ class NormalEquationsBuilder {
   const Window& window_;
   double huber_width_;
   int n_;
-  int first_target_ = 0, last_target_ = -1;  ///< of the host at hand
   std::vector<RelativePose> relative_;  ///< host * n + target
   std::vector<PairSums> pairs_;         ///< host * n + target
   std::vector<SchurBlock> schur_;       ///< of the host at hand: target_row * n + target_col, row >= col

@@ -1,10 +1,11 @@
 #include "bundle_adjustment_profile.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+#include <vector>
 
 #include "bundle_adjustment_normal_equations.h"
 #include "bundle_adjustment_prior.h"
+#include "dense_solve.h"
 #include "edgevo/core/robust.h"
 
 namespace edgevo::ba {
@@ -40,6 +41,8 @@ class Profile {
     first_.assign(problem_.points.size() + 1, 0);
     for (const BaObservation& o : problem_.observations) ++first_[o.point + 1];
     for (size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    rows_.reserve(problem_.observations.size());
+    for (size_t k = 0; k < problem_.observations.size(); ++k) rows_.push_back(row(int(k)));
     for (size_t i = 0; i < problem_.points.size(); ++i) reduce_point(int(i));
     if (!solve_poses(&step.pose_rate)) return step;
     step.idepth_rate.resize(problem_.points.size());
@@ -63,16 +66,14 @@ class Profile {
   // The point's depth eliminated: H_k = sum w J_pose^T (J_k - J_rho (sum w J_rho J_k) / (sum w J_rho^2)).
   void reduce_point(int point) {
     double information = 0, coupling = 0;
-    std::vector<Row> rows;
     for (int k = first_[point]; k < first_[point + 1]; ++k) {
-      rows.push_back(row(k));
-      information += rows.back().weight * rows.back().lin.J_idepth.squaredNorm();
-      coupling += rows.back().weight * rows.back().lin.J_idepth.dot(rows.back().J_k);
+      information += rows_[k].weight * rows_[k].lin.J_idepth.squaredNorm();
+      coupling += rows_[k].weight * rows_[k].lin.J_idepth.dot(rows_[k].J_k);
     }
     const BaPoint& p = problem_.points[point];
     const double rate = !p.fixed && information > kMinIdepthInformation ? -coupling / information : 0.0;
     for (int k = first_[point]; k < first_[point + 1]; ++k) {
-      const Row& r = rows[k - first_[point]];
+      const Row& r = rows_[k];
       const Eigen::Vector2d J = r.weight * (r.J_k + rate * r.lin.J_idepth);
       H_k_.segment<6>(6 * problem_.observations[k].target) += r.lin.J_target.transpose() * J;
       H_k_.segment<6>(6 * p.host) += r.lin.J_host.transpose() * J;
@@ -99,7 +100,7 @@ class Profile {
         A(i, j) = equations.H(free_rows[i], free_rows[j]) - equations.S(free_rows[i], free_rows[j]);
       A(i, i) += 1e-9 * equations.H(free_rows[i], free_rows[i]) + 1e-12;
     }
-    const Eigen::VectorXd x = A.ldlt().solve(b);
+    const Eigen::VectorXd x = solve_positive(A, b);
     rate->setZero(6 * problem_.poses.size());
     for (int i = 0; i < m; ++i) (*rate)[free_rows[i]] = x[i];
     return x.allFinite();
@@ -116,7 +117,7 @@ class Profile {
     if (problem_.points[point].fixed) return 0;
     double information = 0, coupling = 0;
     for (int k = first_[point]; k < first_[point + 1]; ++k) {
-      const Row r = row(k);
+      const Row& r = rows_[k];
       information += r.weight * r.lin.J_idepth.squaredNorm();
       coupling += r.weight * r.lin.J_idepth.dot(along_poses(r, k, pose_rate));
     }
@@ -127,7 +128,7 @@ class Profile {
     std::vector<double> score(problem_.poses.size(), 0.0);
     for (size_t k = 0; k < problem_.observations.size(); ++k) {
       const int point = problem_.observations[k].point;
-      const Row r = row(int(k));
+      const Row& r = rows_[k];
       if (!r.lin.valid) continue;
       const Eigen::Vector2d total = along_poses(r, int(k), step->pose_rate) + r.lin.J_idepth * step->idepth_rate[point];
       const double part = r.weight * r.lin.residual.dot(total);
@@ -142,6 +143,7 @@ class Profile {
   const GlobalDerivative& derivative_;
   const BaOptions& options_;
   std::vector<int> first_;  // observations of point i: [first_[i], first_[i + 1])
+  std::vector<Row> rows_;   // per observation
   Eigen::VectorXd H_k_;     // sum w J_pose^T J_k, depths eliminated
 };
 

@@ -4,13 +4,13 @@
 // Schur complement is H + lambda D - S / (1 + lambda): S is summed once a linearisation, and a rejected step
 // costs only a 6n x 6n factorisation. The linearisation of a trial state gives its cost too, and serves the
 // next step when the trial is accepted.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "bundle_adjustment_normal_equations.h"
 #include "bundle_adjustment_prior.h"
 #include "bundle_adjustment_solvers.h"
+#include "dense_solve.h"
 
 namespace edgevo::ba {
 namespace {
@@ -109,7 +109,7 @@ bool Minimizer::solve_poses() {
     }
     for (int d = 0; d < 6; ++d) A(6 * i + d, 6 * i + d) += lambda * damping_scale(now_.H(row + d, row + d));
   }
-  const Eigen::VectorXd delta = A.ldlt().solve(rhs);
+  const Eigen::VectorXd delta = solve_positive(A, rhs);
   if (!delta.allFinite()) return false;
   for (int i = 0; i < m; ++i) step_.poses.segment<6>(6 * free_poses_[i]) = delta.segment<6>(6 * i);
   for (int i = 0; i < 6 * window_.pose_count; ++i) {
@@ -125,7 +125,7 @@ void Minimizer::solve_idepths() {
   std::vector<PackedVector6> relative(n);  // step of each target as seen from the host
   for (int h = 0; h < n; ++h) {
     const Vector6d host = step_.poses.segment<6>(6 * h);
-    for (int t = 0; t < n; ++t)
+    for (int t = window_.targets[h].first; t <= window_.targets[h].last; ++t)
       relative[t] = pack(step_.poses.segment<6>(6 * t) - now_.adjoint[h * n + t] * host);
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& p = window_.points[i];

@@ -48,6 +48,16 @@ std::vector<int> points_by_host(const BaProblem& problem) {
   return order;
 }
 
+void find_targets(Window* window) {
+  window->targets.assign(window->pose_count, {window->pose_count, -1});
+  for (int h = 0; h < window->pose_count; ++h)
+    for (int i = window->host_begin[h]; i < window->host_begin[h + 1]; ++i) {
+      TargetRange& range = window->targets[h];
+      range.first = std::min(range.first, window->observations[window->points[i].begin].target);  // sorted by target
+      range.last = std::max(range.last, window->observations[window->points[i].end - 1].target);
+    }
+}
+
 }  // namespace
 
 RelativePose relative_pose(const SE3& T_target_world, const SE3& T_host_world) {
@@ -96,6 +106,7 @@ Window make_window(const BaProblem& problem, const State& state, const std::vect
     ++window.host_begin[p.host + 1];
   }
   for (int h = 0; h < n; ++h) window.host_begin[h + 1] += window.host_begin[h];
+  find_targets(&window);
   return window;
 }
 

@@ -47,9 +47,16 @@ struct WindowPoint {
   bool fixed;
 };
 
+/// Targets of a host's points: first to last, none where last < first. Points are seen by keyframes near their host only, so that a
+/// long problem is a band.
+struct TargetRange {
+  int first = 0, last = -1;
+};
+
 struct Window {
   int pose_count = 0;
   std::vector<int> host_begin;  ///< points of host h: [host_begin[h], host_begin[h + 1])
+  std::vector<TargetRange> targets;  ///< per host
   std::vector<WindowPoint> points;
   std::vector<WindowObservation> observations;
 };

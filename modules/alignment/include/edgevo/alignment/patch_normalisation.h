@@ -12,6 +12,7 @@ struct PatchMoments {
 
 inline PatchMoments patch_moments(const float* value, int count) {
   float sum = 0, square = 0;
+#pragma omp simd reduction(+ : sum, square)
   for (int i = 0; i < count; ++i) sum += value[i], square += value[i] * value[i];
   const float mean = sum / float(count);
   return {mean, std::sqrt(std::max(0.0f, square / float(count) - mean * mean))};
@@ -20,6 +21,7 @@ inline PatchMoments patch_moments(const float* value, int count) {
 /// Takes out of a patch's derivative what its normalisation cancels: the mean, and the part along the normalised patch itself.
 inline void project_out_normalisation(const float* normalised, int count, float* derivative) {
   float mean = 0, along = 0;
+#pragma omp simd reduction(+ : mean, along)
   for (int i = 0; i < count; ++i) mean += derivative[i], along += derivative[i] * normalised[i];
   mean /= float(count);
   along /= float(count);

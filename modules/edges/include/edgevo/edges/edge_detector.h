@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "edgevo/core/params.h"
-#include "edgevo/edges/plane.h"
+#include "edgevo/edges/gradient.h"
 
 namespace edgevo {
 
@@ -23,16 +23,6 @@ struct EdgeParams {
   void visit(ParamVisitor& v);
 };
 
-/// Gradient of a smoothed image (Gauss 5x5, sigma 1, then Sobel 3x3; Sobel units: 8 times gray levels per pixel).
-struct Gradient {
-  Plane<int16_t> dx, dy;
-  Plane<float> magnitude;  ///< sqrt(dx^2 + dy^2), Sobel units
-};
-constexpr float kSobelPerGrayLevel = 8.0f;  ///< Sobel 3x3 response to a ramp of one gray level per pixel
-
-/// Cost: about 2 ms at 1241x376.
-Gradient compute_gradient(const ImageView<uint8_t>& gray);
-
 class EdgeDetector {
  public:
   virtual ~EdgeDetector() = default;
@@ -45,8 +35,5 @@ class EdgeDetector {
 /// Throws InputError for an unknown name.
 std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params);
 std::vector<std::string> edge_detector_names();
-
-/// Gradient magnitude (Sobel units) that the share `percentile` of the pixels does not exceed; looks at a quarter of them.
-float gradient_percentile(const Plane<float>& magnitude, double percentile);
 
 }  // namespace edgevo

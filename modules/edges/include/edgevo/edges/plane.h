@@ -1,18 +1,30 @@
 #pragma once
 // An owned image of any element type, rows without padding. Elements are NOT initialised by the constructor: planes are
-// written whole right after they are made, and clearing megabytes a frame would be wasted.
+// written whole right after they are made, and clearing megabytes a frame would be wasted. Their memory is kept for the next
+// plane of the same size: a frame needs some ten of them, and fresh memory costs more than a gradient does.
 #include <cstdint>
+#include <cstddef>
 #include <memory>
+#include <type_traits>
 
 #include "edgevo/core/image.h"
 
 namespace edgevo {
 
+/// Memory of planes, used again. Any thread.
+struct PlaneMemory {
+  static void* take(size_t bytes);
+  /// Keeps the block for the next `take` of that size, or frees it where many are kept.
+  static void give_back(void* block, size_t bytes);
+};
+
 template <class T>
 class Plane {
+  static_assert(std::is_trivial_v<T>);
+
  public:
   Plane() = default;
-  Plane(int width, int height) : width_(width), height_(height), data_(new T[size_t(width) * height]) {}
+  Plane(int width, int height) : width_(width), height_(height), data_(static_cast<T*>(PlaneMemory::take(sizeof(T) * width * height)), GiveBack{sizeof(T) * width * height}) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -25,7 +37,11 @@ class Plane {
 
  private:
   int width_ = 0, height_ = 0;
-  std::unique_ptr<T[]> data_;
+  struct GiveBack {
+    size_t bytes = 0;
+    void operator()(T* block) const { PlaneMemory::give_back(block, bytes); }
+  };
+  std::unique_ptr<T[], GiveBack> data_;
 };
 
 /// Bilinear value at (x, y); the caller keeps 0 <= x < width-1, 0 <= y < height-1.
