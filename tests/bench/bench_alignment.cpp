@@ -14,7 +14,7 @@ void track_frame(benchmark::State& state) {
   const auto current = bench::pyramid(2);
   TrackResult result;
   for (auto _ : state) result = track(*current, cloud, motion_hypotheses(SE3(), SE3()), AlignmentParams());
-  state.counters["inlier_share"] = result.stats.inlier_share();
+  state.counters["inlier_share"] = result.evidence.inlier_share;
   state.counters["starts"] = result.starts_tried;
 }
 

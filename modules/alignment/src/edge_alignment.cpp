@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "edge_match.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
 
@@ -60,13 +61,6 @@ NormalEquations minimise(const Linearise& linearise, int max_iterations, double 
   return current;
 }
 
-// Share of the depth's uncertainty in a residual along `normal`: w = 1 / (1 + s^2), s in pixels.
-double depth_weight(const Eigen::Matrix<double, 2, 3>& J_pi, const Eigen::Vector3d& t, const Eigen::Vector2d& normal,
-                    double idepth_sigma) {
-  const double s = normal.dot(J_pi * t) * idepth_sigma;
-  return 1.0 / (1.0 + s * s);
-}
-
 class EdgeCost {
  public:
   EdgeCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
@@ -106,16 +100,10 @@ class EdgeCost {
   // Returns the cost of the point: Eq. (edgeerror), truncated.
   double add_edge(const CloudPoint& point, const Projection& p, const Eigen::Vector3d& t, NormalEquations* eq,
                   double* square_sum) const {
-    const int n = level_.field.nearest(float(p.px.x()), float(p.px.y()));
-    if (n < 0) return miss_cost();
-    const EdgePixel& edge = level_.edges.pixels[n];
-    if (edge.normal().dot(point.normal) < params_.min_normal_cosine) return miss_cost();
-    const Eigen::Vector2d g = edge.normal().cast<double>();
-    const Eigen::Vector2d d = p.px - edge.position().cast<double>();
-    const double r = g.dot(d);  // Eq. (edgeerror)
-    const double tangent = g.x() * d.y() - g.y() * d.x();
-    if (std::abs(r) > params_.truncation_normal_px || std::abs(tangent) > params_.truncation_tangent_px)
-      return miss_cost();
+    const EdgeMatch match = match_edge(level_, p.px, point.normal, params_);
+    if (!match.found) return miss_cost();
+    const Eigen::Vector2d& g = match.normal;
+    const double r = match.residual_px;
     const Eigen::Matrix<double, 1, 6> J = g.transpose() * pose_jacobian(level_.pinhole, p.Y, point.idepth);
     const double w_depth = depth_weight(projection_jacobian(level_.pinhole, p.Y), t, g, point.idepth_sigma);
     eq->add(J, r, w_depth * robust_weight(r));
@@ -200,9 +188,8 @@ void AlignmentParams::visit(ParamVisitor& v) {
   v.text("robust", robust, {"huber", "student_t"}, "robust weight of edge residuals");
   v.boolean("photometric", photometric, "add the image-gradient cost to the finest level (slower)");
   v.number("photometric_weight", photometric_weight, 0, 100, "its weight against edge residuals in pixels");
-  v.number("degraded_share", degraded_share, 0, 1, "inlier share below which a frame is DEGRADED");
-  v.number("degraded_residual_px", degraded_residual_px, 0.1, 10, "rms residual above which a frame is DEGRADED, pixels");
-  v.number("lost_share", lost_share, 0, 1, "inlier share below which a frame is LOST");
+  v.number("degraded_share", degraded_share, 0, 1, "share of the weighed points below which a frame is DEGRADED");
+  v.number("lost_share", lost_share, 0, 1, "share of the weighed points below which a frame is LOST");
   v.integer("min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
   v.number("weak_sigma", weak_sigma, 1e-5, 1, "a direction with a larger standard deviation (share of depth, rad) is weak");
 }

@@ -1,10 +1,11 @@
 #include "edgevo/alignment/tracker.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "edgevo/alignment/rotation_search.h"
 
 namespace edgevo {
 namespace {
@@ -28,24 +29,23 @@ TrackResult align_from(const FramePyramid& current, const ReferenceCloud& cloud,
   while (edge_levels < int(current.levels.size()) && !current.levels[edge_levels].gradient_magnitude.empty()) ++edge_levels;
   for (int level = std::min(edge_levels, 2) - 1; level >= 0; --level)
     result.stats = align_edges(current, cloud, level, params, &result.T_cur_ref);
+  if (result.T_cur_ref.is_finite()) result.evidence = weigh_evidence(current, cloud, result.T_cur_ref, params);
   return result;
 }
 
 bool is_good(const TrackResult& r, const AlignmentParams& params) {
-  return r.stats.visible >= params.min_visible && r.stats.inlier_share() >= params.degraded_share &&
-         r.stats.residual_px <= params.degraded_residual_px;
+  return r.stats.visible >= params.min_visible && r.evidence.inlier_share >= params.degraded_share;
 }
 
 // Directions whose standard deviation, translation measured in median depths, exceeds params.weak_sigma.
-std::vector<Vector6d> find_weak_directions(const Matrix6d& information, double residual_px, double depth, double weak_sigma) {
-  Vector6d unit;
-  unit << depth, depth, depth, 1, 1, 1;
-  const Matrix6d scaled = unit.asDiagonal() * information * unit.asDiagonal();
+std::vector<Vector6d> find_weak_directions(const Matrix6d& covariance, double depth, double weak_sigma) {
+  Vector6d per_unit;
+  per_unit << 1 / depth, 1 / depth, 1 / depth, 1, 1, 1;
+  const Matrix6d scaled = per_unit.asDiagonal() * covariance * per_unit.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scaled);
-  const double min_eigenvalue = std::pow(std::max(residual_px, 0.1) / weak_sigma, 2);
   std::vector<Vector6d> weak;
   for (int i = 0; i < 6; ++i)
-    if (!(eigen.eigenvalues()[i] >= min_eigenvalue)) weak.push_back(eigen.eigenvectors().col(i));
+    if (!(eigen.eigenvalues()[i] <= weak_sigma * weak_sigma)) weak.push_back(eigen.eigenvectors().col(i));
   return weak;
 }
 
@@ -56,7 +56,7 @@ std::string format(const char* pattern, double a, double b) {
 }
 
 void judge(const AlignmentParams& params, TrackResult* r) {
-  const double share = r->stats.inlier_share();
+  const double share = r->evidence.inlier_share;
   r->verdict = TrackingState::kLost;
   if (!r->T_cur_ref.is_finite()) {
     r->reason = "alignment diverged";
@@ -67,9 +67,6 @@ void judge(const AlignmentParams& params, TrackResult* r) {
   } else if (share < params.degraded_share) {
     r->verdict = TrackingState::kDegraded;
     r->reason = format("inlier share %.2f is below %.2f", share, params.degraded_share);
-  } else if (r->stats.residual_px > params.degraded_residual_px) {
-    r->verdict = TrackingState::kDegraded;
-    r->reason = format("residual %.2f px is above %.2f px", r->stats.residual_px, params.degraded_residual_px);
   } else if (!r->weak_directions.empty()) {
     r->verdict = TrackingState::kDegraded;
     r->reason = format("%.0f poorly observed direction(s)%.0s", double(r->weak_directions.size()), 0.0);
@@ -79,13 +76,6 @@ void judge(const AlignmentParams& params, TrackResult* r) {
 }
 
 }  // namespace
-
-Matrix6d pose_covariance(const AlignmentStats& stats) {
-  Matrix6d H = stats.information;
-  H.diagonal().array() += 1e-9;
-  const double sigma_r = std::max(stats.residual_px, 0.1);
-  return H.inverse() * (sigma_r * sigma_r);  // Eq. (poseuncertainty)
-}
 
 std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_before) {
   const Vector6d velocity = T_last_before.log();
@@ -99,17 +89,19 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
                   const AlignmentParams& params) {
   TrackResult best;
   int tried = 0;
-  for (const SE3& start : starts) {
-    TrackResult r = align_from(current, cloud, start, params);
-    ++tried;
-    if (tried == 1 || (r.stats.inliers > best.stats.inliers && r.stats.inlier_share() > best.stats.inlier_share()))
-      best = std::move(r);
-    if (is_good(best, params)) break;
-  }
+  const auto try_starts = [&](const std::vector<SE3>& from) {
+    for (const SE3& start : from) {
+      TrackResult r = align_from(current, cloud, start, params);
+      if (++tried == 1 || r.evidence.inlier_share * r.evidence.weight > best.evidence.inlier_share * best.evidence.weight)
+        best = std::move(r);
+      if (is_good(best, params)) return;
+    }
+  };
+  try_starts(starts);
+  if (!is_good(best, params)) try_starts(search_rotation(current, cloud, starts.front(), params));
   best.starts_tried = tried;
-  best.covariance = pose_covariance(best.stats);
-  best.weak_directions =
-      find_weak_directions(best.stats.information, best.stats.residual_px, median_depth(cloud), params.weak_sigma);
+  if (best.T_cur_ref.is_finite()) best.covariance = pose_covariance(pose_equations(current, cloud, best.T_cur_ref, params));
+  best.weak_directions = find_weak_directions(best.covariance, median_depth(cloud), params.weak_sigma);
   judge(params, &best);
   return best;
 }

@@ -36,10 +36,13 @@ struct Odometry::Impl {
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
     if (lost) ++frames_lost;
-    if (has_map && frames_lost <= params.recovery.max_frames) track_frame(frame, pyramid, &record);
+    if (has_map && (!lost || tries_old_map(record.edges))) track_frame(frame, pyramid, &record);
     if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
     return record;
   }
+
+  // After a loss the old map gets a number of tries, and a frame that shows nothing is none.
+  bool tries_old_map(int edges) { return edges >= kMinEdges && tries++ < params.recovery.max_frames; }
 
   // A rotation has turned the camera away from nearly all that has depth. The rotation can be followed, a translation only while what
   // is left explains the images: where it does not, a new map is sought beside the old one.
@@ -55,7 +58,7 @@ struct Odometry::Impl {
     const double start = thread_cpu_ms();
     const TrackResult result = track(*pyramid, reference->cloud, starts(), params.alignment);
     record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
-    record->inlier_share = result.stats.inlier_share();
+    record->inlier_share = result.evidence.inlier_share;
     record->residual_px = result.stats.residual_px;
     record->note = result.reason;
     if (result.verdict == TrackingState::kLost || (lost && result.verdict != TrackingState::kTracking)) {
@@ -76,7 +79,9 @@ struct Odometry::Impl {
   std::vector<SE3> starts() const {
     if (!lost) return motion_hypotheses(T_last_ref, velocity);
     const Vector6d drift = velocity.log() * double(frames_lost + 1);
-    return {SE3::exp(drift) * T_last_ref, T_last_ref, SE3::exp(0.5 * drift) * T_last_ref};
+    const SE3 on = SE3::exp(drift) * T_last_ref, half = SE3::exp(0.5 * drift) * T_last_ref;
+    if (frames_lost > kLongGap) return {T_last_ref, half, on};  // nobody moves on as before for long
+    return {on, T_last_ref, half};
   }
 
   // The constant-velocity model is fed with good frames only; after a gap with the mean over the gap.
@@ -185,7 +190,7 @@ struct Odometry::Impl {
       else if (view.pyramid) {
         const TrackResult r = track(*view.pyramid, reference->cloud, {T_cam_ref}, params.alignment);
         if (r.verdict != TrackingState::kLost) T_cam_ref = r.T_cur_ref, record->covariance = r.covariance;
-        record->inlier_share = r.stats.inlier_share();
+        record->inlier_share = r.evidence.inlier_share;
         record->residual_px = r.stats.residual_px;
       }
       record->state = TrackingState::kTracking;
@@ -197,7 +202,7 @@ struct Odometry::Impl {
   void lose(const Frame& frame, const std::string& reason) {
     lost = true;
     lost_at = frame.index;
-    frames_lost = 0;
+    frames_lost = tries = 0;
     bootstrap.reset();
     say(frame, "LOST: " + reason);
   }
@@ -231,7 +236,8 @@ struct Odometry::Impl {
     if (options.log) options.log("frame " + std::to_string(frame.index) + ": " + what);
   }
 
-  static constexpr int kMinEdges = 200;
+  static constexpr int kMinEdges = 200;        // with fewer an image shows nothing to follow
+  static constexpr int kLongGap = 10;          // frames
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
   static constexpr int kManyDegraded = 6;      // more DEGRADED frames than TRACKING ones, of late
 
@@ -247,7 +253,8 @@ struct Odometry::Impl {
   std::shared_ptr<const Reference> reference;
   SE3 T_last_ref, velocity;
   int frames_since_keyframe = 0;
-  int segment = -1, lost_at = -1, frames_lost = 0, degraded_frames = 0;
+  int segment = -1, lost_at = -1, degraded_frames = 0;
+  int frames_lost = 0, tries = 0;  // since the loss: frames, and those tried against the old map
   bool seeking = false;  // a bootstrap runs beside the map, see is_out_of_map
   bool has_map = false, lost = false, ever_tracked = false;
 };

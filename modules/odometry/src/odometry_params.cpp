@@ -3,7 +3,7 @@
 namespace edgevo {
 
 void RecoveryParams::visit(ParamVisitor& v) {
-  v.integer("max_frames", max_frames, 0, 1000, "after a loss the old map is tried for so many frames");
+  v.integer("max_frames", max_frames, 0, 1000, "after a loss so many frames that show something are tried against the old map");
 }
 
 void OdometryParams::visit(ParamVisitor& v) {

@@ -177,14 +177,14 @@ Run RunRecords::finish() {
     const auto hook = hooks_.find(frame.index);
     if (hook == hooks_.end()) continue;
     const Sim3& T_world_map = T_world_map_[frame.segment];
+    const double length = T_world_map.scale * length_ratio_since(hook->second.keyframe_id, hook->second.revision);
     Vector6d unit = Vector6d::Ones();
-    unit.head<3>().setConstant(T_world_map.scale);
+    unit.head<3>().setConstant(length);
     frame.covariance = unit.asDiagonal() * frame.covariance * unit.asDiagonal();
     const auto keyframe = position.find(hook->second.keyframe_id);
     if (keyframe == position.end()) continue;
     frame.reference_keyframe = keyframe->second;
     const SE3 T_ref_cam = hook->second.T_cam_ref.inverse();
-    const double length = T_world_map.scale * length_ratio_since(hook->second.keyframe_id, hook->second.revision);
     const SE3 T_ref_cam_scaled(T_ref_cam.rotation(), length * T_ref_cam.translation());
     frame.T_world_cam = run.keyframes[keyframe->second].T_world_cam * T_ref_cam_scaled;
   }

@@ -19,9 +19,8 @@ struct AlignmentParams {
   bool photometric = false;
   double photometric_weight = 0.5; ///< relative to an edge residual of one pixel
   // Verdict.
-  double degraded_share = 0.7;
-  double degraded_residual_px = 1.0;
-  double lost_share = 0.4;
+  double degraded_share = 0.4;     ///< of the weighed points (pose_evidence.h)
+  double lost_share = 0.15;
   int min_visible = 60;            ///< points in view; with fewer the frame is lost
   double weak_sigma = 0.01;        ///< a direction is poorly observed beyond this (share of the median depth, radians)
 

@@ -21,7 +21,7 @@ struct AlignmentStats {
   double cost = 0;          ///< truncated, a visible point; lower is better
   Matrix6d information = Matrix6d::Zero();  ///< sum of w J^T J at the solution, px^-2
   int iterations = 0;
-  double inlier_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
+  double matched_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
 };
 
 /// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per usable patch

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "edgevo/alignment/edge_alignment.h"
+#include "edgevo/alignment/pose_evidence.h"
 #include "edgevo/core/tracking_state.h"
 
 namespace edgevo {
@@ -11,8 +12,9 @@ namespace edgevo {
 struct TrackResult {
   TrackingState verdict = TrackingState::kLost;  ///< kTracking, kDegraded or kLost
   SE3 T_cur_ref;                                 ///< meaningless when lost
-  Matrix6d covariance = Matrix6d::Zero();        ///< of xi in T <- exp(xi) T; optimistic, see pose_covariance()
+  Matrix6d covariance = Matrix6d::Zero();        ///< of xi in T_cur_ref <- exp(xi) T_cur_ref, see pose_covariance.h
   AlignmentStats stats;
+  PoseEvidence evidence;
   int starts_tried = 0;                          ///< 1: the constant-velocity start was good
   std::vector<Vector6d> weak_directions;         ///< unit tangents (translation in median depths) that are poorly observed
   std::string reason;                            ///< why the frame is degraded or lost, a short sentence; else empty
@@ -25,9 +27,5 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
 
 /// Starts for the next frame from the last two poses: constant velocity, rest, half and double velocity, rotation only.
 std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_before);
-
-/// Sigma_xi = (sum w J^T J)^-1 sigma_r^2 (paper Eq. (poseuncertainty) with the inverse that its print lacks; DESIGN.md section
-/// 4). Residuals are taken as independent, which neighbours on an edge are not: the result is too small.
-Matrix6d pose_covariance(const AlignmentStats& stats);
 
 }  // namespace edgevo

@@ -24,13 +24,15 @@ struct FrameRecord {
   int segment = -1;             ///< number of the connected stretch of trajectory, from 0; -1: none
   bool is_keyframe = false;
   int reference_keyframe = -1;  ///< Run::keyframes index that the final pose hangs on; -1: no pose
-  double inlier_share = 0;      ///< of the projected map points, [0, 1]
+  double inlier_share = 0;      ///< share of the map points in view that speak for the pose (alignment/pose_evidence.h), [0, 1]
   double residual_px = 0;       ///< rms over the inliers along the edge normal
   int edges = 0;                ///< edge pixels found
   std::vector<std::pair<std::string, double>> stage_ms;  ///< name and CPU milliseconds of each stage that ran
   std::optional<SE3> T_world_cam;       ///< final: re-expressed from the final keyframe poses
   std::optional<SE3> T_world_cam_live;  ///< as it was known when the frame came
-  Matrix6d covariance = Matrix6d::Zero();  ///< of T_cur_ref, tangent [v, w] in the camera frame; optimistic
+  /// Of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the unit of the run; against the keyframe
+  /// that the frame was tracked against, the scale taken as known (alignment/pose_covariance.h). Zero: unknown.
+  Matrix6d covariance = Matrix6d::Zero();
   std::string note;             ///< why a bootstrap is not ready, why tracking was lost; else empty
 };
 

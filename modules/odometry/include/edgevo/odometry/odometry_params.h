@@ -8,7 +8,7 @@
 namespace edgevo {
 
 struct RecoveryParams {
-  int max_frames = 10;  ///< after a loss the old map is tried for so many frames beside a new bootstrap
+  int max_frames = 10;  ///< that show something: after a loss so many are tried against the old map, beside a new bootstrap
 
   void visit(ParamVisitor& v);
 };

@@ -1,0 +1,42 @@
+#pragma once
+// The match of one projected point: the nearest edge pixel that passes the gates of Eq. (edgeerror).
+#include <cmath>
+
+#include "edgevo/alignment/alignment_params.h"
+#include "edgevo/alignment/projection.h"
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+
+struct EdgeMatch {
+  bool found = false;
+  Eigen::Vector2d normal;  ///< g(n), the edge's unit gradient
+  double residual_px = 0;  ///< Eq. (edgeerror): g(n)^T (p' - n(p'))
+  int chain = -1;          ///< the edge that n(p') is a pixel of
+};
+
+/// `point_normal` is the edge normal in the reference image.
+inline EdgeMatch match_edge(const PyramidLevel& level, const Eigen::Vector2d& px,
+                            const Eigen::Vector2f& point_normal, const AlignmentParams& params) {
+  const int n = level.field.nearest(float(px.x()), float(px.y()));
+  if (n < 0) return {};
+  const EdgePixel& edge = level.edges.pixels[n];
+  if (edge.normal().dot(point_normal) < params.min_normal_cosine) return {};
+  const Eigen::Vector2d g = edge.normal().cast<double>();
+  const Eigen::Vector2d d = px - edge.position().cast<double>();
+  const double r = g.dot(d);  // Eq. (edgeerror)
+  const double tangent = g.x() * d.y() - g.y() * d.x();
+  if (std::abs(r) > params.truncation_normal_px || std::abs(tangent) > params.truncation_tangent_px)
+    return {};
+  return {true, g, r, edge.chain};
+}
+
+/// Share of a point's testimony that its uncertain depth leaves: w = 1 / (1 + s^2), s the deviation along
+/// `normal` in pixels.
+inline double depth_weight(const Eigen::Matrix<double, 2, 3>& J_pi, const Eigen::Vector3d& t,
+                           const Eigen::Vector2d& normal, double idepth_sigma) {
+  const double s = normal.dot(J_pi * t) * idepth_sigma;
+  return 1.0 / (1.0 + s * s);
+}
+
+}  // namespace edgevo

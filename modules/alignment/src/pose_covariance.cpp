@@ -1,0 +1,53 @@
+#include "edgevo/alignment/pose_covariance.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+namespace edgevo {
+namespace {
+
+constexpr double kMinResidualVariance =
+    0.01;                        // px^2: matches without any residual are a coincidence, not a certainty
+constexpr double kRidge = 1e-9;  // on the information, so that it can be inverted
+
+// Sum of the scores of each edge, one after another in the order of the edges' numbers.
+std::vector<Vector6d> sum_scores(const std::vector<PoseEquation>& equations) {
+  int edges = 0;
+  for (const PoseEquation& e : equations) edges = std::max(edges, e.edge + 1);
+  std::vector<Vector6d> score(size_t(edges), Vector6d::Zero());
+  std::vector<bool> present(size_t(edges), false);
+  for (const PoseEquation& e : equations) {
+    score[size_t(e.edge)] += (e.weight * e.residual_px) * e.jacobian.transpose();
+    present[size_t(e.edge)] = true;
+  }
+  std::vector<Vector6d> scores;
+  for (size_t i = 0; i < score.size(); ++i)
+    if (present[i]) scores.push_back(score[i]);
+  return scores;
+}
+
+}  // namespace
+
+Matrix6d pose_covariance(const std::vector<PoseEquation>& equations) {
+  Matrix6d A = kRidge * Matrix6d::Identity();
+  double square = 0, weight = 0;
+  for (const PoseEquation& e : equations) {
+    A.noalias() += e.weight * e.jacobian.transpose() * e.jacobian;
+    square += (e.weight * e.residual_px) * (e.weight * e.residual_px);
+    weight += e.weight;
+  }
+  const double variance = std::max(kMinResidualVariance, weight > 0 ? square / weight : 0.0);  // sigma_r^2
+  const std::vector<Vector6d> scores = sum_scores(equations);
+  Matrix6d M = Matrix6d::Zero();
+  for (const Vector6d& g : scores) M.noalias() += g * g.transpose();
+  const double n = double(scores.size());
+  M *= n / std::max(1.0, n - 6.0);
+  // In the axes where A is the identity (A = L L^T), M is the variance of a residual with what its edge adds.
+  const Matrix6d L_inverse = A.llt().matrixL().solve(Matrix6d::Identity());
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(L_inverse * M * L_inverse.transpose());
+  const Matrix6d root = L_inverse.transpose() * axes.eigenvectors();
+  return kReferenceShare * root * axes.eigenvalues().cwiseMax(variance).asDiagonal() * root.transpose();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,77 @@
+#include "edgevo/alignment/rotation_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/alignment/projection.h"
+#include "edgevo/core/robust.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kStepPx = 2.0;  // of the coarsest level: neighbours on the grid meet in the basin of a patch
+constexpr int kYawSteps = 9, kPitchSteps = 5;  // to either side
+constexpr size_t kPatches = 200;
+constexpr size_t kBest = 3;     // rotations handed on
+constexpr int kApartSteps = 2;  // and they are so many steps apart
+
+struct Candidate {
+  double score = 0;
+  int yaw = 0, pitch = 0;
+};
+
+// Mean robust patch difference on one level, of every `step`-th patch.
+double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, const PatchTemplates& patches,
+                       size_t step, const SE3& T_cur_ref, const AlignmentParams& params) {
+  const Eigen::Matrix3d R = T_cur_ref.R();
+  const Eigen::Vector3d t = T_cur_ref.translation();
+  const double unrelated = huber_cost(std::sqrt(2.0), params.patch_huber);
+  double sum = 0;
+  int count = 0;
+  for (size_t i = 0; i < patches.size(); i += step) {
+    if (!patches[i].usable) continue;
+    ++count;
+    const Projection p = project(level.pinhole, R, t, cloud.points[i].ray, cloud.points[i].idepth);
+    const PatchDifference d =
+        p.valid ? compare_patch(level.gray.view(), patches[i], float(p.px.x()), float(p.px.y()))
+                : PatchDifference();
+    sum += d.usable ? std::min(unrelated, huber_cost(std::sqrt(double(d.mean_square)), params.patch_huber))
+                    : unrelated;
+  }
+  return count > 0 ? sum / count : unrelated;
+}
+
+}  // namespace
+
+std::vector<SE3> search_rotation(const FramePyramid& current, const ReferenceCloud& cloud,
+                                 const SE3& T_predicted, const AlignmentParams& params) {
+  const size_t coarsest = current.levels.size() - 1;
+  const PyramidLevel& level = current.levels[coarsest];
+  const PatchTemplates& patches = cloud.patches[coarsest];
+  const size_t step = std::max<size_t>(1, patches.size() / kPatches);
+  const double angle = kStepPx / level.pinhole.fx;
+  const auto turned = [&](int yaw, int pitch) {
+    Vector6d xi = Vector6d::Zero();
+    xi.tail<3>() << angle * pitch, angle * yaw, 0;
+    return SE3::exp(xi) * T_predicted;
+  };
+  std::vector<Candidate> grid;
+  for (int pitch = -kPitchSteps; pitch <= kPitchSteps; ++pitch)
+    for (int yaw = -kYawSteps; yaw <= kYawSteps; ++yaw)
+      grid.push_back({mean_difference(level, cloud, patches, step, turned(yaw, pitch), params), yaw, pitch});
+  std::stable_sort(grid.begin(), grid.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+  std::vector<Candidate> best;
+  for (const Candidate& c : grid) {
+    const bool known = std::any_of(best.begin(), best.end(), [&](const Candidate& b) {
+      return std::abs(b.yaw - c.yaw) < kApartSteps && std::abs(b.pitch - c.pitch) < kApartSteps;
+    });
+    if (!known) best.push_back(c);
+    if (best.size() == kBest) break;
+  }
+  std::vector<SE3> starts;
+  for (const Candidate& c : best) starts.push_back(turned(c.yaw, c.pitch));
+  return starts;
+}
+
+}  // namespace edgevo

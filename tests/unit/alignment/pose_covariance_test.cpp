@@ -1,0 +1,107 @@
+// The covariance of a pose against the spread of many estimates, with independent and with shared noise.
+#include "edgevo/alignment/pose_covariance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "edgevo/alignment/edge_alignment.h"
+#include "edgevo/core/random.h"
+
+namespace edgevo {
+namespace {
+
+// `edges` edges of `points` neighbouring points each, seen by a camera at rest.
+std::vector<PoseEquation> make_equations(int edges, int points) {
+  const Pinhole camera{260, 260, 160, 120, 320, 240};
+  Random random(5);
+  std::vector<PoseEquation> equations;
+  for (int edge = 0; edge < edges; ++edge) {
+    const Eigen::Vector2d px(random.uniform(10, 310), random.uniform(10, 230));
+    const double angle = random.uniform(0, 2 * M_PI), idepth = random.uniform(0.1, 0.5);
+    const Eigen::Vector2d normal(std::cos(angle), std::sin(angle)), along(-normal.y(), normal.x());
+    for (int i = 0; i < points; ++i) {
+      const Eigen::Vector2d at = px + 3.0 * i * along;
+      const EdgeResidual r = edge_residual(camera, SE3(), camera.ray(at), idepth, at, normal);
+      equations.push_back({r.jacobian, 0, 1, edge});
+    }
+  }
+  return equations;
+}
+
+// Estimates from noisy residuals: their spread, and the mean of what pose_covariance() said without the
+// reference's share.
+struct Spread {
+  Matrix6d sampled = Matrix6d::Zero(), told = Matrix6d::Zero();
+};
+
+Spread sample(std::vector<PoseEquation> equations, double own_px, double shared_px) {
+  constexpr int kTrials = 3000;
+  Random random(7);
+  Matrix6d A = Matrix6d::Zero();
+  for (const PoseEquation& e : equations) A += e.jacobian.transpose() * e.jacobian;
+  const auto solver = A.ldlt();
+  Spread spread;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Vector6d b = Vector6d::Zero();
+    double shared = 0;
+    int edge = -1;
+    for (PoseEquation& e : equations) {
+      if (e.edge != edge) shared = shared_px * random.normal(), edge = e.edge;
+      e.residual_px = own_px * random.normal() + shared;
+      b += e.jacobian.transpose() * e.residual_px;
+    }
+    const Vector6d xi = solver.solve(b);
+    for (PoseEquation& e : equations) e.residual_px -= e.jacobian.dot(xi);  // as the alignment leaves them
+    spread.sampled += xi * xi.transpose() / kTrials;
+    spread.told += pose_covariance(equations) / (kReferenceShare * kTrials);
+  }
+  return spread;
+}
+
+double sum_of_variances(const Spread& s) {  // sampled against told, in the axes of what was told
+  return (s.told.inverse() * s.sampled).trace() / 6;
+}
+
+TEST(PoseCovariance, MatchesTheSpreadUnderIndependentNoise) {
+  const Spread s = sample(make_equations(150, 4), 0.4, 0);
+  EXPECT_GT(sum_of_variances(s), 0.65);  // never below A^-1 sigma^2: on the safe side
+  EXPECT_LT(sum_of_variances(s), 1.05);
+}
+
+TEST(PoseCovariance, MatchesTheSpreadWherePointsOfAnEdgeShareItsError) {
+  const Spread s = sample(make_equations(150, 4), 0.2, 0.4);
+  EXPECT_GT(sum_of_variances(s), 0.75);
+  EXPECT_LT(sum_of_variances(s), 1.15);
+}
+
+// As if every point were an edge of its own: what the formula for independent residuals would say.
+TEST(PoseCovariance, IndependenceWouldClaimTooMuch) {
+  std::vector<PoseEquation> equations = make_equations(150, 4);
+  const double shared = sample(equations, 0.2, 0.4).told.trace();
+  for (size_t i = 0; i < equations.size(); ++i) equations[i].edge = int(i);
+  EXPECT_GT(shared / sample(equations, 0.45, 0).told.trace(), 2);
+}
+
+// A single direction of motion that no edge sees must not be taken for certain.
+TEST(PoseCovariance, AnUnseenDirectionIsUnknown) {
+  std::vector<PoseEquation> equations = make_equations(100, 3);
+  Random random(3);
+  for (PoseEquation& e : equations) {
+    e.jacobian[1] = 0;
+    e.residual_px = 0.3 * random.normal();
+  }
+  const Matrix6d covariance = pose_covariance(equations);
+  EXPECT_GT(covariance(1, 1), 1e6);
+  EXPECT_LT(covariance(0, 0), 1);
+}
+
+TEST(PoseCovariance, WithoutEquationsNothingIsKnown) {
+  const Matrix6d covariance = pose_covariance({});
+  EXPECT_TRUE(covariance.allFinite());
+  EXPECT_GT(covariance.diagonal().minCoeff(), 1e6);
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,89 @@
+// Which points speak for a pose, and the search that follows when too few do.
+#include "edgevo/alignment/pose_evidence.h"
+
+#include <gtest/gtest.h>
+
+#include "edgevo/alignment/rotation_search.h"
+#include "edgevo/alignment/tracker.h"
+#include "support/plane_scene.h"
+#include "support/twist.h"
+
+namespace edgevo {
+namespace {
+
+using test::twist;
+
+TEST(PoseEvidence, NearlyAllSpeakForTheTruePoseAndFewForAnother) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.1, 0, 0.1, 0.01, -0.02, 0));
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto current = scene.pyramid(T_cur_ref.inverse());
+  const AlignmentParams params;
+  EXPECT_GT(weigh_evidence(*current, cloud, T_cur_ref, params).inlier_share, 0.85);
+  EXPECT_LT(weigh_evidence(*current, cloud, SE3::exp(twist(0, 0, 0, 0.08, 0.1, 0)) * T_cur_ref, params)
+                .inlier_share,
+            0.15);
+}
+
+TEST(PoseEvidence, DoesNotDependOnExposure) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.1, 0, 0.1, 0.01, -0.02, 0));
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const AlignmentParams params;
+  const double bright =
+      weigh_evidence(*scene.pyramid(T_cur_ref.inverse()), cloud, T_cur_ref, params).inlier_share;
+  const double dark =
+      weigh_evidence(*scene.pyramid(T_cur_ref.inverse(), 0.3, 10), cloud, T_cur_ref, params).inlier_share;
+  EXPECT_NEAR(dark, bright, 0.05);
+}
+
+// A point that may lie anywhere cannot contradict; under a pure rotation its depth does not matter.
+TEST(PoseEvidence, PointsOfUnknownDepthDoNotTestifyUnderTranslation) {
+  const test::PlaneScene scene;
+  ReferenceCloud cloud = scene.cloud(SE3());
+  const size_t known = cloud.points.size() / 2;
+  for (size_t i = known; i < cloud.points.size(); ++i) {
+    cloud.points[i].idepth *= 3;  // wrong, and known to be uncertain
+    cloud.points[i].idepth_sigma = 2 * cloud.points[i].idepth;
+  }
+  const AlignmentParams params;
+  const SE3 moved = SE3::exp(twist(0.15, 0.1, 0, 0, 0, 0)), turned = SE3::exp(twist(0, 0, 0, 0.02, 0.03, 0));
+  const PoseEvidence with_translation = weigh_evidence(*scene.pyramid(moved.inverse()), cloud, moved, params);
+  EXPECT_GT(with_translation.inlier_share, 0.8);
+  EXPECT_LT(with_translation.weight, 1.2 * double(known));
+  const PoseEvidence with_rotation = weigh_evidence(*scene.pyramid(turned.inverse()), cloud, turned, params);
+  EXPECT_GT(with_rotation.inlier_share, 0.85);
+  EXPECT_GT(with_rotation.weight, 1.5 * double(known));
+}
+
+TEST(PoseEvidence, AnEmptyCloudSaysNothing) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = make_reference_cloud(scene.pyramid(SE3()), {}, false);
+  const PoseEvidence evidence = weigh_evidence(*scene.pyramid(SE3()), cloud, SE3(), AlignmentParams());
+  EXPECT_EQ(evidence.weight, 0);
+  EXPECT_EQ(evidence.inlier_share, 0);
+}
+
+class RotationSearch : public ::testing::TestWithParam<Vector6d> {};
+
+TEST_P(RotationSearch, FindsATurnThatNoPredictionForesaw) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(GetParam());
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto current = scene.pyramid(T_cur_ref.inverse());
+  const auto starts = search_rotation(*current, cloud, SE3(), AlignmentParams());
+  ASSERT_FALSE(starts.empty());
+  double nearest = 1;
+  for (const SE3& T : starts) nearest = std::min(nearest, (T * T_cur_ref.inverse()).angle());
+  EXPECT_LT(nearest, 0.06);
+  const TrackResult r = track(*current, cloud, {SE3()}, AlignmentParams());
+  EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+  EXPECT_LT((r.T_cur_ref * T_cur_ref.inverse()).angle(), 0.002);
+}
+
+INSTANTIATE_TEST_SUITE_P(Turns, RotationSearch,
+                         ::testing::Values(twist(0, 0, 0, 0, 0.25, 0), twist(0, 0, 0, 0, -0.3, 0),
+                                           twist(0, 0, 0, 0.15, 0.2, 0), twist(0.05, 0, 0.1, -0.15, 0.1, 0)));
+
+}  // namespace
+}  // namespace edgevo
