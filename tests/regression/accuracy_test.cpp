@@ -39,11 +39,26 @@ DriveFigures drive_scene(const char* name, int frames, uint64_t seed = 1) {
   return measure(drive(source, {}, seed), truth_of(renderer->scene(), 0, frames));
 }
 
-TEST(RenderedAccuracy, StreetDrive) { expect_within(drive_scene("street", 80), {0.05, 0.015, 0.95, 8}); }
+// The covariance holds on each scene, and its one constant for all of them (alignment/pose_covariance.h).
+void expect_consistent(const Consistency& c) {
+  EXPECT_GE(c.frames, 10);  // on a drive most frames become keyframes
+  EXPECT_GT(c.mean_ratio, 0.3);
+  EXPECT_LT(c.mean_ratio, 2.0);
+  EXPECT_GT(c.inside, 0.7);
+}
 
-TEST(RenderedAccuracy, HandHeldOverADesk) { expect_within(drive_scene("desk", 100), {0.5, 0.06, 0.95, 10}); }
+void expect_accurate_and_consistent(const DriveFigures& figures, const Bounds& bounds) {
+  expect_within(figures, bounds);
+  expect_consistent(figures.consistency);
+}
 
-TEST(RenderedAccuracy, BoatAlongAShore) { expect_within(drive_scene("lakeshore", 120), {0.5, 0.06, 0.95, 10}); }
+TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(drive_scene("street", 80), {0.05, 0.015, 0.95, 8}); }
+
+TEST(RenderedAccuracy, HandHeldOverADesk) { expect_accurate_and_consistent(drive_scene("desk", 100), {0.5, 0.06, 0.95, 10}); }
+
+TEST(RenderedAccuracy, BoatAlongAShore) { expect_accurate_and_consistent(drive_scene("lakeshore", 120), {0.5, 0.06, 0.95, 10}); }
+
+TEST(RenderedAccuracy, WalkAlongACorridor) { expect_accurate_and_consistent(drive_scene("corridor", 120), {0.6, 0.2, 0.95, 20}); }
 
 // The vehicle stops and turns by 120 degrees, away from everything that it has seen: the heading is kept, and with it the scale.
 TEST(RenderedAccuracy, TurnOnTheSpot) {

@@ -1,5 +1,6 @@
 #include "drive.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
@@ -25,7 +26,46 @@ double cpu_ms(const Run& run) {
   return sum / double(run.frames.size());
 }
 
+// Pose of the ground truth at a time; nullopt where it has none.
+std::optional<SE3> pose_at(const Trajectory& truth, Timestamp time) {
+  for (const StampedPose& pose : truth.poses)
+    if (std::abs(seconds_between(pose.time, time)) < 1e-3) return pose.T_world_cam;
+  return std::nullopt;
+}
+
+// Normalised square of the error `xi` without its part along u.
+double normalised_square(const Vector6d& xi, const Vector6d& u, const Matrix6d& covariance) {
+  const Matrix6d information = covariance.inverse();
+  const double length = u.dot(information * u);
+  const Vector6d rest = length > 0 ? Vector6d(xi - u * (u.dot(information * xi) / length)) : xi;
+  return rest.dot(information * rest);
+}
+
 }  // namespace
+
+Consistency pose_consistency(const Run& run, const Trajectory& truth, double metres_per_unit) {
+  constexpr double kLow = 0.831, kHigh = 12.833;  // 2.5 and 97.5 % of chi^2 with five degrees of freedom
+  Consistency c;
+  int inside = 0;
+  for (const FrameRecord& frame : run.frames) {
+    if (!frame.T_world_cam || frame.is_keyframe || frame.covariance.isZero()) continue;
+    const KeyframeRecord& reference = run.keyframes[size_t(frame.reference_keyframe)];
+    const auto T_world_cam = pose_at(truth, frame.time), T_world_ref = pose_at(truth, reference.time);
+    if (!T_world_cam || !T_world_ref) continue;
+    const SE3 estimate = frame.T_world_cam->inverse() * reference.T_world_cam;
+    const SE3 metric(estimate.rotation(), metres_per_unit * estimate.translation());
+    Vector6d unit = Vector6d::Ones(), u = Vector6d::Zero();
+    unit.head<3>().setConstant(metres_per_unit);
+    u.head<3>() = metric.translation();
+    const Vector6d xi = (metric * (T_world_cam->inverse() * *T_world_ref).inverse()).log();
+    const double square = normalised_square(xi, u, unit.asDiagonal() * frame.covariance * unit.asDiagonal());
+    c.mean_ratio += square / 5;
+    inside += square > kLow && square < kHigh;
+    ++c.frames;
+  }
+  if (c.frames > 0) c.mean_ratio /= c.frames, c.inside = double(inside) / c.frames;
+  return c;
+}
 
 Run drive(ImageSource& source, const OdometryParams& params, uint64_t seed) {
   cv::setNumThreads(1);
@@ -51,6 +91,7 @@ DriveFigures measure(Run run, const Trajectory& truth) {
   figures.first_posed = int(first - run.frames.begin());
   figures.completion = double(std::count_if(first, run.frames.end(), posed)) / double(run.frames.size());
   figures.mean_cpu_ms = cpu_ms(run);
+  figures.consistency = pose_consistency(run, truth, figures.evaluation.ate_sim3.scale);
   figures.run = std::move(run);
   return figures;
 }
@@ -73,7 +114,9 @@ Trajectory truth_of(const Scene& scene, int begin, int end) {
 std::ostream& operator<<(std::ostream& out, const DriveFigures& f) {
   return out << f.run.frames.size() << " frames, path " << f.path_m << " m: ATE " << f.evaluation.ate_sim3.rmse << " m ("
              << f.ate_percent << " % of the path), local scale off by " << 100 * f.scale_drift << " %, first pose at frame "
-             << f.first_posed << ", completion " << f.completion << ", " << f.mean_cpu_ms << " CPU ms a frame";
+             << f.first_posed << ", completion " << f.completion << ", " << f.mean_cpu_ms << " CPU ms a frame; error over covariance "
+             << f.consistency.mean_ratio << ", " << 100 * f.consistency.inside << " % of " << f.consistency.frames
+             << " frames within its 95 % bounds";
 }
 
 }  // namespace edgevo::testing

@@ -63,6 +63,7 @@ struct Bootstrap::Impl {
   Random random{0};
   std::vector<BootstrapView> views;
   std::vector<Points> corners_in_view;  // for each view, where the corners still alive now were
+  size_t first_corners = 0;  // followed from the first view on
   cv::Mat previous;
 
   void start(BootstrapView view, cv::Mat image) {
@@ -71,6 +72,7 @@ struct Bootstrap::Impl {
     Points corners;
     cv::goodFeaturesToTrack(image, corners, params.max_corners, 0.005, std::max(5.0, pinhole.width / 120.0));
     for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
+    first_corners = corners.size();
     view.placed = true;
     views.push_back(std::move(view));
     corners_in_view.push_back(std::move(corners));
@@ -118,12 +120,20 @@ struct Bootstrap::Impl {
     }
   }
 
+  // Median over all corners of the first view. Under noise and changing light those that move fast are lost first: the lost ones count
+  // as moved further than the median, up to half as many as are left, or the median of what is left would fall with time.
+  double median_motion(const Points& a, const Points& b) const {
+    std::vector<double> motion;
+    for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
+    const size_t rank = std::min(std::max(motion.size(), first_corners) / 2, 3 * motion.size() / 4);
+    std::nth_element(motion.begin(), motion.begin() + long(rank), motion.end());
+    return motion[rank];
+  }
+
   BootstrapStatus try_two_views() {
     const Points& a = corners_in_view.front();
     const Points& b = corners_in_view.back();
-    std::vector<double> motion;
-    for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
-    const double disparity = median(motion), needed = params.min_disparity * pinhole.width;
+    const double disparity = median_motion(a, b), needed = params.min_disparity * pinhole.width;
     if (disparity < needed) return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on", disparity, needed)};
     const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, a, b, params.ransac_px, &random);
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
