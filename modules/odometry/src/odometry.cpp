@@ -48,9 +48,9 @@ struct Odometry::Impl {
   // is left explains the images: where it does not, a new map is sought beside the old one.
   bool is_out_of_map() {
     const bool few = has_map && !lost && reference->known_points < kFewKnownPoints;
-    if (!few) degraded_frames = 0;  // fast motion blurs images of a map that is in view, too
+    if (!few) unexplained_frames = 0;  // fast motion blurs images of a map that is in view, too
     if (seeking && !few && has_map && !lost) bootstrap.reset();
-    seeking = few && (seeking || degraded_frames >= kManyDegraded);
+    seeking = few && (seeking || unexplained_frames >= kManyUnexplained);
     return seeking;
   }
 
@@ -69,7 +69,8 @@ struct Odometry::Impl {
     if (lost) say(frame, "tracking resumed in the old map");
     lost = false;
     record->state = result.verdict;
-    degraded_frames = std::clamp(degraded_frames + (result.verdict == TrackingState::kDegraded ? 1 : -1), 0, 2 * kManyDegraded);
+    const bool explained = result.stats.matched_share() >= kExplainedShare && result.stats.residual_px <= kExplainedResidualPx;
+    unexplained_frames = std::clamp(unexplained_frames + (explained ? -1 : 1), 0, 2 * kManyUnexplained);
     record->covariance = result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     follow_motion(result.T_cur_ref);
@@ -171,7 +172,7 @@ struct Odometry::Impl {
     frames_since_keyframe = 0;
     has_map = ever_tracked = true;
     lost = seeking = false;
-    degraded_frames = 0;
+    unexplained_frames = 0;
     frames_lost = 0;
     record->note.clear();
     say(frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " + std::to_string(segment));
@@ -239,7 +240,9 @@ struct Odometry::Impl {
   static constexpr int kMinEdges = 200;        // with fewer an image shows nothing to follow
   static constexpr int kLongGap = 10;          // frames
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
-  static constexpr int kManyDegraded = 6;      // more DEGRADED frames than TRACKING ones, of late
+  // A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a map.
+  static constexpr double kExplainedShare = 0.7, kExplainedResidualPx = 1.0;
+  static constexpr int kManyUnexplained = 6;   // more frames that are not explained than others, of late
 
   OdometryParams params;
   OdometryOptions options;
@@ -253,7 +256,7 @@ struct Odometry::Impl {
   std::shared_ptr<const Reference> reference;
   SE3 T_last_ref, velocity;
   int frames_since_keyframe = 0;
-  int segment = -1, lost_at = -1, degraded_frames = 0;
+  int segment = -1, lost_at = -1, unexplained_frames = 0;
   int frames_lost = 0, tries = 0;  // since the loss: frames, and those tried against the old map
   bool seeking = false;  // a bootstrap runs beside the map, see is_out_of_map
   bool has_map = false, lost = false, ever_tracked = false;
