@@ -8,13 +8,15 @@
 set -eu
 
 # compiler and tools | mathematics, images | MRPT, ViSP, OctoMap and the tools that open our files | command line, JSON, tests |
-# plots of `edgevo study`
+# plots of `edgevo study` | tests of what opens a window
 PACKAGES="
 build-essential cmake ninja-build git
 libeigen3-dev libopencv-dev libceres-dev zlib1g-dev
-libmrpt-maps-dev mrpt-apps libvisp-dev liboctomap-dev octomap-tools
+libmrpt-maps-dev libmrpt-gui-dev libmrpt-hwdrivers-dev mrpt-apps
+libvisp-dev liboctomap-dev octomap-tools
 libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev
 gnuplot-nox
+xvfb xdotool imagemagick
 "
 
 fail() {

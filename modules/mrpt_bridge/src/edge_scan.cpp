@@ -1,4 +1,4 @@
-#include "edge_scan.h"
+#include "edgevo/mrpt_bridge/edge_scan.h"
 
 #include <algorithm>
 #include <cmath>

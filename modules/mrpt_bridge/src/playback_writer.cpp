@@ -1,19 +1,14 @@
 #include "edgevo/mrpt_bridge/playback_writer.h"
 
-#include <mrpt/obs/CObservationImage.h>
-#include <mrpt/obs/CObservationOdometry.h>
-#include <mrpt/obs/CObservationRobotPose.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <map>
 
-#include "edge_scan.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/edge_scan.h"
 #include "edgevo/mrpt_bridge/image_file.h"
-#include "edgevo/mrpt_bridge/playback_pose.h"
+#include "edgevo/mrpt_bridge/vehicle_observations.h"
 #include "object_file.h"
 
 namespace edgevo {
@@ -24,34 +19,6 @@ namespace fs = std::filesystem;
 // MRPT looks for the images of NAME.rawlog in NAME_Images.
 constexpr const char* kImageFolder = "playback_Images";
 constexpr const char* kRawlog = "playback.rawlog";
-
-mrpt::obs::CObservationImage image_observation(const FrameRecord& frame, const std::string& file,
-                                               const Camera& camera, const SE3& T_vehicle_cam,
-                                               const std::string& label) {
-  mrpt::obs::CObservationImage obs;
-  obs.timestamp = to_mrpt(frame.time);
-  obs.sensorLabel = label;
-  obs.cameraPose = to_mrpt(T_vehicle_cam);
-  obs.cameraParams = to_mrpt(camera);
-  obs.image.setExternalStorage(file);
-  return obs;
-}
-
-mrpt::obs::CObservationRobotPose pose_observation(const FrameRecord& frame, const Run& run) {
-  mrpt::obs::CObservationRobotPose obs;
-  obs.timestamp = to_mrpt(frame.time);
-  obs.sensorLabel = "EDGE_VO";
-  obs.pose = vehicle_pose_pdf(run, *frame.T_world_cam, frame.covariance);
-  return obs;
-}
-
-mrpt::obs::CObservationOdometry odometry_observation(const FrameRecord& frame, const Run& run) {
-  mrpt::obs::CObservationOdometry obs;
-  obs.timestamp = to_mrpt(frame.time);
-  obs.sensorLabel = "EDGE_VO_ODO";
-  obs.odometry = mrpt::poses::CPose2D(to_mrpt(T_map_vehicle(run, *frame.T_world_cam)));
-  return obs;
-}
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
   throw InputError(path.string(), "cannot be written: " + error.message(), "move it away or give another -o");
@@ -92,18 +59,21 @@ std::string PlaybackWriter::prepare_image(int frame_index, const std::string& ex
 }
 
 void PlaybackWriter::finish(const Run& run, const PointFilter& filter) const {
-  const SE3 T_vehicle_cam = T_map_world(run);
+  const SE3 T_vehicle_cam = T_map_world(run);  // in the unit of the run, as the points are
   const std::map<int, std::string> images(images_.begin(), images_.end());
   std::map<int, const KeyframeRecord*> keyframes;
   for (const KeyframeRecord& keyframe : run.keyframes) keyframes[keyframe.frame_index] = &keyframe;
 
   ObjectFile out((fs::path(folder_) / kRawlog).string());
   for (const FrameRecord& frame : run.frames) {
-    if (const auto image = images.find(frame.index); image != images.end())
-      out.write(image_observation(frame, image->second, camera_, T_vehicle_cam, sensor_label_));
+    if (const auto image = images.find(frame.index); image != images.end()) {
+      const auto obs = make_image_observation(frame.time, sensor_label_, camera_, run.T_vehicle_cam);
+      obs->image.setExternalStorage(image->second);
+      out.write(*obs);
+    }
     if (!frame.T_world_cam || !frame.T_world_cam->is_finite()) continue;
-    out.write(pose_observation(frame, run));
-    out.write(odometry_observation(frame, run));
+    out.write(*make_pose_observation(run, frame, *frame.T_world_cam));
+    out.write(*make_odometry_observation(run, frame, *frame.T_world_cam));
     if (const auto keyframe = keyframes.find(frame.index); keyframe != keyframes.end())
       out.write(*make_edge_scan(*keyframe->second, run.pinhole, filter, T_vehicle_cam));
   }

@@ -9,7 +9,7 @@
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
-#include "rawlog_camera.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "rawlog_images_folder.h"
 #include "rawlog_survey.h"
 

@@ -3,7 +3,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "gz_archive.h"
-#include "rawlog_camera.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
 
 namespace edgevo {
 namespace {

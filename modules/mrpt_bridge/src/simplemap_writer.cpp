@@ -4,7 +4,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
-#include "edge_scan.h"
+#include "edgevo/mrpt_bridge/edge_scan.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "object_file.h"
 

@@ -7,6 +7,7 @@
 #include "edgevo/core/thread_clock.h"
 #include "mapping_thread.h"
 #include "run_records.h"
+#include "see_points.h"
 
 namespace edgevo {
 struct Odometry::Impl {
@@ -32,6 +33,7 @@ struct Odometry::Impl {
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
+    newest = pyramid;
     FrameRecord& record = records.begin_frame(frame);
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
@@ -233,6 +235,16 @@ struct Odometry::Impl {
     return run;
   }
 
+  LiveView live_view() const {
+    LiveView view;
+    view.pyramid = newest;
+    if (!has_map || lost) return view;
+    view.reference_keyframe = reference->keyframe_id;
+    // From the segment's map to the world lengths grow by the scale.
+    view.points = see_points(reference->cloud, T_last_ref, *newest, 1.0 / records.scale_of(segment));
+    return view;
+  }
+
   void say(const Frame& frame, const std::string& what) const {
     if (options.log) options.log("frame " + std::to_string(frame.index) + ": " + what);
   }
@@ -253,6 +265,7 @@ struct Odometry::Impl {
   PyramidBuilder rebuilder;  // the mapping side's own
   MappingThread mapping;  // last but the state: its thread ends before what it uses
 
+  std::shared_ptr<const FramePyramid> newest;
   std::shared_ptr<const Reference> reference;
   SE3 T_last_ref, velocity;
   int frames_since_keyframe = 0;
@@ -267,6 +280,8 @@ Odometry::Odometry(const Camera& camera, const OdometryParams& params, const Odo
 Odometry::~Odometry() = default;
 
 const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
+LiveView Odometry::live_view() const { return impl_->live_view(); }
+SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

@@ -1,4 +1,4 @@
-#include "rawlog_camera.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>

@@ -1,0 +1,36 @@
+#include "edgevo/mrpt_bridge/vehicle_observations.h"
+
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/playback_pose.h"
+
+namespace edgevo {
+
+mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const std::string& label, const Camera& camera,
+                                                         const std::optional<SE3>& T_vehicle_cam) {
+  auto obs = mrpt::obs::CObservationImage::Create();
+  obs->timestamp = to_mrpt(time);
+  obs->sensorLabel = label;
+  obs->cameraPose = to_mrpt(T_vehicle_cam.value_or(T_vehicle_cam_forward()));
+  obs->cameraParams = to_mrpt(camera);
+  return obs;
+}
+
+mrpt::obs::CObservationRobotPose::Ptr make_pose_observation(const Run& run, const FrameRecord& frame,
+                                                            const SE3& T_world_cam) {
+  auto obs = mrpt::obs::CObservationRobotPose::Create();
+  obs->timestamp = to_mrpt(frame.time);
+  obs->sensorLabel = "EDGE_VO";
+  obs->pose = vehicle_pose_pdf(run, T_world_cam, frame.covariance);
+  return obs;
+}
+
+mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, const FrameRecord& frame,
+                                                               const SE3& T_world_cam) {
+  auto obs = mrpt::obs::CObservationOdometry::Create();
+  obs->timestamp = to_mrpt(frame.time);
+  obs->sensorLabel = "EDGE_VO_ODO";
+  obs->odometry = mrpt::poses::CPose2D(to_mrpt(T_map_vehicle(run, T_world_cam)));
+  return obs;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,100 @@
+#include "camera_sensor_grabber.h"
+
+#include <mrpt/hwdrivers/CCameraSensor.h>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
+#include "edgevo/datasets/camera_file.h"
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
+#include "one_line.h"
+
+namespace edgevo {
+namespace {
+
+class CameraSensorGrabber : public Grabber {
+ public:
+  CameraSensorGrabber(const mrpt::config::CConfigFileBase& config, const std::string& section,
+                      const std::string& calibration_file)
+      : where_("grabber_type " + config.read_string_first_word(section, "grabber_type", "opencv")) {
+    if (!calibration_file.empty()) camera_ = read_camera_file(calibration_file);
+    try {
+      sensor_.loadConfig(config, section);
+      sensor_.initialize();
+    } catch (const std::exception& e) {
+      throw InputError(where_, "the camera does not open (" + one_line(e) + ")", "check its keys, the path and the cable");
+    }
+    waiting_ = grab_until_an_image_comes();
+    if (!waiting_)
+      throw InputError(where_, "the camera opens, but gives no image (" + why_ended_ + ")", "check its keys, the path and the cable");
+    take_calibration_from(*waiting_);
+  }
+
+  const Camera& camera() const override { return *camera_; }
+  std::optional<SE3> T_vehicle_cam() const override { return mount_; }
+
+  std::optional<Grab> next() override {
+    const mrpt::obs::CObservation::Ptr observation = waiting_ ? std::exchange(waiting_, nullptr) : grab_until_an_image_comes();
+    // CCameraSensor throws the same at the end of a video and for a camera that stops.
+    if (!observation) throw InputError(where_, "no more images (" + why_ended_ + ")", "");
+    return to_grab(*observation);
+  }
+
+ private:
+  /// Null when there are no more. With grab_decimation CCameraSensor hands out nothing for the frames that it leaves out.
+  mrpt::obs::CObservation::Ptr grab_until_an_image_comes() {
+    try {
+      for (;;) {
+        std::vector<mrpt::serialization::CSerializable::Ptr> grabbed;
+        sensor_.getNextFrame(grabbed);
+        for (const auto& object : grabbed) {
+          const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
+          if (observation && find_image(*observation)) return observation;
+        }
+      }
+    } catch (const std::exception& e) {
+      why_ended_ = one_line(e);
+      return nullptr;
+    }
+  }
+
+  void take_calibration_from(const mrpt::obs::CObservation& observation) {
+    const RawlogImage image = *find_image(observation);
+    mount_ = image.T_vehicle_cam;
+    if (camera_) return;
+    const std::string where = where_ + ", its calibration";
+    if (!(image.camera->fx() > 0))
+      throw InputError(where, "the driver knows none", "write calibration_file = FILE (numbers or ROS/OpenCV YAML)");
+    camera_ = from_mrpt(*image.camera, where);
+  }
+
+  Grab to_grab(const mrpt::obs::CObservation& observation) {
+    const RawlogImage image = *find_image(observation);
+    const std::string where = where_ + ", image " + std::to_string(count_);
+    Grab grab;
+    grab.original = *image.image;
+    grab.frame = {count_, image.time, from_mrpt(*image.image, where)};
+    check_image_size(grab.frame.image, camera_->pinhole, where);
+    if (count_ > 0) check_time_increases(previous_, image.time, where);
+    previous_ = image.time;
+    ++count_;
+    return grab;
+  }
+
+  std::string where_, why_ended_;
+  mrpt::hwdrivers::CCameraSensor sensor_;
+  std::optional<Camera> camera_;
+  std::optional<SE3> mount_;
+  mrpt::obs::CObservation::Ptr waiting_;  // the first image, which opening has taken
+  Timestamp previous_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Grabber> open_camera_sensor(const mrpt::config::CConfigFileBase& config, const std::string& section,
+                                            const std::string& calibration_file) {
+  return std::make_unique<CameraSensorGrabber>(config, section, calibration_file);
+}
+
+}  // namespace edgevo

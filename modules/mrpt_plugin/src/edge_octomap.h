@@ -1,0 +1,76 @@
+#pragma once
+// The edge OctoMap as an MRPT metric map: any program that builds maps from an .ini builds it, once the plug-in is loaded.
+//   LD_PRELOAD=.../edgevo_mrpt_plugin.so observations2map share/observations2map_edge_octomap.ini keyframes.simplemap edges
+//
+// It differs from mrpt::maps::COctoMap in what thin, sparse edges need (as modules/occupancy does from octomap):
+//  - rays stop `carve_stop_sigmas` x `relative_sigma` x range, and a voxel, before their point;
+//  - a voxel with a point is not carved by the `protect_scans` scans that follow: a simplemap holds each point once, in its host
+//    keyframe, although the keyframes after it saw it, too;
+//  - the tree is consistent at all depths, and saved as .bt and .ot under the name that was asked for.
+// Observations: CObservation3DRangeScan and CObservationPointCloud with 3D points; a point is at robot pose (+) sensor pose (+) point and
+// its ray starts at the sensor.
+#include <mrpt/maps/CMetricMap.h>
+#include <mrpt/maps/TMetricMapInitializer.h>
+#include <mrpt/maps/TMetricMapTypesRegistry.h>
+#include <octomap/OcTree.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace edgevo {
+
+/// Lengths in the unit of the observations.
+struct EdgeOctoMapOptions {
+  double resolution = 0.2;      ///< edge of a voxel
+  double max_range = 0;         ///< points farther from their sensor are left out; 0: none are
+  double relative_sigma = 0.05; ///< of the range of a point: observations do not tell it
+  double carve_stop_sigmas = 3;
+  int protect_scans = 7;        ///< a window of keyframes
+  double prob_hit = 0.7, prob_miss = 0.4;
+
+  /// Throws std::runtime_error that names section, key, value and range.
+  void load(const mrpt::config::CConfigFileBase& config, const std::string& section);
+};
+
+class CEdgeOctoMap : public mrpt::maps::CMetricMap {
+  DEFINE_SERIALIZABLE(CEdgeOctoMap, edgevo)
+
+ public:
+  explicit CEdgeOctoMap(const EdgeOctoMapOptions& options = {});
+
+  const octomap::OcTree& tree() const { return tree_; }
+
+  bool isEmpty() const override { return tree_.size() == 0; }
+  std::string asString() const override;
+  /// PREFIX.bt, PREFIX.ot and PREFIX_3D.3Dscene.
+  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+  /// The occupied voxels, coloured by height.
+  void getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const override;
+
+ protected:
+  void internal_clear() override;
+  bool internal_insertObservation(const mrpt::obs::CObservation& observation,
+                                  const std::optional<const mrpt::poses::CPose3D>& robot_pose) override;
+  /// Sum of the log of the occupancy of the voxels that the points fall into.
+  double internal_computeObservationLikelihood(const mrpt::obs::CObservation& observation,
+                                               const mrpt::poses::CPose3D& taken_from) const override;
+  bool internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& observation) const override;
+
+ private:
+  void insert(const octomap::point3d& origin, const std::vector<octomap::point3d>& points);
+  void carve(const octomap::point3d& origin, const octomap::point3d& point, octomap::KeySet* free);
+
+  EdgeOctoMapOptions options_;
+  octomap::OcTree tree_;
+  int scan_ = 0;
+  /// Voxels with a point, and the last scan that may not carve them.
+  std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> protected_until_;
+
+  MAP_DEFINITION_START(CEdgeOctoMap)
+  EdgeOctoMapOptions options;
+  MAP_DEFINITION_END(CEdgeOctoMap)
+};
+
+}  // namespace edgevo

@@ -1,0 +1,85 @@
+#include "live_observations.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/scale_run.h"
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/edge_scan.h"
+#include "edgevo/mrpt_bridge/image_file.h"
+#include "edgevo/mrpt_bridge/vehicle_observations.h"
+
+namespace edgevo {
+namespace {
+
+// What the frame sees of the map, as if it were a keyframe that hosts it.
+KeyframeRecord as_keyframe(const FrameRecord& record, const LiveView& view) {
+  KeyframeRecord keyframe;
+  keyframe.frame_index = record.index;
+  keyframe.time = record.time;
+  keyframe.segment = record.segment;
+  keyframe.T_world_cam = *record.T_world_cam_live;
+  for (const LivePoint& p : view.points) {
+    EdgePoint point;
+    point.px = p.px;
+    point.normal.setZero();  // not recorded
+    point.idepth = p.idepth;
+    point.idepth_sigma = p.idepth_sigma;
+    keyframe.points.push_back(point);
+  }
+  return keyframe;
+}
+
+void write_image(const Grab& grab, const std::string& path) {
+  if (grab.original.isEmpty() || !grab.original.isColor()) return write_png(path, grab.frame.image);
+  if (!grab.original.saveToFile(path))
+    throw InputError(path, "cannot be written", "free space, or record to another disk (rawlog_prefix)");
+}
+
+}  // namespace
+
+LiveObservations::LiveObservations(const SensorConfig& config, const Camera& camera, const std::optional<SE3>& T_vehicle_cam)
+    : config_(config), camera_(camera), T_vehicle_cam_(T_vehicle_cam) {}
+
+mrpt::serialization::CSerializable::Ptr LiveObservations::image_of(const Grab& grab) const {
+  auto obs = make_image_observation(grab.frame.time, config_.label, camera_, T_vehicle_cam_);
+  if (images_folder_.empty()) {
+    obs->image = grab.original.isEmpty() ? to_mrpt(grab.frame.image) : grab.original;
+    return obs;
+  }
+  char number[16];
+  std::snprintf(number, sizeof number, "_%06d.png", grab.frame.index);
+  const std::string name = config_.label + number;
+  write_image(grab, (std::filesystem::path(images_folder_) / name).string());
+  obs->image.setExternalStorage(name);
+  return obs;
+}
+
+Run LiveObservations::run_of(const FrameRecord& record, const LiveView& view) const {
+  Run run;
+  run.pinhole = view.pyramid->finest().pinhole;
+  run.T_vehicle_cam = T_vehicle_cam_;
+  run.frames.push_back(record);
+  run.keyframes.push_back(as_keyframe(record, view));
+  apply_scale_option(config_.scale, &run);
+  return run;
+}
+
+std::vector<mrpt::serialization::CSerializable::Ptr> LiveObservations::make(const Grab& grab, const FrameRecord& record,
+                                                                            const LiveView& view) {
+  std::vector<mrpt::serialization::CSerializable::Ptr> observations{image_of(grab)};
+  if (!record.T_world_cam_live) return observations;
+  const Run run = run_of(record, view);
+  const FrameRecord& frame = run.frames.front();
+  observations.push_back(make_pose_observation(run, frame, *frame.T_world_cam_live));
+  observations.push_back(make_odometry_observation(run, frame, *frame.T_world_cam_live));
+  if (view.reference_keyframe != last_reference_) {
+    const PointFilter filter{config_.max_relative_sigma, 0};
+    observations.push_back(make_edge_scan(run.keyframes.front(), run.pinhole, filter, T_map_world(run)));
+    last_reference_ = view.reference_keyframe;
+  }
+  return observations;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,36 @@
+#pragma once
+// One frame of a running odometry as MRPT observations: image, pose, odometry and 3D edge points, all of one time.
+#include <mrpt/serialization/CSerializable.h>
+
+#include <vector>
+
+#include "edgevo/odometry/odometry.h"
+#include "grabber.h"
+#include "sensor_config.h"
+
+namespace edgevo {
+
+class LiveObservations {
+ public:
+  LiveObservations(const SensorConfig& config, const Camera& camera, const std::optional<SE3>& T_vehicle_cam);
+
+  /// Images go to this folder, which exists; empty: inside the rawlog.
+  void set_images_folder(const std::string& folder) { images_folder_ = folder; }
+
+  /// The image always; a pose where there is one; the points whenever a new keyframe has become the reference (EDGE_VO_POINTS: axes and
+  /// origin of the vehicle, as in playback.rawlog). Throws InputError when an image cannot be written.
+  std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record, const LiveView& view);
+
+ private:
+  mrpt::serialization::CSerializable::Ptr image_of(const Grab& grab) const;
+  /// The frame alone as a run, in metres if a scale was given.
+  Run run_of(const FrameRecord& record, const LiveView& view) const;
+
+  SensorConfig config_;
+  Camera camera_;
+  std::optional<SE3> T_vehicle_cam_;
+  std::string images_folder_;
+  int last_reference_ = -1;
+};
+
+}  // namespace edgevo

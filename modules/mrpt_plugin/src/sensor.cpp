@@ -1,0 +1,122 @@
+#include "sensor.h"
+
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/obs/CObservationComment.h>
+
+#include <cstdio>
+#include <stdexcept>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "one_line.h"
+
+namespace edgevo {
+
+IMPLEMENTS_GENERIC_SENSOR(CEdgeVoSensor, edgevo)
+
+CEdgeVoSensor::CEdgeVoSensor() { m_sensorLabel = config_.label; }
+
+CEdgeVoSensor::~CEdgeVoSensor() {
+  if (odometry_ && why_ended_.empty()) say(std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");
+  try {
+    if (const int appended = tail_.append_the_rest(); appended > 0)
+      say(std::to_string(appended) + " observations that rawlog-grabber had left were appended to the rawlog");
+  } catch (const std::exception& e) {
+    say(one_line(e));
+  }
+}
+
+void CEdgeVoSensor::say(const std::string& text) const {
+  std::fprintf(stderr, "[%s] %s\n", section_.c_str(), text.c_str());
+}
+
+// Errors of the .ini and of opening name the section, since a recording may have several.
+void CEdgeVoSensor::name_section(const std::function<void()>& work) const {
+  try {
+    work();
+  } catch (const std::exception& e) {
+    throw std::runtime_error("[" + section_ + "] " + one_line(e));
+  }
+}
+
+// Kept, and read in initialize(): MRPT buries what is thrown here under a call stack.
+void CEdgeVoSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config, const std::string& section) {
+  section_ = section;
+  m_grab_decimation = 0;  // CCameraSensor reads the key itself: a frame left out costs no odometry
+  ini_ = std::make_unique<mrpt::config::CConfigFileMemory>();
+  std::vector<std::string> keys;
+  config.getAllKeys(section, keys);
+  for (const std::string& key : keys) ini_->write(section, key, config.read_string(section, key, ""));
+}
+
+void CEdgeVoSensor::setPathForExternalImages(const std::string& directory) {
+  images_folder_ = directory;
+  tail_.record_beside(directory);
+}
+
+void CEdgeVoSensor::initialize() {
+  m_state = ssError;  // until all is open
+  name_section([&] { open(); });
+  m_state = ssWorking;
+}
+
+void CEdgeVoSensor::open() {
+  if (!ini_) throw std::runtime_error("loadConfig() comes first");
+  config_ = read_sensor_config(*ini_, section_);
+  m_sensorLabel = config_.label;
+  grabber_ = open_grabber(*ini_, section_, config_.calibration_file);
+  OdometryOptions options;
+  options.seed = uint64_t(config_.seed);
+  options.realtime = config_.realtime;
+  options.log = [this](const std::string& line) { say(line); };
+  odometry_ = std::make_unique<Odometry>(grabber_->camera(), config_.odometry, options);
+  observations_ = std::make_unique<LiveObservations>(config_, grabber_->camera(), grabber_->T_vehicle_cam());
+  if (config_.external_images && !images_folder_.empty()) {
+    make_output_folder(images_folder_);
+    observations_->set_images_folder(images_folder_);
+  }
+}
+
+void CEdgeVoSensor::doProcess() {
+  if (!odometry_) throw std::runtime_error("CEdgeVoSensor: initialize() comes first");
+  if (!why_ended_.empty()) return end_when_all_is_written();
+  tail_.all_written();  // lets go of what was written
+  try {
+    if (const auto grab = grabber_->next())
+      process(*grab);
+    else
+      end("end of the input");
+  } catch (const std::exception& e) {
+    end(one_line(e));
+  }
+}
+
+void CEdgeVoSensor::process(const Grab& grab) {
+  const FrameRecord& record = odometry_->process(grab.frame);
+  const auto observations = observations_->make(grab, record, odometry_->live_view());
+  for (const auto& object : observations)
+    if (const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object)) tail_.add(observation);
+  appendObservations(observations);
+  newest_ = grab.frame.time;
+  ++frames_;
+  poses_ += record.T_world_cam_live.has_value();
+}
+
+// The comment stands behind the last frame in time: the grabber never writes the newest object that it holds.
+void CEdgeVoSensor::end(const std::string& why) {
+  why_ended_ = why;
+  say(why + ", after " + std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");
+  auto comment = mrpt::obs::CObservationComment::Create();
+  comment->timestamp = to_mrpt(Timestamp{newest_.ticks + 1});
+  comment->sensorLabel = config_.label + "_END";
+  comment->text = why;
+  appendObservation(comment);
+}
+
+void CEdgeVoSensor::end_when_all_is_written() {
+  if (!config_.stop_at_end || !tail_.all_written()) return;
+  throw std::runtime_error("[" + section_ + "] " + why_ended_ + "; all " + std::to_string(frames_) + " frames are in the rawlog");
+}
+
+}  // namespace edgevo

@@ -1,0 +1,55 @@
+#pragma once
+// The odometry as a sensor of rawlog-grabber: any camera that CCameraSensor grabs, recorded with pose and 3D edges as it goes.
+// Keys of its section: share/rawlog_grabber_*.ini.
+#include <mrpt/hwdrivers/CGenericSensor.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "edgevo/odometry/odometry.h"
+#include "live_observations.h"
+#include "recording_tail.h"
+
+namespace edgevo {
+
+class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
+  DEFINE_GENERIC_SENSOR(CEdgeVoSensor)
+
+ public:
+  CEdgeVoSensor();
+  /// Appends to the rawlog what the grabber left out of it.
+  ~CEdgeVoSensor() override;
+
+  void setPathForExternalImages(const std::string& directory) override;
+  /// Opens camera and odometry. Throws std::runtime_error with one line.
+  void initialize() override;
+  /// One image through the odometry. When no more come, says so once, waits until all is written and then, with at_end = stop, throws,
+  /// which is how a sensor ends rawlog-grabber.
+  void doProcess() override;
+
+ protected:
+  void loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config, const std::string& section) override;
+
+ private:
+  void name_section(const std::function<void()>& work) const;
+  void open();
+  void process(const Grab& grab);
+  void end(const std::string& why);
+  void end_when_all_is_written();
+  void say(const std::string& text) const;
+
+  std::string section_;
+  std::unique_ptr<mrpt::config::CConfigFileBase> ini_;  // the section
+  SensorConfig config_;
+  std::string images_folder_;
+  std::unique_ptr<Grabber> grabber_;
+  std::unique_ptr<Odometry> odometry_;
+  std::unique_ptr<LiveObservations> observations_;
+  RecordingTail tail_;
+  Timestamp newest_;
+  int frames_ = 0, poses_ = 0;
+  std::string why_ended_;  // empty while images come
+};
+
+}  // namespace edgevo

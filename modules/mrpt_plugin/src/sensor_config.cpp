@@ -1,0 +1,96 @@
+#include "sensor_config.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/scale_run.h"
+#include "edgevo/occupancy/occupancy_params.h"
+
+namespace edgevo {
+namespace {
+
+using mrpt::config::CConfigFileBase;
+
+const std::vector<std::string>& own_keys() {
+  static const std::vector<std::string> keys{
+      "driver",      "process_rate", "max_queue_len", "grab_decimation", "sensorLabel", "calibration_file",
+      "params_file", "detector",     "scale",         "seed",            "realtime",    "external_images",
+      "at_end",      "max_relative_sigma",            "rawlog-grabber-ignore"};
+  return keys;
+}
+
+// Of CCameraSensor: whole keys, and the beginnings of families of keys.
+const std::vector<std::string>& camera_keys() {
+  static const std::vector<std::string> keys{
+      "grabber_type", "preview_decimation", "preview_reduction", "capture_grayscale", "ffmpeg_url",
+      "rawlog_file", "rawlog_camera_sensor_label", "image_dir_url", "left_format", "right_format",
+      "start_index", "end_index", "pose_x", "pose_y", "pose_z", "pose_yaw", "pose_pitch", "pose_roll"};
+  return keys;
+}
+const std::vector<std::string>& camera_key_families() {
+  static const std::vector<std::string> begins{"cv_", "dc1394_", "bumblebee_", "svs_", "sr_", "kinect_", "flycap_", "fcs_", "myntd_"};
+  return begins;
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_known(const std::string& key) {
+  const auto begins_key = [&](const std::string& begin) { return key.rfind(begin, 0) == 0; };
+  return holds(own_keys(), key) || holds(camera_keys(), key) ||
+         std::any_of(camera_key_families().begin(), camera_key_families().end(), begins_key);
+}
+
+void check_keys(const CConfigFileBase& config, const std::string& section) {
+  std::vector<std::string> present, known = own_keys();
+  known.insert(known.end(), camera_keys().begin(), camera_keys().end());
+  config.getAllKeys(section, present);
+  for (const std::string& key : present)
+    if (!is_known(key))
+      throw InputError("key '" + key + "'", "unknown", "did you mean " + nearest_name(key, known) + "?");
+}
+
+// The same file as for `edgevo run`; its group `occupancy` is of no use here and yet must be right.
+void read_params_of_run(const std::string& file, OdometryParams* odometry) {
+  OccupancyParams unused;
+  read_params_file(file, [&](ParamVisitor& v) {
+    odometry->visit(v);
+    const auto g = v.group("occupancy");
+    unused.visit(v);
+  });
+}
+
+std::string one_of(const CConfigFileBase& config, const std::string& section, const std::string& key,
+                   const std::vector<std::string>& choices) {
+  const std::string value = config.read_string_first_word(section, key, choices.front());
+  if (holds(choices, value)) return value;
+  std::string list;
+  for (const std::string& choice : choices) list += (list.empty() ? "" : " or ") + choice;
+  throw InputError(key + " = " + value, "not known", "write " + key + " = " + list);
+}
+
+}  // namespace
+
+SensorConfig read_sensor_config(const CConfigFileBase& config, const std::string& section) {
+  check_keys(config, section);
+  SensorConfig c;
+  c.label = config.read_string(section, "sensorLabel", c.label);
+  c.calibration_file = config.read_string(section, "calibration_file", "");
+  c.scale = config.read_string_first_word(section, "scale", c.scale);
+  check_scale_option(c.scale);
+  if (const std::string file = config.read_string(section, "params_file", ""); !file.empty()) read_params_of_run(file, &c.odometry);
+  if (const std::string detector = config.read_string_first_word(section, "detector", ""); !detector.empty())
+    set_param("edges.detector=" + detector, [&](ParamVisitor& v) { c.odometry.visit(v); });
+  c.max_relative_sigma = config.read_double(section, "max_relative_sigma", c.max_relative_sigma);
+  if (!(c.max_relative_sigma > 0 && c.max_relative_sigma <= 10))
+    throw InputError("max_relative_sigma", "out of range", "write a number larger than 0, up to 10");
+  c.seed = config.read_int(section, "seed", c.seed);
+  c.realtime = config.read_bool(section, "realtime", c.realtime);
+  c.external_images = config.read_bool(section, "external_images", c.external_images);
+  c.stop_at_end = one_of(config, section, "at_end", {"stop", "wait"}) == "stop";
+  return c;
+}
+
+}  // namespace edgevo
