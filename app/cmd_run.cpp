@@ -10,6 +10,7 @@
 #include "progress.h"
 #include "run_outputs.h"
 #include "run_params.h"
+#include "run_view.h"
 #include "source_options.h"
 
 namespace edgevo::app {
@@ -22,7 +23,7 @@ struct RunArguments {
   std::string out, params_file, detector, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
-  bool realtime = false, quiet = false;
+  bool realtime = false, quiet = false, view = false;
   std::vector<std::string> command_line;
 };
 
@@ -46,13 +47,21 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
-// What is to be done after each frame: keep its image for the playback, and show how far we are.
-std::function<bool(const Frame&)> after_each_frame(RunOutputs& outputs, std::optional<Progress>& progress) {
-  return [&, done = 0](const Frame& frame) mutable {
-    if (!outputs.add_frame(frame, frame.image_path)) return false;
+// What is to be done after each frame: keep its image for the playback, show it, and show how far we are.
+std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunView* view, std::optional<Progress>& progress) {
+  return [&outputs, view, &progress, done = 0](const DrivenFrame& driven) mutable {
+    if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
     if (progress) progress->update(++done);
-    return true;
+    return !view || view->show(driven);
   };
+}
+
+std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSource& source) {
+  if (!args.view) return nullptr;
+  std::string why;
+  auto view = RunView::open(source.T_vehicle_cam(), &why);
+  if (!view) std::fprintf(stderr, "edgevo: --view: %s; the run goes on without a window\n", why.c_str());
+  return view;
 }
 
 Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params, RunOutputs& outputs) {
@@ -62,7 +71,8 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
   if (!args.quiet) options.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
-  return drive(source, params, options, after_each_frame(outputs, progress));
+  const auto view = view_as_asked(args, source);
+  return drive(source, params, options, after_each_frame(outputs, view.get(), progress));
 }
 
 void print_summary(const Run& run, const std::string& out) {
@@ -122,6 +132,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--scale", args->scale, "none (arbitrary unit) or factor=METRES_PER_UNIT, for results in metres");
   command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads; not bit-identical");
+  command->add_flag("--view", args->view, "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
   command->footer("Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a source.");
   command->callback([=] { *action = [=] { return run(*args); }; });

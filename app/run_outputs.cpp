@@ -70,6 +70,8 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
           [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kFinal)); });
   attempt("trajectory_live_tum.txt",
           [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kLive)); });
+  if (run.T_vehicle_cam)
+    attempt("trajectory_vehicle_tum.txt", [&](const auto& path) { write_file(path, trajectory_vehicle_tum(run)); });
   attempt("trajectory_kitti.txt", [&](const auto& path) { write_file(path, trajectory_kitti(run)); });
   attempt("frames.csv", [&](const auto& path) { write_file(path, frames_csv(run)); });
   attempt("edges.ply", [&](const auto& path) { write_edge_ply(run, filter, path); });

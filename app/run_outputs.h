@@ -3,6 +3,7 @@
 //
 //   trajectory_tum.txt       final poses, one line for each frame that has one
 //   trajectory_live_tum.txt  the poses as they were known when the frames came
+//   trajectory_vehicle_tum.txt   final poses of the vehicle, where it is known how the camera sits on it
 //   trajectory_kitti.txt     final poses as 3x4 matrices, one line for EVERY frame (see run_outputs_text.h)
 //   frames.csv               one row for every frame; timing columns last
 //   edges.ply, edges.bt, edges.ot                           the map (occupancy)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/mrpt_bridge/playback_pose.h"
 
 namespace edgevo::app {
 namespace {
@@ -73,6 +74,19 @@ std::string trajectory_tum(const Run& run, PoseKind kind) {
       "# t tx ty tz qx qy qz qw\n";
   for (const FrameRecord& frame : run.frames)
     if (const auto& T = pose_of(frame, kind); is_usable(T)) append_tum_line(frame, *T, &text);
+  return text;
+}
+
+std::string trajectory_vehicle_tum(const Run& run) {
+  std::string text =
+      "# edgevo: pose of the vehicle at each frame that has a pose, re-expressed from the final keyframe poses\n"
+      "# axes: x forward, y left, z up; world: those of the vehicle at the first pose\n"
+      "# unit: " +
+      unit_statement(run) + (run.is_metric() ? "" : "; without it the distance of the camera from the vehicle's origin is left out") +
+      "\n"
+      "# t tx ty tz qx qy qz qw\n";
+  for (const FrameRecord& frame : run.frames)
+    if (is_usable(frame.T_world_cam)) append_tum_line(frame, T_map_vehicle(run, *frame.T_world_cam), &text);
   return text;
 }
 

@@ -15,6 +15,10 @@ enum class PoseKind {
 /// comment lines that tell axes and unit. qw >= 0.
 std::string trajectory_tum(const Run& run, PoseKind kind);
 
+/// The same format with the final poses of the VEHICLE in the world of the map files (T_map_vehicle), where it is known how the
+/// camera sits on it: x forward, y left, z up at the first pose.
+std::string trajectory_vehicle_tum(const Run& run);
+
 /// KITTI odometry format: row-major 3x4 T_world_cam, one line for each frame. The format has neither times
 /// nor gaps nor comments: a frame without a pose repeats the one before it (the identity before the first),
 /// as a robot that stands still.

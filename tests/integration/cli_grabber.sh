@@ -49,7 +49,7 @@ rawlog-edit --export-txt -i "$rawlog" >/dev/null 2>&1 </dev/null
 awk '/^[0-9]/ { print $4 }' direct/trajectory_live_tum.txt >live.txt
 awk '!/^%/ { print $2 }' "${rawlog%.rawlog}_EDGE_VO.txt" >recorded.txt
 below "difference of the recorded poses from the live ones" "$(paste live.txt recorded.txt |
-  awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d } END { print NF == 2 ? most + 0 : "" }')" 0.00002
+  awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; if (NF != 2) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
 
 # A folder as the camera, ended by a key while the grabber holds observations that it would drop.
 ini rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|
@@ -82,7 +82,7 @@ refused rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = nowhere
 refused rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = $street/images|; /^calibration_file/d" "its calibration: the driver knows none; write calibration_file"
 refused rawlog_grabber_rawlog.ini 's|^rawlog_file = .*|rawlog_file = nowhere.rawlog|' "\[RAWLOG\] nowhere.rawlog: no such file"
 refused rawlog_grabber_rawlog.ini 's|^sensorLabel = .*|detecter = canny|' "\[RAWLOG\] key 'detecter': unknown; did you mean detector?"
-refused rawlog_grabber_rawlog.ini 's|^sensorLabel = .*|scale = factor=-1|' "\[RAWLOG\] .*factor"
+refused rawlog_grabber_rawlog.ini 's|^sensorLabel = .*|metres_per_unit = -1|' "\[RAWLOG\] metres_per_unit = -1: out of range"
 refused rawlog_grabber_camera.ini "s|^calibration_file = .*|calibration_file = $street/camera.txt|; s|^cv_camera_index = .*|cv_camera_index = 77|" \
   "\[CAMERA\] grabber_type opencv: the camera does not open"
 

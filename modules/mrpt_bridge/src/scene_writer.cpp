@@ -68,7 +68,7 @@ void append_frustum(const SE3& T_map_cam, const Pinhole& pinhole, double size,
 
 void add_frusta(const Run& run, double size, mrpt::opengl::COpenGLScene* scene) {
   const SE3 T_map = T_map_world(run);
-  auto lines = make_lines(mrpt::img::TColor(90, 90, 90), 1, "keyframes");
+  auto lines = make_lines(mrpt::img::TColor(250, 210, 60), 1, "keyframes");
   for (const KeyframeRecord& keyframe : run.keyframes)
     if (keyframe.T_world_cam.is_finite())
       append_frustum(T_map * keyframe.T_world_cam, run.pinhole, size, lines.get());
@@ -133,8 +133,8 @@ void add_ground(mrpt::opengl::COpenGLScene* scene) {
 
 void write_scene(const Run& run, const PointFilter& filter, const std::string& path,
                  const SceneOptions& options) {
-  // Frusta of a fiftieth of the median depth can be told apart in most maps and do not hide the edges.
-  constexpr float kFrustumShare = 0.02f;
+  // Frusta of a twentieth of the median depth can be told apart in most maps and do not hide the edges.
+  constexpr float kFrustumShare = 0.05f;
   const Cloud cloud = gather(run, filter, std::max(options.max_points, 1));
   mrpt::opengl::COpenGLScene scene;
   add_ground(&scene);

@@ -14,13 +14,13 @@ namespace edgevo {
 namespace {
 
 // What the frame sees of the map, as if it were a keyframe that hosts it.
-KeyframeRecord as_keyframe(const FrameRecord& record, const LiveView& view) {
+KeyframeRecord as_keyframe(const FrameRecord& record, const FrameView& view) {
   KeyframeRecord keyframe;
   keyframe.frame_index = record.index;
   keyframe.time = record.time;
   keyframe.segment = record.segment;
   keyframe.T_world_cam = *record.T_world_cam_live;
-  for (const LivePoint& p : view.points) {
+  for (const SeenPoint& p : view.points) {
     EdgePoint point;
     point.px = p.px;
     point.normal.setZero();  // not recorded
@@ -56,18 +56,18 @@ mrpt::serialization::CSerializable::Ptr LiveObservations::image_of(const Grab& g
   return obs;
 }
 
-Run LiveObservations::run_of(const FrameRecord& record, const LiveView& view) const {
+Run LiveObservations::run_of(const FrameRecord& record, const FrameView& view) const {
   Run run;
   run.pinhole = view.pyramid->finest().pinhole;
   run.T_vehicle_cam = T_vehicle_cam_;
   run.frames.push_back(record);
   run.keyframes.push_back(as_keyframe(record, view));
-  apply_scale_option(config_.scale, &run);
+  if (config_.metres_per_unit > 0) scale_run(config_.metres_per_unit, "factor", &run);
   return run;
 }
 
 std::vector<mrpt::serialization::CSerializable::Ptr> LiveObservations::make(const Grab& grab, const FrameRecord& record,
-                                                                            const LiveView& view) {
+                                                                            const FrameView& view) {
   std::vector<mrpt::serialization::CSerializable::Ptr> observations{image_of(grab)};
   if (!record.T_world_cam_live) return observations;
   const Run run = run_of(record, view);

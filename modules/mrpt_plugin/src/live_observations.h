@@ -19,12 +19,12 @@ class LiveObservations {
 
   /// The image always; a pose where there is one; the points whenever a new keyframe has become the reference (EDGE_VO_POINTS: axes and
   /// origin of the vehicle, as in playback.rawlog). Throws InputError when an image cannot be written.
-  std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record, const LiveView& view);
+  std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record, const FrameView& view);
 
  private:
   mrpt::serialization::CSerializable::Ptr image_of(const Grab& grab) const;
   /// The frame alone as a run, in metres if a scale was given.
-  Run run_of(const FrameRecord& record, const LiveView& view) const;
+  Run run_of(const FrameRecord& record, const FrameView& view) const;
 
   SensorConfig config_;
   Camera camera_;

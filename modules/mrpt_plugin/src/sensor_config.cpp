@@ -1,10 +1,9 @@
 #include "sensor_config.h"
 
 #include <algorithm>
-#include <cmath>
+#include <sstream>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/scale_run.h"
 #include "edgevo/occupancy/occupancy_params.h"
 
 namespace edgevo {
@@ -15,7 +14,7 @@ using mrpt::config::CConfigFileBase;
 const std::vector<std::string>& own_keys() {
   static const std::vector<std::string> keys{
       "driver",      "process_rate", "max_queue_len", "grab_decimation", "sensorLabel", "calibration_file",
-      "params_file", "detector",     "scale",         "seed",            "realtime",    "external_images",
+      "params_file", "detector",     "metres_per_unit", "seed",            "realtime",    "external_images",
       "at_end",      "max_relative_sigma",            "rawlog-grabber-ignore"};
   return keys;
 }
@@ -62,6 +61,15 @@ void read_params_of_run(const std::string& file, OdometryParams* odometry) {
   });
 }
 
+double number(const CConfigFileBase& config, const std::string& section, const std::string& key, double value, double least,
+              double most) {
+  value = config.read_double(section, key, value);
+  if (value >= least && value <= most) return value;
+  std::ostringstream range;
+  range << "write a number from " << least << " to " << most;
+  throw InputError(key + " = " + config.read_string(section, key, ""), "out of range", range.str());
+}
+
 std::string one_of(const CConfigFileBase& config, const std::string& section, const std::string& key,
                    const std::vector<std::string>& choices) {
   const std::string value = config.read_string_first_word(section, key, choices.front());
@@ -78,15 +86,12 @@ SensorConfig read_sensor_config(const CConfigFileBase& config, const std::string
   SensorConfig c;
   c.label = config.read_string(section, "sensorLabel", c.label);
   c.calibration_file = config.read_string(section, "calibration_file", "");
-  c.scale = config.read_string_first_word(section, "scale", c.scale);
-  check_scale_option(c.scale);
+  c.metres_per_unit = number(config, section, "metres_per_unit", c.metres_per_unit, 0, 1e9);
   if (const std::string file = config.read_string(section, "params_file", ""); !file.empty()) read_params_of_run(file, &c.odometry);
   if (const std::string detector = config.read_string_first_word(section, "detector", ""); !detector.empty())
     set_param("edges.detector=" + detector, [&](ParamVisitor& v) { c.odometry.visit(v); });
-  c.max_relative_sigma = config.read_double(section, "max_relative_sigma", c.max_relative_sigma);
-  if (!(c.max_relative_sigma > 0 && c.max_relative_sigma <= 10))
-    throw InputError("max_relative_sigma", "out of range", "write a number larger than 0, up to 10");
-  c.seed = config.read_int(section, "seed", c.seed);
+  c.max_relative_sigma = number(config, section, "max_relative_sigma", c.max_relative_sigma, 0.001, 10);
+  c.seed = int(number(config, section, "seed", c.seed, 0, 2e9));
   c.realtime = config.read_bool(section, "realtime", c.realtime);
   c.external_images = config.read_bool(section, "external_images", c.external_images);
   c.stop_at_end = one_of(config, section, "at_end", {"stop", "wait"}) == "stop";

@@ -12,7 +12,7 @@ namespace edgevo {
 struct SensorConfig {
   std::string label = "EDGE_VO_CAM";  ///< sensorLabel: of the images
   std::string calibration_file;       ///< empty: as the images say
-  std::string scale = "none";         ///< as --scale of `edgevo run`
+  double metres_per_unit = 0;         ///< 0: not known, lengths are in an arbitrary unit
   OdometryParams odometry;            ///< params_file and detector
   double max_relative_sigma = 0.15;   ///< of the depth of a point that is recorded
   int seed = 1;

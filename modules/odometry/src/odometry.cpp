@@ -235,8 +235,8 @@ struct Odometry::Impl {
     return run;
   }
 
-  LiveView live_view() const {
-    LiveView view;
+  FrameView frame_view() const {
+    FrameView view;
     view.pyramid = newest;
     if (!has_map || lost) return view;
     view.reference_keyframe = reference->keyframe_id;
@@ -280,7 +280,7 @@ Odometry::Odometry(const Camera& camera, const OdometryParams& params, const Odo
 Odometry::~Odometry() = default;
 
 const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
-LiveView Odometry::live_view() const { return impl_->live_view(); }
+FrameView Odometry::frame_view() const { return impl_->frame_view(); }
 SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
 Run Odometry::finish() { return impl_->finish(); }
 

@@ -16,10 +16,10 @@ float edge_residual_px(const PyramidLevel& level, const Eigen::Vector2f& px) {
 
 }  // namespace
 
-std::vector<LivePoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref, const FramePyramid& current,
+std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref, const FramePyramid& current,
                                   double idepth_factor) {
   const PyramidLevel& finest = current.finest();
-  std::vector<LivePoint> seen;
+  std::vector<SeenPoint> seen;
   for (const CloudPoint& p : cloud.points) {
     // The point times its inverse depth: finite for a point at infinity, and z is idepth_ref / idepth_cur.
     const Eigen::Vector3d scaled = T_cur_ref.rotation() * p.ray + p.idepth * T_cur_ref.translation();
@@ -27,7 +27,7 @@ std::vector<LivePoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_
     const Eigen::Vector2d px = finest.pinhole.project(scaled);
     if (!finest.pinhole.contains(px)) continue;
     const double to_current = idepth_factor / scaled.z();
-    LivePoint point;
+    SeenPoint point;
     point.px = px.cast<float>();
     point.idepth = float(p.idepth * to_current);
     point.idepth_sigma = float(p.idepth_sigma * to_current);

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "edgevo/alignment/reference_cloud.h"
-#include "edgevo/odometry/live_view.h"
+#include "edgevo/odometry/frame_view.h"
 
 namespace edgevo {
 
 /// Those that lie in front of the camera and inside the image. `idepth_factor` takes inverse depths from the map's unit to the
 /// world's.
-std::vector<LivePoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref, const FramePyramid& current,
+std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref, const FramePyramid& current,
                                   double idepth_factor);
 
 }  // namespace edgevo

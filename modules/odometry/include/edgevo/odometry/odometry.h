@@ -10,6 +10,7 @@
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
+#include "edgevo/odometry/frame_view.h"
 #include "edgevo/odometry/live_view.h"
 #include "edgevo/odometry/odometry_params.h"
 
@@ -32,7 +33,7 @@ class Odometry {
   const FrameRecord& process(const Frame& frame);
 
   /// What the newest frame sees of the map. In the thread of process(). Cost: one projection a point, about 0.1 ms.
-  LiveView live_view() const;
+  FrameView frame_view() const;
   /// The keyframes that have left the window so far, but for the first `skip` of them. In the thread of process().
   SettledKeyframes settled_keyframes(size_t skip = 0) const;
 
