@@ -28,7 +28,8 @@ void feed(ImageSource& source, Odometry& odometry, const std::function<bool(cons
       if (!on_frame({*frame, *record, odometry})) break;
     }
   } catch (const std::exception&) {
-    drive->broken = std::current_exception();
+    // A signal ends a camera's wait for its next image, too.
+    if (!interrupted()) drive->broken = std::current_exception();
   }
 }
 

@@ -11,4 +11,30 @@ edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)
 foreach(name IN ITEMS simulate relight study run_eval reproducible blackout bad_arguments broken_source disk_full degenerate realtime calibrate bench)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
+# Programs of others, which are built without sanitizers, and what opens a window.
+edgevo_add_cli_test(view FIXTURES_REQUIRED cli_scenes)
+edgevo_add_cli_test(windows FIXTURES_REQUIRED cli_scenes)
+if(NOT EDGEVO_SANITIZE)
+  edgevo_add_cli_test(grabber FIXTURES_REQUIRED cli_scenes)
+endif()
 edgevo_add_cli_test(interrupt FIXTURES_REQUIRED cli_scenes RUN_SERIAL TRUE)
+
+# Tests in C++ on the same sequences; each one process, since they share what they set up.
+function(edgevo_add_scene_test name)
+  cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+  add_executable(test_${name} ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp)
+  target_link_libraries(test_${name} PRIVATE edgevo::datasets edgevo::mrpt_bridge ${ARG_LINKS} GTest::gmock GTest::gtest_main)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(test_${name} PRIVATE EDGEVO_TEST_SCENES="${cli_scenes}")
+  add_test(NAME integration.${name} COMMAND test_${name})
+  set_tests_properties(integration.${name} PROPERTIES LABELS integration FIXTURES_REQUIRED cli_scenes)
+endfunction()
+
+# Where the camera sits, from the observation to the poses of the vehicle.
+edgevo_add_scene_test(mount LINKS edgevo_run_outputs edgevo::odometry edgevo::evaluation)
+# The plug-in for MRPT's programs, loaded as they do.
+find_package(MRPT REQUIRED COMPONENTS hwdrivers maps)
+find_package(octomap REQUIRED)
+edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath ${CMAKE_DL_LIBS})
+target_compile_definitions(test_plugin PRIVATE EDGEVO_PLUGIN="$<TARGET_FILE:edgevo_plugin>")
+add_dependencies(test_plugin edgevo_plugin)

@@ -56,6 +56,9 @@ echo "500 500 320 240 0 0" >short_camera.txt
 complains "short_camera.txt" run "$desk" -o out --camera short_camera.txt
 echo "500 500 320 240 0 0 0 0 640 -480" >bad_camera.txt
 complains "bad_camera.txt" run "$desk" -o out --camera bad_camera.txt
+complains "camera:0.*no calibration.*--camera" run camera:0 -o out
+complains "camera:x" run camera:x -o out --camera "$desk/camera.txt"
+complains "camera:250: the camera does not open; check that it is plugged in" run camera:250 -o out --camera "$desk/camera.txt"
 check "folders that a command which cannot run leaves" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
 
 # Outputs that cannot be made.

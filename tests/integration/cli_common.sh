@@ -102,3 +102,31 @@ plain_image() {
   printf 'P5\n%d %d\n255\n' "$1" "$2" >"$3"
   head -c $(($1 * $2)) /dev/zero >>"$3"
 }
+# start_display: an X server of our own; DISPLAY names it from here on.
+start_display() {
+  command -v Xvfb >/dev/null && command -v xdotool >/dev/null || { fail "Xvfb or xdotool is missing; share/install_dependencies.sh"; finish; }
+  Xvfb -displayfd 1 -noreset -nolisten tcp -screen 0 1280x1000x24 >display 2>xvfb.log &
+  xvfb=$!
+  cleanup() { kill $xvfb 2>/dev/null; }
+  for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+    [ -s display ] && break
+    sleep 1
+  done
+  [ -s display ] || { fail "Xvfb does not start: $(tail -1 xvfb.log)"; finish; }
+  DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1 GDK_BACKEND=x11
+  export DISPLAY LIBGL_ALWAYS_SOFTWARE GDK_BACKEND
+}
+# window NAME [SECONDS]: waits for a window whose title holds that regular expression; its number is in $window.
+window() {
+  for try in $(seq $((2 * ${2:-40}))); do
+    window=$(xdotool search --name "$1" 2>/dev/null | tail -1)
+    [ -n "$window" ] && return
+    sleep 0.5
+  done
+  fail "no window '$1'; there are: $(xdotool search --name . getwindowname %@ 2>/dev/null | sort -u | tr '\n' '|')"
+  return 1
+}
+# coloured FILE [GEOMETRY]: how many pixels of a screenshot (or of WxH+X+Y of it) have a strong colour.
+coloured() {
+  convert-im6.q16 "$1" ${2:+-crop "$2" +repage} -colorspace HSL -channel G -separate +channel -threshold 60% -format '%[fx:round(mean*w*h)]' info:
+}

@@ -96,34 +96,42 @@ class VideoSource : public ImageSource {
 
 class LiveCamera : public ImageSource {
  public:
-  LiveCamera(const SourceOptions& options, cv::VideoCapture capture)
-      : path_(options.path), camera_(choose_camera(options, "")), capture_(std::move(capture)) {}
+  LiveCamera(const SourceOptions& options, const Camera& camera, GrabImage grab)
+      : path_(options.path), camera_(camera), grab_(std::move(grab)) {}
 
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return std::nullopt; }
   std::string kind() const override { return "live camera"; }
 
   std::optional<Frame> next() override {
+    if (done_) return std::nullopt;
+    done_ = true;  // stays so if a check throws
     cv::Mat pixels;
-    if (!capture_.grab()) return std::nullopt;
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    const auto ns = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
-    if (!capture_.retrieve(pixels) || pixels.empty()) return std::nullopt;
-    Frame frame{index_, Timestamp::from_nanoseconds(ns), to_gray(pixels)};
+    const bool came = grab_(&pixels) && !pixels.empty() && pixels.depth() == CV_8U;
+    const Timestamp now = Timestamp::from_nanoseconds(nanoseconds_now());
     const std::string where = path_ + ", frame " + std::to_string(index_);
+    if (!came) throw InputError(where, "the camera gives no image", "check its cable, and whether another program uses it");
+    Frame frame{index_, now, to_gray(pixels)};
     if (index_ > 0) check_time_increases(previous_, frame.time, where);
     check_image_size(frame.image, camera_.pinhole, where);
     previous_ = frame.time;
     ++index_;
+    done_ = false;
     return frame;
   }
 
  private:
+  static int64_t nanoseconds_now() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  }
+
   std::string path_;
   Camera camera_;
-  cv::VideoCapture capture_;
+  GrabImage grab_;
   Timestamp previous_;
   int index_ = 0;
+  bool done_ = false;
 };
 
 }  // namespace
@@ -147,10 +155,17 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const double index = parse_number(number, options.path);
   if (index < 0 || index > 255 || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
-  cv::VideoCapture capture;
-  if (!capture.open(int(index)))
+  const Camera camera = choose_camera(options, "");
+  const auto capture = std::make_shared<cv::VideoCapture>();
+  if (!capture->open(int(index)))
     throw InputError(options.path, "the camera does not open", "check that it is plugged in");
-  return std::make_unique<LiveCamera>(options, std::move(capture));
+  capture->set(cv::CAP_PROP_FRAME_WIDTH, camera.pinhole.width);
+  capture->set(cv::CAP_PROP_FRAME_HEIGHT, camera.pinhole.height);
+  return play_live(options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); });
+}
+
+std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab) {
+  return std::make_unique<LiveCamera>(options, camera, std::move(grab));
 }
 
 }  // namespace edgevo

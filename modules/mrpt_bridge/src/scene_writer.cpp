@@ -116,7 +116,8 @@ void add_cloud(const Cloud& cloud, mrpt::opengl::COpenGLScene* scene) {
   object->setPointSize(2);
   for (const auto& p : cloud.points) {
     float r = 0, g = 0, b = 0;
-    mrpt::img::colormap(mrpt::img::cmJET, std::clamp((p.z() - low) / span, 0.f, 1.f), r, g, b);
+    // Not from 0: the darkest blue cannot be seen on the gray of the viewers.
+    mrpt::img::colormap(mrpt::img::cmJET, 0.15f + 0.85f * std::clamp((p.z() - low) / span, 0.f, 1.f), r, g, b);
     object->push_back(p.x(), p.y(), p.z(), r, g, b);
   }
   scene->insert(object);

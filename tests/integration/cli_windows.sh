@@ -1,0 +1,84 @@
+#!/bin/sh
+# MRPT's windows on the files of a run: RawLogViewer shows the images, makes the path and the point map, SceneViewer3D the scene. What they
+# show is checked in screenshots and in the files that they save. cli_windows.sh EDGEVO SCENES [FOLDER]: keeps the screenshots there.
+shots=${3:+$(cd "$3" && pwd)}
+. "$(dirname "$0")/cli_common.sh"
+street=$scenes/street
+for tool in RawLogViewer SceneViewer3D; do
+  command -v $tool >/dev/null || { fail "$tool is missing; install mrpt-apps"; finish; }
+done
+"$edgevo" run "$street" -o out --quiet || fail "run"
+start_display
+export HOME="$work"  # the viewers keep their settings there
+cd out || exit 1
+
+shot() {
+  import -window root "$1.png"
+  [ -z "$shots" ] || cp "$1.png" "$shots"
+}
+click() {
+  xdotool mousemove "$1" "$2" click 1
+  sleep "${3:-1.5}"
+}
+widest_of() { xdotool search --name "$1" | while read -r w; do echo "$(xdotool getwindowgeometry --shell "$w" | sed -n 's/^WIDTH=//p') $w"; done | sort -n | tail -1 | cut -d' ' -f2; }
+
+# ---- RawLogViewer. Places of buttons depend on the fonts: the tip of the day tells whether they are those known here.
+RawLogViewer playback.rawlog >viewer.log 2>&1 &
+viewer=$!
+window 'Tip of the Day'
+tip=$(xdotool getwindowgeometry "$window" | tr -d ' ' | tr '\n' ' ')
+main=$(widest_of 'RawlogViewer - Part of')
+case $tip in
+  *"Geometry:382x266"*) laid_out_as_known=yes ;;
+  *) laid_out_as_known= ;;
+esac
+if [ -n "$laid_out_as_known" ]; then
+  click 571 239
+  xdotool windowmove "$main" 0 0 windowsize "$main" 1270 990
+  sleep 3
+  shot rawlogviewer_overview
+  # The tree on the left: image 0, pose, odometry, points, image 1, ...
+  click 120 191
+  shot rawlogviewer_image
+  # Its panel shows the second image of the street, scaled to the width, and no other.
+  convert-im6.q16 rawlogviewer_image.png -crop 865x262+405+548 +repage -colorspace Gray panel.png
+  likeness() {
+    convert-im6.q16 "playback_Images/frame_00000$1.png" -resize '865x262!' -colorspace Gray wanted.png
+    compare-im6.q16 -metric NCC panel.png wanted.png null: 2>&1
+  }
+  below "1 - correlation of the image in RawLogViewer with the frame's" "$(awk -v c="$(likeness 1)" 'BEGIN { print 1 - c }')" 0.1
+  below "correlation with the frame after it, which is less" "$(likeness 2)" "$(likeness 1)"
+  click 120 173 3
+  shot rawlogviewer_points
+  check "points in its 3D view" "$(coloured rawlogviewer_points.png 860x280+405+540)" -ge 200
+  click 225 60 1
+  window 'Creation of "raw map'
+  click 162 191 4
+  shot rawlogviewer_map
+  # Save the vehicle path that it made of the odometry, under the name that it proposes.
+  click 509 243
+  window 'Save path as txt file'
+  click 1046 798 3
+  check "rows of the path that RawLogViewer saved" "$(grep -c . GT_path_vehicle.txt)" -eq "$(poses .)"
+  awk '!/^#/ { print $1, $4, -$2 }' trajectory_tum.txt >wanted.txt  # x forward is the camera's z, y left its -x
+  below "largest difference of that path from the run's, in its unit" "$(awk '{ print $1, $2, $3 }' GT_path_vehicle.txt | paste wanted.txt - |
+    awk '{ for (i = 1; i < 4; ++i) { d = $i - $(i + 3); if (d < 0) d = -d; if (d > most) most = d }; if (NF != 6) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
+  check "pixels of the map that it draws" "$(coloured rawlogviewer_map.png 810x120+20+340)" -ge 300
+else
+  echo "SKIPPED, NOT TESTED: RawLogViewer is laid out otherwise here ($tip); it opens the file"
+fi
+kill $viewer
+wait $viewer 2>/dev/null
+
+# ---- SceneViewer3D
+SceneViewer3D scene.3Dscene >viewer.log 2>&1 &
+viewer=$!
+window 'SceneViewer3D.*scene.3Dscene' || tail -3 viewer.log
+main=$(widest_of 'SceneViewer3D.*scene.3Dscene')
+xdotool windowmove "$main" 0 0 windowsize "$main" 1270 990
+sleep 4
+shot sceneviewer
+check "coloured pixels of edges, trajectory and keyframes" "$(coloured sceneviewer.png 1170x900+95+40)" -ge 1000
+kill $viewer
+wait $viewer 2>/dev/null
+cd "$work" && finish
