@@ -4,7 +4,8 @@
 
 namespace edgevo::app {
 
-// The connection stays open: a server without a window manager starts anew when its last client leaves, and does not answer meanwhile.
+// The connection stays open: a server without a window manager starts anew when its last client leaves, and
+// does not answer meanwhile.
 bool has_display() {
   static Display* const display = XOpenDisplay(nullptr);
   return display != nullptr;

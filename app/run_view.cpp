@@ -38,7 +38,8 @@ struct RunView::Impl {
     const FrameView view = driven.odometry.frame_view();
     if (!view.pyramid) return;
     mrpt::img::CImage picture(draw_frame(view, colour), mrpt::img::DEEP_COPY);
-    const double share = std::min(kLargestImageShare, double(kWidth) / kHeight * double(picture.getHeight()) / double(picture.getWidth()));
+    const double share = std::min(kLargestImageShare, double(kWidth) / kHeight * double(picture.getHeight()) /
+                                                          double(picture.getWidth()));
     mrpt::opengl::COpenGLScene::Ptr& scene = window.get3DSceneAndLock();
     map->update(driven.record, driven.odometry, view);
     const auto image = scene->getViewport(kImageViewport);
@@ -73,7 +74,8 @@ struct RunView::Impl {
       const int key = window.getPushedKey();
       if (key == ' ') paused = !paused;
       if (key == 's' || key == 'S') paused = step = true;
-      if (key == 'c' || key == 'C') colour = colour == PointColour::kDepth ? PointColour::kResidual : PointColour::kDepth;
+      if (key == 'c' || key == 'C')
+        colour = colour == PointColour::kDepth ? PointColour::kResidual : PointColour::kDepth;
       if (key == 'f' || key == 'F') follow = !follow;
       if (key == 'q' || key == 'Q') end = true;
       changed = true;
@@ -90,7 +92,8 @@ struct RunView::Impl {
 std::unique_ptr<RunView> RunView::open(const std::optional<SE3>& T_vehicle_cam, std::string* why) {
   if (!has_display()) {
     const char* name = std::getenv("DISPLAY");
-    *why = name ? std::string("the display ") + name + " does not answer" : "there is no display (DISPLAY is not set)";
+    *why = name ? std::string("the display ") + name + " does not answer"
+                : "there is no display (DISPLAY is not set)";
     return nullptr;
   }
   auto impl = std::make_unique<Impl>(T_vehicle_cam);

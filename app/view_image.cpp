@@ -12,7 +12,8 @@ const cv::Vec3b kEdgeColour(150, 110, 70);
 
 cv::Mat to_bgr(const Plane<uint8_t>& gray) {
   const auto view = gray.view();
-  const cv::Mat pixels(view.height, view.width, CV_8UC1, const_cast<uint8_t*>(view.data), size_t(view.stride));
+  const cv::Mat pixels(view.height, view.width, CV_8UC1, const_cast<uint8_t*>(view.data),
+                       size_t(view.stride));
   cv::Mat bgr;
   cv::cvtColor(pixels, bgr, cv::COLOR_GRAY2BGR);
   return bgr;
@@ -73,7 +74,8 @@ cv::Mat draw_frame(const FrameView& view, PointColour colour) {
   const cv::Rect whole(0, 0, picture.cols, picture.rows);
   for (const SeenPoint& p : view.points) {
     const cv::Rect dot(int(std::lround(p.px.x())) - 1, int(std::lround(p.px.y())) - 1, 3, 3);
-    picture(dot & whole) = colour == PointColour::kDepth ? by_depth(range.share(p.idepth)) : by_residual(p.residual_px);
+    picture(dot & whole) =
+        colour == PointColour::kDepth ? by_depth(range.share(p.idepth)) : by_residual(p.residual_px);
   }
   return picture;
 }

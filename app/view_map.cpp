@@ -19,7 +19,8 @@ typename Object::Ptr insert(mrpt::opengl::COpenGLViewport* viewport) {
   return object;
 }
 
-mrpt::opengl::CSetOfLines::Ptr insert_lines(mrpt::opengl::COpenGLViewport* viewport, const mrpt::img::TColor& colour, float width) {
+mrpt::opengl::CSetOfLines::Ptr insert_lines(mrpt::opengl::COpenGLViewport* viewport,
+                                            const mrpt::img::TColor& colour, float width) {
   auto lines = insert<mrpt::opengl::CSetOfLines>(viewport);
   lines->setColor_u8(colour);
   lines->setLineWidth(width);
@@ -107,9 +108,10 @@ void ViewMap::draw_camera(const SE3& T_map_cam, const Pinhole& pinhole) {
   constexpr double kSize = 0.05;  // of the median depth
   frustum_->clear();
   const double right = pinhole.width - 1, bottom = pinhole.height - 1;
-  std::array<Eigen::Vector3d, 4> corners = {pinhole.ray({0, 0}), pinhole.ray({right, 0}), pinhole.ray({right, bottom}),
-                                            pinhole.ray({0, bottom})};
-  for (Eigen::Vector3d& corner : corners) corner = T_map_cam * Eigen::Vector3d(kSize * median_depth_ * corner);
+  std::array<Eigen::Vector3d, 4> corners = {pinhole.ray({0, 0}), pinhole.ray({right, 0}),
+                                            pinhole.ray({right, bottom}), pinhole.ray({0, bottom})};
+  for (Eigen::Vector3d& corner : corners)
+    corner = T_map_cam * Eigen::Vector3d(kSize * median_depth_ * corner);
   for (size_t i = 0; i < corners.size(); ++i) {
     append(corners[i], corners[(i + 1) % 4], frustum_.get());
     append(T_map_cam.translation(), corners[i], frustum_.get());

@@ -1,5 +1,6 @@
 #pragma once
-// The map of a running odometry as objects of an MRPT scene: path, camera, points of the keyframes, points seen now.
+// The map of a running odometry as objects of an MRPT scene: path, camera, points of the keyframes, points
+// seen now.
 #include <mrpt/opengl/COpenGLViewport.h>
 #include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
@@ -15,8 +16,8 @@ class ViewMap {
   /// `T_vehicle_cam`: as for Run; the world is that of the map files (T_map_world).
   ViewMap(const std::optional<SE3>& T_vehicle_cam, mrpt::opengl::COpenGLViewport* viewport);
 
-  /// Brings the objects up to date; call while the scene is locked. Cost: grows with what is new since the last call, but for a
-  /// correction of the camera, after which all points are made anew.
+  /// Brings the objects up to date; call while the scene is locked. Cost: grows with what is new since the
+  /// last call, but for a correction of the camera, after which all points are made anew.
   void update(const FrameRecord& record, const Odometry& odometry, const FrameView& view);
   /// Position of the camera, in the world of the map; none before the first pose.
   const std::optional<Eigen::Vector3d>& camera() const { return camera_; }

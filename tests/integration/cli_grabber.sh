@@ -46,18 +46,19 @@ same "trajectory of the recording" direct/trajectory_tum.txt again/trajectory_tu
 below "its ATE, metres" "$(ate again "$street")" 0.15
 # What was recorded live is what the run knew when each frame came, as MRPT's exporter tells it (x forward).
 rawlog-edit --export-txt -i "$rawlog" >/dev/null 2>&1 </dev/null
-awk '/^[0-9]/ { print $4 }' direct/trajectory_live_tum.txt >live.txt
+# The frames of the bootstrap, which have their pose only afterwards, are not in it.
 awk '!/^%/ { print $2 }' "${rawlog%.rawlog}_EDGE_VO.txt" >recorded.txt
+awk '/^[0-9]/ { print $4 }' direct/trajectory_live_tum.txt | tail -n "$(wc -l <recorded.txt)" >live.txt
 below "difference of the recorded poses from the live ones" "$(paste live.txt recorded.txt |
   awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; if (NF != 2) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
 
 # A folder as the camera, ended by a key while the grabber holds observations that it would drop.
 ini rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|
-  s|^GRABBER_PERIOD_MS = .*|GRABBER_PERIOD_MS = 700|; s|^process_rate = .*|process_rate = 10|"
-grab edgevo.ini 3
+  s|^GRABBER_PERIOD_MS = .*|GRABBER_PERIOD_MS = 1500|; s|^process_rate = .*|process_rate = 10|"
+grab edgevo.ini 4
 says "observations that rawlog-grabber had left were appended"
 taken=$(sed -n 's/^\[FOLDER\] \([0-9]*\) frames,.*/\1/p' said)
-check "images that were taken" "$taken" -ge 5
+check "images that were taken" "$taken" -ge 2
 check "images in the rawlog" "$(observations CAM0)" -eq "$taken"
 check "image files" "$(ls edges_*_Images | wc -l)" -eq "$taken"
 

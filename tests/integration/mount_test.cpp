@@ -22,9 +22,11 @@ namespace {
 
 constexpr int kFrames = 60;
 
-// 0.9 m ahead of the vehicle's origin, 0.4 m to its right, 1.2 m up; turned 40 degrees to the left and 15 down.
+// 0.9 m ahead of the vehicle's origin, 0.4 m to its right, 1.2 m up; turned 40 degrees to the left and 15
+// down.
 SE3 mount() {
-  const Eigen::Quaterniond turn = Eigen::AngleAxisd(0.70, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(0.26, Eigen::Vector3d::UnitY());
+  const Eigen::Quaterniond turn =
+      Eigen::AngleAxisd(0.70, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(0.26, Eigen::Vector3d::UnitY());
   return SE3(turn, {0.9, -0.4, 1.2}) * T_vehicle_cam_forward();
 }
 
@@ -63,7 +65,8 @@ class Mount : public ::testing::Test {
   static void SetUpTestSuite() {
     folder_ = new test::TempFolder();
     truth_ = new std::vector<SE3>();
-    for (const StampedPose& pose : read_trajectory(EDGEVO_TEST_SCENES "/desk/groundtruth_tum.txt").poses) truth_->push_back(pose.T_world_cam);
+    for (const StampedPose& pose : read_trajectory(EDGEVO_TEST_SCENES "/desk/groundtruth_tum.txt").poses)
+      truth_->push_back(pose.T_world_cam);
     truth_->resize(kFrames);
     MountedDesk desk;
     import_rawlog(desk, *folder_ / "desk.rawlog");
@@ -87,7 +90,8 @@ class Mount : public ::testing::Test {
 
   static double way(const std::vector<SE3>& poses) {
     double length = 0;
-    for (size_t i = 1; i < poses.size(); ++i) length += (poses[i].translation() - poses[i - 1].translation()).norm();
+    for (size_t i = 1; i < poses.size(); ++i)
+      length += (poses[i].translation() - poses[i - 1].translation()).norm();
     return length;
   }
   static double way_of_run() {
@@ -122,7 +126,8 @@ TEST_F(Mount, PlaybackHoldsThePosesOfTheVehicle) {
     const SE3 error = true_vehicle(frame.index, mount()).inverse() * poses.at(frame.time.ticks);
     EXPECT_LT(error.translation().norm(), 0.01) << frame.index;
     EXPECT_LT(error.angle(), 0.005) << frame.index;
-    const SE3 naive = true_vehicle(frame.index, T_vehicle_cam_forward()).inverse() * poses.at(frame.time.ticks);
+    const SE3 naive =
+        true_vehicle(frame.index, T_vehicle_cam_forward()).inverse() * poses.at(frame.time.ticks);
     without_the_mount = std::max(without_the_mount, naive.translation().norm());
   }
   EXPECT_GT(without_the_mount, 0.1);  // the mount matters in this motion
@@ -138,7 +143,8 @@ TEST_F(Mount, TheTextFileHoldsThemToo) {
   const auto poses = robot_poses(*folder_ / "playback.rawlog");
   const Trajectory read = parse_trajectory(app::trajectory_vehicle_tum(*run_), "vehicle");
   ASSERT_EQ(read.poses.size(), poses.size());
-  for (const auto& pose : read.poses) EXPECT_LT((pose.T_world_cam.inverse() * poses.at(pose.time.ticks)).log().norm(), 1e-6);
+  for (const auto& pose : read.poses)
+    EXPECT_LT((pose.T_world_cam.inverse() * poses.at(pose.time.ticks)).log().norm(), 1e-6);
 }
 
 // The lever arm is in metres: of no use while the unit is not.

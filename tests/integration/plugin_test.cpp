@@ -5,8 +5,8 @@
 #include <mrpt/hwdrivers/CGenericSensor.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/CMetricMap.h>
-#include <mrpt/maps/TMetricMapInitializer.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/maps/TMetricMapInitializer.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CObservationImage.h>
@@ -33,19 +33,24 @@ class Plugin : public ::testing::Test {
   test::TempFolder folder_;
 };
 
-// ---- the map ------------------------------------------------------------------------------------------------------------
+// ---- the map
+// ------------------------------------------------------------------------------------------------------------
 
 class EdgeOctoMap : public Plugin {
  protected:
   static mrpt::maps::CMetricMap::Ptr make(const std::string& creation, const std::string& insertion = "") {
-    mrpt::config::CConfigFileMemory ini("[m_creationOpts]\n" + creation + "\n[m_insertOpts]\n" + insertion + "\n");
-    const mrpt::maps::TMetricMapInitializer::Ptr definition(mrpt::maps::TMetricMapInitializer::factory("edgeOctoMap"));
+    mrpt::config::CConfigFileMemory ini("[m_creationOpts]\n" + creation + "\n[m_insertOpts]\n" + insertion +
+                                        "\n");
+    const mrpt::maps::TMetricMapInitializer::Ptr definition(
+        mrpt::maps::TMetricMapInitializer::factory("edgeOctoMap"));
     if (!definition) throw std::runtime_error("no such map");
     definition->loadFromConfigFile(ini, "m");
     return mrpt::maps::CMetricMap::Ptr(dynamic_cast<mrpt::maps::CMetricMap*>(
-        mrpt::maps::internal::TMetricMapTypesRegistry::Instance().factoryMapObjectFromDefinition(*definition)));
+        mrpt::maps::internal::TMetricMapTypesRegistry::Instance().factoryMapObjectFromDefinition(
+            *definition)));
   }
-  static mrpt::obs::CObservation3DRangeScan scan(const std::vector<Eigen::Vector3f>& points, const CPose3D& sensor = {}) {
+  static mrpt::obs::CObservation3DRangeScan scan(const std::vector<Eigen::Vector3f>& points,
+                                                 const CPose3D& sensor = {}) {
     mrpt::obs::CObservation3DRangeScan scan;
     scan.sensorPose = sensor;
     scan.hasPoints3D = true;
@@ -81,7 +86,7 @@ TEST_F(EdgeOctoMap, PointsAreOccupiedAndTheWayToThemIsFree) {
   EXPECT_DOUBLE_EQ(tree.getResolution(), 0.1);
   EXPECT_TRUE(occupied(tree, 0, 0, 4.05));
   EXPECT_TRUE(free(tree, 0, 0, 1.05));
-  EXPECT_TRUE(free(tree, 0, 0, 3.2));    // three sigmas of 5 % before the point the ray ends
+  EXPECT_TRUE(free(tree, 0, 0, 3.2));     // three sigmas of 5 % before the point the ray ends
   EXPECT_FALSE(tree.search(0, 0, 3.75));  // unknown
   EXPECT_FALSE(tree.search(0.5, 0, 2));
 }
@@ -146,7 +151,8 @@ TEST_F(EdgeOctoMap, RefusesWhatCannotBe) {
   EXPECT_FALSE(make("")->insertObservation(mrpt::obs::CObservationImage()));
 }
 
-// ---- the sensor ---------------------------------------------------------------------------------------------------------
+// ---- the sensor
+// ---------------------------------------------------------------------------------------------------------
 
 class Sensor : public Plugin {
  protected:
@@ -173,7 +179,8 @@ class Sensor : public Plugin {
   }
 };
 
-// Without setPathForExternalImages, as a program of one's own would use it: images inside, nothing appended to any file.
+// Without setPathForExternalImages, as a program of one's own would use it: images inside, nothing appended
+// to any file.
 TEST_F(Sensor, HandsOutImagePoseAndPoints) {
   const auto sensor = load(desk(40) + "sensorLabel = EYE\n");
   sensor->initialize();
@@ -212,12 +219,15 @@ TEST_F(Sensor, HandsOutImagePoseAndPoints) {
 
 TEST_F(Sensor, SaysInOneLineWhatIsWrong) {
   const std::string rawlog = desk(2);
-  EXPECT_THAT(why_refused(rawlog + "detecter = canny\n"), HasSubstr("[S] key 'detecter': unknown; did you mean detector?"));
+  EXPECT_THAT(why_refused(rawlog + "detecter = canny\n"),
+              HasSubstr("[S] key 'detecter': unknown; did you mean detector?"));
   EXPECT_THAT(why_refused(rawlog + "detector = none_such\n"), HasSubstr("[S] "));
   EXPECT_THAT(why_refused(rawlog + "at_end = stay\n"), HasSubstr("write at_end = stop or wait"));
-  EXPECT_THAT(why_refused(rawlog + "max_relative_sigma = 0\n"), HasSubstr("max_relative_sigma = 0: out of range"));
+  EXPECT_THAT(why_refused(rawlog + "max_relative_sigma = 0\n"),
+              HasSubstr("max_relative_sigma = 0: out of range"));
   EXPECT_THAT(why_refused(rawlog + "params_file = nowhere.yaml\n"), HasSubstr("nowhere.yaml"));
-  EXPECT_THAT(why_refused("grabber_type = rawlog\nrawlog_file = nowhere.rawlog\n"), HasSubstr("nowhere.rawlog: no such file"));
+  EXPECT_THAT(why_refused("grabber_type = rawlog\nrawlog_file = nowhere.rawlog\n"),
+              HasSubstr("nowhere.rawlog: no such file"));
   EXPECT_THAT(why_refused("grabber_type = rawlog\n"), HasSubstr("rawlog_file is missing"));
   EXPECT_THAT(why_refused("grabber_type = none_such\n"), HasSubstr("the camera does not open"));
 }

@@ -5,7 +5,8 @@
 
 namespace edgevo {
 
-mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const std::string& label, const Camera& camera,
+mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const std::string& label,
+                                                         const Camera& camera,
                                                          const std::optional<SE3>& T_vehicle_cam) {
   auto obs = mrpt::obs::CObservationImage::Create();
   obs->timestamp = to_mrpt(time);

@@ -22,11 +22,13 @@ class CameraSensorGrabber : public Grabber {
       sensor_.loadConfig(config, section);
       sensor_.initialize();
     } catch (const std::exception& e) {
-      throw InputError(where_, "the camera does not open (" + one_line(e) + ")", "check its keys, the path and the cable");
+      throw InputError(where_, "the camera does not open (" + one_line(e) + ")",
+                       "check its keys, the path and the cable");
     }
     waiting_ = grab_until_an_image_comes();
     if (!waiting_)
-      throw InputError(where_, "the camera opens, but gives no image (" + why_ended_ + ")", "check its keys, the path and the cable");
+      throw InputError(where_, "the camera opens, but gives no image (" + why_ended_ + ")",
+                       "check its keys, the path and the cable");
     take_calibration_from(*waiting_);
   }
 
@@ -34,14 +36,16 @@ class CameraSensorGrabber : public Grabber {
   std::optional<SE3> T_vehicle_cam() const override { return mount_; }
 
   std::optional<Grab> next() override {
-    const mrpt::obs::CObservation::Ptr observation = waiting_ ? std::exchange(waiting_, nullptr) : grab_until_an_image_comes();
+    const mrpt::obs::CObservation::Ptr observation =
+        waiting_ ? std::exchange(waiting_, nullptr) : grab_until_an_image_comes();
     // CCameraSensor throws the same at the end of a video and for a camera that stops.
     if (!observation) throw InputError(where_, "no more images (" + why_ended_ + ")", "");
     return to_grab(*observation);
   }
 
  private:
-  /// Null when there are no more. With grab_decimation CCameraSensor hands out nothing for the frames that it leaves out.
+  /// Null when there are no more. With grab_decimation CCameraSensor hands out nothing for the frames that it
+  /// leaves out.
   mrpt::obs::CObservation::Ptr grab_until_an_image_comes() {
     try {
       for (;;) {
@@ -64,7 +68,8 @@ class CameraSensorGrabber : public Grabber {
     if (camera_) return;
     const std::string where = where_ + ", its calibration";
     if (!(image.camera->fx() > 0))
-      throw InputError(where, "the driver knows none", "write calibration_file = FILE (numbers or ROS/OpenCV YAML)");
+      throw InputError(where, "the driver knows none",
+                       "write calibration_file = FILE (numbers or ROS/OpenCV YAML)");
     camera_ = from_mrpt(*image.camera, where);
   }
 
@@ -92,8 +97,8 @@ class CameraSensorGrabber : public Grabber {
 
 }  // namespace
 
-std::unique_ptr<Grabber> open_camera_sensor(const mrpt::config::CConfigFileBase& config, const std::string& section,
-                                            const std::string& calibration_file) {
+std::unique_ptr<Grabber> open_camera_sensor(const mrpt::config::CConfigFileBase& config,
+                                            const std::string& section, const std::string& calibration_file) {
   return std::make_unique<CameraSensorGrabber>(config, section, calibration_file);
 }
 

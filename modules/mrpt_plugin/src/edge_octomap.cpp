@@ -1,8 +1,8 @@
 #include "edge_octomap.h"
 
 #include <mrpt/maps/CPointsMap.h>
-#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
 #include <mrpt/opengl/COpenGLScene.h>
@@ -25,12 +25,13 @@ namespace {
 using octomap::OcTreeKey;
 using octomap::point3d;
 
-double read_in_range(const mrpt::config::CConfigFileBase& config, const std::string& section, const std::string& key, double value,
-                     double least, double most) {
+double read_in_range(const mrpt::config::CConfigFileBase& config, const std::string& section,
+                     const std::string& key, double value, double least, double most) {
   value = config.read_double(section, key, value);
   if (value >= least && value <= most) return value;
   std::ostringstream text;
-  text << "[" << section << "] " << key << " = " << value << " is out of range; write a number from " << least << " to " << most;
+  text << "[" << section << "] " << key << " = " << value << " is out of range; write a number from " << least
+       << " to " << most;
   throw std::runtime_error(text.str());
 }
 
@@ -42,14 +43,20 @@ struct Scan {
 };
 
 // The points of an observation in the map; nullopt if it is of no class that holds any.
-std::optional<Scan> scan_of(const mrpt::obs::CObservation& observation, const mrpt::poses::CPose3D& robot_pose) {
+std::optional<Scan> scan_of(const mrpt::obs::CObservation& observation,
+                            const mrpt::poses::CPose3D& robot_pose) {
   Scan scan;
   mrpt::poses::CPose3D pose = robot_pose;
-  const auto add = [&](double x, double y, double z) { scan.points.push_back(to_octomap(pose.composePoint({x, y, z}))); };
-  if (const auto* range = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&observation); range && range->hasPoints3D) {
+  const auto add = [&](double x, double y, double z) {
+    scan.points.push_back(to_octomap(pose.composePoint({x, y, z})));
+  };
+  if (const auto* range = dynamic_cast<const mrpt::obs::CObservation3DRangeScan*>(&observation);
+      range && range->hasPoints3D) {
     pose = robot_pose + range->sensorPose;
-    for (size_t i = 0; i < range->points3D_x.size(); ++i) add(range->points3D_x[i], range->points3D_y[i], range->points3D_z[i]);
-  } else if (const auto* cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&observation); cloud && cloud->pointcloud) {
+    for (size_t i = 0; i < range->points3D_x.size(); ++i)
+      add(range->points3D_x[i], range->points3D_y[i], range->points3D_z[i]);
+  } else if (const auto* cloud = dynamic_cast<const mrpt::obs::CObservationPointCloud*>(&observation);
+             cloud && cloud->pointcloud) {
     pose = robot_pose + cloud->sensorPose;
     for (size_t i = 0; i < cloud->pointcloud->size(); ++i) {
       double x = 0, y = 0, z = 0;
@@ -85,23 +92,26 @@ void EdgeOctoMapOptions::load(const mrpt::config::CConfigFileBase& config, const
 
 CEdgeOctoMap::TMapDefinition::TMapDefinition() = default;
 
-void CEdgeOctoMap::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
-                                                                   const std::string& section) {
+void CEdgeOctoMap::TMapDefinition::loadFromConfigFile_map_specific(
+    const mrpt::config::CConfigFileBase& source, const std::string& section) {
   options.load(source, section);
 }
 
 void CEdgeOctoMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const {
   out << "resolution = " << options.resolution << "\nmax_range = " << options.max_range
-      << "\nrelative_sigma = " << options.relative_sigma << "\ncarve_stop_sigmas = " << options.carve_stop_sigmas
+      << "\nrelative_sigma = " << options.relative_sigma
+      << "\ncarve_stop_sigmas = " << options.carve_stop_sigmas
       << "\nprotect_scans = " << options.protect_scans << "\nprob_hit = " << options.prob_hit
       << "\nprob_miss = " << options.prob_miss << "\n";
 }
 
-mrpt::maps::CMetricMap* CEdgeOctoMap::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& definition) {
+mrpt::maps::CMetricMap* CEdgeOctoMap::internal_CreateFromMapDefinition(
+    const mrpt::maps::TMetricMapInitializer& definition) {
   return new CEdgeOctoMap(dynamic_cast<const TMapDefinition&>(definition).options);
 }
 
-CEdgeOctoMap::CEdgeOctoMap(const EdgeOctoMapOptions& options) : options_(options), tree_(empty_tree(options)) {}
+CEdgeOctoMap::CEdgeOctoMap(const EdgeOctoMapOptions& options)
+    : options_(options), tree_(empty_tree(options)) {}
 
 std::string CEdgeOctoMap::asString() const {
   std::ostringstream text;
@@ -148,7 +158,8 @@ void CEdgeOctoMap::insert(const point3d& origin, const std::vector<point3d>& poi
 
 void CEdgeOctoMap::carve(const point3d& origin, const point3d& point, octomap::KeySet* free) {
   const double range = (point - origin).norm();
-  const double margin = std::max(options_.carve_stop_sigmas * options_.relative_sigma * range, std::sqrt(3.0) * tree_.getResolution());
+  const double margin = std::max(options_.carve_stop_sigmas * options_.relative_sigma * range,
+                                 std::sqrt(3.0) * tree_.getResolution());
   if (range <= margin) return;
   const point3d end = origin + (point - origin) * float((range - margin) / range);
   OcTreeKey origin_key, end_key;
@@ -159,7 +170,8 @@ void CEdgeOctoMap::carve(const point3d& origin, const point3d& point, octomap::K
   free->insert(ray.begin(), ray.end());
 }
 
-bool CEdgeOctoMap::internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& observation) const {
+bool CEdgeOctoMap::internal_canComputeObservationLikelihood(
+    const mrpt::obs::CObservation& observation) const {
   return scan_of(observation, {}).has_value();
 }
 
@@ -195,8 +207,9 @@ void CEdgeOctoMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const 
   for (auto leaf = tree_.begin_leafs(), end = tree_.end_leafs(); leaf != end; ++leaf) {
     if (!tree_.isNodeOccupied(*leaf)) continue;
     const auto shade = uint8_t(z1 > z0 ? 255 * (leaf.getZ() - z0) / (z1 - z0) : 128);
-    voxels->push_back_Voxel(0, {mrpt::math::TPoint3Df(float(leaf.getX()), float(leaf.getY()), float(leaf.getZ())), leaf.getSize(),
-                                mrpt::img::TColor(shade, shade, 255 - shade)});
+    voxels->push_back_Voxel(
+        0, {mrpt::math::TPoint3Df(float(leaf.getX()), float(leaf.getY()), float(leaf.getZ())), leaf.getSize(),
+            mrpt::img::TColor(shade, shade, 255 - shade)});
   }
   out.insert(voxels);
 }
@@ -206,17 +219,19 @@ uint8_t CEdgeOctoMap::serializeGetVersion() const { return 0; }
 void CEdgeOctoMap::serializeTo(mrpt::serialization::CArchive& out) const {
   std::ostringstream nodes;
   tree_.writeData(nodes);
-  out << options_.resolution << options_.max_range << options_.relative_sigma << options_.carve_stop_sigmas << options_.prob_hit
-      << options_.prob_miss << int32_t(options_.protect_scans) << uint64_t(tree_.size()) << nodes.str();
+  out << options_.resolution << options_.max_range << options_.relative_sigma << options_.carve_stop_sigmas
+      << options_.prob_hit << options_.prob_miss << int32_t(options_.protect_scans) << uint64_t(tree_.size())
+      << nodes.str();
 }
 
 void CEdgeOctoMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-  if (version != 0) throw std::runtime_error("edgevo::CEdgeOctoMap: written by a newer version of the plug-in; update it");
+  if (version != 0)
+    throw std::runtime_error("edgevo::CEdgeOctoMap: written by a newer version of the plug-in; update it");
   int32_t protect_scans = 0;
   uint64_t size = 0;
   std::string nodes;
-  in >> options_.resolution >> options_.max_range >> options_.relative_sigma >> options_.carve_stop_sigmas >> options_.prob_hit >>
-      options_.prob_miss >> protect_scans >> size >> nodes;
+  in >> options_.resolution >> options_.max_range >> options_.relative_sigma >> options_.carve_stop_sigmas >>
+      options_.prob_hit >> options_.prob_miss >> protect_scans >> size >> nodes;
   options_.protect_scans = protect_scans;
   internal_clear();
   tree_.setResolution(options_.resolution);

@@ -1,14 +1,16 @@
 #pragma once
-// The edge OctoMap as an MRPT metric map: any program that builds maps from an .ini builds it, once the plug-in is loaded.
-//   LD_PRELOAD=.../edgevo_mrpt_plugin.so observations2map share/observations2map_edge_octomap.ini keyframes.simplemap edges
+// The edge OctoMap as an MRPT metric map: any program that builds maps from an .ini builds it, once the
+// plug-in is loaded. share/observations2map_edge_octomap.ini is an example.
 //
-// It differs from mrpt::maps::COctoMap in what thin, sparse edges need (as modules/occupancy does from octomap):
+// It differs from mrpt::maps::COctoMap in what thin, sparse edges need, as modules/occupancy does from
+// octomap:
 //  - rays stop `carve_stop_sigmas` x `relative_sigma` x range, and a voxel, before their point;
-//  - a voxel with a point is not carved by the `protect_scans` scans that follow: a simplemap holds each point once, in its host
-//    keyframe, although the keyframes after it saw it, too;
+//  - a voxel with a point is not carved by the `protect_scans` scans that follow: a simplemap holds each
+//    point once, in its host keyframe, although the keyframes after it saw it, too;
 //  - the tree is consistent at all depths, and saved as .bt and .ot under the name that was asked for.
-// Observations: CObservation3DRangeScan and CObservationPointCloud with 3D points; a point is at robot pose (+) sensor pose (+) point and
-// its ray starts at the sensor.
+//
+// Observations: CObservation3DRangeScan and CObservationPointCloud with 3D points. A point is at robot pose
+// (+) sensor pose (+) point, and its ray starts at the sensor.
 #include <mrpt/maps/CMetricMap.h>
 #include <mrpt/maps/TMetricMapInitializer.h>
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
@@ -23,11 +25,11 @@ namespace edgevo {
 
 /// Lengths in the unit of the observations.
 struct EdgeOctoMapOptions {
-  double resolution = 0.2;      ///< edge of a voxel
-  double max_range = 0;         ///< points farther from their sensor are left out; 0: none are
-  double relative_sigma = 0.05; ///< of the range of a point: observations do not tell it
+  double resolution = 0.2;       ///< edge of a voxel
+  double max_range = 0;          ///< points farther from their sensor are left out; 0: none are
+  double relative_sigma = 0.05;  ///< of the range of a point: observations do not tell it
   double carve_stop_sigmas = 3;
-  int protect_scans = 7;        ///< a window of keyframes
+  int protect_scans = 7;  ///< a window of keyframes
   double prob_hit = 0.7, prob_miss = 0.4;
 
   /// Throws std::runtime_error that names section, key, value and range.

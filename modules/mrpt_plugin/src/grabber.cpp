@@ -34,7 +34,8 @@ std::unique_ptr<Grabber> open_grabber(const mrpt::config::CConfigFileBase& confi
   options.sensor_label = config.read_string(section, "rawlog_camera_sensor_label", "");
   options.camera_file = calibration_file;
   if (options.path.empty())
-    throw InputError("grabber_type rawlog", "the key rawlog_file is missing", "write rawlog_file = FILE.rawlog");
+    throw InputError("grabber_type rawlog", "the key rawlog_file is missing",
+                     "write rawlog_file = FILE.rawlog");
   return std::make_unique<RawlogGrabber>(open_source(options));
 }
 

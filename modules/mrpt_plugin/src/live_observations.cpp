@@ -39,7 +39,8 @@ void write_image(const Grab& grab, const std::string& path) {
 
 }  // namespace
 
-LiveObservations::LiveObservations(const SensorConfig& config, const Camera& camera, const std::optional<SE3>& T_vehicle_cam)
+LiveObservations::LiveObservations(const SensorConfig& config, const Camera& camera,
+                                   const std::optional<SE3>& T_vehicle_cam)
     : config_(config), camera_(camera), T_vehicle_cam_(T_vehicle_cam) {}
 
 mrpt::serialization::CSerializable::Ptr LiveObservations::image_of(const Grab& grab) const {
@@ -66,7 +67,8 @@ Run LiveObservations::run_of(const FrameRecord& record, const FrameView& view) c
   return run;
 }
 
-std::vector<mrpt::serialization::CSerializable::Ptr> LiveObservations::make(const Grab& grab, const FrameRecord& record,
+std::vector<mrpt::serialization::CSerializable::Ptr> LiveObservations::make(const Grab& grab,
+                                                                            const FrameRecord& record,
                                                                             const FrameView& view) {
   std::vector<mrpt::serialization::CSerializable::Ptr> observations{image_of(grab)};
   if (!record.T_world_cam_live) return observations;

@@ -1,5 +1,6 @@
 #pragma once
-// One frame of a running odometry as MRPT observations: image, pose, odometry and 3D edge points, all of one time.
+// One frame of a running odometry as MRPT observations: image, pose, odometry and 3D edge points, all of one
+// time.
 #include <mrpt/serialization/CSerializable.h>
 
 #include <vector>
@@ -17,9 +18,11 @@ class LiveObservations {
   /// Images go to this folder, which exists; empty: inside the rawlog.
   void set_images_folder(const std::string& folder) { images_folder_ = folder; }
 
-  /// The image always; a pose where there is one; the points whenever a new keyframe has become the reference (EDGE_VO_POINTS: axes and
-  /// origin of the vehicle, as in playback.rawlog). Throws InputError when an image cannot be written.
-  std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record, const FrameView& view);
+  /// The image always; a pose where there is one; the points whenever a new keyframe has become the reference
+  /// (EDGE_VO_POINTS: axes and origin of the vehicle, as in playback.rawlog). Throws InputError when an image
+  /// cannot be written.
+  std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record,
+                                                            const FrameView& view);
 
  private:
   mrpt::serialization::CSerializable::Ptr image_of(const Grab& grab) const;

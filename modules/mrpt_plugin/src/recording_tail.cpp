@@ -54,7 +54,9 @@ void append(const std::vector<mrpt::obs::CObservation::Ptr>& observations, const
   std::ofstream out(rawlog, std::ios::binary | std::ios::app);
   out << std::ifstream(part, std::ios::binary).rdbuf();
   out.close();
-  if (!out) throw InputError(rawlog, "the last observations could not be appended", "they are in " + part + "; join the files with cat");
+  if (!out)
+    throw InputError(rawlog, "the last observations could not be appended",
+                     "they are in " + part + "; join the files with cat");
   fs::remove(part);
 }
 
@@ -73,7 +75,8 @@ bool RecordingTail::all_written() {
 
 int RecordingTail::append_the_rest() {
   if (all_written() || rawlog_.empty() || !fs::exists(rawlog_)) return 0;
-  if (!wait_until_closed(rawlog_)) throw InputError(rawlog_, "it is still open, the last observations are lost", "");
+  if (!wait_until_closed(rawlog_))
+    throw InputError(rawlog_, "it is still open, the last observations are lost", "");
   const std::set<Name> written = names_in(rawlog_);
   std::vector<mrpt::obs::CObservation::Ptr> rest;
   for (const auto& observation : held_)

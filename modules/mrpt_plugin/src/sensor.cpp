@@ -18,10 +18,12 @@ IMPLEMENTS_GENERIC_SENSOR(CEdgeVoSensor, edgevo)
 CEdgeVoSensor::CEdgeVoSensor() { m_sensorLabel = config_.label; }
 
 CEdgeVoSensor::~CEdgeVoSensor() {
-  if (odometry_ && why_ended_.empty()) say(std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");
+  if (odometry_ && why_ended_.empty())
+    say(std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");
   try {
     if (const int appended = tail_.append_the_rest(); appended > 0)
-      say(std::to_string(appended) + " observations that rawlog-grabber had left were appended to the rawlog");
+      say(std::to_string(appended) +
+          " observations that rawlog-grabber had left were appended to the rawlog");
   } catch (const std::exception& e) {
     say(one_line(e));
   }
@@ -41,7 +43,8 @@ void CEdgeVoSensor::name_section(const std::function<void()>& work) const {
 }
 
 // Kept, and read in initialize(): MRPT buries what is thrown here under a call stack.
-void CEdgeVoSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config, const std::string& section) {
+void CEdgeVoSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config,
+                                              const std::string& section) {
   section_ = section;
   m_grab_decimation = 0;  // CCameraSensor reads the key itself: a frame left out costs no odometry
   ini_ = std::make_unique<mrpt::config::CConfigFileMemory>();
@@ -96,7 +99,8 @@ void CEdgeVoSensor::process(const Grab& grab) {
   const FrameRecord& record = odometry_->process(grab.frame);
   const auto observations = observations_->make(grab, record, odometry_->frame_view());
   for (const auto& object : observations)
-    if (const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object)) tail_.add(observation);
+    if (const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object))
+      tail_.add(observation);
   appendObservations(observations);
   newest_ = grab.frame.time;
   ++frames_;
@@ -116,7 +120,8 @@ void CEdgeVoSensor::end(const std::string& why) {
 
 void CEdgeVoSensor::end_when_all_is_written() {
   if (!config_.stop_at_end || !tail_.all_written()) return;
-  throw std::runtime_error("[" + section_ + "] " + why_ended_ + "; all " + std::to_string(frames_) + " frames are in the rawlog");
+  throw std::runtime_error("[" + section_ + "] " + why_ended_ + "; all " + std::to_string(frames_) +
+                           " frames are in the rawlog");
 }
 
 }  // namespace edgevo

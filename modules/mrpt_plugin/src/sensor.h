@@ -1,6 +1,6 @@
 #pragma once
-// The odometry as a sensor of rawlog-grabber: any camera that CCameraSensor grabs, recorded with pose and 3D edges as it goes.
-// Keys of its section: share/rawlog_grabber_*.ini.
+// The odometry as a sensor of rawlog-grabber: any camera that CCameraSensor grabs, recorded with pose and 3D
+// edges as it goes. Keys of its section: share/rawlog_grabber_*.ini.
 #include <mrpt/hwdrivers/CGenericSensor.h>
 
 #include <functional>
@@ -24,12 +24,13 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   void setPathForExternalImages(const std::string& directory) override;
   /// Opens camera and odometry. Throws std::runtime_error with one line.
   void initialize() override;
-  /// One image through the odometry. When no more come, says so once, waits until all is written and then, with at_end = stop, throws,
-  /// which is how a sensor ends rawlog-grabber.
+  /// One image through the odometry. When no more come, says so once, waits until all is written and then,
+  /// with at_end = stop, throws, which is how a sensor ends rawlog-grabber.
   void doProcess() override;
 
  protected:
-  void loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config, const std::string& section) override;
+  void loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config,
+                                 const std::string& section) override;
 
  private:
   void name_section(const std::function<void()>& work) const;

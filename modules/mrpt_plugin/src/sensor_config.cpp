@@ -13,22 +13,37 @@ using mrpt::config::CConfigFileBase;
 
 const std::vector<std::string>& own_keys() {
   static const std::vector<std::string> keys{
-      "driver",      "process_rate", "max_queue_len", "grab_decimation", "sensorLabel", "calibration_file",
-      "params_file", "detector",     "metres_per_unit", "seed",            "realtime",    "external_images",
-      "at_end",      "max_relative_sigma",            "rawlog-grabber-ignore"};
+      "driver",           "process_rate",    "max_queue_len", "grab_decimation",    "sensorLabel",
+      "calibration_file", "params_file",     "detector",      "metres_per_unit",    "seed",
+      "realtime",         "external_images", "at_end",        "max_relative_sigma", "rawlog-grabber-ignore"};
   return keys;
 }
 
 // Of CCameraSensor: whole keys, and the beginnings of families of keys.
 const std::vector<std::string>& camera_keys() {
-  static const std::vector<std::string> keys{
-      "grabber_type", "preview_decimation", "preview_reduction", "capture_grayscale", "ffmpeg_url",
-      "rawlog_file", "rawlog_camera_sensor_label", "image_dir_url", "left_format", "right_format",
-      "start_index", "end_index", "pose_x", "pose_y", "pose_z", "pose_yaw", "pose_pitch", "pose_roll"};
+  static const std::vector<std::string> keys{"grabber_type",
+                                             "preview_decimation",
+                                             "preview_reduction",
+                                             "capture_grayscale",
+                                             "ffmpeg_url",
+                                             "rawlog_file",
+                                             "rawlog_camera_sensor_label",
+                                             "image_dir_url",
+                                             "left_format",
+                                             "right_format",
+                                             "start_index",
+                                             "end_index",
+                                             "pose_x",
+                                             "pose_y",
+                                             "pose_z",
+                                             "pose_yaw",
+                                             "pose_pitch",
+                                             "pose_roll"};
   return keys;
 }
 const std::vector<std::string>& camera_key_families() {
-  static const std::vector<std::string> begins{"cv_", "dc1394_", "bumblebee_", "svs_", "sr_", "kinect_", "flycap_", "fcs_", "myntd_"};
+  static const std::vector<std::string> begins{"cv_",     "dc1394_", "bumblebee_", "svs_",  "sr_",
+                                               "kinect_", "flycap_", "fcs_",       "myntd_"};
   return begins;
 }
 
@@ -61,8 +76,8 @@ void read_params_of_run(const std::string& file, OdometryParams* odometry) {
   });
 }
 
-double number(const CConfigFileBase& config, const std::string& section, const std::string& key, double value, double least,
-              double most) {
+double number(const CConfigFileBase& config, const std::string& section, const std::string& key, double value,
+              double least, double most) {
   value = config.read_double(section, key, value);
   if (value >= least && value <= most) return value;
   std::ostringstream range;
@@ -87,7 +102,8 @@ SensorConfig read_sensor_config(const CConfigFileBase& config, const std::string
   c.label = config.read_string(section, "sensorLabel", c.label);
   c.calibration_file = config.read_string(section, "calibration_file", "");
   c.metres_per_unit = number(config, section, "metres_per_unit", c.metres_per_unit, 0, 1e9);
-  if (const std::string file = config.read_string(section, "params_file", ""); !file.empty()) read_params_of_run(file, &c.odometry);
+  if (const std::string file = config.read_string(section, "params_file", ""); !file.empty())
+    read_params_of_run(file, &c.odometry);
   if (const std::string detector = config.read_string_first_word(section, "detector", ""); !detector.empty())
     set_param("edges.detector=" + detector, [&](ParamVisitor& v) { c.odometry.visit(v); });
   c.max_relative_sigma = number(config, section, "max_relative_sigma", c.max_relative_sigma, 0.001, 10);

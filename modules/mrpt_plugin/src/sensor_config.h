@@ -21,7 +21,8 @@ struct SensorConfig {
   bool stop_at_end = true;      ///< at_end = stop | wait: what to do when no more images come
 };
 
-/// Throws InputError: an unknown key (with the nearest one), a value that cannot be. Keys of CCameraSensor are left to it.
+/// Throws InputError: an unknown key (with the nearest one), a value that cannot be. Keys of CCameraSensor
+/// are left to it.
 SensorConfig read_sensor_config(const mrpt::config::CConfigFileBase& config, const std::string& section);
 
 }  // namespace edgevo

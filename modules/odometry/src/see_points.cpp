@@ -16,8 +16,8 @@ float edge_residual_px(const PyramidLevel& level, const Eigen::Vector2f& px) {
 
 }  // namespace
 
-std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref, const FramePyramid& current,
-                                  double idepth_factor) {
+std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                                  const FramePyramid& current, double idepth_factor) {
   const PyramidLevel& finest = current.finest();
   std::vector<SeenPoint> seen;
   for (const CloudPoint& p : cloud.points) {

@@ -7,9 +7,9 @@
 
 namespace edgevo {
 
-/// Those that lie in front of the camera and inside the image. `idepth_factor` takes inverse depths from the map's unit to the
-/// world's.
-std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref, const FramePyramid& current,
-                                  double idepth_factor);
+/// Those that lie in front of the camera and inside the image. `idepth_factor` takes inverse depths from the
+/// map's unit to the world's.
+std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                                  const FramePyramid& current, double idepth_factor);
 
 }  // namespace edgevo

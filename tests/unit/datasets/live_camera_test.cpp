@@ -54,7 +54,9 @@ TEST(LiveCamera, HandsOutImagesAsTheyCome) {
     EXPECT_EQ(frame->index, i);
     EXPECT_EQ(frame->image.width, kWidth);
     EXPECT_EQ(frame->image.pixels[100], 10 * i);
-    if (before) EXPECT_LT(*before, frame->time);
+    if (before) {
+      EXPECT_LT(*before, frame->time);
+    }
     before = frame->time;
   }
 }
@@ -69,7 +71,8 @@ TEST(LiveCamera, SaysWhenItStops) {
 
 TEST(LiveCamera, SaysWhenTheCalibrationIsOfAnotherSize) {
   const auto source = play_live(camera_zero(), camera(), images(2, {32, 24}));
-  EXPECT_THAT(error_of(*source), HasSubstr("camera:0, frame 0: the image is 32x24, but the camera model is for 64x48"));
+  EXPECT_THAT(error_of(*source),
+              HasSubstr("camera:0, frame 0: the image is 32x24, but the camera model is for 64x48"));
 }
 
 TEST(LiveCamera, PlaysWhatOpenCvCaptures) {
@@ -81,7 +84,8 @@ TEST(LiveCamera, PlaysWhatOpenCvCaptures) {
     for (int i = 0; i < 5; ++i) writer.write(cv::Mat(kHeight, kWidth, CV_8UC3, cv::Scalar::all(40 * i)));
   }
   auto capture = std::make_shared<cv::VideoCapture>(path);
-  const auto source = play_live(camera_zero(), camera(), [capture](cv::Mat* pixels) { return capture->read(*pixels); });
+  const auto source =
+      play_live(camera_zero(), camera(), [capture](cv::Mat* pixels) { return capture->read(*pixels); });
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(source->next()->image.pixels[0], 40 * i, 3);
   EXPECT_THAT(error_of(*source), HasSubstr("frame 5: the camera gives no image"));
 }

@@ -1,0 +1,71 @@
+// What displays and live recorders see while a run goes on.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "unit/odometry/rendered_runs.h"
+
+namespace edgevo {
+namespace {
+
+using test::sweep_camera;
+using test::sweep_frame;
+
+constexpr int kFrames = 60;
+
+TEST(FrameView, IsEmptyBeforeTheFirstFrameAndWithoutAMap) {
+  Odometry odometry(sweep_camera(), {}, {});
+  EXPECT_FALSE(odometry.frame_view().pyramid);
+  odometry.process(sweep_frame(0));
+  const FrameView view = odometry.frame_view();
+  ASSERT_TRUE(view.pyramid);
+  EXPECT_TRUE(view.points.empty());
+  EXPECT_EQ(view.reference_keyframe, -1);
+  EXPECT_TRUE(odometry.settled_keyframes().keyframes.empty());
+}
+
+TEST(FrameView, HoldsPointsThatLieOnTheEdgesOfTheFrame) {
+  Odometry odometry(sweep_camera(), {}, {});
+  const FrameRecord* record = nullptr;
+  for (int k = 0; k < kFrames; ++k) record = &odometry.process(sweep_frame(k));
+  ASSERT_EQ(record->state, TrackingState::kTracking);
+  const FrameView view = odometry.frame_view();
+  EXPECT_GE(view.reference_keyframe, 0);
+  ASSERT_GT(view.points.size(), 200u);
+  int on_an_edge = 0;
+  for (const SeenPoint& p : view.points) {
+    ASSERT_TRUE(sweep_camera().pinhole.contains(p.px.cast<double>()));
+    ASSERT_GT(p.idepth, 0);
+    ASSERT_GT(p.idepth_sigma, 0);
+    on_an_edge += std::abs(p.residual_px) < 1.5f;  // false for NaN
+  }
+  EXPECT_GT(on_an_edge, 0.7 * double(view.points.size()));
+}
+
+// They are what the finished run holds, as long as no correction of the camera has moved them.
+TEST(FrameView, SettledKeyframesAreThoseOfTheFinishedRun) {
+  OdometryParams params;
+  params.camera.refine = "none";
+  Odometry odometry(sweep_camera(), params, {});
+  std::vector<KeyframeRecord> settled;
+  for (int k = 0; k < 110; ++k) {
+    odometry.process(sweep_frame(k));
+    for (KeyframeRecord& keyframe : odometry.settled_keyframes(settled.size()).keyframes)
+      settled.push_back(std::move(keyframe));
+  }
+  EXPECT_EQ(odometry.settled_keyframes(settled.size()).keyframes.size(), 0u);
+  EXPECT_EQ(odometry.settled_keyframes().keyframes.size(), settled.size());
+  const Run run = odometry.finish();
+  ASSERT_FALSE(settled.empty());
+  for (const KeyframeRecord& keyframe : settled) {
+    const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(), [&](const KeyframeRecord& k) {
+      return k.frame_index == keyframe.frame_index;
+    });
+    ASSERT_NE(same, run.keyframes.end());
+    EXPECT_LT((same->T_world_cam.inverse() * keyframe.T_world_cam).log().norm(), 1e-9);
+    EXPECT_EQ(same->points.size(), keyframe.points.size());
+  }
+}
+
+}  // namespace
+}  // namespace edgevo
