@@ -55,7 +55,7 @@ TEST(FrameView, SettledKeyframesAreThoseOfTheFinishedRun) {
   }
   EXPECT_EQ(odometry.settled_keyframes(settled.size()).keyframes.size(), 0u);
   EXPECT_EQ(odometry.settled_keyframes().keyframes.size(), settled.size());
-  const Run run = odometry.finish();
+  const edgevo::Run run = odometry.finish();
   ASSERT_FALSE(settled.empty());
   for (const KeyframeRecord& keyframe : settled) {
     const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(), [&](const KeyframeRecord& k) {
