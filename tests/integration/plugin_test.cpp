@@ -225,6 +225,12 @@ TEST_F(Sensor, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(why_refused(rawlog + "at_end = stay\n"), HasSubstr("write at_end = stop or wait"));
   EXPECT_THAT(why_refused(rawlog + "max_relative_sigma = 0\n"),
               HasSubstr("max_relative_sigma = 0: out of range"));
+  EXPECT_THAT(why_refused(rawlog + "metres_per_unit = -1\n"),
+              HasSubstr("metres_per_unit = -1: out of range"));
+  const std::string images = "grabber_type = image_dir\nimage_dir_url = " EDGEVO_TEST_SCENES
+                             "/desk/images\nleft_format = %06d.png\n";
+  EXPECT_THAT(why_refused(images),
+              HasSubstr("its calibration: the driver knows none; write calibration_file"));
   EXPECT_THAT(why_refused(rawlog + "params_file = nowhere.yaml\n"), HasSubstr("nowhere.yaml"));
   EXPECT_THAT(why_refused("grabber_type = rawlog\nrawlog_file = nowhere.rawlog\n"),
               HasSubstr("nowhere.rawlog: no such file"));
