@@ -9,7 +9,7 @@
 namespace edgevo::app {
 namespace {
 
-constexpr double kWidth = 1000, kLeft = 64, kRight = 10, kTop = 8, kBottom = 28, kChartHeight = 190;
+constexpr double kWidth = 1000, kLeft = 72, kRight = 10, kTop = 8, kBottom = 28, kChartHeight = 190;
 constexpr size_t kMaxColumns = 600;  // of a chart: more frames than that are drawn as means
 
 struct Range {
