@@ -66,18 +66,25 @@ TimeChart chart_of(const Run& run, const std::string& name, const std::string& c
   return chart;
 }
 
+// Nothing where no frame was aligned.
+std::string drawn_if_any(const TimeChart& chart) {
+  const std::vector<double>& y = chart.series.front().y;
+  return std::any_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); }) ? draw(chart) : "";
+}
+
 std::string tracking_section(const Run& run) {
   Ribbon ribbon{seconds_of(run), {}};
   for (const FrameRecord& f : run.frames) ribbon.color.push_back(color_of(f.state));
   const auto aligned = [](const FrameRecord& f, double value) { return f.inlier_share > 0 ? value : kNone; };
+  const TimeChart inliers =
+      chart_of(run, "inlier share", "#1f5fbf", [&](const auto& f) { return aligned(f, f.inlier_share); });
+  const TimeChart residual =
+      chart_of(run, "residual, px", "#a0408a", [&](const auto& f) { return aligned(f, f.residual_px); });
+  const TimeChart edges =
+      chart_of(run, "edge pixels", "#5b6b80", [](const auto& f) { return double(f.edges); });
   return section_html(
       "states", "Tracking over the run",
-      state_legend(run) + draw(ribbon) +
-          draw(chart_of(run, "inlier share", "#1f5fbf",
-                        [&](const auto& f) { return aligned(f, f.inlier_share); })) +
-          draw(chart_of(run, "residual, px", "#a0408a",
-                        [&](const auto& f) { return aligned(f, f.residual_px); })) +
-          draw(chart_of(run, "edge pixels", "#5b6b80", [](const auto& f) { return double(f.edges); })));
+      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) + draw(edges));
 }
 
 // ---- where the camera went

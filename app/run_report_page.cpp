@@ -16,7 +16,7 @@ section{background:#fff;border:1px solid #dfe3ea;border-radius:8px;padding:16px 
 .tiles{display:grid;grid-template-columns:repeat(auto-fill,minmax(150px,1fr));gap:10px;margin:0 0 16px}
 .tiles div{background:#fff;border:1px solid #dfe3ea;border-radius:8px;padding:10px 12px}
 .tiles b{display:block;font-size:20px}.tiles span{color:#596273;font-size:13px}
-svg{display:block;width:100%;height:auto;margin:0 0 8px}
+svg{display:block;width:100%;height:auto;margin:0 0 8px;overflow:visible}
 svg text{font:12px system-ui,sans-serif;fill:#596273}
 .grid{stroke:#e6e9ef;fill:none}.line{fill:none;stroke-width:1.8;stroke-linejoin:round;stroke-linecap:round}
 .dots{stroke:#b9bfca;stroke-width:1.7;stroke-linecap:round;fill:none}

@@ -236,6 +236,7 @@ std::string convergence_svg(const ServoResult& r, const ServoParams& params) {
          "font-size=\"12\">\n<style>.grid{stroke:#e6e9ef;fill:none}.line{fill:none;stroke-width:1.8}</"
          "style>\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
+         "<text x=\"980\" y=\"24\" text-anchor=\"end\">black: true; blue: as the loop sees it</text>\n" +
          inner + "</svg>\n";
 }
 
