@@ -22,8 +22,8 @@ struct NewestPose {
   int segment = -1;  ///< poses of two segments have no common frame that could be trusted
   std::optional<SE3>
       T_cam_map;  ///< against the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING
-  Matrix6d covariance =
-      Matrix6d::Zero();  ///< of xi in T_cam_map <- exp(xi) T_cam_map, tangent [v, w]; optimistic
+  /// Of xi in T_cam_map <- exp(xi) T_cam_map, tangent [v, w]; the scale taken as known (alignment/pose_covariance.h). Zero: unknown.
+  Matrix6d covariance = Matrix6d::Zero();
   std::shared_ptr<const Reference> reference;  ///< what the frame was tracked against; null without a map
 };
 

@@ -52,8 +52,9 @@ struct ServoPose {
   double predicted_s = 0;   ///< of the age, this much is in cMw
   vpHomogeneousMatrix cMw;  ///< at the time asked for; translation in scale.metres_per_unit x map units
   vpHomogeneousMatrix cMw_at_image;
-  vpMatrix covariance;  ///< 6x6 of cMw, [v, w] in the camera frame, cMw <- exp(xi) cMw; grows with the
-                        ///< prediction; optimistic
+  /// 6x6 of xi in cMw <- exp(xi) cMw, [v, w] in the camera frame, against the map nearby and the scale taken as known; grows with the
+  /// prediction. All zero: unknown.
+  vpMatrix covariance;
   int map_version = 0;  ///< poses and points of different versions must not be mixed
   ServoScale scale;
   NewestPose view;  ///< in map units: for ServoPoints
