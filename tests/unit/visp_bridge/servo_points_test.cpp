@@ -24,6 +24,7 @@ std::vector<CloudPoint> grid(double idepth = 0.5) {
       CloudPoint p;
       p.px = {float(u), float(v)};
       p.ray = kPinhole.ray({double(u), double(v)});
+      p.normal = {1, 0};
       p.idepth = idepth;
       p.idepth_sigma = points.size() % 3 == 0 ? 0.3 * idepth : 0.01 * idepth;
       if (points.size() % 4 != 0) p.host_keyframe = 7, p.host_pixel = int(points.size());
