@@ -10,6 +10,7 @@
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
+#include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
@@ -29,6 +30,9 @@ class Odometry {
   /// The next frame, in time order. The record holds what is known now; poses found later (bootstrap) and final poses come with
   /// finish(). Throws InputError if the image does not have the camera's size.
   const FrameRecord& process(const Frame& frame);
+
+  /// What process() has just found out, with the map that it used. The same thread as process().
+  const NewestPose& newest_pose() const;
 
   /// Ends the run and returns everything: call once, also after an exception from the source.
   Run finish();
