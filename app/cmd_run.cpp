@@ -41,6 +41,7 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.command_line = args.command_line;
   info.source_kind = source.kind();
   info.source_path = args.source.path;
+  info.ground_truth_path = source.ground_truth_path();
   info.camera = source.camera();
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
   info.notes = {{"seed", std::to_string(args.seed)}, {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};

@@ -62,6 +62,7 @@ fi
 
 echo
 echo "Results:"
+show report.html "all of it on one page, for a browser"
 show trajectory_tum.txt "camera poses (TUM format)"
 show frames.csv "what happened in every frame"
 show edges.ply "3D edges, for any point cloud viewer"

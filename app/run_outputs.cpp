@@ -12,6 +12,7 @@
 #include "edgevo/occupancy/octree_map.h"
 #include "run_outputs_summary.h"
 #include "run_outputs_text.h"
+#include "run_report.h"
 
 namespace edgevo::app {
 namespace {
@@ -38,6 +39,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 RunOutputs::RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy)
     : folder_(std::move(folder)),
+      camera_(camera),
       occupancy_(occupancy),
       wall_begin_(std::chrono::steady_clock::now()),
       cpu_begin_s_(cpu_seconds(usage())) {
@@ -86,11 +88,18 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   attempt("keyframes.simplemap", [&](const auto& path) { write_simplemap(run, filter, path); });
   attempt("scene.3Dscene", [&](const auto& path) { write_scene(run, filter, path); });
   attempt("playback.rawlog", [&](const auto&) { playback_->finish(run, filter); });
+  attempt("report.html", [&](const auto& path) { write_file(path, report(run, info)); });
   summary.use_with_outputs = use_until_now();
   summary.not_written = not_written_;
   summary_reserve_.reset();
   attempt("summary.yaml", [&](const auto& path) { write_file(path, summary_yaml(summary)); });
   if (first_failure_) throw *first_failure_;
+}
+
+std::string RunOutputs::report(const Run& run, const RunInfo& info) const {
+  constexpr int kPictures = 6;
+  const auto image_path = [&](int frame) { return playback_->image_path(frame); };
+  return report_html({run, info, occupancy_.points, draw_edge_pictures(run, camera_, occupancy_.points, image_path, kPictures), not_written_});
 }
 
 void RunOutputs::attempt(const std::string& name, const std::function<void(const std::string& path)>& write) {

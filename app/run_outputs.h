@@ -8,12 +8,13 @@
 //   frames.csv               one row for every frame; timing columns last
 //   edges.ply, edges.bt, edges.ot                           the map (occupancy)
 //   keyframes.simplemap, playback.rawlog + playback_Images, scene.3Dscene   for MRPT's tools (mrpt_bridge)
+//   report.html              all of it on one page (run_report.h)
 //   summary.yaml             versions, parameters, scale, counts, timing, memory, and what could not be
 //   written
 // Room for the text files is held from the start, so that they are written even when images fill the disk.
 // An output folder is created with its parents; results of an earlier run in it are overwritten. The text
-// files but summary.yaml and the ms columns of frames.csv depend on the run alone: the same run gives the
-// same bytes.
+// files but summary.yaml and the CPU times in frames.csv and report.html depend on the run alone: the same run
+// gives the same bytes.
 //
 // Usage:
 //   RunOutputs outputs(out, camera, options);      // throws when `out` cannot be a folder, or its disk is full
@@ -45,6 +46,7 @@ namespace edgevo::app {
 struct RunInfo {
   std::vector<std::string> command_line;
   std::string source_kind, source_path;
+  std::string ground_truth_path;  ///< a trajectory file, for report.html; empty if there is none
   Camera camera;             ///< as given by the source or --camera
   std::string params_yaml;   ///< of write_params(), not indented
   bool interrupted = false;  ///< ended by Ctrl-C or by a source that broke: the run is the part up to there
@@ -72,11 +74,13 @@ class RunOutputs {
   void finish(const Run& run, const RunInfo& info);
 
  private:
+  std::string report(const Run& run, const RunInfo& info) const;
   void attempt(const std::string& name, const std::function<void(const std::string& path)>& write);
   void note_failure(const std::string& name, const InputError& error);
   ResourceUse use_until_now() const;
 
   std::string folder_;
+  Camera camera_;
   OccupancyParams occupancy_;
   std::chrono::steady_clock::time_point wall_begin_;
   double cpu_begin_s_ = 0;

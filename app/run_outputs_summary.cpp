@@ -7,6 +7,7 @@
 
 #include "edgevo/core/output_file.h"
 #include "edgevo_build_info.h"
+#include "run_outputs_stages.h"
 
 namespace edgevo::app {
 namespace {
@@ -191,12 +192,6 @@ void write_map(const Run& run, const OctreeStats& map, YamlWriter* y) {
   y->close();
 }
 
-/// Smallest value that `share` of the sorted values do not exceed (nearest rank).
-double percentile(const std::vector<double>& sorted, double share) {
-  const auto rank = size_t(std::ceil(share * double(sorted.size())));
-  return sorted[std::max<size_t>(rank, 1) - 1];
-}
-
 void write_stage(const std::string& stage, std::vector<double> ms, YamlWriter* y) {
   std::sort(ms.begin(), ms.end());
   double sum = 0;
@@ -211,15 +206,7 @@ void write_stage(const std::string& stage, std::vector<double> ms, YamlWriter* y
 }
 
 void write_stages(const Run& run, YamlWriter* y) {
-  std::vector<std::pair<std::string, std::vector<double>>> stages;  // in the order of first appearance
-  for (const FrameRecord& frame : run.frames) {
-    for (const auto& [name, ms] : frame.stage_ms) {
-      auto stage =
-          std::find_if(stages.begin(), stages.end(), [&, &n = name](const auto& s) { return s.first == n; });
-      if (stage == stages.end()) stage = stages.insert(stages.end(), {name, {}});
-      stage->second.push_back(ms);
-    }
-  }
+  const auto stages = stage_times(run);
   if (stages.empty()) return;  // MRPT's YAML reader refuses a key without a value
   y->open("stages_ms");
   for (const auto& [name, ms] : stages) write_stage(name, ms, y);

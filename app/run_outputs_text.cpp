@@ -5,6 +5,7 @@
 
 #include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/playback_pose.h"
+#include "run_outputs_stages.h"
 
 namespace edgevo::app {
 namespace {
@@ -32,14 +33,6 @@ std::string one_cell(std::string note) {
   std::replace_if(
       note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return note;
-}
-
-std::vector<std::string> stages_of(const Run& run) {
-  std::vector<std::string> stages;
-  for (const FrameRecord& frame : run.frames)
-    for (const auto& [stage, ms] : frame.stage_ms)
-      if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
-  return stages;
 }
 
 void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages, std::string* text) {

@@ -8,7 +8,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cma
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake
   DESTINATION ${EDGEVO_PACKAGE_DIR})
-install(DIRECTORY params datasets share/bench DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
+install(DIRECTORY params datasets share/bench share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
 install(PROGRAMS share/install_dependencies.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
 file(GLOB EDGEVO_INI_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/share/*.ini)
 install(FILES ${EDGEVO_INI_FILES} DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)

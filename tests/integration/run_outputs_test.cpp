@@ -6,7 +6,9 @@
 #include <sys/mount.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +16,8 @@
 
 #include "run_outputs_summary.h"
 #include "run_outputs_text.h"
+#include "run_report.h"
+#include "run_report_chart.h"
 #include "support/temp_folder.h"
 #include "synthetic_run.h"
 
@@ -36,6 +40,7 @@ const char* const kFiles[] = {"trajectory_tum.txt",
                               "keyframes.simplemap",
                               "playback.rawlog",
                               "scene.3Dscene",
+                              "report.html",
                               "summary.yaml"};
 
 std::string content(const fs::path& path) {
@@ -145,6 +150,66 @@ TEST_F(RunOutputsTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
             "needed,6.000,2.000,");
   EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,8.200,2.000,20.000");
   for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 12u) << row;
+}
+
+TEST_F(RunOutputsTest, ReportShowsTheRun) {
+  write(folder_, made_.run, made_.camera);
+  const std::string html = content(folder_ / "report.html");
+  const auto count = [&](const std::string& what) {
+    int n = 0;
+    for (size_t at = html.find(what); at != std::string::npos; at = html.find(what, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count("<img alt="), 6);
+  EXPECT_EQ(count("<svg"), 9);  // from above, three over time, ribbon, three of tracking, stages
+  EXPECT_EQ(count("</svg>"), count("<svg"));
+  EXPECT_THAT(html, HasSubstr("LOST 5"));
+  EXPECT_THAT(html, HasSubstr("lost: 3 of 400 points aligned, 120 needed"));
+  EXPECT_THAT(html, HasSubstr("percentile: 0.9"));
+  EXPECT_THAT(html, HasSubstr("edgevo run a &quot;quoted&quot; folder"));
+  EXPECT_THAT(html, HasSubstr("No ground truth is known"));
+}
+
+TEST_F(RunOutputsTest, ReportComparesWithGroundTruth) {
+  std::string truth;
+  for (const FrameRecord& f : made_.run.frames) {
+    if (!f.T_world_cam) continue;
+    const Eigen::Vector3d p = 2.5 * f.T_world_cam->translation();
+    truth += to_string(f.time);
+    for (double v : {p.x(), p.y(), p.z(), 0.0, 0.0, 0.0, 1.0}) truth += ' ' + std::to_string(v);
+    truth += '\n';
+  }
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "truth.txt") << truth;
+  RunInfo info;
+  info.ground_truth_path = (folder_ / "truth.txt").string();
+  const std::string html = report_html({made_.run, info, {}, {}, {}});
+  EXPECT_THAT(html, HasSubstr("one unit of the run is 2.5000 m"));
+  EXPECT_THAT(html, HasSubstr("0.000 m</b><span>ATE, Sim(3)"));
+  EXPECT_THAT(html, HasSubstr("stroke-dasharray"));
+}
+
+TEST(ReportTicks, AreRoundAndInside) {
+  EXPECT_THAT(nice_ticks(0, 10, 5), ElementsAre(0, 2, 4, 6, 8, 10));
+  EXPECT_THAT(nice_ticks(0.013, 0.047, 3), ElementsAre(::testing::DoubleNear(0.02, 1e-12), ::testing::DoubleNear(0.04, 1e-12)));
+  EXPECT_TRUE(nice_ticks(1, 1, 5).empty());
+}
+
+TEST(ReportCharts, GapsAndLongSeries) {
+  TimeChart chart;
+  chart.y_name = "a < b";
+  Series s{"s", "#000000", {}};
+  for (int i = 0; i < 5000; ++i) {
+    chart.x.push_back(0.1 * i);
+    s.y.push_back(i > 2000 && i < 3000 ? std::nan("") : std::sin(0.01 * i));
+  }
+  chart.series = {s};
+  const std::string svg = draw(chart);
+  EXPECT_LT(svg.size(), 30000u);
+  EXPECT_THAT(svg, HasSubstr("a &lt; b"));
+  EXPECT_THAT(svg, ::testing::Not(HasSubstr("nan")));
+  const size_t line = svg.find("class=\"line\"");
+  EXPECT_EQ(std::count(svg.begin() + std::ptrdiff_t(line), svg.end(), 'M'), 2) << "one gap, two pieces";
 }
 
 TEST_F(RunOutputsTest, TumTrajectoriesHoldTheFramesThatHavePoses) {

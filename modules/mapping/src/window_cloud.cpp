@@ -51,6 +51,8 @@ std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
         // rho' = rho / Y_z, and so does its sigma to first order.
         c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(), seen->match.normal.cast<float>()};
       }
+      c.host_keyframe = host.id;
+      c.host_pixel = p.edge_pixel;
       cloud.push_back(c);
     }
   }

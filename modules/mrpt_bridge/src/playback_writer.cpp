@@ -1,5 +1,6 @@
 #include "edgevo/mrpt_bridge/playback_writer.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -56,6 +57,13 @@ std::string PlaybackWriter::prepare_image(int frame_index, const std::string& ex
   fs::remove(path, error);
   if (error) fail(path, error);
   return name;
+}
+
+std::string PlaybackWriter::image_path(int frame_index) const {
+  const auto image = std::lower_bound(images_.begin(), images_.end(), frame_index,
+                                      [](const auto& entry, int index) { return entry.first < index; });
+  if (image == images_.end() || image->first != frame_index) return {};
+  return (fs::path(folder_) / kImageFolder / image->second).string();
 }
 
 void PlaybackWriter::finish(const Run& run, const PointFilter& filter) const {

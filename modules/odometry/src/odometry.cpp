@@ -38,13 +38,25 @@ struct Odometry::Impl {
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
     if (lost) ++frames_lost;
+    newest_pose = {};
     if (has_map && (!lost || tries_old_map(record.edges))) track_frame(frame, pyramid, &record);
     if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
+    note_pose(record);
     return record;
   }
 
   // After a loss the old map gets a number of tries, and a frame that shows nothing is none.
   bool tries_old_map(int edges) { return edges >= kMinEdges && tries++ < params.recovery.max_frames; }
+
+  void note_pose(const FrameRecord& record) {
+    newest_pose.frame_index = record.index;
+    newest_pose.time = record.time;
+    newest_pose.state = record.state;
+    newest_pose.note = record.note;
+    newest_pose.segment = has_map ? segment : -1;
+    newest_pose.reference = has_map ? reference : nullptr;
+    newest_pose.covariance = record.covariance;
+  }
 
   // A rotation has turned the camera away from nearly all that has depth. The rotation can be followed, a translation only while what
   // is left explains the images: where it does not, a new map is sought beside the old one.
@@ -75,6 +87,7 @@ struct Odometry::Impl {
     unexplained_frames = std::clamp(unexplained_frames + (explained ? -1 : 1), 0, 2 * kManyUnexplained);
     record->covariance = result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
+    newest_pose.T_cam_map = result.T_cur_ref * reference->T_ref_world;
     follow_motion(result.T_cur_ref);
     submit(frame, pyramid, result);
   }
@@ -168,6 +181,7 @@ struct Odometry::Impl {
     records.begin_segment(segment, result, scale);
     place_bootstrap_frames(result);
     const SE3& T_cur = reference->T_ref_world;
+    newest_pose.T_cam_map = T_cur;
     T_last_ref = SE3();
     const auto before = records.pose_before(frame.index, segment);
     velocity = before ? T_cur * before->inverse() : SE3();
@@ -267,6 +281,7 @@ struct Odometry::Impl {
 
   std::shared_ptr<const FramePyramid> newest;
   std::shared_ptr<const Reference> reference;
+  NewestPose newest_pose;
   SE3 T_last_ref, velocity;
   int frames_since_keyframe = 0;
   int segment = -1, lost_at = -1, unexplained_frames = 0;
@@ -282,6 +297,7 @@ Odometry::~Odometry() = default;
 const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
 SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
+const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

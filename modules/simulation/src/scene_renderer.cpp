@@ -6,6 +6,7 @@
 #include "active_surfaces.h"
 #include "edgevo/core/error.h"
 #include "exposure.h"
+#include "image_pass.h"
 #include "sensor_noise.h"
 #include "visibility.h"
 
@@ -45,11 +46,20 @@ GrayImage SceneRenderer::render_image(int index) const {
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
 
-std::vector<float> SceneRenderer::render_depth(int index) const {
+GrayImage SceneRenderer::render_image_from(const SE3& T_scene_cam, int index) const {
+  const Pinhole& p = scene_.camera.pinhole;
+  std::vector<float> gray(size_t(p.width) * p.height);
+  add_rows_seen(scene_, rays_, T_scene_cam, {0, p.height}, &gray);
+  return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
+}
+
+std::vector<float> SceneRenderer::render_depth(int index) const { return render_depth_from(scene_.T_scene_cam[size_t(index)]); }
+
+std::vector<float> SceneRenderer::render_depth_from(const SE3& T_scene_cam) const {
   Camera ideal = scene_.camera;
   ideal.distortion = {};
   const Pinhole& p = ideal.pinhole;
-  const std::vector<ViewSurface> views = view_surfaces(*scene_.world, ideal, scene_.T_scene_cam[size_t(index)], {0, p.height});
+  const std::vector<ViewSurface> views = view_surfaces(*scene_.world, ideal, T_scene_cam, {0, p.height});
   RowSamples row(p.width, 1);
   set_sample_columns(p, 1, &row);
   ActiveSurfaces active(views);

@@ -1,10 +1,33 @@
 #include "edgevo/visp_bridge/conversions.h"
 
+#include <visp3/core/vpImageConvert.h>
+
 #include <algorithm>
 
 #include "edgevo/core/error.h"
 
 namespace edgevo {
+namespace {
+
+// x = x_d (1 + kdu r_d^2), least squares over the image: sum (x - x_d) . x_d r_d^2 = kdu sum |x_d r_d^2|^2.
+double fitted_kdu(const Camera& camera) {
+  constexpr int kGrid = 24;
+  const Pinhole& p = camera.pinhole;
+  double above = 0, below = 0;
+  for (int i = 0; i <= kGrid; ++i)
+    for (int j = 0; j <= kGrid; ++j) {
+      const Eigen::Vector2d px(double(i) / kGrid * (p.width - 1), double(j) / kGrid * (p.height - 1));
+      const Eigen::Vector2d distorted = p.ray(px).head<2>();
+      Eigen::Vector2d x;
+      if (!camera.undistort(distorted, &x)) continue;
+      const Eigen::Vector2d cubic = distorted * distorted.squaredNorm();
+      above += (x - distorted).dot(cubic);
+      below += cubic.squaredNorm();
+    }
+  return below > 0 ? above / below : 0;
+}
+
+}  // namespace
 
 vpImage<unsigned char> share_with_visp(GrayImage& image) {
   return vpImage<unsigned char>(image.pixels.data(), unsigned(image.height), unsigned(image.width), false);
@@ -25,12 +48,39 @@ GrayImage to_gray_image(const vpImage<unsigned char>& image) {
   return {int(image.getWidth()), int(image.getHeight()), {image.bitmap, image.bitmap + image.getSize()}};
 }
 
+GrayImage to_gray_image(const vpImage<vpRGBa>& image) {
+  GrayImage gray{int(image.getWidth()), int(image.getHeight()), std::vector<uint8_t>(image.getSize())};
+  vpImage<unsigned char> shared = share_with_visp(gray);
+  vpImageConvert::convert(image, shared);  // of the same size: it writes in place
+  return gray;
+}
+
 vpCameraParameters to_visp(const Pinhole& p) { return vpCameraParameters(p.fx, p.fy, p.cx, p.cy); }
+
+vpCameraParameters to_visp(const Camera& camera, const std::string& where) {
+  const Distortion& d = camera.distortion;
+  if (d.k2 != 0 || d.p1 != 0 || d.p2 != 0 || d.k3 != 0 || camera.residual_k1 != 0)
+    throw InputError(where, "has more distortion than the one radial coefficient that ViSP knows",
+                     "hand ViSP undistorted images and their pinhole");
+  const Pinhole& p = camera.pinhole;
+  if (d.k1 == 0) return to_visp(p);
+  return vpCameraParameters(p.fx, p.fy, p.cx, p.cy, d.k1, fitted_kdu(camera));
+}
+
+Camera to_camera(const vpCameraParameters& camera, int width, int height) {
+  const auto model = camera.get_projModel();
+  if (model == vpCameraParameters::ProjWithKannalaBrandtDistortion)
+    throw InputError("ViSP camera", "has Kannala-Brandt's distortion model", "undistort the images first");
+  Camera result{{camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), width, height}, {}};
+  if (model == vpCameraParameters::perspectiveProjWithDistortion) result.distortion.k1 = camera.get_kud();
+  result.check("ViSP camera");
+  return result;
+}
 
 Pinhole to_pinhole(const vpCameraParameters& camera, int width, int height) {
   if (camera.get_projModel() != vpCameraParameters::perspectiveProjWithoutDistortion)
     throw InputError("ViSP camera", "has a distortion model",
-                     "undistort the images and give the camera of the undistorted ones");
+                     "use to_camera(), or undistort the images and give the camera of the undistorted ones");
   const Pinhole pinhole{camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), width, height};
   Camera{pinhole, {}}.check("ViSP camera");
   return pinhole;

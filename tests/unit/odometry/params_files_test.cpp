@@ -22,7 +22,7 @@ TEST(ParamsFiles, EachIsReadable) {
     EXPECT_NO_THROW(read_params_file(entry.path().string(), [&](ParamVisitor& v) { params.visit(v); })) << entry.path();
     ++files;
   }
-  EXPECT_EQ(files, 6);
+  EXPECT_EQ(files, 7);
 }
 
 TEST(ParamsFiles, DefaultYamlListsEveryParameterWithItsDefault) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <visp3/core/vpMeterPixelConversion.h>
+#include <visp3/core/vpPixelMeterConversion.h>
 
 #include "edgevo/core/error.h"
 
@@ -68,6 +69,45 @@ TEST(VispCamera, ComesBackUnchanged) {
 TEST(VispCamera, DistortionAndNonsenseAreRefused) {
   EXPECT_THROW(to_pinhole(vpCameraParameters(500, 500, 320, 240, 0.1, -0.1), 640, 480), InputError);
   EXPECT_THROW(to_pinhole(vpCameraParameters(500, 500, 320, 240), 300, 480), InputError);
+}
+
+TEST(VispCamera, OneRadialCoefficientGoesBothWays) {
+  const Camera camera{{517.3, 516.5, 318.6, 255.3, 640, 480}, {-0.08, 0, 0, 0, 0}};
+  const vpCameraParameters visp = to_visp(camera, "camera");
+  const Camera back = to_camera(visp, 640, 480);
+  EXPECT_EQ(back.distortion.k1, -0.08);
+  EXPECT_EQ(back.pinhole.fx, 517.3);
+  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(-0.5, 0.4)}) {
+    double u = 0, v = 0, x_back = 0, y_back = 0;
+    vpMeterPixelConversion::convertPoint(visp, x.x(), x.y(), u, v);
+    const Eigen::Vector2d d = camera.distort(x);
+    EXPECT_NEAR(u, 517.3 * d.x() + 318.6, 1e-9);
+    EXPECT_NEAR(v, 516.5 * d.y() + 255.3, 1e-9);
+    vpPixelMeterConversion::convertPoint(visp, u, v, x_back,
+                                         y_back);  // by kdu, which one coefficient can only fit
+    EXPECT_NEAR(x_back, x.x(), 2e-3);
+    EXPECT_NEAR(y_back, x.y(), 2e-3);
+  }
+  EXPECT_EQ(to_visp(Camera{camera.pinhole, {}}, "camera").get_projModel(),
+            vpCameraParameters::perspectiveProjWithoutDistortion);
+}
+
+TEST(VispCamera, WhatViSPDoesNotKnowIsRefused) {
+  EXPECT_THROW(to_visp(Camera{{500, 500, 320, 240, 640, 480}, {0.1, -0.2, 0, 0, 0}}, "camera.txt"),
+               InputError);
+  vpCameraParameters fisheye;
+  fisheye.initProjWithKannalaBrandtDistortion(500, 500, 320, 240, {0.1, 0, 0, 0});
+  EXPECT_THROW(to_camera(fisheye, 640, 480), InputError);
+}
+
+TEST(VispImages, ColourBecomesGrayInPlace) {
+  vpImage<vpRGBa> colour(3, 5, vpRGBa(10, 20, 30));
+  colour[2][4] = vpRGBa(255, 255, 255);
+  const GrayImage gray = to_gray_image(colour);
+  ASSERT_EQ(gray.width, 5);
+  ASSERT_EQ(gray.height, 3);
+  EXPECT_NEAR(gray.view().at(0, 0), 0.2126 * 10 + 0.7152 * 20 + 0.0722 * 30, 1.01);
+  EXPECT_GE(gray.view().at(4, 2), 254);
 }
 
 TEST(VispMotion, MapsPointsAlikeAndComesBack) {

@@ -15,6 +15,8 @@ struct CloudPoint {
   double idepth_sigma = 0;    ///< one standard deviation
   Eigen::Vector2f px;         ///< in the reference image, finest level
   Eigen::Vector2f normal;     ///< unit gradient there
+  /// Name of the point for as long as it is in the map: its keyframe and edge pixel there. -1: its depth is still being found.
+  int host_keyframe = -1, host_pixel = -1;
 };
 
 struct ReferenceCloud {

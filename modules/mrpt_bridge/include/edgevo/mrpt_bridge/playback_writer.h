@@ -41,6 +41,9 @@ class PlaybackWriter {
   /// nothing, but the link breaks when the source moves.
   void add_frame_link(int frame_index, const std::string& image_path);
 
+  /// Where the image of a frame lies; empty if it was not added. Logarithmic.
+  std::string image_path(int frame_index) const;
+
   /// Writes playback.rawlog. Frames whose image was not added get their poses all the same.
   void finish(const Run& run, const PointFilter& filter) const;
 

@@ -12,6 +12,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/odometry/frame_view.h"
 #include "edgevo/odometry/live_view.h"
+#include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
@@ -36,6 +37,8 @@ class Odometry {
   FrameView frame_view() const;
   /// The keyframes that have left the window so far, but for the first `skip` of them. In the thread of process().
   SettledKeyframes settled_keyframes(size_t skip = 0) const;
+  /// What process() has just found out, with the map that it used. The same thread as process().
+  const NewestPose& newest_pose() const;
 
   /// Ends the run and returns everything: call once, also after an exception from the source.
   Run finish();

@@ -41,6 +41,9 @@ class SceneRenderer {
   GrayImage render_image(int index) const;
   /// Only the depth.
   std::vector<float> render_depth(int index) const;
+  /// The same from any pose, for a camera that is steered: a shutter of no duration; `index` is the number that the noise follows.
+  GrayImage render_image_from(const SE3& T_scene_cam, int index) const;
+  std::vector<float> render_depth_from(const SE3& T_scene_cam) const;
   /// Ground truth of a frame in the first camera's axes.
   SE3 T_world_cam(int index) const;
 

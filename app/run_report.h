@@ -1,0 +1,26 @@
+#pragma once
+// report.html: a run on one page that needs nothing but a browser: no network, no script, no other file.
+//
+// It holds what happened (states, inlier share, residual), where the camera went (from above and over time,
+// with ground truth where that is known), what it saw (edges coloured by inverse depth), what it cost (CPU
+// time by stage), in which unit and with which parameters, and what the user can do next. A pure function of
+// its input: the same run gives the same bytes but for the stage times.
+#include <string>
+#include <vector>
+
+#include "run_outputs.h"
+#include "run_report_frames.h"
+
+namespace edgevo::app {
+
+struct ReportInput {
+  const Run& run;
+  const RunInfo& info;
+  PointFilter points;  ///< which edge points are drawn
+  EdgePictures pictures;
+  std::vector<std::string> not_written;  ///< files of the run that could not be
+};
+
+std::string report_html(const ReportInput& input);
+
+}  // namespace edgevo::app

@@ -1,0 +1,98 @@
+#include "edgevo/visp_bridge/servo_feed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "edgevo/visp_bridge/conversions.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kClockTolerance_s = 1;  // images from further in the future come from another clock
+
+SE3 in_metres(const SE3& T, double metres_per_unit) {
+  return {T.rotation(), metres_per_unit * T.translation()};
+}
+
+vpMatrix to_visp_metres(const Matrix6d& covariance, double metres_per_unit) {
+  Vector6d unit = Vector6d::Ones();
+  unit.head<3>().setConstant(metres_per_unit);
+  const Matrix6d scaled = unit.asDiagonal() * covariance * unit.asDiagonal();
+  vpMatrix m(6, 6);
+  for (unsigned r = 0; r < 6; ++r)
+    for (unsigned c = 0; c < 6; ++c) m[r][c] = scaled(r, c);
+  return m;
+}
+
+std::string not_usable_because(const NewestPose& view, double age_s, double stale_after_s) {
+  if (view.frame_index < 0) return "no image has been processed yet";
+  if (!view.T_cam_map)
+    return std::string(to_string(view.state)) + (view.note.empty() ? "" : ": " + view.note);
+  if (age_s > stale_after_s) return "stale: the newest pose is " + std::to_string(age_s) + " s old";
+  if (age_s < -kClockTolerance_s)
+    return "the newest image is from the future: images and loop must use one clock";
+  return {};
+}
+
+}  // namespace
+
+void ServoFeed::publish(const NewestPose& view) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool other_segment = view.reference && newest_.reference && view.segment != newest_.segment;
+  const bool other_camera =
+      view.reference && newest_.reference && view.reference->camera.k1 != newest_.reference->camera.k1;
+  if (other_segment || other_camera) ++map_version_;
+  const double step = seconds_between(newest_.time, view.time);
+  const bool follows = view.T_cam_map && newest_.T_cam_map && !other_segment && !other_camera && step > 0 &&
+                       step <= options_.max_step_s;
+  step_s_ = follows ? step : 0;
+  velocity_ = follows ? Vector6d((*view.T_cam_map * newest_.T_cam_map->inverse()).log() / step)
+                      : Vector6d(Vector6d::Zero());
+  // While there is no map the last one is kept: the next may be the same.
+  std::shared_ptr<const Reference> last = newest_.reference;
+  const int last_segment = newest_.segment;
+  newest_ = view;
+  if (!newest_.reference) newest_.reference = std::move(last), newest_.segment = last_segment;
+}
+
+void ServoFeed::set_scale(const ServoScale& scale) {
+  if (!(scale.metres_per_unit > 0 && std::isfinite(scale.metres_per_unit)))
+    throw InputError("scale of the servo feed",
+                     std::to_string(scale.metres_per_unit) + " metres per unit is no scale",
+                     "give a number larger than 0");
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scale_ = scale;
+}
+
+void ServoFeed::fail(const std::string& message) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  failure_ = message;
+}
+
+ServoPose ServoFeed::pose(Timestamp now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ServoPose pose;
+  pose.view = newest_;
+  pose.state = newest_.state;
+  pose.frame_index = newest_.frame_index;
+  pose.time = newest_.time;
+  pose.scale = scale_;
+  pose.map_version = map_version_;
+  pose.age_s = newest_.frame_index < 0 ? 0 : seconds_between(newest_.time, now);
+  pose.reason = failure_.empty() ? not_usable_because(newest_, pose.age_s, options_.stale_after_s) : failure_;
+  pose.usable = pose.reason.empty();
+  if (!newest_.T_cam_map) return pose;
+  pose.predicted_s = step_s_ > 0 ? std::clamp(pose.age_s, 0.0, options_.max_prediction_s) : 0;
+  const SE3 T_cam_map = SE3::exp(pose.predicted_s * velocity_) * *newest_.T_cam_map;
+  pose.view.T_cam_map = T_cam_map;
+  pose.cMw = to_visp(in_metres(T_cam_map, scale_.metres_per_unit));
+  pose.cMw_at_image = to_visp(in_metres(*newest_.T_cam_map, scale_.metres_per_unit));
+  // e = e_k + a (e_k - e_{k-1}) with a = predicted / step: the errors of both poses count.
+  const double a = step_s_ > 0 ? pose.predicted_s / step_s_ : 0;
+  pose.view.covariance = (1 + 2 * a + 2 * a * a) * newest_.covariance;
+  pose.covariance = to_visp_metres(pose.view.covariance, scale_.metres_per_unit);
+  return pose;
+}
+
+}  // namespace edgevo

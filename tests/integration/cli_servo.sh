@@ -1,0 +1,37 @@
+#!/bin/sh
+# The closed loop with a given latency, hence the same bytes every time: where it ends, by ground truth. The bounds are those that
+# are promised: 5 mm and 0.5 degree half a metre from the desk; 1 px.
+. "$(dirname "$0")/cli_common.sh"
+[ -x "$(dirname "$edgevo")/edgevo-servo" ] || skip "edgevo servo: this build has no ViSP"
+value() { sed -n "s/^  $2: *//p" "$1/summary.yaml" | head -n 1; }
+
+complains "'pid' not in\|--law" "$edgevo" servo -o out --law pid
+complains "out is required" "$edgevo" servo
+complains "latency.*seconds from 0 to 2" "$edgevo" servo -o out --latency soon
+complains "latency.*seconds from 0 to 2" "$edgevo" servo -o out --latency -1
+complains "scale-error.*number from 0.05 to 20" "$edgevo" servo -o out --scale-error 0
+complains "blackout.*number from 0 to 60" "$edgevo" servo -o out --blackout=-1
+complains "--light mixt: is no kind of lighting change.*did you mean mixed" "$edgevo" servo -o out --light mixt
+complains "points.*whole number" "$edgevo" servo -o out --points 2
+complains "unknown parameter" "$edgevo" servo -o out --set edges.nonsense=1
+complains "unknown option --gian; did you mean --gain" "$edgevo" servo -o out --gian=1
+check "folders that a command which cannot run leaves" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
+run_code 0 "$edgevo" servo --help
+check "help of edgevo servo" "$(grep -c -- '--blackout' stdout)" -ge 1
+
+# At 10 images a second, half of the default, to be done sooner.
+run_code 0 "$edgevo" servo -o dark --quiet --latency 0.06 --rate 10 --law pbvs --light mixed --blackout 1
+check "stopped by the blackout" "$(value dark stops)" -ge 1
+below "stopped, seconds" 0.7 "$(value dark stopped_s)"
+below "PBVS with light changes and blackout, mm" "$(value dark final_mm)" 5
+below "PBVS with light changes and blackout, degrees" "$(value dark final_deg)" 0.5
+check "rows without a command while it is dark" "$(grep -c 'LOST' dark/servo.csv)" -ge 5
+for file in servo.csv start.png taught.png final.png convergence.svg report.html; do
+  check "bytes of $file" "$(wc -c <dark/$file)" -gt 1000
+done
+
+run_code 0 "$edgevo" servo -o ibvs --quiet --latency 0.06 --rate 10 --law ibvs --scale-error 2
+below "IBVS with twice the scale, px" "$(value ibvs final_px)" 1
+below "IBVS with twice the scale, mm" "$(value ibvs final_mm)" 5
+check "never stopped" "$(value ibvs stops)" -eq 0
+finish

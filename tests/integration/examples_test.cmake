@@ -1,0 +1,52 @@
+# Builds the installed share/examples against the installed package and runs both loops on a rendered sequence.
+# cmake -DPREFIX=... -DWORK=... -DSEQUENCE=... -DGENERATOR=... [-DFLAGS=...] -P examples_test.cmake
+function(run)
+  cmake_parse_arguments(ARG "" "OUTPUT" "COMMAND" ${ARGN})
+  execute_process(COMMAND ${ARG_COMMAND} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output WORKING_DIRECTORY ${WORK})
+  if(NOT result EQUAL 0)
+    string(JOIN " " command ${ARG_COMMAND})
+    message(FATAL_ERROR "failed (${result}): ${command}\n${output}")
+  endif()
+  if(ARG_OUTPUT)
+    set(${ARG_OUTPUT} "${output}" PARENT_SCOPE)
+  endif()
+endfunction()
+
+function(expect text pattern)
+  if(NOT text MATCHES "${pattern}")
+    message(FATAL_ERROR "no '${pattern}' in:\n${text}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+run(COMMAND ${CMAKE_COMMAND} -S ${PREFIX}/share/edgevo/examples -B ${WORK}/build -G ${GENERATOR}
+  -DCMAKE_PREFIX_PATH=${PREFIX} "-DCMAKE_CXX_FLAGS=${FLAGS}")
+run(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build)
+
+# MRPT: as many poses as the odometry has, in MRPT's own file.
+run(COMMAND ${PREFIX}/bin/edgevo import ${SEQUENCE} ${WORK}/seq.rawlog)
+run(COMMAND ${WORK}/build/mrpt_loop ${WORK}/seq.rawlog ${WORK}/path.txt OUTPUT said)
+file(STRINGS ${SEQUENCE}/times.txt times)
+list(LENGTH times frames)
+expect("${said}" "^${frames} images, [1-9][0-9]+ poses")
+file(STRINGS ${WORK}/path.txt path)
+list(LENGTH path poses)
+expect("${said}" ", ${poses} poses")
+if(poses LESS 40)
+  message(FATAL_ERROR "only ${poses} of ${frames} frames have a pose")
+endif()
+
+# ViSP: taught, steered, and stopped when the images end.
+if(EXISTS ${WORK}/build/visp_loop)
+  run(COMMAND ${WORK}/build/visp_loop ${SEQUENCE} 0.4 OUTPUT said)
+  expect("${said}" "stop  no image has been processed yet\n")
+  expect("${said}" "taught at image [0-9]+; scale: none\n")
+  expect("${said}" "move +-?[0-9.]+ ")
+  expect("${said}" "stop  stale: the newest pose is")
+  expect("${said}" "[0-9]+ images worked on")
+  execute_process(COMMAND ${WORK}/build/visp_loop ${WORK}/nowhere RESULT_VARIABLE result ERROR_VARIABLE error)
+  if(NOT result EQUAL 2 OR NOT error MATCHES "nowhere")
+    message(FATAL_ERROR "a wrong source: code ${result}, '${error}'")
+  endif()
+endif()

@@ -1,0 +1,131 @@
+#include "edgevo/visp_bridge/servo_feed.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "edgevo/visp_bridge/conversions.h"
+#include "servo_test_views.h"
+
+namespace edgevo {
+namespace {
+
+using testing::at;
+using ::testing::HasSubstr;
+using testing::lost;
+using testing::tracked;
+
+double distance(const vpHomogeneousMatrix& M, const SE3& T) {
+  return (to_se3(M).matrix() - T.matrix()).norm();
+}
+
+TEST(ServoFeed, IsNotUsableBeforeAnImage) {
+  const ServoPose pose = ServoFeed().pose(at(1));
+  EXPECT_FALSE(pose.usable);
+  EXPECT_THAT(pose.reason, HasSubstr("no image"));
+}
+
+TEST(ServoFeed, HandsOutTheNewestPoseWithItsAge) {
+  ServoFeed feed;
+  const SE3 T = SE3::exp(testing::kMotion);
+  feed.publish(tracked(0, 10, T));
+  const ServoPose pose = feed.pose(at(10.05));
+  EXPECT_TRUE(pose.usable) << pose.reason;
+  EXPECT_EQ(pose.state, TrackingState::kTracking);
+  EXPECT_NEAR(pose.age_s, 0.05, 1e-6);
+  EXPECT_EQ(pose.predicted_s, 0) << "one pose makes no velocity";
+  EXPECT_LT(distance(pose.cMw, T), 1e-12);
+}
+
+TEST(ServoFeed, CarriesThePoseOnAtConstantVelocity) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 10.0, SE3()));
+  feed.publish(tracked(1, 10.1, SE3::exp(0.1 * testing::kMotion)));
+  const ServoPose pose = feed.pose(at(10.17));
+  EXPECT_LT(distance(pose.cMw, SE3::exp(0.17 * testing::kMotion)), 1e-9);
+  EXPECT_LT(distance(pose.cMw_at_image, SE3::exp(0.1 * testing::kMotion)), 1e-12);
+  EXPECT_NEAR(pose.predicted_s, 0.07, 1e-6);
+  EXPECT_GT(pose.covariance[0][0], feed.pose(at(10.1)).covariance[0][0]) << "a prediction is less certain";
+}
+
+TEST(ServoFeed, DoesNotPredictForLong) {
+  ServoFeedOptions options;
+  options.stale_after_s = 5;
+  options.max_prediction_s = 0.2;
+  ServoFeed feed(options);
+  feed.publish(tracked(0, 10.0, SE3()));
+  feed.publish(tracked(1, 10.1, SE3::exp(0.1 * testing::kMotion)));
+  EXPECT_LT(distance(feed.pose(at(12)).cMw, SE3::exp(0.3 * testing::kMotion)), 1e-9);
+}
+
+TEST(ServoFeed, StaleAndLostAreNotUsable) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 10, SE3()));
+  EXPECT_TRUE(feed.pose(at(10.29)).usable);
+  EXPECT_THAT(feed.pose(at(10.31)).reason, HasSubstr("stale"));
+  EXPECT_FALSE(feed.pose(at(10.31)).usable);
+  feed.publish(lost(1, 10.4, "too dark"));
+  const ServoPose pose = feed.pose(at(10.41));
+  EXPECT_FALSE(pose.usable);
+  EXPECT_EQ(pose.reason, "LOST: too dark");
+}
+
+TEST(ServoFeed, ResumesInTheSameMapAndWithoutAVelocityFromBefore) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 10, SE3()));
+  const int version = feed.pose(at(10)).map_version;
+  feed.publish(lost(1, 10.1, "dark"));
+  feed.publish(tracked(2, 10.2, SE3::exp(testing::kMotion)));
+  const ServoPose pose = feed.pose(at(10.25));
+  EXPECT_TRUE(pose.usable);
+  EXPECT_EQ(pose.predicted_s, 0);
+  EXPECT_EQ(pose.map_version, version);
+}
+
+TEST(ServoFeed, AnotherMapIsAnotherVersion) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 10, SE3()));
+  const int version = feed.pose(at(10)).map_version;
+  feed.publish(lost(1, 10.1, "dark"));
+  feed.publish(tracked(2, 10.2, SE3(), 1));
+  EXPECT_NE(feed.pose(at(10.2)).map_version, version);
+  const int second = feed.pose(at(10.2)).map_version;
+  feed.publish(tracked(3, 10.3, SE3(), 1, 0.01));  // the lens was corrected
+  EXPECT_NE(feed.pose(at(10.3)).map_version, second);
+  EXPECT_EQ(feed.pose(at(10.3)).predicted_s, 0);
+}
+
+TEST(ServoFeed, TheScaleMakesMetres) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 10, SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3))));
+  EXPECT_FALSE(feed.pose(at(10)).scale.is_metric());
+  const double sigma_units = std::sqrt(feed.pose(at(10)).covariance[2][2]),
+               radians = std::sqrt(feed.pose(at(10)).covariance[4][4]);
+  feed.set_scale({0.5, 0.02, "taught distance"});
+  const ServoPose pose = feed.pose(at(10));
+  EXPECT_TRUE(pose.scale.is_metric());
+  EXPECT_EQ(pose.scale.relative_sigma, 0.02);
+  EXPECT_NEAR(pose.cMw[2][3], 1.5, 1e-12);
+  EXPECT_NEAR(std::sqrt(pose.covariance[2][2]), 0.5 * sigma_units, 1e-12);
+  EXPECT_NEAR(std::sqrt(pose.covariance[4][4]), radians, 1e-12);
+  EXPECT_THROW(feed.set_scale({0, 0, "nonsense"}), InputError);
+}
+
+TEST(ServoFeed, AnotherClockIsTold) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 1000, SE3()));
+  EXPECT_THAT(feed.pose(at(10)).reason, HasSubstr("one clock"));
+}
+
+TEST(ServoFeed, AFailureIsForGood) {
+  ServoFeed feed;
+  feed.publish(tracked(0, 10, SE3()));
+  feed.fail("image: is 3x3 but the camera is 640x480");
+  EXPECT_FALSE(feed.pose(at(10)).usable);
+  EXPECT_THAT(feed.pose(at(10)).reason, HasSubstr("3x3"));
+}
+
+}  // namespace
+}  // namespace edgevo

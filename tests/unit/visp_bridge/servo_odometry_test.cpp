@@ -1,0 +1,81 @@
+// The threads around the odometry change nothing in what it finds.
+#include "edgevo/visp_bridge/servo_odometry.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "edgevo/simulation/scene_renderer.h"
+#include "edgevo/visp_bridge/conversions.h"
+#include "edgevo/visp_bridge/servo_params.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+
+const SceneRenderer& desk() {
+  static const SceneRenderer renderer(load_scene("desk"));
+  return renderer;
+}
+
+// Returns when the feed has the result of image `index`, or a failure; false after a minute.
+bool wait_for(const ServoFeed& feed, int index) {
+  for (int i = 0; i < 60000; ++i) {
+    const ServoPose pose = feed.pose(Timestamp::from_seconds(0));
+    if (pose.frame_index >= index || pose.reason.find("image:") == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+TEST(ServoOdometry, FeedsWhatTheOdometryFinds) {
+  Odometry expected(desk().camera(), servo_odometry_params(), {});
+  ServoFeed feed;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
+  int posed = 0;
+  for (int i = 0; i < 14; ++i) {
+    const Timestamp time = Timestamp::from_seconds(i / 15.0);
+    const GrayImage image = desk().render_image(2 * i);
+    odometry.push(to_visp(image.view()), time);
+    ASSERT_TRUE(wait_for(feed, i));
+    const FrameRecord& record = expected.process({i, time, image});
+    const ServoPose pose = feed.pose(time);
+    EXPECT_EQ(pose.usable, record.T_world_cam_live.has_value());
+    EXPECT_EQ(pose.state, record.state);
+    if (!record.T_world_cam_live || !pose.usable) continue;
+    ++posed;
+    EXPECT_LT((to_se3(pose.cMw).matrix() - record.T_world_cam_live->inverse().matrix()).norm(), 1e-12);
+    EXPECT_LT((pose.view.covariance - record.covariance).norm(), 1e-12);
+    ASSERT_TRUE(pose.view.reference);
+    EXPECT_GT(pose.view.reference->known_points, 100);
+  }
+  EXPECT_GE(posed, 5);
+  EXPECT_EQ(odometry.replaced(), 0);
+  EXPECT_EQ(odometry.finish().frames.size(), 14u);
+}
+
+TEST(ServoOdometry, TheNewestImageTakesThePlaceOfOneThatWaits) {
+  ServoFeed feed;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
+  const GrayImage image = desk().render_image(0);
+  for (int i = 0; i < 40; ++i) odometry.push(image, Timestamp::from_seconds(0.01 * i));
+  const edgevo::Run run = odometry.finish();
+  EXPECT_EQ(int(run.frames.size()) + odometry.replaced(), 40);
+  EXPECT_GT(odometry.replaced(), 0);
+  EXPECT_EQ(run.frames.back().index, 39) << "the last one is never replaced";
+}
+
+TEST(ServoOdometry, AnImageThatCannotBeIsToldByTheFeed) {
+  ServoFeed feed;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
+  odometry.push(vpImage<vpRGBa>(3, 5, vpRGBa(1, 2, 3)), Timestamp::from_seconds(0));
+  ASSERT_TRUE(wait_for(feed, 0));
+  EXPECT_THAT(feed.pose(Timestamp::from_seconds(0)).reason, HasSubstr("5x3"));
+  EXPECT_TRUE(odometry.finish().frames.empty());
+}
+
+}  // namespace
+}  // namespace edgevo
