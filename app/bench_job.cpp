@@ -73,7 +73,7 @@ std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::
   OdometryOptions options;
   options.seed = job.seed;
   Progress progress(title, source->size());
-  const Drive driven = drive(*source, input.params().odometry, options, [&, done = 0](const Frame&) mutable {
+  const Drive driven = drive(*source, input.params().odometry, options, [&, done = 0](const DrivenFrame&) mutable {
     progress.update(++done);
     return true;
   });

@@ -18,13 +18,14 @@ double cpu_seconds(Work&& work) {
   return double(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-void feed(ImageSource& source, Odometry& odometry, const std::function<bool(const Frame&)>& on_frame, Drive* drive) {
+void feed(ImageSource& source, Odometry& odometry, const std::function<bool(const DrivenFrame&)>& on_frame, Drive* drive) {
   try {
     while (!interrupted()) {
       const std::optional<Frame> frame = source.next();
       if (!frame) break;
-      drive->cpu_s += cpu_seconds([&] { odometry.process(*frame); });
-      if (!on_frame(*frame)) break;
+      const FrameRecord* record = nullptr;
+      drive->cpu_s += cpu_seconds([&] { record = &odometry.process(*frame); });
+      if (!on_frame({*frame, *record, odometry})) break;
     }
   } catch (const std::exception&) {
     drive->broken = std::current_exception();
@@ -41,7 +42,7 @@ void listen_to_signals() {
 bool interrupted() { return signalled != 0; }
 
 Drive drive(ImageSource& source, const OdometryParams& params, const OdometryOptions& options,
-            const std::function<bool(const Frame&)>& on_frame) {
+            const std::function<bool(const DrivenFrame&)>& on_frame) {
   cv::setNumThreads(1);  // the threads are ours: tracking and mapping
   Odometry odometry(source.camera(), params, options);
   Drive result;

@@ -15,10 +15,17 @@ struct Drive {
   std::exception_ptr broken;  ///< what the source threw, if it did: `run` is the part before
 };
 
+/// A frame that has gone through the odometry, with what is known then.
+struct DrivenFrame {
+  const Frame& frame;
+  const FrameRecord& record;
+  const Odometry& odometry;
+};
+
 /// `on_frame` is called after each frame; false ends the drive. Throws InputError for an unusable camera or detector; what the source
 /// throws is returned, so that what was computed before can be written first.
 Drive drive(ImageSource& source, const OdometryParams& params, const OdometryOptions& options,
-            const std::function<bool(const Frame&)>& on_frame);
+            const std::function<bool(const DrivenFrame&)>& on_frame);
 
 /// From here on SIGINT and SIGTERM (job schedulers end a run by it) no longer end the program: they end drives.
 void listen_to_signals();

@@ -9,7 +9,6 @@
 #include "edgevo/mrpt_bridge/scene_writer.h"
 #include "edgevo/mrpt_bridge/simplemap_writer.h"
 #include "edgevo/occupancy/edge_ply.h"
-#include "edgevo/occupancy/octree_map.h"
 #include "run_outputs_summary.h"
 #include "run_outputs_text.h"
 
@@ -36,12 +35,12 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 }  // namespace
 
-RunOutputs::RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy)
+RunOutputs::RunOutputs(std::string folder, const Camera& camera, const MapParams& map)
     : folder_(std::move(folder)),
-      occupancy_(occupancy),
+      map_(map),
       wall_begin_(std::chrono::steady_clock::now()),
       cpu_begin_s_(cpu_seconds(usage())) {
-  occupancy_.check();
+  map_.check();
   make_output_folder(folder_);
   text_reserve_.emplace(folder_, kTextBytes);
   summary_reserve_.emplace(folder_, kSummaryBytes);
@@ -64,7 +63,7 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
   SummaryInput summary{run, info, use_until_now(), {}, {}, {}};
-  const PointFilter& filter = occupancy_.points;
+  const PointFilter& filter = map_.occupancy.points;
   text_reserve_.reset();
   attempt("trajectory_tum.txt",
           [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kFinal)); });
@@ -72,15 +71,9 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
           [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kLive)); });
   attempt("trajectory_kitti.txt", [&](const auto& path) { write_file(path, trajectory_kitti(run)); });
   attempt("frames.csv", [&](const auto& path) { write_file(path, frames_csv(run)); });
+  if (!run.scale.frames.empty()) attempt("scale.csv", [&](const auto& path) { write_file(path, scale_csv(run)); });
   attempt("edges.ply", [&](const auto& path) { write_edge_ply(run, filter, path); });
-  std::optional<OctreeMap> octree;
-  attempt("edges.ot", [&](const auto& path) {
-    octree.emplace(run, occupancy_);
-    summary.octree = octree->stats();
-    octree->write_ot(path);
-  });
-  if (octree) attempt("edges.bt", [&](const auto& path) { octree->write_bt(path); });
-  octree.reset();  // its memory is needed no more
+  summary.map = write_map_files(run, map_, [&](const auto& name, const auto& write) { attempt(name, write); });
   attempt("keyframes.simplemap", [&](const auto& path) { write_simplemap(run, filter, path); });
   attempt("scene.3Dscene", [&](const auto& path) { write_scene(run, filter, path); });
   attempt("playback.rawlog", [&](const auto&) { playback_->finish(run, filter); });

@@ -12,3 +12,10 @@ foreach(name IN ITEMS simulate relight study run_eval reproducible blackout bad_
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
 edgevo_add_cli_test(interrupt FIXTURES_REQUIRED cli_scenes RUN_SERIAL TRUE)
+
+# Every source of scale: the vehicle's sensors are put into the rawlog by a program of the tests.
+add_executable(add_vehicle_sensors ${CMAKE_CURRENT_LIST_DIR}/add_vehicle_sensors.cpp)
+target_link_libraries(add_vehicle_sensors PRIVATE edgevo::mrpt_bridge edgevo::evaluation)
+add_test(NAME integration.cli_scale
+  COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_scale.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:add_vehicle_sensors>)
+set_tests_properties(integration.cli_scale PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)

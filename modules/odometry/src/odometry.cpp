@@ -257,6 +257,7 @@ Odometry::Odometry(const Camera& camera, const OdometryParams& params, const Odo
 Odometry::~Odometry() = default;
 
 const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
+SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

@@ -116,7 +116,21 @@ int RunRecords::current_revision() {
 
 void RunRecords::retire(std::vector<Keyframe> keyframes, int segment) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const Keyframe& k : keyframes) keyframes_[k.id] = to_record(k, segment);
+  for (const Keyframe& k : keyframes) {
+    keyframes_[k.id] = to_record(k, segment);
+    retired_.push_back(k.id);
+  }
+}
+
+SettledKeyframes RunRecords::settled(size_t skip) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  SettledKeyframes settled;
+  settled.revision = revision_;
+  for (size_t i = skip; i < retired_.size(); ++i) {
+    settled.keyframes.push_back(keyframes_.at(retired_[i]));
+    move_to_world(T_world_map_[size_t(settled.keyframes.back().segment)], &settled.keyframes.back());
+  }
+  return settled;
 }
 
 void RunRecords::revise(std::vector<RevisedKeyframe> keyframes) {

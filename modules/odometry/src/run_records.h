@@ -10,6 +10,7 @@
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
 #include "edgevo/mapping/mapper.h"
+#include "edgevo/odometry/live_view.h"
 
 namespace edgevo {
 
@@ -27,6 +28,9 @@ class RunRecords {
   void place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map);
   /// T_cam_map of the last placed frame of `segment` before `frame_index`.
   std::optional<SE3> pose_before(int frame_index, int segment) const;
+
+  /// What retire() was given so far, but for the first `skip`, in the world.
+  SettledKeyframes settled(size_t skip) const;
 
   void note_mapping(int frame_index, const MapUpdate& update);
   void retire(std::vector<Keyframe> keyframes, int segment);
@@ -53,11 +57,12 @@ class RunRecords {
   std::map<int, size_t> position_;          // frame index -> frames_
   std::map<int, Hook> hooks_;               // by frame index
   std::vector<Sim3> T_world_map_;           // by segment
-  std::mutex mutex_;                        // guards what follows
+  mutable std::mutex mutex_;                // guards what follows
   std::map<int, StageTimes> mapping_times_; // by frame index
   int revision_ = 0;                        // corrections of the map so far
   std::map<int, std::vector<std::pair<int, double>>> length_ratio_;  // by keyframe id: revision, new over old length
   std::map<int, KeyframeRecord> keyframes_; // by keyframe id; pose and points still in the segment's map
+  std::vector<int> retired_;                // their ids in the order of retiring
 };
 
 }  // namespace edgevo

@@ -10,6 +10,7 @@
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
+#include "edgevo/odometry/live_view.h"
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
@@ -29,6 +30,9 @@ class Odometry {
   /// The next frame, in time order. The record holds what is known now; poses found later (bootstrap) and final poses come with
   /// finish(). Throws InputError if the image does not have the camera's size.
   const FrameRecord& process(const Frame& frame);
+
+  /// The keyframes that have left the window so far, but for the first `skip` of them. In the thread of process().
+  SettledKeyframes settled_keyframes(size_t skip = 0) const;
 
   /// Ends the run and returns everything: call once, also after an exception from the source.
   Run finish();
