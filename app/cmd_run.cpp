@@ -4,12 +4,12 @@
 #include "commands.h"
 #include "drive.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/scale_run.h"
 #include "edgevo/datasets/open_source.h"
 #include "option_checks.h"
 #include "progress.h"
 #include "run_outputs.h"
 #include "run_params.h"
+#include "run_scale.h"
 #include "run_view.h"
 #include "source_options.h"
 
@@ -48,10 +48,12 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
-// What is to be done after each frame: keep its image for the playback, show it, and show how far we are.
-std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunView* view, std::optional<Progress>& progress) {
-  return [&outputs, view, &progress, done = 0](const DrivenFrame& driven) mutable {
+// What is to be done after each frame: keep its image for the playback, measure the scale, show the frame, and show how far we are.
+std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling, RunView* view,
+                                                         std::optional<Progress>& progress) {
+  return [&outputs, &scaling, view, &progress, done = 0](const DrivenFrame& driven) mutable {
     if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
+    scaling.add_frame(driven.record, driven.odometry);
     if (progress) progress->update(++done);
     return !view || view->show(driven);
   };
@@ -65,7 +67,8 @@ std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSour
   return view;
 }
 
-Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params, RunOutputs& outputs) {
+Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params, RunScaling& scaling,
+                     RunOutputs& outputs) {
   OdometryOptions options;
   options.seed = args.seed;
   options.realtime = args.realtime;
@@ -73,7 +76,7 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   const auto view = view_as_asked(args, source);
-  return drive(source, params, options, after_each_frame(outputs, view.get(), progress));
+  return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
 }
 
 void print_summary(const Run& run, const std::string& out) {
@@ -98,18 +101,20 @@ bool mostly_failed(const Run& run) {
 
 int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
-  check_scale_option(args.scale);
+  const ScaleSource scale = parse_scale_source(args.scale);
   const std::unique_ptr<ImageSource> source = open_source(args.source);
-  RunOutputs outputs(args.out, source->camera(), params.occupancy);
+  RunScaling scaling(scale, *source, params.scale);
+  RunOutputs outputs(args.out, source->camera(), params.map);
   listen_to_signals();
-  Drive driven = drive_as_asked(args, *source, params.odometry, outputs);
+  Drive driven = drive_as_asked(args, *source, params.odometry, scaling, outputs);
   Run& result = driven.run;
-  apply_scale_option(args.scale, &result);
+  scaling.apply(&result);
   RunInfo info = describe(args, *source, params);
   info.interrupted = driven.broken || interrupted();
   outputs.finish(result, info);
   if (!args.quiet) print_summary(result, args.out);
   if (driven.broken) std::rethrow_exception(driven.broken);
+  if (!result.scale.problem.empty()) throw InputError(args.out, "the results are in an arbitrary unit", result.scale.problem);
   if (mostly_failed(result)) {
     std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv\n", args.source.path.c_str(),
                  args.out.c_str());
@@ -131,7 +136,8 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("--detector", args->detector, "edge detector: canny or edge_drawing");
   command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
-  command->add_option("--scale", args->scale, "none (arbitrary unit) or factor=METRES_PER_UNIT, for results in metres");
+  command->add_option("--scale", args->scale, "where the metre comes from: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps, robot_pose "
+                      "(of the rawlog), camera_height=METRES (over the ground it drives on)");
   command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads; not bit-identical");
   command->add_flag("--view", args->view, "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");

@@ -9,7 +9,6 @@
 #include "edgevo/mrpt_bridge/scene_writer.h"
 #include "edgevo/mrpt_bridge/simplemap_writer.h"
 #include "edgevo/occupancy/edge_ply.h"
-#include "edgevo/occupancy/octree_map.h"
 #include "run_outputs_summary.h"
 #include "run_outputs_text.h"
 #include "run_report.h"
@@ -37,13 +36,13 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 }  // namespace
 
-RunOutputs::RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy)
+RunOutputs::RunOutputs(std::string folder, const Camera& camera, const MapParams& map)
     : folder_(std::move(folder)),
       camera_(camera),
-      occupancy_(occupancy),
+      map_(map),
       wall_begin_(std::chrono::steady_clock::now()),
       cpu_begin_s_(cpu_seconds(usage())) {
-  occupancy_.check();
+  map_.check();
   make_output_folder(folder_);
   text_reserve_.emplace(folder_, kTextBytes);
   summary_reserve_.emplace(folder_, kSummaryBytes);
@@ -66,7 +65,7 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
   SummaryInput summary{run, info, use_until_now(), {}, {}, {}};
-  const PointFilter& filter = occupancy_.points;
+  const PointFilter& filter = map_.occupancy.points;
   text_reserve_.reset();
   attempt("trajectory_tum.txt",
           [&](const auto& path) { write_file(path, trajectory_tum(run, PoseKind::kFinal)); });
@@ -76,15 +75,9 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
     attempt("trajectory_vehicle_tum.txt", [&](const auto& path) { write_file(path, trajectory_vehicle_tum(run)); });
   attempt("trajectory_kitti.txt", [&](const auto& path) { write_file(path, trajectory_kitti(run)); });
   attempt("frames.csv", [&](const auto& path) { write_file(path, frames_csv(run)); });
+  if (!run.scale.frames.empty()) attempt("scale.csv", [&](const auto& path) { write_file(path, scale_csv(run)); });
   attempt("edges.ply", [&](const auto& path) { write_edge_ply(run, filter, path); });
-  std::optional<OctreeMap> octree;
-  attempt("edges.ot", [&](const auto& path) {
-    octree.emplace(run, occupancy_);
-    summary.octree = octree->stats();
-    octree->write_ot(path);
-  });
-  if (octree) attempt("edges.bt", [&](const auto& path) { octree->write_bt(path); });
-  octree.reset();  // its memory is needed no more
+  summary.map = write_map_files(run, map_, [&](const auto& name, const auto& write) { attempt(name, write); });
   attempt("keyframes.simplemap", [&](const auto& path) { write_simplemap(run, filter, path); });
   attempt("scene.3Dscene", [&](const auto& path) { write_scene(run, filter, path); });
   attempt("playback.rawlog", [&](const auto&) { playback_->finish(run, filter); });
@@ -99,7 +92,8 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
 std::string RunOutputs::report(const Run& run, const RunInfo& info) const {
   constexpr int kPictures = 6;
   const auto image_path = [&](int frame) { return playback_->image_path(frame); };
-  return report_html({run, info, occupancy_.points, draw_edge_pictures(run, camera_, occupancy_.points, image_path, kPictures), not_written_});
+  const PointFilter& points = map_.occupancy.points;
+  return report_html({run, info, points, draw_edge_pictures(run, camera_, points, image_path, kPictures), not_written_});
 }
 
 void RunOutputs::attempt(const std::string& name, const std::function<void(const std::string& path)>& write) {

@@ -6,7 +6,8 @@
 //   trajectory_vehicle_tum.txt   final poses of the vehicle, where it is known how the camera sits on it
 //   trajectory_kitti.txt     final poses as 3x4 matrices, one line for EVERY frame (see run_outputs_text.h)
 //   frames.csv               one row for every frame; timing columns last
-//   edges.ply, edges.bt, edges.ot                           the map (occupancy)
+//   scale.csv                how the metres were found, where they were measured
+//   edges.ply, edges.bt, edges.ot, grid.yaml + grid.pgm, grid.gridmap.gz   the map (occupancy)
 //   keyframes.simplemap, playback.rawlog + playback_Images, scene.3Dscene   for MRPT's tools (mrpt_bridge)
 //   report.html              all of it on one page (run_report.h)
 //   summary.yaml             versions, parameters, scale, counts, timing, memory, and what could not be
@@ -37,7 +38,7 @@
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
-#include "edgevo/occupancy/occupancy_params.h"
+#include "run_outputs_map.h"
 #include "run_outputs_reserve.h"
 
 namespace edgevo::app {
@@ -62,7 +63,7 @@ class RunOutputs {
  public:
   /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, no
   /// room, occupancy parameters.
-  RunOutputs(std::string folder, const Camera& camera, const OccupancyParams& occupancy);
+  RunOutputs(std::string folder, const Camera& camera, const MapParams& map);
 
   /// Writes the frame's image for playback.rawlog; or, if the image is on disk at `image_path` already, links
   /// to it. False once an image could not be written, and ever after: there is no point in going on, and
@@ -81,7 +82,7 @@ class RunOutputs {
 
   std::string folder_;
   Camera camera_;
-  OccupancyParams occupancy_;
+  MapParams map_;
   std::chrono::steady_clock::time_point wall_begin_;
   double cpu_begin_s_ = 0;
   std::optional<SpaceReserve> text_reserve_, summary_reserve_;

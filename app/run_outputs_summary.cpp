@@ -122,6 +122,14 @@ void write_scale(const Run& run, YamlWriter* y) {
   y->text("source", run.scale_source);
   y->boolean("metric", run.is_metric());
   y->text("unit", unit_statement(run));
+  if (run.is_metric()) {
+    y->number("metres_per_unit", run.scale.factor, 6);
+    y->number("relative_standard_deviation", run.scale.sigma, 5);
+    y->number("lowest", run.scale.lowest, 6);
+    y->number("highest", run.scale.highest, 6);
+    y->integer("frames_not_measured", run.scale.frames_carried_over);
+  }
+  if (!run.scale.problem.empty()) y->text("problem", run.scale.problem);
   y->close();
 }
 
@@ -170,7 +178,8 @@ void write_trajectory(const Run& run, YamlWriter* y) {
   y->close();
 }
 
-void write_map(const Run& run, const OctreeStats& map, YamlWriter* y) {
+void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
+  const OctreeStats& map = report.octree;
   y->open("map");
   y->text("axes", "x forward, y left, z up");
   y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)"
@@ -188,6 +197,9 @@ void write_map(const Run& run, const OctreeStats& map, YamlWriter* y) {
   y->integer("voxel_rays", map.rays);
   y->integer("voxels_occupied", map.occupied_voxels);
   y->integer("voxels_free", map.free_voxels);
+  y->text("grid", report.grid_statement);
+  y->integer("grid_width", report.grid_width);
+  y->integer("grid_height", report.grid_height);
   if (map.points.kept == 0) y->text("note", "no point passed the filter: the map files are valid but empty");
   y->close();
 }
@@ -255,7 +267,7 @@ std::string summary_yaml(const SummaryInput& input) {
   write_scale(input.run, &y);
   write_frames(input.run, &y);
   write_trajectory(input.run, &y);
-  write_map(input.run, input.octree, &y);
+  write_map(input.run, input.map, &y);
   write_timing(input, &y);
   y.list("not_written", input.not_written);
   if (!input.info.notes.empty()) y.open("notes");

@@ -13,7 +13,7 @@ struct SummaryInput {
   const RunInfo& info;
   ResourceUse use;               ///< of the run, images for the playback included
   ResourceUse use_with_outputs;  ///< the same with the writing of the outputs
-  OctreeStats octree;
+  MapReport map;
   std::vector<std::string> not_written;
 };
 

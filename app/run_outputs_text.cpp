@@ -107,4 +107,23 @@ std::string frames_csv(const Run& run) {
   return text;
 }
 
+std::string scale_csv(const Run& run) {
+  std::string text = "index,time,factor,sigma,samples,live_factor,live_sigma\n";
+  for (size_t i = 0; i < run.scale.frames.size(); ++i) {
+    const FrameScale& s = run.scale.frames[i];
+    text += std::to_string(run.frames[i].index) + ',' + to_string(run.frames[i].time) + ',';
+    append_fixed(&text, s.factor, 6);
+    append_fixed(&(text += ','), s.sigma, 5);
+    text += ',' + std::to_string(s.samples) + ',';
+    if (s.live_factor > 0) {
+      append_fixed(&text, s.live_factor, 6);
+      append_fixed(&(text += ','), s.live_sigma, 5);
+    } else {
+      text += ',';
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace edgevo::app

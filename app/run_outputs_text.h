@@ -32,4 +32,9 @@ std::string trajectory_kitti(const Run& run);
 /// holds no comma and no quote: both are replaced, so that every reader can split at commas.
 std::string frames_csv(const Run& run);
 
+/// How the metres were found, one row for each frame: index,time,factor,sigma,samples,live_factor,live_sigma. Factors are metres per unit
+/// of the odometry, sigmas relative standard deviations; samples 0: not measured here; live: what was known when the frame came, empty
+/// before anything was.
+std::string scale_csv(const Run& run);
+
 }  // namespace edgevo::app

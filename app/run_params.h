@@ -1,18 +1,20 @@
 #pragma once
 // All that --params and --set of `edgevo run` can name; params/default.yaml lists it.
-#include "edgevo/occupancy/occupancy_params.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/scale/scale_params.h"
+#include "run_outputs_map.h"
 
 namespace edgevo::app {
 
 struct RunParams {
   OdometryParams odometry;
-  OccupancyParams occupancy;
+  ScaleParams scale;
+  MapParams map;
 
   void visit(ParamVisitor& v) {
     odometry.visit(v);
-    const auto g = v.group("occupancy");
-    occupancy.visit(v);
+    { const auto g = v.group("scale"); scale.visit(v); }
+    map.visit(v);
   }
 };
 

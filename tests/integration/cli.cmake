@@ -38,3 +38,10 @@ find_package(octomap REQUIRED)
 edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath ${CMAKE_DL_LIBS})
 target_compile_definitions(test_plugin PRIVATE EDGEVO_PLUGIN="$<TARGET_FILE:edgevo_plugin>")
 add_dependencies(test_plugin edgevo_plugin)
+
+# Every source of scale: the vehicle's sensors are put into the rawlog by a program of the tests.
+add_executable(add_vehicle_sensors ${CMAKE_CURRENT_LIST_DIR}/add_vehicle_sensors.cpp)
+target_link_libraries(add_vehicle_sensors PRIVATE edgevo::mrpt_bridge edgevo::evaluation)
+add_test(NAME integration.cli_scale
+  COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_scale.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:add_vehicle_sensors>)
+set_tests_properties(integration.cli_scale PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)

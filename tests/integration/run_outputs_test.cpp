@@ -291,9 +291,9 @@ TEST_F(RunOutputsTest, OutputFolderThatIsAFileIsRefused) {
 }
 
 TEST_F(RunOutputsTest, WrongOccupancyParametersAreToldBeforeTheRun) {
-  OccupancyParams occupancy;
-  occupancy.resolution = "fine";
-  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, occupancy); }),
+  MapParams map;
+  map.occupancy.resolution = "fine";
+  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, map); }),
               HasSubstr("occupancy.resolution"));
   EXPECT_FALSE(fs::exists(folder_));
 }

@@ -21,6 +21,7 @@ class SubsampledSource : public ImageSource {
 
   const Camera& camera() const override { return inner_->camera(); }
   std::optional<SE3> T_vehicle_cam() const override { return inner_->T_vehicle_cam(); }
+  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
   std::optional<int> size() const override {
     const auto all = inner_->size();
     if (!all) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 #include "edgevo/mrpt_bridge/rawlog_image.h"
+#include "edgevo/mrpt_bridge/vehicle_track_reader.h"
 #include "rawlog_images_folder.h"
 #include "rawlog_survey.h"
 
@@ -62,6 +63,7 @@ class RawlogSource : public ImageSource {
   }
   std::string kind() const override { return "rawlog"; }
   std::string label() const override { return chosen_.label; }
+  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return read_vehicle_track(path_, sensor); }
   std::vector<std::pair<std::string, std::string>> details() const override;
   std::vector<Timestamp> times() const override {
     return survey_.complete ? chosen_.times : std::vector<Timestamp>();

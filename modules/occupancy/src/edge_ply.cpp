@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "edge_ply_format.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
@@ -28,6 +29,27 @@ void put_vertex(const EdgePoint& p, const Eigen::Vector3d& p_map, int keyframe, 
   put(bytes, uint32_t(p.observations));
 }
 
+std::string pose_text(const SE3& T) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) append_fixed(&(text += ' '), T.translation()[i], 9);
+  for (int i = 0; i < 4; ++i) append_fixed(&(text += ' '), T.rotation().coeffs()[i], 9);
+  return text;
+}
+
+std::string comment(const char* key, const std::string& value) { return std::string("comment ") + key + value + "\n"; }
+
+// What it takes to build the map again: edge_ply_reader.h.
+std::string run_comments(const Run& run) {
+  std::string text = comment(ply::kScale, " " + run.scale_source + " " + fixed(run.scale.factor, 9) + " " + fixed(run.scale.sigma, 9));
+  if (run.T_vehicle_cam) text += comment(ply::kMount, pose_text(*run.T_vehicle_cam));
+  for (const KeyframeRecord& k : run.keyframes) {
+    const SE3 T_map_cam = T_map_world(run) * k.T_world_cam;
+    text += comment(ply::kKeyframe, " " + std::to_string(k.frame_index) + " " + std::to_string(k.segment) +
+                                        pose_text(T_map_cam.is_finite() ? T_map_cam : SE3()));
+  }
+  return text;
+}
+
 std::string header(const Run& run, int vertices) {
   return "ply\nformat binary_little_endian 1.0\n"
          "comment edge points of edgevo\n"
@@ -37,7 +59,8 @@ std::string header(const Run& run, int vertices) {
          "comment axes: x forward, y left, z up; origin at the first " +
          (run.T_vehicle_cam && run.is_metric() ? "vehicle" : "camera") +
          " pose\n"
-         "comment idepth: inverse depth in the host keyframe, idepth_sigma: its standard deviation\n"
+         "comment idepth: inverse depth in the host keyframe, idepth_sigma: its standard deviation\n" +
+         run_comments(run) +
          "element vertex " +
          std::to_string(vertices) +
          "\n"

@@ -3,22 +3,20 @@
 #include <charconv>
 #include <cmath>
 
+#include "auto_or_length.h"
 #include "edgevo/core/error.h"
 
 namespace edgevo {
-namespace {
 
-double auto_or_length(const char* key, const std::string& text) {
+double auto_or_length(const std::string& key, const std::string& text) {
   if (text == "auto") return 0;
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc() && stop == end && std::isfinite(value) && value > 0) return value;
-  throw InputError(std::string("occupancy.") + key, "'" + text + "' is neither auto nor a positive number",
+  throw InputError(key, "'" + text + "' is neither auto nor a positive number",
                    "write auto or a length in the unit of the run, for example 0.2");
 }
-
-}  // namespace
 
 void OccupancyParams::visit(ParamVisitor& v) {
   v.text("resolution", resolution, {}, "edge of a voxel in the unit of the run, or auto");
@@ -37,8 +35,8 @@ void OccupancyParams::visit(ParamVisitor& v) {
   points.visit(v);
 }
 
-double OccupancyParams::given_resolution() const { return auto_or_length("resolution", resolution); }
-double OccupancyParams::given_max_range() const { return auto_or_length("max_range", max_range); }
+double OccupancyParams::given_resolution() const { return auto_or_length("occupancy.resolution", resolution); }
+double OccupancyParams::given_max_range() const { return auto_or_length("occupancy.max_range", max_range); }
 
 void OccupancyParams::check() const {
   given_resolution();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/thread_clock.h"
 #include "segment_inserter.h"
 
 namespace edgevo {
@@ -18,9 +19,6 @@ using octomap::OcTree;
 
 // Voxels of an empty map: nothing tells a size.
 constexpr double kResolutionWithoutPoints = 0.1;
-// Equal children are merged now and then, so that the memory of a long run stays near that of the finished
-// map.
-constexpr size_t kBatchesBetweenPruning = 32;
 
 double median_depth(const Run& run, const PointFilter& filter) {
   std::vector<double> depths;
@@ -75,13 +73,25 @@ std::map<int, Keyframes> keyframes_by_segment(const Run& run) {
   return segments;
 }
 
+// Merges equal children whenever the tree has grown to twice its size: memory stays near that of the finished map, and all the passes
+// over the tree together cost no more than two over the finished one, however long the run.
+void merge_when_doubled(OcTree* tree, size_t* size_after_merging) {
+  constexpr size_t kSmall = 200000;
+  if (tree->size() < std::max(kSmall, 2 * *size_after_merging)) return;
+  tree->prune();
+  *size_after_merging = tree->size();
+}
+
 void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionLimits& limits, OcTree* tree,
                     OctreeStats* stats) {
   const SE3 T_map = T_map_world(run);
   SegmentInserter inserter(run.pinhole, limits, tree, stats);
-  for (size_t k = 0; k < keyframes.size(); ++k) {
-    inserter.insert(*keyframes[k], T_map * keyframes[k]->T_world_cam);
-    if (k % kBatchesBetweenPruning == kBatchesBetweenPruning - 1) tree->prune();
+  size_t size_after_merging = 0;
+  for (const KeyframeRecord* keyframe : keyframes) {
+    const double start = thread_cpu_ms();
+    inserter.insert(*keyframe, T_map * keyframe->T_world_cam);
+    merge_when_doubled(tree, &size_after_merging);
+    stats->batch_ms.push_back(thread_cpu_ms() - start);
   }
 }
 

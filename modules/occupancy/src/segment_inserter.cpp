@@ -62,7 +62,7 @@ void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, 
 }
 
 void SegmentInserter::update_tree() {
-  constexpr bool kLazy = true;
+  constexpr bool kLazy = true;  // keeping inner nodes and merging on the way takes half as long again
   for (const octomap::OcTreeKey& key : free_)
     if (seen_until_.find(key) == seen_until_.end()) tree_->updateNode(key, tree_->getProbMissLog(), kLazy);
   for (auto it = seen_until_.begin(); it != seen_until_.end();) {

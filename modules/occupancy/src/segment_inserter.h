@@ -24,7 +24,7 @@ class SegmentInserter {
   SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
                   OctreeStats* stats);
 
-  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). `T_map_cam`: its pose in
+  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). Cost: its rays, whatever the size of the tree. `T_map_cam`: its pose in
   /// the map's world.
   void insert(const KeyframeRecord& keyframe, const SE3& T_map_cam);
 

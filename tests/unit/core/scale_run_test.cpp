@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "edgevo/core/error.h"
 
 namespace edgevo {
@@ -29,7 +32,7 @@ Run small_run() {
 TEST(ScaleRun, EveryLengthGrowsAndNoAngleDoes) {
   const edgevo::Run before = small_run();
   edgevo::Run run = before;
-  apply_scale_option("factor=2.5", &run);
+  scale_run(2.5, "factor=2.5", &run);
   EXPECT_EQ(run.scale_source, "factor=2.5");
   EXPECT_TRUE(run.is_metric());
   EXPECT_LT((run.frames[0].T_world_cam->translation() - Eigen::Vector3d(2.5, 5, 7.5)).norm(), 1e-12);
@@ -43,16 +46,11 @@ TEST(ScaleRun, EveryLengthGrowsAndNoAngleDoes) {
   EXPECT_LT((world_point(run) - 2.5 * world_point(before)).norm(), 1e-5);
 }
 
-TEST(ScaleRun, NoneChangesNothing) {
-  edgevo::Run run = small_run();
-  apply_scale_option("none", &run);
-  EXPECT_FALSE(run.is_metric());
-  EXPECT_DOUBLE_EQ(run.frames[0].T_world_cam->translation().x(), 1);
-}
-
-TEST(ScaleRun, RefusesWhatIsNoScale) {
-  for (const char* bad : {"", "gps", "factor", "factor=", "factor=-1", "factor=0", "factor=2x", "factor=inf", "factor=nan"})
-    EXPECT_THROW(check_scale_option(bad), InputError) << bad;
+TEST(ScaleRun, RefusesWhatIsNoFactor) {
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    edgevo::Run run = small_run();
+    EXPECT_THROW(scale_run(bad, "factor", &run), InputError) << bad;
+  }
 }
 
 }  // namespace

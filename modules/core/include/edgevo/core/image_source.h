@@ -9,6 +9,7 @@
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/core/vehicle_track.h"
 
 namespace edgevo {
 
@@ -26,6 +27,9 @@ class ImageSource {
   virtual std::string kind() const = 0;
   /// The name of this camera in its source, such as the sensor label of a rawlog; empty where cameras have no names.
   virtual std::string label() const { return {}; }
+  /// Where another sensor of the vehicle says that it was, if the source recorded such a one; empty where it did not. May read the
+  /// source once more.
+  virtual VehicleTrack vehicle_track(VehicleSensor) const { return {}; }
   /// What else `edgevo info` should tell, as name and value.
   virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
   /// The times of all frames, where they are known without decoding the images; else empty.

@@ -71,12 +71,29 @@ inline const std::vector<std::string>& refinement_state_names() {
 }
 inline const std::string& to_string(CameraRefinement::State state) { return refinement_state_names()[size_t(state)]; }
 
+/// Metres per unit of the odometry at one frame: `factor` from all of the run, `live_factor` from what was known when the frame came.
+struct FrameScale {
+  double factor = 1, sigma = 0;            ///< sigma: relative, one standard deviation
+  int samples = 0;                         ///< 0: not measured here, taken over from the nearest frame where it was
+  double live_factor = 0, live_sigma = 0;  ///< 0: not known yet
+};
+
+/// How a run got its metres; values over the frames that have a pose.
+struct ScaleRecord {
+  double factor = 1, sigma = 0;     ///< medians
+  double lowest = 1, highest = 1;   ///< factors: what the drift of the scale was, before it was taken out
+  int frames_carried_over = 0;      ///< frames where the scale was not measured
+  std::vector<FrameScale> frames;   ///< as Run::frames; empty where one factor was given
+  std::string problem;              ///< why the scale that was asked for could not be had; else empty
+};
+
 struct Run {
   Pinhole pinhole;             ///< of the undistorted images, camera.k1 taken out; EdgePoint::px refers to it
   CameraRefinement camera;
   std::vector<FrameRecord> frames;
   std::vector<KeyframeRecord> keyframes;
   std::string scale_source = "none";  ///< "none": unit arbitrary; else metres
+  ScaleRecord scale;                  ///< all lengths of the run have been multiplied by it
   std::optional<SE3> T_vehicle_cam;   ///< mount of the camera (vehicle x forward, y left, z up; metres), if it is known
 
   bool is_metric() const { return scale_source != "none"; }
@@ -94,11 +111,8 @@ inline SE3 T_zup_world() {
   return {R, Eigen::Vector3d::Zero()};
 }
 
-/// What the numbers in a file mean, for its header: "metre (scale from odometry)" or "arbitrary (...)".
-inline std::string unit_statement(const Run& run) {
-  return run.is_metric() ? "metre (scale from " + run.scale_source + ")"
-                         : "arbitrary (scale of a monocular run; set --scale for metres)";
-}
+/// What the numbers in a file mean, for its header: "metre (scale from odometry, +- 0.8 %)" or "arbitrary (...)".
+std::string unit_statement(const Run& run);
 
 /// From the run's world to the world of the map files: z up, x forward, origin at the first pose of the vehicle. With a
 /// known mount "up" is the vehicle's; else the camera is taken to look straight ahead (T_zup_world). The lever arm is in

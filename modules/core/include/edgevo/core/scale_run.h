@@ -10,9 +10,4 @@ namespace edgevo {
 /// are divided. `source` becomes Run::scale_source. Throws InputError for a factor that is not positive and finite.
 void scale_run(double factor, const std::string& source, Run* run);
 
-/// Reads "none" or "factor=2.5" as --scale gives it and applies it. Throws InputError for anything else.
-void apply_scale_option(const std::string& option, Run* run);
-/// The same checks without a run, so that a wrong option is told before the work.
-void check_scale_option(const std::string& option);
-
 }  // namespace edgevo

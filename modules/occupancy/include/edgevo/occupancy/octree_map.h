@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "edgevo/core/point_filter.h"
 #include "edgevo/core/records.h"
@@ -44,6 +45,7 @@ struct OctreeStats {
   double resolution = 0;    ///< as used
   double max_range = 0;     ///< as used
   int batches = 0;          ///< keyframes inserted
+  std::vector<double> batch_ms;  ///< CPU milliseconds of each
   int rays = 0;             ///< rays that carved, after those with the same end voxel were dropped
   int beyond_range = 0;     ///< kept points not marked because they lie beyond max_range
   int out_of_bounds = 0;    ///< kept points outside the octree (32768 voxels from the origin)

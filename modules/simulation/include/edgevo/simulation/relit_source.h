@@ -13,6 +13,7 @@ class RelitSource : public ImageSource {
 
   const Camera& camera() const override { return source_->camera(); }
   std::optional<SE3> T_vehicle_cam() const override { return source_->T_vehicle_cam(); }
+  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return source_->vehicle_track(sensor); }
   /// Of the source; nullopt if frames may be dropped.
   std::optional<int> size() const override;
   std::string kind() const override { return source_->kind() + ", relit"; }

@@ -1,0 +1,92 @@
+#include "edgevo/mrpt_bridge/vehicle_track_reader.h"
+
+#include <mrpt/obs/CObservationGPS.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "edgevo/core/error.h"
+#include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/rawlog_reader.h"
+
+namespace edgevo {
+namespace {
+
+using namespace mrpt::obs;
+
+// From the centre of the earth, metres: WGS84's ellipsoid.
+Eigen::Vector3d earth_centred(double latitude_deg, double longitude_deg, double height_m) {
+  constexpr double kEquator = 6378137.0, kFlattening = 1 / 298.257223563, kRadian = M_PI / 180;
+  constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
+  const double sin_lat = std::sin(latitude_deg * kRadian), cos_lat = std::cos(latitude_deg * kRadian);
+  const double across = kEquator / std::sqrt(1 - kEccentricity2 * sin_lat * sin_lat);  // radius of the prime vertical
+  return {(across + height_m) * cos_lat * std::cos(longitude_deg * kRadian),
+          (across + height_m) * cos_lat * std::sin(longitude_deg * kRadian), (across * (1 - kEccentricity2) + height_m) * sin_lat};
+}
+
+std::optional<Eigen::Vector3d> gps_position(const CObservation& observation) {
+  const auto* gps = dynamic_cast<const CObservationGPS*>(&observation);
+  if (!gps || !gps->hasMsgClass<gnss::Message_NMEA_GGA>()) return std::nullopt;
+  const auto& fix = gps->getMsgByClass<gnss::Message_NMEA_GGA>().fields;
+  if (fix.fix_quality == 0) return std::nullopt;
+  return earth_centred(fix.latitude_degrees, fix.longitude_degrees, fix.altitude_meters);
+}
+
+std::optional<Eigen::Vector3d> position_of(const CObservation& observation, VehicleSensor sensor) {
+  if (sensor == VehicleSensor::kGps) return gps_position(observation);
+  if (sensor == VehicleSensor::kOdometry) {
+    const auto* o = dynamic_cast<const CObservationOdometry*>(&observation);
+    return o ? std::make_optional<Eigen::Vector3d>(o->odometry.x(), o->odometry.y(), 0.0) : std::nullopt;
+  }
+  const auto* o = dynamic_cast<const CObservationRobotPose*>(&observation);
+  return o ? std::make_optional<Eigen::Vector3d>(from_mrpt(o->pose.mean).translation()) : std::nullopt;
+}
+
+// An odometer's positions are those of the vehicle itself.
+Eigen::Vector3d place_on_vehicle(const CObservation& observation, VehicleSensor sensor) {
+  if (sensor == VehicleSensor::kOdometry) return Eigen::Vector3d::Zero();
+  mrpt::poses::CPose3D pose;
+  observation.getSensorPose(pose);
+  return from_mrpt(pose).translation();
+}
+
+bool is_our_own(const std::string& label) { return label == "EDGE_VO" || label == "EDGE_VO_ODO"; }
+
+void sort_by_time(VehicleTrack* track) {
+  auto& p = track->positions;
+  std::stable_sort(p.begin(), p.end(), [](const VehiclePosition& a, const VehiclePosition& b) { return a.time < b.time; });
+  p.erase(std::unique(p.begin(), p.end(), [](const VehiclePosition& a, const VehiclePosition& b) { return a.time == b.time; }), p.end());
+}
+
+}  // namespace
+
+VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor sensor) {
+  RawlogReader reader(rawlog_path);
+  std::map<std::string, VehicleTrack> tracks;  // by label
+  try {
+    while (const auto observation = reader.next()) {
+      const auto position = position_of(*observation, sensor);
+      if (!position || !position->allFinite() || is_our_own(observation->sensorLabel)) continue;
+      VehicleTrack& track = tracks[observation->sensorLabel];
+      if (track.positions.empty()) track.sensor_on_vehicle = place_on_vehicle(*observation, sensor);
+      track.positions.push_back({from_mrpt(observation->timestamp), *position});
+    }
+  } catch (const InputError&) {
+    // The images' own reader meets the same damage at the same place, and tells.
+  }
+  VehicleTrack longest;
+  for (auto& [label, track] : tracks)
+    if (track.positions.size() > longest.positions.size()) longest = std::move(track);
+  if (!longest.positions.empty()) {
+    const Eigen::Vector3d first = longest.positions.front().position;
+    for (VehiclePosition& p : longest.positions) p.position -= first;
+  }
+  sort_by_time(&longest);
+  return longest;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,14 @@
+#pragma once
+// What writer and reader of edges.ply have to agree on.
+#include <cstddef>
+
+namespace edgevo::ply {
+
+/// First words of the header's comments: `keyframe FRAME SEGMENT tx ty tz qx qy qz qw` (its pose in the map, in the order of
+/// the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE METRES_PER_UNIT SIGMA`.
+constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale";
+
+/// float x y z, uchar red green blue, float idepth idepth_sigma, int keyframe observations.
+constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kVertexBytes = 31;
+
+}  // namespace edgevo::ply

@@ -1,0 +1,113 @@
+#include "edgevo/occupancy/edge_ply_reader.h"
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "edge_ply_format.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
+
+namespace edgevo {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw InputError(path, what, "run the sequence again with this version of edgevo");
+}
+
+uint32_t little_endian(const char* bytes) {
+  uint32_t value = 0;
+  for (int i = 3; i >= 0; --i) value = (value << 8) | uint8_t(bytes[i]);
+  return value;
+}
+float real(const char* bytes) {
+  const uint32_t bits = little_endian(bytes);
+  float value = 0;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+bool read_pose(std::istream& in, SE3* T) {
+  Eigen::Vector3d t;
+  Eigen::Quaterniond q;
+  if (!(in >> t.x() >> t.y() >> t.z() >> q.x() >> q.y() >> q.z() >> q.w()) || !(q.norm() > 0.5)) return false;
+  *T = SE3(q, t);
+  return T->is_finite();
+}
+
+// T_map_cam of each keyframe goes to `poses`: where the map lies depends on unit and mount, which may come after.
+struct Header {
+  Run run;
+  std::vector<SE3> T_map_cam;
+  size_t vertices = 0, end = 0;
+  bool is_ours = false;
+};
+
+void read_line(const std::string& path, const std::string& line, Header* header) {
+  std::istringstream in(line);
+  std::string word, key;
+  in >> word >> key;
+  if (word == "element" && key == "vertex" && !(in >> header->vertices)) refuse(path, "its header tells no number of points");
+  if (word != "comment") return;
+  bool readable = true;
+  if (key == ply::kKeyframe) {
+    KeyframeRecord keyframe;
+    SE3 T_map_cam;
+    readable = bool(in >> keyframe.frame_index >> keyframe.segment) && read_pose(in, &T_map_cam);
+    header->run.keyframes.push_back(keyframe);
+    header->T_map_cam.push_back(T_map_cam);
+  } else if (key == ply::kMount) {
+    SE3 T_vehicle_cam;
+    readable = read_pose(in, &T_vehicle_cam);
+    header->run.T_vehicle_cam = T_vehicle_cam;
+  } else if (key == ply::kScale) {
+    readable = bool(in >> header->run.scale_source >> header->run.scale.factor >> header->run.scale.sigma);
+    header->is_ours = true;
+  }
+  if (!readable) refuse(path, "'" + line.substr(0, 80) + "' in its header is not readable");
+}
+
+Header read_header(const std::string& path, const std::string& bytes) {
+  Header header;
+  if (bytes.rfind("ply\nformat binary_little_endian 1.0\n", 0) != 0) refuse(path, "is not a PLY file of edgevo");
+  const size_t end = bytes.find("end_header\n");
+  if (end == std::string::npos) refuse(path, "its header does not end");
+  std::istringstream lines(bytes.substr(0, end));
+  for (std::string line; std::getline(lines, line);) read_line(path, line, &header);
+  if (!header.is_ours) refuse(path, "its header tells neither scale nor keyframes");
+  header.end = end + std::strlen("end_header\n");
+  if ((bytes.size() - header.end) / ply::kVertexBytes < header.vertices)
+    refuse(path, "is cut short: " + std::to_string(header.vertices) + " points are announced");
+  return header;
+}
+
+void read_vertex(const std::string& path, const char* bytes, Header* header) {
+  const Eigen::Vector3d p_map(real(bytes), real(bytes + 4), real(bytes + 8));
+  const size_t keyframe = little_endian(bytes + ply::kKeyframeOffset);
+  if (keyframe >= header->T_map_cam.size()) refuse(path, "a point's keyframe is not in the header");
+  const Eigen::Vector3d p_cam = header->T_map_cam[keyframe].inverse() * p_map;
+  if (!p_cam.allFinite() || !(p_cam.z() > 0)) refuse(path, "a point lies behind its keyframe");
+  EdgePoint point;
+  point.px = (p_cam.head<2>() / p_cam.z()).cast<float>();
+  point.normal = {1, 0};
+  point.gray = uint8_t(bytes[12]);
+  point.idepth = float(1 / p_cam.z());
+  point.idepth_sigma = real(bytes + ply::kIdepthOffset + 4) * (point.idepth / real(bytes + ply::kIdepthOffset));
+  point.observations = int(little_endian(bytes + ply::kKeyframeOffset + 4));
+  header->run.keyframes[keyframe].points.push_back(point);
+}
+
+}  // namespace
+
+Run read_edge_ply(const std::string& path) {
+  const std::string bytes = read_file(path, "give the folder of a finished `edgevo run`");
+  Header header = read_header(path, bytes);
+  for (size_t i = 0; i < header.vertices; ++i) read_vertex(path, bytes.data() + header.end + i * ply::kVertexBytes, &header);
+  Run run = std::move(header.run);
+  run.pinhole = {1, 1, 0, 0, 1, 1};
+  const SE3 T_world_map = T_map_world(run).inverse();
+  for (size_t k = 0; k < run.keyframes.size(); ++k) run.keyframes[k].T_world_cam = T_world_map * header.T_map_cam[k];
+  return run;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,139 @@
+#include "edgevo/occupancy/grid_map.h"
+
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "auto_or_length.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int64_t kMostCells = int64_t(1) << 28;  // 256 MB
+
+struct Band {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+// Heights of the band over each cell.
+class BandAlongTheWay {
+ public:
+  BandAlongTheWay(const Run& run, double camera_height, const GridParams& params) : camera_height_(camera_height), params_(params) {
+    const SE3 T_map = T_map_world(run);
+    for (const KeyframeRecord& k : run.keyframes) {
+      const Eigen::Vector3d p = (T_map * k.T_world_cam).translation();
+      // One in a camera height of way is enough, and a standstill adds none.
+      if (cameras_.empty() || (p - cameras_.back()).norm() > camera_height_) cameras_.push_back(p);
+    }
+  }
+  Band at(double x, double y) const {
+    if (camera_height_ <= 0 || cameras_.empty()) return {};
+    const auto distance = [&](const Eigen::Vector3d& c) { return std::hypot(c.x() - x, c.y() - y); };
+    const auto nearest = std::min_element(cameras_.begin(), cameras_.end(),
+                                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const double ground = nearest->z() - camera_height_;
+    return {ground + params_.band_low * camera_height_, ground + params_.band_high * camera_height_};
+  }
+
+ private:
+  double camera_height_;
+  GridParams params_;
+  std::vector<Eigen::Vector3d> cameras_;
+};
+
+OccupancyGrid empty_grid(const octomap::OcTree& tree) {
+  OccupancyGrid grid;
+  grid.resolution = tree.getResolution();
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+  if (tree.size() > 0) tree.getMetricMin(low[0], low[1], low[2]), tree.getMetricMax(high[0], high[1], high[2]);
+  const auto cells = [&](int axis) { return std::max<int64_t>(1, std::llround((high[axis] - low[axis]) / grid.resolution)); };
+  if (cells(0) * cells(1) > kMostCells)
+    throw InputError("grid", "would have " + std::to_string(cells(0) * cells(1)) + " cells", "set a larger occupancy.resolution");
+  grid.width = int(cells(0)), grid.height = int(cells(1));
+  grid.origin_x = low[0], grid.origin_y = low[1];
+  grid.cells.assign(size_t(grid.width) * size_t(grid.height), GridCell::kUnknown);
+  return grid;
+}
+
+// Occupied wins over free, free over unknown.
+void raise(GridCell value, GridCell* cell) { *cell = std::max(*cell, value); }
+
+void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, OccupancyGrid* grid) {
+  std::vector<Band> band;  // of each cell
+  for (int y = 0; y < grid->height; ++y)
+    for (int x = 0; x < grid->width; ++x)
+      band.push_back(bands.at(grid->origin_x + (x + 0.5) * grid->resolution, grid->origin_y + (y + 0.5) * grid->resolution));
+  for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf) {
+    const GridCell value = tree.isNodeOccupied(*leaf) ? GridCell::kOccupied : GridCell::kFree;
+    const double half = leaf.getSize() / 2;
+    const int side = int(std::lround(leaf.getSize() / grid->resolution));
+    const int x0 = int(std::lround((leaf.getX() - half - grid->origin_x) / grid->resolution));
+    const int y0 = int(std::lround((leaf.getY() - half - grid->origin_y) / grid->resolution));
+    for (int y = std::max(0, y0); y < std::min(grid->height, y0 + side); ++y)
+      for (int x = std::max(0, x0); x < std::min(grid->width, x0 + side); ++x) {
+        const size_t cell = size_t(y) * size_t(grid->width) + size_t(x);
+        if (leaf.getZ() + half > band[cell].low && leaf.getZ() - half < band[cell].high) raise(value, &grid->cells[cell]);
+      }
+  }
+}
+
+std::string statement_of(const Run& run, double camera_height, const GridParams& params) {
+  const std::string unit = "; unit: " + unit_statement(run);
+  if (camera_height <= 0) return "all heights, since the ground is not known (set grid.camera_height)" + unit;
+  return "heights " + fixed(params.band_low * camera_height, 3) + " to " + fixed(params.band_high * camera_height, 3) +
+         " over the ground, which lies " + fixed(camera_height, 3) + " under the camera's way" + unit;
+}
+
+uint8_t gray(GridCell cell) {
+  switch (cell) {
+    case GridCell::kOccupied: return 0;
+    case GridCell::kFree: return 254;
+    case GridCell::kUnknown: return 205;
+  }
+  return 205;
+}
+
+std::string pgm(const OccupancyGrid& grid) {
+  std::string bytes = "P5\n# " + grid.statement + "\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
+  for (int y = grid.height - 1; y >= 0; --y)
+    for (int x = 0; x < grid.width; ++x) bytes += char(gray(grid.at(x, y)));
+  return bytes;
+}
+
+}  // namespace
+
+void GridParams::visit(ParamVisitor& v) {
+  v.text("camera_height", camera_height, {}, "of the camera over the ground, unit of the run, or auto: as --scale, the ground that was seen or the mount say");
+  v.number("band_low", band_low, -10, 10, "the grid shows what stands higher than this, in camera heights over the ground");
+  v.number("band_high", band_high, -10, 100, "and lower than this");
+}
+
+double GridParams::given_camera_height() const { return auto_or_length("grid.camera_height", camera_height); }
+
+void GridParams::check() const {
+  given_camera_height();
+  if (!(band_low < band_high)) throw InputError("grid.band_low", "is not below grid.band_high", "give for example 0.18 and 1.1");
+}
+
+OccupancyGrid make_grid(const Run& run, const OctreeMap& map, double camera_height, const GridParams& params) {
+  OccupancyGrid grid = empty_grid(map.tree());
+  flatten(map.tree(), BandAlongTheWay(run, camera_height, params), &grid);
+  grid.statement = statement_of(run, camera_height, params);
+  return grid;
+}
+
+void write_ros_grid(const OccupancyGrid& grid, const std::string& yaml_path) {
+  const std::filesystem::path image = std::filesystem::path(yaml_path).replace_extension(".pgm");
+  write_file(image.string(), pgm(grid));
+  std::string yaml = "# " + grid.statement + "\nimage: " + image.filename().string() + "\nmode: trinary\nresolution: " +
+                     fixed(grid.resolution, 9) + "\norigin: [" + fixed(grid.origin_x, 6) + ", " + fixed(grid.origin_y, 6) +
+                     ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  write_file(yaml_path, yaml);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,144 @@
+#include "edgevo/scale/ground_height.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "edgevo/core/point_filter.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kMaxAhead = 3;         // camera heights: beyond the end of a path the pitch would count
+constexpr double kMaxWayPerDistance = 2;  // a point not passed on twice the way to it never will be
+constexpr double kDirectionHeights = 0.5;  // the direction of the way is taken over this many heights to each side, at least
+constexpr int kDirectionFrames = 2;        // and over so many frames
+
+// Axes of the way at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y axis).
+struct WayAxes {
+  Eigen::Vector3d forward, down;
+};
+
+std::optional<WayAxes> way_axes(const Path& path, size_t j, double reach) {
+  const auto far_enough = [&](size_t i) {
+    return std::abs(path[i].way - path[j].way) >= reach && (i > j ? i - j : j - i) >= size_t(kDirectionFrames);
+  };
+  size_t a = j, b = j;
+  while (a > 0 && !far_enough(a)) --a;
+  while (b + 1 < path.size() && !far_enough(b)) ++b;
+  const Eigen::Vector3d chord = path[b].T_world_cam.translation() - path[a].T_world_cam.translation();
+  if (chord.norm() < 0.5 * reach) return std::nullopt;  // it stands, or turns on the spot
+  const Eigen::Vector3d forward = chord.normalized();
+  const Eigen::Vector3d y = path[j].T_world_cam.R().col(1);
+  const Eigen::Vector3d down = y - y.dot(forward) * forward;
+  if (down.norm() < 0.5) return std::nullopt;  // the camera looks up, down or rises: this is no drive
+  return WayAxes{forward, down.normalized()};
+}
+
+// The pose of the path at which the camera is level with the point; the last one if there is none and the path has ended.
+std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::Vector3d& p_world, double height_guess, bool is_path_ended) {
+  const double distance = (p_world - path[host].T_world_cam.translation()).norm();
+  for (size_t j = host; j < path.size(); ++j) {
+    if (path[j].way - path[host].way > kMaxWayPerDistance * distance) return std::nullopt;
+    const Eigen::Vector3d d = p_world - path[j].T_world_cam.translation();
+    if (d.squaredNorm() > 16 * height_guess * height_guess) continue;  // far from below the camera still
+    const auto axes = way_axes(path, j, kDirectionHeights * height_guess);
+    if (axes && d.dot(axes->forward) <= 0) return j;
+  }
+  if (is_path_ended && !path.empty()) return path.size() - 1;
+  return std::nullopt;
+}
+
+std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::Vector3d& p_cam, bool is_path_ended,
+                                    const ScaleParams& params) {
+  const double guess = p_cam.y();  // the height, if the camera looked straight ahead
+  if (!(guess > 0)) return std::nullopt;
+  const Eigen::Vector3d p_world = path[host].T_world_cam * p_cam;
+  const auto j = passing_pose(path, host, p_world, guess, is_path_ended);
+  if (!j) return std::nullopt;
+  const auto axes = way_axes(path, *j, kDirectionHeights * guess);
+  if (!axes) return std::nullopt;
+  const Eigen::Vector3d d = p_world - path[*j].T_world_cam.translation();
+  const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
+  if (!(height > 0) || aside > params.ground_width * height || d.dot(axes->forward) > kMaxAhead * height) return std::nullopt;
+  return HeightSample{path[*j].way, height, p_world};
+}
+
+// ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its peak ----
+
+constexpr double kBin = 0.01, kSmoothing = 0.03, kWidth = 0.04;  // of log height
+constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly up to the largest 0.3 to 0.4
+
+double histogram_peak(const std::vector<double>& logs) {
+  const auto [low, high] = std::minmax_element(logs.begin(), logs.end());
+  const int reach = int(std::ceil(3 * kSmoothing / kBin));
+  std::vector<double> bins(size_t((*high - *low) / kBin) + 1 + 2 * size_t(reach), 0.0);
+  for (const double x : logs) {
+    const double at = (x - *low) / kBin + reach;
+    for (int i = int(at) - reach; i <= int(at) + reach && i < int(bins.size()); ++i) {
+      const double off = (i + 0.5 - at) * kBin / kSmoothing;
+      if (i >= 0) bins[size_t(i)] += std::exp(-0.5 * off * off);
+    }
+  }
+  const auto peak = std::max_element(bins.begin(), bins.end()) - bins.begin();
+  return *low + (double(peak) + 0.5 - reach) * kBin;
+}
+
+double weight(double x, double mode) { return std::exp(-0.5 * (x - mode) * (x - mode) / (kWidth * kWidth)); }
+
+double mean_shift(const std::vector<double>& logs, double mode) {
+  for (int i = 0; i < 20; ++i) {
+    double sum = 0, weights = 0;
+    for (const double x : logs) sum += weight(x, mode) * x, weights += weight(x, mode);
+    mode = sum / weights;
+  }
+  return mode;
+}
+
+}  // namespace
+
+std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeRecord& keyframe, const Path& path, bool is_path_ended,
+                                         const ScaleParams& params) {
+  const auto host = std::lower_bound(path.begin(), path.end(), keyframe.frame_index,
+                                     [](const PathPose& p, int index) { return p.frame_index < index; });
+  std::vector<HeightSample> samples;
+  if (host == path.end() || host->frame_index != keyframe.frame_index) return samples;
+  const PointFilter filter;
+  for (const EdgePoint& point : keyframe.points) {
+    if (!filter.keeps(point)) continue;
+    const auto sample = look_at(path, size_t(host - path.begin()), point_in_camera(pinhole, point), is_path_ended, params);
+    if (sample) samples.push_back(*sample);
+  }
+  return samples;
+}
+
+std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height, const ScaleParams& params) {
+  if (int(samples.size()) < params.min_ground_points) return std::nullopt;
+  std::vector<double> logs;
+  for (const HeightSample& s : samples) logs.push_back(std::log(s.height));
+  const double mode = mean_shift(logs, histogram_peak(logs));
+  std::vector<double> residuals;  // of those near the mode, in the order of the way
+  for (const double x : logs)
+    if (std::abs(x - mode) < 3 * kWidth) residuals.push_back(x - mode);
+  if (double(residuals.size()) < kLeastShare * double(logs.size()) || int(residuals.size()) < params.min_ground_points) return std::nullopt;
+  double squares = 0;
+  for (const double r : residuals) squares += r * r;
+  const double of_mean = squares / double(residuals.size()) / effective_count(residuals);
+  const double sigma = std::sqrt(of_mean + params.ground_sigma * params.ground_sigma);
+  if (sigma > params.max_sigma) return std::nullopt;
+  return ScaleEstimate{camera_height / std::exp(mode), sigma, int(residuals.size())};
+}
+
+std::optional<double> seen_camera_height(const Run& run, const ScaleParams& params) {
+  std::map<int, Path> paths;  // of the keyframes, by segment
+  for (const KeyframeRecord& k : run.keyframes) extend(k.frame_index, k.time, k.T_world_cam, &paths[k.segment]);
+  std::vector<HeightSample> heights;
+  for (const KeyframeRecord& k : run.keyframes) {
+    const std::vector<HeightSample> more = ground_heights(run.pinhole, k, paths[k.segment], true, params);
+    heights.insert(heights.end(), more.begin(), more.end());
+  }
+  const auto fit = fit_height(heights, 1.0, params);
+  return fit ? std::make_optional(1.0 / fit->factor) : std::nullopt;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,67 @@
+#include "edgevo/scale/scale_source.h"
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "edgevo/core/error.h"
+
+namespace edgevo {
+namespace {
+
+using Kind = ScaleSource::Kind;
+
+struct Known {
+  const char* name;
+  Kind kind;
+  const char* example;  ///< with its value, if it takes one
+};
+const std::vector<Known> kKnown{{"none", Kind::kNone, ""},
+                                {"factor", Kind::kFactor, "factor=2.5 (metres per unit)"},
+                                {"odometry", Kind::kOdometry, ""},
+                                {"gps", Kind::kGps, ""},
+                                {"robot_pose", Kind::kRobotPose, ""},
+                                {"camera_height", Kind::kCameraHeight, "camera_height=1.65 (metres over the ground)"}};
+
+const Known& known_source(const std::string& option, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Known& k : kKnown) {
+    if (name == k.name) return k;
+    names.emplace_back(k.name);
+  }
+  throw InputError("--scale " + option, "is no source of scale; did you mean " + nearest_name(name, names) + "?",
+                   "give none, factor=F, odometry, gps, robot_pose or camera_height=METRES");
+}
+
+double positive(const std::string& option, const std::string& text, const Known& known) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
+    throw InputError("--scale " + option, "'" + text + "' is not a positive number", std::string("give for example ") + known.example);
+  return value;
+}
+
+}  // namespace
+
+std::optional<VehicleSensor> ScaleSource::sensor() const {
+  switch (kind) {
+    case Kind::kOdometry: return VehicleSensor::kOdometry;
+    case Kind::kGps: return VehicleSensor::kGps;
+    case Kind::kRobotPose: return VehicleSensor::kRobotPose;
+    default: return std::nullopt;
+  }
+}
+
+ScaleSource parse_scale_source(const std::string& option) {
+  const size_t equals = option.find('=');
+  const Known& known = known_source(option, option.substr(0, equals));
+  const bool takes_value = known.example[0] != '\0', has_value = equals != std::string::npos;
+  if (has_value && !takes_value)
+    throw InputError("--scale " + option, std::string(known.name) + " takes no value", std::string("give --scale ") + known.name);
+  if (!has_value && takes_value)
+    throw InputError("--scale " + option, "a number is missing", std::string("give for example ") + known.example);
+  return {known.kind, takes_value ? positive(option, option.substr(equals + 1), known) : 0.0, option};
+}
+
+}  // namespace edgevo

@@ -1,0 +1,73 @@
+// A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to what was measured (README.md).
+#include <gtest/gtest.h>
+#include <octomap/OcTree.h>
+
+#include <filesystem>
+
+#include "edgevo/datasets/open_source.h"
+#include "edgevo/occupancy/octree_map.h"
+#include "street_drive.h"
+#include "true_scene.h"
+
+namespace edgevo::testing {
+namespace {
+
+constexpr double kVoxel = 0.2;
+
+class MetricMap : public StreetDrive {};
+
+TEST_F(MetricMap, LengthFromTheHeightOfTheCamera) {
+  const double ratio = length_ratio(in_metres("camera_height=1.65", {}));
+  std::cout << "[ figures  ] length over truth " << ratio << std::endl;
+  EXPECT_NEAR(ratio, 1, 0.03);
+}
+
+TEST_F(MetricMap, LengthFromOdometryWithTwoPercentOfNoise) {
+  const double ratio = length_ratio(in_metres("odometry", track(0.02)));
+  std::cout << "[ figures  ] length over truth " << ratio << std::endl;
+  EXPECT_NEAR(ratio, 1, 0.01);
+}
+
+// Voxels where edges are: on surfaces. Voxels said to be free: nothing there.
+TEST_F(MetricMap, VoxelsAgainstTheTrueSurfaces) {
+  const edgevo::Run run = in_metres("robot_pose", track(0));
+  OccupancyParams params;
+  params.resolution = std::to_string(kVoxel);
+  params.max_range = "20";
+  const OctreeMap map(run, params);
+  const TrueScene truth(*renderer_, run);
+  const MapQuality quality = truth.judge(map.tree(), run, params);
+  std::cout << "[ figures  ] " << quality << std::endl;
+  EXPECT_GE(quality.occupied_on_surface, 0.95);
+  EXPECT_LE(quality.free_behind_surface, 0.006);  // the aim is 0.001, see README.md
+  EXPECT_GE(quality.mapped_points_occupied, 0.9);
+  EXPECT_GE(quality.true_edges_occupied, 0.85);
+  EXPECT_GT(quality.occupied, 1000);
+  EXPECT_GT(quality.free, 10000);
+}
+
+// KITTI's camera sits 1.65 m over the road.
+TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
+  SourceOptions options;
+  options.path = std::string(EDGEVO_DATA_DIR) + "/kitti00_first300";
+  if (!std::filesystem::is_directory(options.path))
+    GTEST_SKIP() << "NOT TESTED: there is no " << options.path << "; configure with -DEDGEVO_DATA_DIR=DIR";
+  edgevo::Run run = drive(*open_source(options));
+  const ScaleSource asked = parse_scale_source("camera_height=1.65");
+  const RunScale scale = estimate_run_scale(run, asked, {}, ScaleParams());
+  ASSERT_EQ(scale.problem, "");
+  make_metric(scale, {}, asked, &run);
+  const DriveFigures figures = measure(std::move(run), read_trajectory(options.path + "/groundtruth_tum.txt"));
+  const TrajectoryEvaluation& e = figures.evaluation;
+  double length = 0;
+  const Trajectory estimate = trajectory_of(figures.run);
+  for (size_t i = 1; i < estimate.poses.size(); ++i)
+    length += (estimate.poses[i].T_world_cam.translation() - estimate.poses[i - 1].T_world_cam.translation()).norm();
+  std::cout << "[ figures  ] length over truth " << length / figures.path_m << ", ATE SE(3) " << e.ate_se3.rmse << " m, Sim(3) "
+            << e.ate_sim3.rmse << " m" << std::endl;
+  EXPECT_NEAR(length / figures.path_m, 1, 0.03);
+  EXPECT_LE(e.ate_se3.rmse, 1.5 * e.ate_sim3.rmse + 1);
+}
+
+}  // namespace
+}  // namespace edgevo::testing

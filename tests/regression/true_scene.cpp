@@ -1,0 +1,166 @@
+#include "true_scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "edgevo/core/point_filter.h"
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo::testing {
+namespace {
+
+Eigen::Vector3d centre(const octomap::OcTree& tree, const octomap::OcTreeKey& key) {
+  const octomap::point3d p = tree.keyToCoord(key);
+  return {double(p.x()), double(p.y()), double(p.z())};
+}
+
+// From a point to the parallelogram (or its half) nearest in the plane, by clamping its coordinates: exact for rectangles.
+double distance_to(const Surface& s, const Eigen::Vector3d& p) {
+  Eigen::Matrix<double, 3, 2> sides;
+  sides << s.side_u, s.side_v;
+  Eigen::Vector2d ab = (sides.transpose() * sides).inverse() * (sides.transpose() * (p - s.origin));
+  ab = ab.cwiseMax(0).cwiseMin(1);
+  if (s.is_triangle && ab.sum() > 1) ab /= ab.sum();
+  return (s.origin + sides * ab - p).norm();
+}
+
+bool is_near_ball(const Surface& s, const Eigen::Vector3d& p, double limit) {
+  const Eigen::Vector3d middle = s.origin + 0.5 * (s.side_u + s.side_v);
+  return (p - middle).norm() <= limit + 0.5 * (s.side_u.norm() + s.side_v.norm());
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const MapQuality& q) {
+  return out << q.occupied << " occupied voxels, " << 100 * q.occupied_on_surface << " % on a surface; " << q.free << " free, "
+             << 100 * q.free_behind_surface << " % behind one; " << 100 * q.mapped_points_occupied << " % of the points' voxels kept; "
+             << 100 * q.true_edges_occupied << " % of " << q.true_edge_voxels << " voxels of true edges occupied";
+}
+
+TrueScene::TrueScene(const SceneRenderer& renderer, const Run& run) : renderer_(&renderer) {
+  const SE3 T_map = T_map_world(run);
+  std::vector<Eigen::Vector3d> map, scene;
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam) continue;
+    map.push_back((T_map * *f.T_world_cam).translation());
+    scene.push_back(renderer.scene().T_scene_cam[size_t(f.index)].translation());
+  }
+  // A straight way leaves the roll open; a second point a metre above each camera ties it.
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam) continue;
+    const Eigen::Vector3d up(0, -1, 0);
+    map.push_back(T_map * *f.T_world_cam * up);
+    scene.push_back(renderer.scene().T_scene_cam[size_t(f.index)] * up);
+  }
+  Eigen::Matrix3Xd a(3, map.size()), b(3, scene.size());
+  for (size_t i = 0; i < map.size(); ++i) a.col(Eigen::Index(i)) = map[i], b.col(Eigen::Index(i)) = scene[i];
+  const Eigen::Matrix4d T = Eigen::umeyama(a, b, false);
+  T_scene_map_ = SE3(Eigen::Matrix3d(T.topLeftCorner<3, 3>()), Eigen::Vector3d(T.topRightCorner<3, 1>()));
+  for (const KeyframeRecord& k : run.keyframes)
+    views_.push_back({renderer.scene().T_scene_cam[size_t(k.frame_index)].inverse(), renderer.render_depth(k.frame_index)});
+}
+
+double TrueScene::distance(const Eigen::Vector3d& p_map, double limit) const {
+  const Eigen::Vector3d p = T_scene_map_ * p_map;
+  double least = limit;
+  for (const Surface& s : renderer_->scene().world->surfaces)
+    if (is_near_ball(s, p, least)) least = std::min(least, distance_to(s, p));
+  return least;
+}
+
+// Some keyframe sees the point, or nothing nearer than it by more than the tolerance.
+bool TrueScene::is_seen_through(const Eigen::Vector3d& p_scene, double tolerance) const {
+  const Pinhole& pinhole = renderer_->camera().pinhole;
+  for (const View& view : views_) {
+    const Eigen::Vector3d p = view.T_cam_scene * p_scene;
+    if (p.z() < 0.1) {
+      if (p.norm() < 1) return true;  // the camera was there
+      continue;
+    }
+    const Eigen::Vector2d px = pinhole.project(p);
+    if (!pinhole.contains(px, 1)) continue;
+    const float depth = view.depth[size_t(std::lround(px.y())) * size_t(pinhole.width) + size_t(std::lround(px.x()))];
+    if (depth == 0 || double(depth) > p.z() - tolerance) return true;
+  }
+  return false;
+}
+
+bool TrueScene::is_any_part_seen_through(const Eigen::Vector3d& centre_map, double voxel) const {
+  constexpr double kTolerance = 0.05;  // of the path: its rotation errors times the depth
+  for (int corner = -1; corner < 8; ++corner) {
+    const Eigen::Vector3d sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const Eigen::Vector3d p_map = corner < 0 ? centre_map : Eigen::Vector3d(centre_map + 0.5 * voxel * sides);
+    if (is_seen_through(T_scene_map_ * p_map, kTolerance)) return true;
+  }
+  return false;
+}
+
+MapQuality TrueScene::judge(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params) const {
+  const double voxel = tree.getResolution(), half_diagonal = 0.5 * std::sqrt(3.0) * voxel;
+  octomap::OcTree voxels(tree);
+  voxels.expand();
+  MapQuality quality;
+  int64_t on_surface = 0, behind = 0;
+  for (auto leaf = voxels.begin_leafs(), end = voxels.end_leafs(); leaf != end; ++leaf) {
+    const Eigen::Vector3d p = centre(voxels, leaf.getKey());
+    if (voxels.isNodeOccupied(*leaf)) {
+      ++quality.occupied;
+      on_surface += distance(p, 2 * voxel) <= voxel + half_diagonal;  // some point of the voxel is within one voxel
+    } else if (++quality.free % 7 == 0) {
+      behind += !is_any_part_seen_through(p, voxel);
+    }
+  }
+  quality.occupied_on_surface = double(on_surface) / double(std::max<int64_t>(1, quality.occupied));
+  quality.free_behind_surface = 7 * double(behind) / double(std::max<int64_t>(1, quality.free));
+
+  const SE3 T_map = T_map_world(run);
+  int64_t points = 0, kept = 0;
+  const auto is_occupied = [&](const Eigen::Vector3d& p) {
+    const auto* node = tree.search(p.x(), p.y(), p.z());
+    return node && tree.isNodeOccupied(node);
+  };
+  for (const KeyframeRecord& k : run.keyframes)
+    for (const EdgePoint& e : k.points) {
+      const Eigen::Vector3d p_cam = point_in_camera(run.pinhole, e);
+      if (!params.points.keeps(e) || p_cam.norm() > params.given_max_range()) continue;
+      ++points;
+      kept += is_occupied(T_map * k.T_world_cam * p_cam);
+    }
+  quality.mapped_points_occupied = double(kept) / double(std::max<int64_t>(1, points));
+
+  // True edges: edge pixels of the keyframes at their true depth. Well observed: five pixels in each of five keyframes within half the range.
+  std::map<std::array<int, 3>, std::map<size_t, int>> seen;
+  PyramidBuilder builder(renderer_->camera(), EdgeParams());
+  const SE3 T_map_scene = T_scene_map_.inverse();
+  for (size_t k = 0; k < run.keyframes.size(); ++k) {
+    const auto pyramid = builder.build(renderer_->render_image(run.keyframes[k].frame_index));
+    for (const EdgePixel& e : pyramid->finest().edges.pixels) {
+      const Eigen::Vector2d px = e.position().cast<double>();
+      const float z = views_[k].depth[size_t(std::lround(px.y())) * size_t(renderer_->camera().pinhole.width) + size_t(std::lround(px.x()))];
+      const Eigen::Vector3d p_cam = double(z) * renderer_->camera().pinhole.ray(px);
+      if (!(z > 0) || p_cam.norm() > 0.5 * params.given_max_range()) continue;
+      const Eigen::Vector3d p = T_map_scene * (views_[k].T_cam_scene.inverse() * p_cam);
+      ++seen[{int(std::floor(p.x() / voxel)), int(std::floor(p.y() / voxel)), int(std::floor(p.z() / voxel))}][k];
+    }
+  }
+  int64_t found = 0;
+  for (const auto& [cell, views] : seen) {
+    const auto good = std::count_if(views.begin(), views.end(), [](const auto& v) { return v.second >= 5; });
+    if (good < 5) continue;
+    ++quality.true_edge_voxels;
+    bool any = false;
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz)
+          any |= is_occupied(voxel * Eigen::Vector3d(cell[0] + dx + 0.5, cell[1] + dy + 0.5, cell[2] + dz + 0.5));
+    found += any;
+  }
+  quality.true_edges_occupied = double(found) / double(std::max<int64_t>(1, quality.true_edge_voxels));
+  return quality;
+}
+
+}  // namespace edgevo::testing

@@ -1,0 +1,102 @@
+#include "edgevo/occupancy/edge_ply_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <octomap/OcTree.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/occupancy/edge_ply.h"
+#include "edgevo/occupancy/octree_map.h"
+#include "support/temp_folder.h"
+#include "synthetic_run.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+edgevo::Run made_run() {
+  edgevo::Run run = testing::pole_and_wall(6, 5).run;
+  run.scale_source = "camera_height=1.65";
+  run.scale.factor = 2.1, run.scale.sigma = 0.012;
+  Eigen::Matrix3d R;
+  R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  run.T_vehicle_cam = SE3(R, {0.3, 0.1, 1.2});
+  run.keyframes.back().segment = 1;
+  return run;
+}
+
+TEST(EdgePlyReader, GivesTheRunBack) {
+  const edgevo::Run run = made_run();
+  const test::TempFolder folder;
+  const int written = write_edge_ply(run, PointFilter(), folder / "edges.ply");
+  const edgevo::Run read = read_edge_ply(folder / "edges.ply");
+  EXPECT_EQ(unit_statement(read), unit_statement(run));
+  ASSERT_TRUE(read.T_vehicle_cam);
+  EXPECT_LT((read.T_vehicle_cam->matrix() - run.T_vehicle_cam->matrix()).norm(), 1e-7);
+  ASSERT_EQ(read.keyframes.size(), run.keyframes.size());
+  int points = 0;
+  for (size_t k = 0; k < run.keyframes.size(); ++k) {
+    EXPECT_LT((read.keyframes[k].T_world_cam.matrix() - run.keyframes[k].T_world_cam.matrix()).norm(), 1e-7);
+    EXPECT_EQ(read.keyframes[k].segment, run.keyframes[k].segment);
+    ASSERT_EQ(read.keyframes[k].points.size(), run.keyframes[k].points.size());
+    for (size_t i = 0; i < run.keyframes[k].points.size(); ++i, ++points) {
+      const EdgePoint &a = run.keyframes[k].points[i], &b = read.keyframes[k].points[i];
+      EXPECT_LT((point_in_camera(run.pinhole, a) - point_in_camera(read.pinhole, b)).norm(), 1e-4);
+      EXPECT_NEAR(b.idepth_sigma / b.idepth, a.idepth_sigma / a.idepth, 1e-5);
+      EXPECT_EQ(b.observations, a.observations);
+    }
+  }
+  EXPECT_EQ(points, written);
+}
+
+TEST(EdgePlyReader, TheSameMapComesOutOfIt) {
+  const edgevo::Run run = made_run();
+  const test::TempFolder folder;
+  write_edge_ply(run, PointFilter(), folder / "edges.ply");
+  OccupancyParams params;
+  params.resolution = "0.1", params.max_range = "15";
+  const OctreeMap before(run, params), after(read_edge_ply(folder / "edges.ply"), params);
+  EXPECT_NEAR(double(after.stats().occupied_voxels), double(before.stats().occupied_voxels), 0.005 * double(before.stats().occupied_voxels));
+  EXPECT_NEAR(double(after.stats().free_voxels), double(before.stats().free_voxels), 0.005 * double(before.stats().free_voxels));
+}
+
+TEST(EdgePlyReader, RefusesWhatIsNotWhole) {
+  const test::TempFolder folder;
+  write_edge_ply(made_run(), PointFilter(), folder / "edges.ply");
+  const std::string whole = content(folder / "edges.ply");
+  const auto complaint = [&](const std::string& bytes) -> std::string {
+    write_file(folder / "broken.ply", bytes);
+    try {
+      read_edge_ply(folder / "broken.ply");
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string bytes = whole;
+    return bytes.replace(bytes.find(from), from.size(), to);
+  };
+  EXPECT_THAT(complaint(""), HasSubstr("is not a PLY file of edgevo"));
+  EXPECT_THAT(complaint(whole.substr(0, 300)), HasSubstr("does not end"));
+  EXPECT_THAT(complaint(whole.substr(0, whole.size() - 1)), HasSubstr("cut short"));
+  EXPECT_THAT(complaint(with("comment scale ", "comment skale ")), HasSubstr("neither scale nor keyframes"));
+  EXPECT_THAT(complaint(with("comment keyframe 0", "comment keyframe x")), HasSubstr("not readable"));
+  EXPECT_THAT(complaint(with("comment keyframe 0", "comment keyfrane 0")), HasSubstr("keyframe"));
+  EXPECT_THAT(complaint(with("element vertex ", "element vertex x")), HasSubstr("number of points"));
+}
+
+}  // namespace
+}  // namespace edgevo

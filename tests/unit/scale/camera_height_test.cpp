@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include "drive_over_ground.h"
+#include "edgevo/scale/run_scale.h"
+
+namespace edgevo {
+namespace {
+
+using testing::drive_over_ground;
+using testing::GroundDrive;
+using testing::MadeRun;
+
+const ScaleSource kHeight{ScaleSource::Kind::kCameraHeight, 1.65, "camera_height=1.65"};
+
+MadeRun in_metres(const GroundDrive& drive) {
+  MadeRun made = drive_over_ground(drive);
+  const RunScale scale = estimate_run_scale(made.run, kHeight, {}, ScaleParams());
+  EXPECT_EQ(scale.problem, "");
+  if (scale.problem.empty()) make_metric(scale, {}, kHeight, &made.run);
+  return made;
+}
+
+double true_length(const MadeRun& made) { return 0.5 * double(made.truth.size() - 1); }
+
+TEST(CameraHeight, LengthsComeOutInMetres) {
+  const MadeRun made = in_metres({});
+  EXPECT_TRUE(made.run.is_metric());
+  EXPECT_NEAR(testing::length_of(made.run), true_length(made), 0.01 * true_length(made));
+  EXPECT_LT(std::abs(made.run.scale.factor / 2 - 1), 3 * made.run.scale.sigma);
+  EXPECT_LT(made.run.scale.sigma, 0.03);
+}
+
+TEST(CameraHeight, PitchOfTheCameraDoesNotMatter) {
+  for (const double pitch : {-0.1, 0.1}) {
+    GroundDrive drive;
+    drive.pitch = pitch;
+    EXPECT_NEAR(in_metres(drive).run.scale.factor, 2, 0.02) << pitch;
+  }
+}
+
+// The unit grows by a quarter along the way: one factor would leave metres of error.
+TEST(CameraHeight, DriftIsTakenOutWhereItAroseInPosesAndPoints) {
+  GroundDrive drive;
+  drive.metres_per_unit_begin = 1.8, drive.metres_per_unit_end = 2.3;
+  const MadeRun made = in_metres(drive);
+  EXPECT_LT(testing::largest_error(made.run, made.truth), 0.02 * true_length(made));
+  for (const size_t k : {size_t(0), made.run.keyframes.size() - 1}) {
+    const KeyframeRecord& keyframe = made.run.keyframes[k];
+    const auto& frame = *made.run.frames[size_t(keyframe.frame_index)].T_world_cam;
+    EXPECT_LT((keyframe.T_world_cam.translation() - frame.translation()).norm(), 1e-9) << "a keyframe stands where its frame does";
+    double deepest = 0;
+    for (const EdgePoint& p : keyframe.points) deepest = std::max(deepest, 1.0 / double(p.idepth));
+    EXPECT_NEAR(deepest, 14.5, 1.3) << "points lie from 5 to 15 m ahead, keyframe " << k;
+  }
+}
+
+TEST(CameraHeight, MostlyObstaclesStillShowTheGround) {
+  GroundDrive drive;
+  drive.ground_share = 0.35;
+  EXPECT_NEAR(in_metres(drive).run.scale.factor, 2, 0.04);
+}
+
+TEST(CameraHeight, NoGroundIsNoScale) {
+  GroundDrive drive;
+  drive.ground_share = 0;
+  const MadeRun made = drive_over_ground(drive);
+  const RunScale scale = estimate_run_scale(made.run, kHeight, {}, ScaleParams());
+  EXPECT_TRUE(scale.of_frame.empty());
+  EXPECT_NE(scale.problem.find("no ground"), std::string::npos);
+}
+
+TEST(CameraHeight, DegenerateRunsTellNothingAndDoNotCrash) {
+  EXPECT_FALSE(estimate_run_scale(edgevo::Run(), kHeight, {}, ScaleParams()).problem.empty());
+  GroundDrive one;
+  one.frames = 2;
+  EXPECT_FALSE(estimate_run_scale(drive_over_ground(one).run, kHeight, {}, ScaleParams()).problem.empty());
+  MadeRun still = drive_over_ground({});
+  for (FrameRecord& f : still.run.frames) f.T_world_cam = SE3();
+  for (KeyframeRecord& k : still.run.keyframes) k.T_world_cam = SE3();
+  EXPECT_FALSE(estimate_run_scale(still.run, kHeight, {}, ScaleParams()).problem.empty());
+}
+
+// A segment in which no ground was seen takes the scale of the one before, and says that it was not measured.
+TEST(CameraHeight, ASegmentWithoutGroundTakesItsNeighboursScale) {
+  MadeRun made = drive_over_ground({});
+  for (FrameRecord& f : made.run.frames) f.segment = f.index >= 200;
+  for (KeyframeRecord& k : made.run.keyframes)
+    if ((k.segment = k.frame_index >= 200) == 1) k.points.clear();
+  const RunScale scale = estimate_run_scale(made.run, kHeight, {}, ScaleParams());
+  ASSERT_FALSE(scale.of_frame.empty());
+  EXPECT_EQ(scale.of_frame.back().samples, 0);
+  EXPECT_NEAR(scale.of_frame.back().factor, 2, 0.04);
+  make_metric(scale, {}, kHeight, &made.run);
+  EXPECT_EQ(made.run.scale.frames_carried_over, 100);
+}
+
+// What is known when a frame comes: nothing at first, then the same as in the end within its deviation; from what lies behind only.
+TEST(CameraHeight, LiveScaleComesToKnowIt) {
+  const MadeRun made = drive_over_ground({});
+  LiveScale live(made.run.pinhole, kHeight, {}, std::nullopt, ScaleParams());
+  constexpr size_t kWindow = 16;  // keyframes settle that much later
+  size_t settled = 0;
+  for (const FrameRecord& f : made.run.frames) {
+    live.add_frame(f);
+    while (settled + kWindow < size_t(f.index) / 2) live.add_keyframe(made.run.keyframes[settled++]);
+  }
+  ASSERT_EQ(live.history().size(), made.run.frames.size());
+  EXPECT_FALSE(live.history().front());
+  ASSERT_TRUE(live.newest());
+  EXPECT_NEAR(live.newest()->factor, 2, 0.04);
+  edgevo::Run run = made.run;
+  make_metric(estimate_run_scale(run, kHeight, {}, ScaleParams()), live.history(), kHeight, &run);
+  EXPECT_NEAR(run.frames.back().T_world_cam_live->translation().norm(), made.truth.back().translation().norm(), 3);
+  EXPECT_EQ(run.scale.frames.front().live_factor, 0) << "it was not known then";
+}
+
+}  // namespace
+}  // namespace edgevo
