@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::vector<std::string> kOrder{"core",        "edges",       "alignment", "association", "mapping", "odometry", "occupancy",
+const std::vector<std::string> kOrder{"core",        "edges",       "alignment", "association", "mapping", "odometry", "scale", "occupancy",
                                       "mrpt_bridge", "visp_bridge", "datasets",  "simulation",  "evaluation", "study",   "mrpt_plugin"};
 
 std::vector<std::string> broken(const std::string& path, const std::string& text) {

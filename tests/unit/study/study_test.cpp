@@ -82,7 +82,7 @@ TEST(Study, AnEasySceneIsSolved) {
   for (const char* method : {"gradient", "edge_matches", "lucas_kanade"})
     for (const StudySample& s : cell(r, "frame_distance", "normal", method, "2").samples) {
       EXPECT_FALSE(s.failed) << method;
-      EXPECT_LT(s.drift_percent, 8) << method;
+      EXPECT_LT(s.drift_percent, 12) << method;  // of a step of 16 cm, 5 m before a plane
       EXPECT_GT(s.matches, 60) << method;
     }
   // A plane tells an essential matrix less than a street does.
