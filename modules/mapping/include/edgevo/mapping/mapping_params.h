@@ -19,7 +19,7 @@ struct BootstrapParams {
 };
 
 struct DepthFilterParams {
-  int max_new_points = 800;         ///< a keyframe
+  int max_new_points = 1200;        ///< a keyframe
   int cell_px = 12;                 ///< one new point a cell
   double prior_low = 0.4, prior_high = 2.5;   ///< search range around the depths seen nearby
   double far_low = 0.02, far_high = 8.0;      ///< where none is near: times the median inverse depth
