@@ -33,7 +33,7 @@ struct Odometry::Impl {
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
-    newest = pyramid;
+    newest_pyramid = pyramid;
     FrameRecord& record = records.begin_frame(frame);
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
@@ -251,11 +251,11 @@ struct Odometry::Impl {
 
   FrameView frame_view() const {
     FrameView view;
-    view.pyramid = newest;
+    view.pyramid = newest_pyramid;
     if (!has_map || lost) return view;
     view.reference_keyframe = reference->keyframe_id;
     // From the segment's map to the world lengths grow by the scale.
-    view.points = see_points(reference->cloud, T_last_ref, *newest, 1.0 / records.scale_of(segment));
+    view.points = see_points(reference->cloud, T_last_ref, *newest_pyramid, 1.0 / records.scale_of(segment));
     return view;
   }
 
@@ -279,7 +279,7 @@ struct Odometry::Impl {
   PyramidBuilder rebuilder;  // the mapping side's own
   MappingThread mapping;  // last but the state: its thread ends before what it uses
 
-  std::shared_ptr<const FramePyramid> newest;
+  std::shared_ptr<const FramePyramid> newest_pyramid;
   std::shared_ptr<const Reference> reference;
   NewestPose newest_pose;
   SE3 T_last_ref, velocity;

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/occupancy/edge_ply.h"
 #include "edgevo/occupancy/octree_map.h"
@@ -19,12 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+std::string content(const std::string& path) { return read_file(path, ""); }
 
 edgevo::Run made_run() {
   edgevo::Run run = testing::pole_and_wall(6, 5).run;

@@ -3,10 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
 #include "support/temp_folder.h"
 #include "synthetic_run.h"
 
@@ -15,12 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+std::string content(const std::string& path) { return read_file(path, ""); }
 
 struct MadeGrid {
   testing::PoleAndWall scene = testing::pole_and_wall(1, 5);
