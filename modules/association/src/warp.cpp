@@ -6,6 +6,7 @@
 
 #include "edgevo/alignment/patch_normalisation.h"
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/simd.h"
 
 namespace edgevo {
 
@@ -38,6 +39,51 @@ void project_out_normalisation(const Patch& normalised, Patch* derivative) {
   project_out_normalisation(normalised.value.data(), normalised.size(), derivative->value.data());
 }
 
+namespace {
+
+// Where the pixels of a warped patch lie in the host: grid point, as an offset into the image, and the fraction beyond it.
+struct WarpedGrid {
+  std::array<int32_t, kMaxPatchPixels> offset;
+  std::array<float, kMaxPatchPixels> fx, fy;
+};
+
+EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B, int radius, int stride, WarpedGrid* grid) {
+  const float b00 = B(0, 0), b01 = B(0, 1), b10 = B(1, 0), b11 = B(1, 1);
+  const int side = 2 * radius + 1;
+  for (int v = 0; v < side; ++v) {
+    int32_t* offset = &grid->offset[v * side];
+    float *fx = &grid->fx[v * side], *fy = &grid->fy[v * side];
+    const float dv = float(v - radius);
+#pragma omp simd
+    for (int u = 0; u < side; ++u) {
+      const float du = float(u - radius);
+      const float x = cx + b00 * du + b01 * dv, y = cy + b10 * du + b11 * dv;
+      const int x0 = int(x), y0 = int(y);
+      offset[u] = y0 * stride + x0;
+      fx[u] = x - float(x0);
+      fy[u] = y - float(y0);
+    }
+  }
+}
+
+// The four grid values around each pixel are gathered one by one and interpolated many at a time.
+template <class T>
+struct Corners {
+  std::array<T, kMaxPatchPixels> top_left, top_right, bottom_left, bottom_right;
+};
+
+template <class T>
+EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid, int count, float* __restrict out) {
+#pragma omp simd
+  for (int i = 0; i < count; ++i) {
+    const float top = float(c.top_left[i]) + grid.fx[i] * (float(c.top_right[i]) - float(c.top_left[i]));
+    const float bottom = float(c.bottom_left[i]) + grid.fx[i] * (float(c.bottom_right[i]) - float(c.bottom_left[i]));
+    out[i] = top + grid.fy[i] * (bottom - top);
+  }
+}
+
+}  // namespace
+
 template <class T>
 bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host, int radius,
                    Patch* patch) {
@@ -51,10 +97,17 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, con
         cy + reach_y < float(host.height - 1)))
     return false;
   patch->radius = radius;
-  float* to = patch->value.data();
-  for (int v = -radius; v <= radius; ++v)
-    for (int u = -radius; u <= radius; ++u)
-      *to++ = bilinear(host, cx + B(0, 0) * float(u) + B(0, 1) * float(v), cy + B(1, 0) * float(u) + B(1, 1) * float(v));
+  const int count = patch->size();
+  WarpedGrid grid;
+  place_grid(cx, cy, B, radius, int(host.stride), &grid);
+  Corners<T> corners;
+  for (int i = 0; i < count; ++i) {
+    const T* p = host.data + grid.offset[i];
+    corners.top_left[i] = p[0], corners.top_right[i] = p[1];
+    p += host.stride;
+    corners.bottom_left[i] = p[0], corners.bottom_right[i] = p[1];
+  }
+  interpolate(corners, grid, count, patch->value.data());
   return true;
 }
 

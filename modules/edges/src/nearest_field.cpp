@@ -9,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRowBits = 5;
+constexpr int kRowBits = NearestField::kRowBits;
 constexpr int16_t kFar = 0x3FFF;  // a key beyond every distance; adding a row's share does not overflow
 
 // Squared distances and column offsets around one edge pixel of a row.
@@ -22,6 +22,24 @@ struct Ramp {
   }
   std::vector<int16_t> key;
   std::vector<int8_t> back;
+};
+
+// One bit a pixel, row by row: the columns of a row come out of it in ascending order and once each, without sorting.
+class EdgeBits {
+ public:
+  EdgeBits(int width, int height) : words_((width + 63) / 64), bits_(size_t(words_) * height, 0) {}
+
+  void set(int x, int y) { bits_[size_t(y) * words_ + x / 64] |= uint64_t(1) << (x % 64); }
+  void list_row(int y, std::vector<int>* xs) const {
+    xs->clear();
+    const uint64_t* word = &bits_[size_t(y) * words_];
+    for (int w = 0; w < words_; ++w)
+      for (uint64_t rest = word[w]; rest != 0; rest &= rest - 1) xs->push_back(64 * w + __builtin_ctzll(rest));
+  }
+
+ private:
+  int words_;
+  std::vector<uint64_t> bits_;
 };
 
 // Writes, for the edges at columns `xs` (ascending) of one row, each column's squared distance and offset to the nearest.
@@ -66,20 +84,22 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
       row_offset_(edges.width, edges.height),
       index_(edges.width, edges.height) {
   const int width = edges.width, height = edges.height;
-  std::vector<std::vector<int>> columns(height);
+  EdgeBits bits(width, height);
   for (size_t i = 0; i < edges.pixels.size(); ++i) {
     const int x = std::clamp(int(std::lround(edges.pixels[i].x)), 0, width - 1);
     const int y = std::clamp(int(std::lround(edges.pixels[i].y)), 0, height - 1);
     index_.at(x, y) = int32_t(i);
-    columns[y].push_back(x);
+    bits.set(x, y);
   }
   const Ramp ramp(radius);
   const int padded = (width + kBlock - 1) / kBlock * kBlock;
   Plane<int16_t> in_row(padded, height);
+  std::vector<int> columns;
+  std::vector<bool> is_empty(height);
   for (int y = 0; y < height; ++y) {
-    std::sort(columns[y].begin(), columns[y].end());
-    columns[y].erase(std::unique(columns[y].begin(), columns[y].end()), columns[y].end());
-    fill_row(columns[y], width, radius, ramp, in_row.row(y), row_offset_.row(y));
+    bits.list_row(y, &columns);
+    is_empty[y] = columns.empty();
+    fill_row(columns, width, radius, ramp, in_row.row(y), row_offset_.row(y));
     std::fill(in_row.row(y) + width, in_row.row(y) + padded, kFar);
   }
   std::vector<int16_t> best(padded), share;
@@ -87,7 +107,7 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
   for (int y = 0; y < height; ++y) {
     rows.clear(), share.clear();
     for (int dy = std::max(-radius, -y); dy <= std::min(radius, height - 1 - y); ++dy) {
-      if (columns[y + dy].empty()) continue;
+      if (is_empty[y + dy]) continue;
       rows.push_back(in_row.row(y + dy));
       share.push_back(int16_t((dy * dy << kRowBits) + dy + radius));
     }

@@ -74,7 +74,9 @@ class EpipolarSearch {
                  const Eigen::Vector2d& normal_host, const SE3& T_target_host, const DepthFilterParams& params,
                  const AssociationParams& association)
       : host_(host), target_(target), px_host_(px_host), normal_host_(normal_host), T_(T_target_host), params_(params),
-        association_(association), rotated_ray_(T_target_host.R() * host.pinhole.ray(px_host)) {}
+        association_(association), rotated_ray_(T_target_host.R() * host.pinhole.ray(px_host)) {
+    crossings_.clear();
+  }
 
   EpipolarMatch run(const IdepthRange& range) {
     EpipolarMatch result;
@@ -96,6 +98,12 @@ class EpipolarSearch {
     double idepth = 0;
   };
 
+  // One search follows another thousands of times a frame: they share the memory.
+  static std::vector<double>& scratch() {
+    thread_local std::vector<double> memory;
+    return memory;
+  }
+
   static EpipolarMatch outcome(EpipolarOutcome o) {
     EpipolarMatch m;
     m.outcome = o;
@@ -106,8 +114,14 @@ class EpipolarSearch {
     const double step = std::max(1.0, s.length / kMaxSteps);
     const float reach = float(params_.max_edge_distance_px);
     int last_edge = -1;
-    for (double along = 0; along <= s.length; along += step) {
+    for (int i = 0; i * step <= s.length; ++i) {
+      const double along = i * step;
       const Eigen::Vector2d p = s.start + along * s.direction;
+      const double clear = clear_distance(p) - reach;
+      if (clear > 0) {  // no edge is in reach from here, nor from the next steps within `clear`
+        i += int(clear / step);
+        continue;
+      }
       const int n = target_.field.nearest(float(p.x()), float(p.y()));
       if (n < 0 || n == last_edge) continue;
       const EdgePixel& e = target_.edges.pixels[n];
@@ -115,6 +129,12 @@ class EpipolarSearch {
       last_edge = n;
       consider(e, s, along, p);
     }
+  }
+
+  // At least so far from p is the nearest edge, pixels: the field's distance is between pixels, and both p and the edge may lie half a
+  // diagonal from theirs.
+  double clear_distance(const Eigen::Vector2d& p) const {
+    return std::sqrt(double(target_.field.squared_distance(float(p.x()), float(p.y())))) - std::sqrt(2.0);
   }
 
   // One edge near the line: where the line crosses its tangent, and how alike it looks there.
@@ -194,7 +214,7 @@ class EpipolarSearch {
   bool warp_ok_ = false;
   Eigen::Matrix2d A_ = Eigen::Matrix2d::Identity();
   Patch patch_;
-  std::vector<double> crossings_;
+  std::vector<double>& crossings_ = scratch();  // of the segment with edges, pixels along it
   Candidate best_;
   double second_cost_ = 2;
 };

@@ -5,6 +5,8 @@
 // Separable: first the nearest edge within each row, then for each pixel the best of the 2 radius + 1 rows around it; the second
 // pass is a minimum over 16-bit keys (squared distance, row offset), which compilers vectorise.
 // Cost at 1241x376, radius 12: about 2 ms on one core, independent of the number of edges.
+#include <algorithm>
+
 #include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/plane.h"
 
@@ -13,6 +15,7 @@ namespace edgevo {
 class NearestField {
  public:
   static constexpr int kMaxRadius = 15;  ///< squared distance and row offset must fit 15 bits
+  static constexpr int kRowBits = 5;     ///< of these, for the row offset
 
   NearestField() = default;
   /// `radius` in pixels, 1..kMaxRadius. Edge positions are rounded to the pixel they lie in.
@@ -25,11 +28,17 @@ class NearestField {
     if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return -1;
     return nearest_at(int(x + 0.5f), int(y + 0.5f));
   }
-  /// The same for an integer pixel inside the image.
+  /// Squared distance from (x, y), rounded to the next pixel, to the pixel of the nearest edge; radius^2 + 1 where there is none within
+  /// the radius or (x, y) lies outside the image. A quarter of the memory traffic of `nearest`: asked first where edges are rare.
+  int squared_distance(float x, float y) const {
+    if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return none_ >> kRowBits;
+    return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kRowBits;
+  }
+  /// The same as `nearest` for an integer pixel inside the image.
   int nearest_at(int x, int y) const {
     const int key = keys_.at(x, y);
     if (key >= none_) return -1;
-    const int row = y + (key & 31) - radius_;
+    const int row = y + (key & ((1 << kRowBits) - 1)) - radius_;
     return index_.at(x + row_offset_.at(x, row), row);
   }
 
