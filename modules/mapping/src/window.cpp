@@ -16,6 +16,7 @@ namespace {
 constexpr int kMaxMisses = 3;       // a point that more keyframes than this should have seen is dropped
 constexpr double kDropSigmas = 4.0; // observations beyond this after the last adjustment are dropped
 constexpr double kViewBorderPx = 6;
+constexpr double kEnoughDecrease = 1e-3;  // share of the cost; what is left after it is below the noise of the matches
 
 bool in_view(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host, double idepth,
              Eigen::Vector2d* px) {
@@ -291,6 +292,7 @@ WindowStats Window::adjust() {
   BaOptions options;
   options.huber_width = params_.ba_huber;
   options.max_iterations = params_.ba_iterations;
+  options.relative_decrease = kEnoughDecrease;
   Adjustment adjustment = build_adjustment();
   BaResult result = adjuster_->solve(&adjustment.problem, options);
   if (!result.usable) return stats;
