@@ -30,6 +30,7 @@ case "${1:-}" in
 esac
 [ "${CI:-}" = true ] && warnings=ON || warnings=OFF
 command -v ccache >/dev/null && launcher=ccache || launcher=
+export CCACHE_SLOPPINESS=pch_defines,time_macros  # what ccache asks for where headers are precompiled
 
 share/install_dependencies.sh
 cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks \

@@ -32,5 +32,7 @@ function(edgevo_add_tests module)
   target_link_libraries(test_${module} PRIVATE edgevo::${module} ${ARG_LINKS} GTest::gmock GTest::gtest_main)
   target_include_directories(test_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_compile_definitions(test_${module} PRIVATE EDGEVO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # A third of the time that the tests take to compile. Modules are compiled without: their headers must stand alone.
+  target_precompile_headers(test_${module} PRIVATE <gtest/gtest.h> <Eigen/Dense>)
   gtest_discover_tests(test_${module} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
 endfunction()
