@@ -202,6 +202,7 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->camera = calibration_.state();
   reference->cloud = make_reference_cloud(keyframe.pyramid, window_.tracking_cloud(keyframe), gradient_patches_);
   reference->known_points = int(window_.cloud(keyframe).size());
+  reference->view_share = window_.view_share(keyframe);
   reference->median_idepth = median_idepth_;
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
   reference_ = std::move(reference);

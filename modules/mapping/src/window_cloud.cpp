@@ -67,4 +67,18 @@ std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
   return cloud;
 }
 
+double Window::view_share(const Keyframe& keyframe) const {
+  int all = 0, in_view = 0;
+  for (const Keyframe& host : keyframes_) {
+    const SE3 T = relative_pose(keyframe, host);
+    const Eigen::Matrix3d R = T.R();
+    all += int(host.points.size());
+    for (const MapPoint& p : host.points) {
+      const Eigen::Vector3d Y = R * pinhole_.ray(p.px) + p.idepth * T.translation();
+      in_view += Y.z() > kMinProjectedDepth && pinhole_.contains(pinhole_.project(Y));
+    }
+  }
+  return all > 0 ? double(in_view) / all : 0.0;
+}
+
 }  // namespace edgevo

@@ -61,7 +61,8 @@ struct Odometry::Impl {
   // A rotation has turned the camera away from nearly all that has depth. The rotation can be followed, a translation only while what
   // is left explains the images: where it does not, a new map is sought beside the old one.
   bool is_out_of_map() {
-    const bool few = has_map && !lost && reference->known_points < kFewKnownPoints;
+    // Bad light leaves few points, too, but they are in view: a new map would see no more of them.
+    const bool few = has_map && !lost && reference->known_points < kFewKnownPoints && reference->view_share < kTurnedAwayShare;
     if (!few) unexplained_frames = 0;  // fast motion blurs images of a map that is in view, too
     if (seeking && !few && has_map && !lost) bootstrap.reset();
     seeking = few && (seeking || unexplained_frames >= kManyUnexplained);
@@ -266,6 +267,7 @@ struct Odometry::Impl {
   static constexpr int kMinEdges = 200;        // with fewer an image shows nothing to follow
   static constexpr int kLongGap = 10;          // frames
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
+  static constexpr double kTurnedAwayShare = 0.15;  // of the window's points in view; below it the camera has turned away from the map
   // A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a map.
   static constexpr double kExplainedShare = 0.7, kExplainedResidualPx = 1.0;
   static constexpr int kManyUnexplained = 6;   // more frames that are not explained than others, of late

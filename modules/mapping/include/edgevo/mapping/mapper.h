@@ -22,6 +22,7 @@ struct Reference {
   SE3 T_ref_world;
   ReferenceCloud cloud;
   int known_points = 0;                 ///< of the cloud's points, those of known depth
+  double view_share = 1;                ///< of all points of the window, those that lie in its image, matched there or not
   double median_idepth = 1;             ///< of the map where the newest keyframe sees it
   std::map<int, SE3> T_keyframe_world;  ///< of all keyframes in the window
   CameraRefinement camera;              ///< that this map was made with
