@@ -32,6 +32,9 @@ class Odometry {
   /// The next frame, in time order. The record holds what is known now; poses found later (bootstrap) and final poses come with
   /// finish(). Throws InputError if the image does not have the camera's size.
   const FrameRecord& process(const Frame& frame);
+  /// A frame that came and is not to be processed, since the program is behind its camera: it gets its row, without a pose and with
+  /// `why` as its note, and the next frame is expected further on. The image is not used.
+  const FrameRecord& pass_over(const Frame& frame, const std::string& why);
 
   /// What the newest frame sees of the map. In the thread of process(). Cost: one projection a point, about 0.1 ms.
   FrameView frame_view() const;
