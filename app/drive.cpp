@@ -77,9 +77,11 @@ void listen_to_signals() {
 
 bool interrupted() { return signalled != 0; }
 
-Drive drive(ImageSource& source, const OdometryParams& params, const OdometryOptions& options,
+Drive drive(ImageSource& source, const OdometryParams& params, OdometryOptions options,
             const std::function<bool(const DrivenFrame&)>& on_frame, const Pace& pace) {
   cv::setNumThreads(1);  // the threads are ours: tracking and mapping
+  // Frames that come at their own time do not wait: better an older map than a late pose.
+  if (source.is_live() || pace.kind != Pace::Kind::kAtOnce) options.max_frames_ahead = 3;
   Odometry odometry(source.camera(), params, options);
   Drive result;
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };

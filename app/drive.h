@@ -26,7 +26,7 @@ struct DrivenFrame {
 /// `on_frame` is called after each frame; false ends the drive. A realtime run gets its frames at `pace`, read ahead, and measures its
 /// latency (FrameRecord::latency_ms, Run::realtime). Throws InputError for an unusable camera, detector or pace; what the source throws is
 /// returned, so that what was computed before can be written first.
-Drive drive(ImageSource& source, const OdometryParams& params, const OdometryOptions& options,
+Drive drive(ImageSource& source, const OdometryParams& params, OdometryOptions options,
             const std::function<bool(const DrivenFrame&)>& on_frame, const Pace& pace = {});
 
 /// From here on SIGINT and SIGTERM (job schedulers end a run by it) no longer end the program: they end drives.

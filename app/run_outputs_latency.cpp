@@ -42,10 +42,12 @@ std::string latency_statement(const Run& run) {
   const std::optional<LatencyFigures> latency = latency_figures(run);
   if (!run.realtime || !latency) return "";
   const RealtimeRecord& r = *run.realtime;
-  return "pace " + r.pace + "; reached " + fixed(r.frames_per_second, 1) + " frames/s; latency until the pose, ms: median " +
-         fixed(latency->p50, 1) + ", 95 % " + fixed(latency->p95, 1) + ", 99 % " + fixed(latency->p99, 1) + ", max " +
-         fixed(latency->max, 1) + "; " + std::to_string(r.late) + " of " + std::to_string(r.handed_over) + " frames handed over late, " +
-         std::to_string(r.dropped) + " dropped, " + std::to_string(r.left_out_of_mapping) + " not used for depths";
+  return "pace " + r.pace + "; reached " + fixed(r.frames_per_second, 1) +
+         " frames/s; latency until the pose, ms: median " + fixed(latency->p50, 1) + ", 95 % " +
+         fixed(latency->p95, 1) + ", 99 % " + fixed(latency->p99, 1) + ", max " + fixed(latency->max, 1) +
+         "; " + std::to_string(r.late) + " of " + std::to_string(r.handed_over) +
+         " frames handed over late, " + std::to_string(r.dropped) + " dropped, " +
+         std::to_string(r.left_out_of_mapping) + " not used for depths";
 }
 
 }  // namespace edgevo::app

@@ -1,7 +1,9 @@
 #pragma once
-// How a --realtime run keeps up with its source: measured while it runs, and told in summary.yaml, report.html and the closing line.
+// How a --realtime run keeps up with its source: measured while it runs, and told in summary.yaml,
+// report.html and the closing line.
 //
-// Latency of a frame: from when it was due (a recording), came in (a live camera) or was fetched (no pace), until its pose was there.
+// Latency of a frame: from when it was due (a recording), came in (a live camera) or was fetched (no pace),
+// until its pose was there.
 #include <optional>
 #include <string>
 #include <vector>

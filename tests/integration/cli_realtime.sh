@@ -39,5 +39,5 @@ below "frames a second at the desk: not faster than its pace" "$(told desk frame
 run_code 0 "$edgevo" run "$scenes/desk" -o own --realtime --pace 10x --frames 0:20
 check "the closing lines tell how it kept up" "$(grep -c "pace the source's own times, 10 times as fast; reached .* 20 frames handed over late, 0 dropped" stdout)" -eq 1
 complains 'requires --realtime' "$edgevo" run "$scenes/desk" -o out --pace 30
-complains "pace 'fast'.: is no pace" "$edgevo" run "$scenes/desk" -o out --realtime --pace fast
+complains "pace 'fast': is no pace" "$edgevo" run "$scenes/desk" -o out --realtime --pace fast
 finish

@@ -30,15 +30,17 @@ Pace parse_pace(const std::string& text) {
   const char* const end = text.data() + text.size() - (by_times ? 1 : 0);
   const auto read = std::from_chars(text.data(), end, pace.value);
   if (read.ec != std::errc() || read.ptr != end || !(pace.value >= kLeast && pace.value <= kMost))
-    throw InputError("--pace '" + text + "'", "is no pace",
-                     "give frames a second such as 30, or 1x for the source's own times (0.5x: half as fast)");
+    throw InputError(
+        "--pace '" + text + "'", "is no pace",
+        "give frames a second such as 30, or 1x for the source's own times (0.5x: half as fast)");
   return pace;
 }
 
 std::string describe(const Pace& pace) {
   if (pace.kind == Pace::Kind::kAtOnce) return "none: each frame as soon as the one before was done";
   if (pace.kind == Pace::Kind::kRate) return short_number(pace.value) + " frames a second";
-  return "the source's own times" + (pace.value == 1 ? "" : ", " + short_number(pace.value) + " times as fast");
+  return "the source's own times" +
+         (pace.value == 1 ? "" : ", " + short_number(pace.value) + " times as fast");
 }
 
 }  // namespace edgevo

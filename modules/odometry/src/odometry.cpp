@@ -29,7 +29,7 @@ struct Odometry::Impl {
   // ---- one frame -------------------------------------------------------------------------------------------------
 
   const FrameRecord& process(const Frame& frame) {
-    if (frames_ahead >= kMaxAhead) mapping.wait_keyframe();
+    if (frames_ahead >= options.max_frames_ahead) mapping.wait_keyframe();
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
@@ -278,7 +278,6 @@ struct Odometry::Impl {
 
   static constexpr int kMinEdges = 200;        // with fewer an image shows nothing to follow
   static constexpr int kLongGap = 10;          // frames
-  static constexpr int kMaxAhead = 3;          // frames: whoever runs further ahead of the map loses it
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
   // A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a map.
   static constexpr double kExplainedShare = 0.7, kExplainedResidualPx = 1.0;

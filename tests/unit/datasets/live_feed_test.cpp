@@ -1,4 +1,5 @@
-// The feed by a clock that only moves when somebody sleeps or works, so that every time is exact on any machine.
+// The feed by a clock that only moves when somebody sleeps or works, so that every time is exact on any
+// machine.
 #include "edgevo/datasets/live_feed.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,8 @@ class TestClock : public FeedClock {
 // Frames 0, 1, ... a quarter of a second apart; then the end, or an error.
 class TestSource : public ImageSource {
  public:
-  explicit TestSource(int frames, bool live = false, bool breaks = false) : frames_(frames), live_(live), breaks_(breaks) {}
+  explicit TestSource(int frames, bool live = false, bool breaks = false)
+      : frames_(frames), live_(live), breaks_(breaks) {}
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return frames_; }
   std::string kind() const override { return "test"; }
@@ -108,7 +110,8 @@ TEST(LiveFeed, AFrameOfARecordingIsLateRatherThanDropped) {
   const Told told = take_all(feed, *clock, 0.15);
   EXPECT_EQ(told.index.size(), 30u);
   EXPECT_TRUE(told.dropped.empty());
-  for (size_t i = 0; i < 30; ++i) EXPECT_NEAR(told.due_s[i], 0.1 * double(i), 1e-6);  // work does not move what is due
+  for (size_t i = 0; i < 30; ++i)
+    EXPECT_NEAR(told.due_s[i], 0.1 * double(i), 1e-6);  // work does not move what is due
   for (size_t i = 0; i < 30; ++i) EXPECT_NEAR(told.handed_s[i], 0.15 * double(i), 1e-6);
 }
 
@@ -124,7 +127,8 @@ TEST(LiveFeed, WithoutAPaceAFrameIsDueWhenItIsAskedFor) {
 TEST(LiveFeed, ReadsAFewFramesAhead) {
   TestSource source(100);
   LiveFeed feed(source, parse_pace("10"), std::make_shared<TestClock>());
-  while (source.given() < int(LiveFeed::kReadAhead) + 1) std::this_thread::yield();  // that one waits for room
+  while (source.given() < int(LiveFeed::kReadAhead) + 1)
+    std::this_thread::yield();  // that one waits for room
   EXPECT_EQ(feed.next(never)->frame.index, 0);
   while (source.given() < int(LiveFeed::kReadAhead) + 2) std::this_thread::yield();
   EXPECT_EQ(source.given(), int(LiveFeed::kReadAhead) + 2);

@@ -28,11 +28,13 @@ TEST(Pace, TimesOfTheSourceAtAnySpeed) {
 }
 
 TEST(Pace, WhatIsNoneIsToldInOneLine) {
-  for (const char* text : {"", "x", "0", "0x", "-30", "fast", "30 fps", "1x2", "nan", "infx", "1e9", "1e-9x"}) try {
+  for (const char* text : {"", "x", "0", "0x", "-30", "fast", "30 fps", "1x2", "nan", "infx", "1e9", "1e-9x"})
+    try {
       parse_pace(text);
       ADD_FAILURE() << text;
     } catch (const InputError& e) {
-      EXPECT_THAT(e.what(), HasSubstr("--pace '" + std::string(text) + "': is no pace; give frames a second such as 30"));
+      EXPECT_THAT(e.what(), HasSubstr("--pace '" + std::string(text) +
+                                      "': is no pace; give frames a second such as 30"));
     }
 }
 

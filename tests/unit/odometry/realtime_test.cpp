@@ -67,7 +67,7 @@ TEST(Realtime, FramesThatArePassedOverKeepTheirRow) {
     else
       EXPECT_EQ(odometry.pass_over(frame, "no time").note, "no time");
   }
-  const Run run = odometry.finish();
+  const auto run = odometry.finish();
   ASSERT_EQ(run.frames.size(), size_t(kAll));
   for (int k = kBegin; k < kEnd; ++k) {
     EXPECT_EQ(run.frames[size_t(k)].state, TrackingState::kLost);

@@ -1,9 +1,10 @@
 #pragma once
-// Hands out the frames of a source as a camera would: each when it is due. Images are read and decoded ahead in a thread of the feed's
-// own, so that this does not count as the delay of whoever uses them.
+// Hands out the frames of a source as a camera would: each when it is due. Images are read and decoded ahead
+// in a thread of the feed's own, so that this does not count as the delay of whoever uses them.
 //
-// A recording waits: nothing of it is ever dropped, and a frame that is not fetched when it is due is handed out late. A live camera does
-// not: while more than kMaxWaiting frames wait, the oldest of them is dropped, and the next frame that is handed out says so.
+// A recording waits: nothing of it is ever dropped, and a frame that is not fetched when it is due is handed
+// out late. A live camera does not: while more than kMaxWaiting frames wait, the oldest of them is dropped,
+// and the next frame that is handed out says so.
 //
 //   LiveFeed feed(source, parse_pace("30"));
 //   while (auto fed = feed.next([] { return false; })) use(fed->frame);
@@ -35,9 +36,11 @@ std::shared_ptr<FeedClock> steady_clock();
 
 struct FedFrame {
   Frame frame;
-  double due_s = 0;     ///< of the feed's clock: when it was due. Live camera: when it came in; pace kAtOnce: when it was asked for and there
+  double due_s = 0;     ///< of the feed's clock: when it was due. Live camera: when it came in; pace kAtOnce:
+                        ///< when it was asked for and there
   double handed_s = 0;  ///< when it was handed out, due_s or later
-  std::vector<Frame> dropped;  ///< frames that came before it and were not handed out, in order, without their images
+  std::vector<Frame>
+      dropped;  ///< frames that came before it and were not handed out, in order, without their images
 };
 
 class LiveFeed {
@@ -45,14 +48,14 @@ class LiveFeed {
   static constexpr size_t kReadAhead = 4;    ///< frames of a recording that are decoded beforehand
   static constexpr size_t kMaxWaiting = 16;  ///< of a live camera; half a second at 30 frames a second
 
-  /// Begins to read. `source` is not to be used otherwise until the feed has gone. A live camera paces itself: throws InputError for any
-  /// other pace than kAtOnce.
+  /// Begins to read. `source` is not to be used otherwise until the feed has gone. A live camera paces
+  /// itself: throws InputError for any other pace than kAtOnce.
   LiveFeed(ImageSource& source, const Pace& pace, std::shared_ptr<FeedClock> clock = steady_clock());
   /// Waits for the image that is being read.
   ~LiveFeed();
 
-  /// Waits until the next frame is due; nullopt at the end, or when `stop` has become true meanwhile (asked every 50 ms). Throws what the
-  /// source threw, after all frames before.
+  /// Waits until the next frame is due; nullopt at the end, or when `stop` has become true meanwhile (asked
+  /// every 50 ms). Throws what the source threw, after all frames before.
   std::optional<FedFrame> next(const std::function<bool()>& stop);
   /// Seconds by the clock that due_s is told in.
   double now_s() const { return clock_->now_s(); }

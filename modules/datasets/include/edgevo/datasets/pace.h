@@ -15,7 +15,8 @@ struct Pace {
   Kind kind = Kind::kAtOnce;
   double value = 0;
 
-  /// Seconds after the first image (taken at `first`) at which the n-th (from 0, of those that are taken) is due. Not for kAtOnce.
+  /// Seconds after the first image (taken at `first`) at which the n-th (from 0, of those that are taken) is
+  /// due. Not for kAtOnce.
   double due_s(int n, Timestamp first, Timestamp time) const;
 };
 
