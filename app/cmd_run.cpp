@@ -5,9 +5,11 @@
 #include "drive.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/open_source.h"
+#include "edgevo/datasets/pace.h"
 #include "option_checks.h"
 #include "progress.h"
 #include "run_outputs.h"
+#include "run_outputs_latency.h"
 #include "run_params.h"
 #include "run_scale.h"
 #include "run_view.h"
@@ -24,6 +26,7 @@ struct RunArguments {
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false, view = false;
+  Pace pace;
   std::vector<std::string> command_line;
 };
 
@@ -76,7 +79,7 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   const auto view = view_as_asked(args, source);
-  return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
+  return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress), args.pace);
 }
 
 void print_summary(const Run& run, const std::string& out) {
@@ -90,6 +93,7 @@ void print_summary(const Run& run, const std::string& out) {
   for (const KeyframeRecord& k : run.keyframes) points += k.points.size();
   std::printf("%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points; scale %s\n",
               run.frames.size(), posed, lost, segments, run.keyframes.size(), points, run.scale_source.c_str());
+  if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
   std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());
 }
 
@@ -138,7 +142,13 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--scale", args->scale, "where the metre comes from: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps, robot_pose "
                       "(of the rawlog), camera_height=METRES (over the ground it drives on)");
-  command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads; not bit-identical");
+  CLI::Option* realtime = command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads, latencies measured; not bit-identical");
+  command
+      ->add_option_function<std::string>(
+          "--pace", [args](const std::string& text) { args->pace = parse_pace(text); },
+          "with --realtime: when frames of a recording are due: 30 (a second), 1x (as their times say), 0.5x (half as fast); without it "
+          "each as soon as the one before is done")
+      ->needs(realtime);
   command->add_flag("--view", args->view, "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
   command->footer("Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a source.");

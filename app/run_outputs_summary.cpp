@@ -7,6 +7,7 @@
 
 #include "edgevo/core/output_file.h"
 #include "edgevo_build_info.h"
+#include "run_outputs_latency.h"
 #include "run_outputs_stages.h"
 
 namespace edgevo::app {
@@ -225,6 +226,25 @@ void write_stages(const Run& run, YamlWriter* y) {
   y->close();
 }
 
+void write_realtime(const Run& run, YamlWriter* y) {
+  if (!run.realtime) return;
+  const RealtimeRecord& r = *run.realtime;
+  y->open("realtime");
+  y->text("pace", r.pace);
+  y->number("frames_per_second", r.frames_per_second, 3);
+  y->integer("handed_over", r.handed_over);
+  y->integer("late", r.late);
+  y->integer("dropped", r.dropped);
+  y->integer("left_out_of_mapping", r.left_out_of_mapping);
+  if (const auto latency = latency_figures(run)) {
+    y->open("latency_ms");
+    for (const auto& [name, ms] : {std::pair("p50", latency->p50), {"p95", latency->p95}, {"p99", latency->p99}, {"max", latency->max}})
+      y->number(name, ms, 3);
+    y->close();
+  }
+  y->close();
+}
+
 void write_timing(const SummaryInput& input, YamlWriter* y) {
   const double frames = std::max<double>(1, double(input.run.frames.size()));
   y->open("timing");
@@ -269,6 +289,7 @@ std::string summary_yaml(const SummaryInput& input) {
   write_trajectory(input.run, &y);
   write_map(input.run, input.map, &y);
   write_timing(input, &y);
+  write_realtime(input.run, &y);
   y.list("not_written", input.not_written);
   if (!input.info.notes.empty()) y.open("notes");
   for (const auto& [key, value] : input.info.notes) y.text(key, value);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "edgevo/core/output_file.h"
+#include "run_outputs_latency.h"
 #include "run_outputs_stages.h"
 #include "run_report_advice.h"
 #include "run_report_chart.h"
@@ -266,7 +267,7 @@ std::string timing_section(const Run& run) {
   chart.y_max = 1.5 * percentile(totals, 0.98);
   const bool cut = totals.back() > chart.y_max;
   return section_html("timing", "Time by stage",
-                      draw(chart) +
+                      (run.realtime ? note_html("Two threads: " + latency_statement(run) + ".") : "") + draw(chart) +
                           (cut ? note_html("The largest frame takes " + fixed(totals.back(), 0) +
                                            " ms and leaves the drawing.")
                                : "") +

@@ -41,14 +41,14 @@ check "odometry" "$(observations EDGE_VO_ODO)" -eq "$(observations EDGE_VO)"
 check "scans of edge points" "$(observations EDGE_VO_POINTS)" -ge 10
 check "image files" "$(ls edges_*_Images | wc -l)" -eq "$frames"
 run_code 0 "$edgevo" run "$rawlog" -o again --quiet
-run_code 0 "$edgevo" run "$street" -o direct --quiet
-same "trajectory of the recording" direct/trajectory_tum.txt again/trajectory_tum.txt
+direct=$scenes/runs/street
+same "trajectory of the recording" "$direct/trajectory_tum.txt" again/trajectory_tum.txt
 below "its ATE, metres" "$(ate again "$street")" 0.15
 # What was recorded live is what the run knew when each frame came, as MRPT's exporter tells it (x forward).
 rawlog-edit --export-txt -i "$rawlog" >/dev/null 2>&1 </dev/null
 # The frames of the bootstrap, which have their pose only afterwards, are not in it.
 awk '!/^%/ { print $2 }' "${rawlog%.rawlog}_EDGE_VO.txt" >recorded.txt
-awk '/^[0-9]/ { print $4 }' direct/trajectory_live_tum.txt | tail -n "$(wc -l <recorded.txt)" >live.txt
+awk '/^[0-9]/ { print $4 }' "$direct/trajectory_live_tum.txt" | tail -n "$(wc -l <recorded.txt)" >live.txt
 below "difference of the recorded poses from the live ones" "$(paste live.txt recorded.txt |
   awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; if (NF != 2) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
 
@@ -86,7 +86,7 @@ refused rawlog_grabber_camera.ini "s|^calibration_file = .*|calibration_file = $
 
 # The edge OctoMap by a stock program. Without the plug-in it knows no such map.
 export LD_PRELOAD="$plugin"
-observations2map "$share/observations2map_edge_octomap.ini" direct/keyframes.simplemap map >map.log 2>&1 </dev/null
+observations2map "$share/observations2map_edge_octomap.ini" "$direct/keyframes.simplemap" map >map.log 2>&1 </dev/null
 check "observations2map's exit code" $? -eq 0
 unset LD_PRELOAD
 bt=$(ls map*CEdgeOctoMap*.bt)

@@ -1,14 +1,43 @@
 #!/bin/sh
-# Tracking and mapping in two threads: every frame has a row, the great majority a pose, and the trajectory is right.
+# Tracking and mapping in two threads: every frame has a row, the great majority a pose, the trajectory is right, and how the run
+# kept up with its source is told.
 . "$(dirname "$0")/cli_common.sh"
+
+# told OUT KEY: a number of `realtime:` in summary.yaml.
+told() { sed -n "/^realtime:/,/^[a-z]/s/^ *$2: //p" "$1/summary.yaml"; }
+# keeps_up OUT FRAMES: sums and percentiles are there and agree with frames.csv.
+keeps_up() {
+  check "mode in summary.yaml" "$(grep -c 'mode: "realtime' "$1/summary.yaml")" -eq 1
+  check "frames handed over" "$(told "$1" handed_over)" -eq "$2"
+  check "frames dropped" "$(told "$1" dropped)" -eq 0
+  check "frames handed over late" "$(told "$1" late)" -le "$2"
+  # The largest of the column is the largest that is told, and the percentiles are in order.
+  largest=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "latency_ms") c = i } NR > 1 { n += $c != ""; if ($c + 0 > m) m = $c + 0 }
+    END { printf "%d %.3f", n, m }' "$1/frames.csv")
+  [ "$largest" = "$2 $(told "$1" max)" ] && ok "latencies in frames.csv: $largest" || fail "latencies: $largest, told: $(told "$1" max)"
+  figures="$(told "$1" p50) $(told "$1" p95) $(told "$1" p99) $(told "$1" max)"
+  echo "0 $figures" | awk '{ exit !(NF == 5 && $1 < $2 && $2 <= $3 && $3 <= $4 && $4 <= $5) }' && ok "percentiles $figures" || fail "percentiles: $figures"
+}
+
 for name in street desk; do
   sequence=$scenes/$name
   frames=$(wc -l <"$sequence/times.txt")
-  run_code 0 "$edgevo" run "$sequence" -o $name --realtime --quiet
+  pace=
+  [ $name = street ] || pace='--pace 60'
+  run_code 0 "$edgevo" run "$sequence" -o $name --realtime $pace --quiet
   check "rows of frames.csv" "$(rows $name)" -eq "$frames"
   check "poses" "$(poses $name)" -ge $((frames * 8 / 10))
-  check "mode in summary.yaml" "$(grep -c 'mode: "realtime' $name/summary.yaml)" -eq 1
+  keeps_up $name "$frames"
 done
 below "ATE in metres on the street (path 45 m)" "$(ate street "$scenes/street")" 0.5
 below "ATE in metres at the desk (path 0.5 m)" "$(ate desk "$scenes/desk")" 0.03
+check "street without a pace" "$(grep -c 'pace: "none' street/summary.yaml)" -eq 1
+check "pace of the desk" "$(grep -c 'pace: "60 frames a second"' desk/summary.yaml)" -eq 1
+below "frames a second at the desk: not faster than its pace" "$(told desk frames_per_second)" 61
+
+# By its own times, ten times as fast: said at the end of the run.
+run_code 0 "$edgevo" run "$scenes/desk" -o own --realtime --pace 10x --frames 0:20
+check "the closing lines tell how it kept up" "$(grep -c "pace the source's own times, 10 times as fast; reached .* 20 frames handed over late, 0 dropped" stdout)" -eq 1
+complains 'requires --realtime' "$edgevo" run "$scenes/desk" -o out --pace 30
+complains "pace 'fast': is no pace" "$edgevo" run "$scenes/desk" -o out --realtime --pace fast
 finish

@@ -10,15 +10,18 @@ names() { ls "$1" | cksum | cut -d' ' -f1; }
 times_of() { "$edgevo" info "$1" | grep -e '^frames' -e '^duration' -e '^rate' -e '^gaps'; }
 calibration_of() { "$edgevo" info "$1" | grep -e '^camera' -e '^distortion' -e '^image size'; }
 
+# From a rawlog the same images come in, whatever the kind: three of them show it.
 for kind in drift jumps gamma vignette glare eaten shadows blur noise mixed; do
-  for from in seq seq.rawlog; do
+  sources=seq
+  case $kind in drift | noise | mixed) sources="seq seq.rawlog" ;; esac
+  for from in $sources; do
     out=$kind-of-folder
     [ $from = seq ] || out=$kind-of-rawlog
     run_code 0 "$edgevo" relight $from -o "$out" --kind $kind --seed 3
     check "same names, $out" "$(names "$out/images")" -eq "$(names seq/images)"
     for file in times.txt camera.txt groundtruth_tum.txt; do same "$file, $out" seq/$file "$out/$file"; done
   done
-  for image in 000007 000012 000019; do
+  [ "$sources" = seq ] || for image in 000007 000012 000019; do
     same "image $image, $kind, folder and rawlog" $kind-of-folder/images/$image.png $kind-of-rawlog/images/$image.png
   done
   # The first jump comes after more than a second: see the unit tests.

@@ -1,7 +1,9 @@
 #!/bin/sh
-# cli_render.sh EDGEVO SCENES: renders the sequences that the cli_*.sh tests run on.
+# cli_render.sh EDGEVO SCENES: renders the sequences that the cli_*.sh tests run on, and runs them once: a plain run with the
+# default seed lies in SCENES/runs/NAME, for the tests that look at the results of one or compare another with it.
 set -eu
 edgevo=$1 scenes=$2
 rm -rf "$scenes"
 "$edgevo" simulate street --frames 0:50 -o "$scenes/street"
 "$edgevo" simulate desk --frames 0:60 -o "$scenes/desk"
+for name in street desk; do "$edgevo" run "$scenes/$name" -o "$scenes/runs/$name" --quiet; done

@@ -30,6 +30,7 @@ check "rows that tell the time of their edges" "$(awk -F, 'NR == 1 { for (i = 1;
 below "ATE in metres" "$(ate $out "$sequence")" 0.15
 check "matched poses in eval --json" "$(sed -n 's/.*"matched_poses": *\([0-9]*\).*/\1/p' eval.json)" -eq "$(poses $out)"
 check "input frames that eval read beside the trajectory" "$(sed -n 's/.*"input_frames": *\([0-9]*\).*/\1/p' eval.json)" -eq "$frames"
+below "ATE in metres at the desk (path 0.5 m)" "$(ate "$scenes/runs/desk" "$scenes/desk")" 0.003
 run_code 0 "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt"
 check "ATE in the table" "$(grep -c '^ATE RMSE' stdout)" -eq 2
 

@@ -19,8 +19,8 @@ check "folders that a command which cannot run leaves" "$(ls -d out 2>/dev/null 
 run_code 0 "$edgevo" servo --help
 check "help of edgevo servo" "$(grep -c -- '--blackout' stdout)" -ge 1
 
-# At 10 images a second, half of the default, to be done sooner.
-run_code 0 "$edgevo" servo -o dark --quiet --latency 0.06 --rate 10 --law pbvs --light mixed --blackout 1
+# At 10 images a second, half of the default, and with a larger gain, to be done sooner.
+run_code 0 "$edgevo" servo -o dark --quiet --latency 0.06 --rate 10 --gain 1.6 --law pbvs --light mixed --blackout 1
 check "stopped by the blackout" "$(value dark stops)" -ge 1
 below "stopped, seconds" 0.7 "$(value dark stopped_s)"
 below "PBVS with light changes and blackout, mm" "$(value dark final_mm)" 5
@@ -30,7 +30,7 @@ for file in servo.csv start.png taught.png final.png convergence.svg report.html
   check "bytes of $file" "$(wc -c <dark/$file)" -gt 1000
 done
 
-run_code 0 "$edgevo" servo -o ibvs --quiet --latency 0.06 --rate 10 --law ibvs --scale-error 2
+run_code 0 "$edgevo" servo -o ibvs --quiet --latency 0.06 --rate 10 --gain 1.6 --law ibvs --scale-error 2
 below "IBVS with twice the scale, px" "$(value ibvs final_px)" 1
 below "IBVS with twice the scale, mm" "$(value ibvs final_mm)" 5
 check "never stopped" "$(value ibvs stops)" -eq 0

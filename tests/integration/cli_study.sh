@@ -1,7 +1,7 @@
 #!/bin/sh
 # `edgevo study` and `edgevo simulate --correspondences`: a small study, its files, the same bytes twice, and bad input.
 . "$(dirname "$0")/cli_common.sh"
-study() { "$edgevo" study --pairs 2 --points 200 --max-distance 3 --frames 0:30 "$@"; }
+study() { "$edgevo" study --pairs 2 --points 200 --max-distance 3 --frames 0:18 "$@"; }
 
 run_code 0 study -o a
 run_code 0 study -o b

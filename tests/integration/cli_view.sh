@@ -3,13 +3,13 @@
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk
 frames=$(ls "$desk/images" | wc -l)
-run_code 0 "$edgevo" run "$desk" -o plain --quiet
+plain=$scenes/runs/desk
 
 unset DISPLAY WAYLAND_DISPLAY
 run_code 0 "$edgevo" run "$desk" -o without --view --quiet
 check "lines on stderr" "$(wc -l <stderr)" -eq 1
 grep -q -e '--view: there is no display (DISPLAY is not set); the run goes on without a window' stderr || fail "no word on the display: $(cat stderr)"
-same "trajectory without a display" plain/trajectory_tum.txt without/trajectory_tum.txt
+same "trajectory without a display" "$plain/trajectory_tum.txt" without/trajectory_tum.txt
 DISPLAY=:4999
 export DISPLAY
 run_code 0 "$edgevo" run "$desk" -o without --frames 0:10 --view --quiet
@@ -44,7 +44,7 @@ check "pixels that are coloured otherwise" "$(compare-im6.q16 -metric AE -fuzz 1
 press space
 wait $run
 check "exit code" $? -eq 0
-same "trajectory of the shown run" plain/trajectory_tum.txt shown/trajectory_tum.txt
+same "trajectory of the shown run" "$plain/trajectory_tum.txt" shown/trajectory_tum.txt
 check "words" "$(wc -c <said)" -eq 0
 
 # q ends the run: all results up to there.

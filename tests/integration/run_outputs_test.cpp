@@ -14,6 +14,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "run_outputs_latency.h"
 #include "run_outputs_summary.h"
 #include "run_outputs_text.h"
 #include "run_report.h"
@@ -143,13 +144,57 @@ TEST_F(RunOutputsTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
   ASSERT_EQ(rows.size(), 46u);
   EXPECT_EQ(
       rows[0],
-      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,ms_edges,ms_alignment,ms_ba");
-  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,4.100,2.000,");
+      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,latency_ms,ms_edges,ms_alignment,ms_ba");
+  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,4.100,2.000,");
   EXPECT_EQ(rows[21],
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
-            "needed,6.000,2.000,");
-  EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,8.200,2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 12u) << row;
+            "needed,,6.000,2.000,");
+  EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,,8.200,2.000,20.000");
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 13u) << row;
+}
+
+// Of 45 frames, the one with index i has its pose 10 + i ms after it was due; every tenth is handed over 2 ms late, and frame 20 never.
+edgevo::Run kept_up(edgevo::Run run) {
+  KeepingUp keeping_up("30 frames a second");
+  for (int i = 0; i < 45; ++i) {
+    const double due_s = 100 + i / 30.0;
+    if (i == 20)
+      keeping_up.note_dropped();
+    else
+      keeping_up.note_done(due_s, due_s + (i % 10 == 0 ? 2e-3 : 1e-4), due_s + 1e-3 * (10 + i));
+  }
+  run.realtime = RealtimeRecord();
+  run.realtime->left_out_of_mapping = 7;
+  keeping_up.write_to(&run);
+  return run;
+}
+
+TEST_F(RunOutputsTest, LatencyOfARealtimeRun) {
+  const edgevo::Run run = kept_up(made_.run);
+  write(folder_, run, made_.camera);
+  const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
+  EXPECT_EQ(s["realtime"]["pace"].as<std::string>(), "30 frames a second");
+  EXPECT_EQ(s["realtime"]["handed_over"].as<int>(), 44);
+  EXPECT_EQ(s["realtime"]["late"].as<int>(), 4);  // 0, 10, 30, 40
+  EXPECT_EQ(s["realtime"]["dropped"].as<int>(), 1);
+  EXPECT_EQ(s["realtime"]["left_out_of_mapping"].as<int>(), 7);
+  EXPECT_NEAR(s["realtime"]["frames_per_second"].as<double>(), 44 / (44 / 30.0 + 0.054), 1e-3);
+  EXPECT_NEAR(s["realtime"]["latency_ms"]["p50"].as<double>(), 32, 1e-6);  // the 22nd of 44, without frame 20
+  EXPECT_NEAR(s["realtime"]["latency_ms"]["p95"].as<double>(), 52, 1e-6);  // the 42nd
+  EXPECT_NEAR(s["realtime"]["latency_ms"]["p99"].as<double>(), 54, 1e-6);  // the 44th
+  EXPECT_NEAR(s["realtime"]["latency_ms"]["max"].as<double>(), 54, 1e-6);
+  const auto rows = lines_of(frames_csv(run));
+  EXPECT_EQ(cells_of(rows[0])[9], "latency_ms");
+  EXPECT_EQ(cells_of(rows[1 + 3])[9], "13.000");
+  EXPECT_EQ(cells_of(rows[1 + 20])[9], "");
+  EXPECT_THAT(content(folder_ / "report.html"), HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames handed over late, 1 dropped"));
+}
+
+TEST_F(RunOutputsTest, ASynchronousRunHasNoLatency) {
+  EXPECT_EQ(latency_statement(made_.run), "");
+  EXPECT_FALSE(latency_figures(made_.run));
+  write(folder_, made_.run, made_.camera);
+  EXPECT_THAT(content(folder_ / "summary.yaml"), ::testing::Not(HasSubstr("realtime")));
 }
 
 TEST_F(RunOutputsTest, ReportShowsTheRun) {

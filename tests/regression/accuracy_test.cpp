@@ -33,10 +33,16 @@ void expect_within(const DriveFigures& figures, const Bounds& bounds) {
   }
 }
 
-DriveFigures drive_scene(const char* name, int frames, uint64_t seed = 1) {
+DriveFigures drive_scene(const char* name, int frames) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene(name));
   RenderedSource source(renderer, 0, frames);
-  return measure(drive(source, {}, seed), truth_of(renderer->scene(), 0, frames));
+  return measure(drive(source), truth_of(renderer->scene(), 0, frames));
+}
+
+// Two tests look at it: driven once a program.
+const DriveFigures& street_drive() {
+  static const DriveFigures figures = drive_scene("street", 80);
+  return figures;
 }
 
 // The covariance holds on each scene, and its one constant for all of them (alignment/pose_covariance.h).
@@ -52,7 +58,7 @@ void expect_accurate_and_consistent(const DriveFigures& figures, const Bounds& b
   expect_consistent(figures.consistency);
 }
 
-TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(drive_scene("street", 80), {0.05, 0.015, 0.95, 8}); }
+TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(street_drive(), {0.05, 0.015, 0.95, 8}); }
 
 TEST(RenderedAccuracy, HandHeldOverADesk) { expect_accurate_and_consistent(drive_scene("desk", 100), {0.5, 0.06, 0.95, 10}); }
 
@@ -83,37 +89,9 @@ TEST(RenderedAccuracy, TurnOnTheSpot) {
   EXPECT_LT(kept, 1.6);
 }
 
-// The lens has k1 = 0.01, the camera file says 0: what is left of it must not bend the scale.
-TEST(SelfCalibration, FindsWhatTheCameraFileDoesNotKnow) {
-  Scene scene = load_scene("street");
-  scene.camera.distortion.k1 = 0.01;
-  const auto renderer = std::make_shared<SceneRenderer>(scene);
-  constexpr int kFrames = 110;
-  RenderedSource images(renderer, 0, kFrames);
-  class WrongCamera : public ImageSource {
-   public:
-    explicit WrongCamera(ImageSource* source) : source_(source), camera_(source->camera()) { camera_.distortion = {}; }
-    std::string kind() const override { return source_->kind(); }
-    const Camera& camera() const override { return camera_; }
-    std::optional<int> size() const override { return source_->size(); }
-    std::optional<Frame> next() override { return source_->next(); }
-
-   private:
-    ImageSource* source_;
-    Camera camera_;
-  } source(&images);
-  const DriveFigures figures = measure(drive(source), truth_of(renderer->scene(), 0, kFrames));
-  const CameraRefinement& camera = figures.run.camera;
-  std::cout << "[ figures  ] " << figures << "; k1 = " << camera.estimate << " +- " << camera.sigma << std::endl;
-  EXPECT_EQ(camera.state, CameraRefinement::State::kApplied);
-  EXPECT_NEAR(camera.k1, 0.01, 0.004);  // few keyframes yet: 0.002 takes about 120 of them
-  EXPECT_LT(figures.ate_percent, 0.2);
-  EXPECT_LT(figures.scale_drift, 0.02);
-}
-
+// What the camera file does not know is found: tests/integration/cli_calibrate.sh.
 TEST(SelfCalibration, LeavesAnExactCameraAlone) {
-  const DriveFigures figures = drive_scene("street", 80);
-  const CameraRefinement& camera = figures.run.camera;
+  const CameraRefinement& camera = street_drive().run.camera;
   EXPECT_NE(camera.state, CameraRefinement::State::kApplied);
   EXPECT_EQ(camera.k1, 0);
 }

@@ -29,6 +29,7 @@ class SubsampledSource : public ImageSource {
     return std::max(0, (end - first_ + every_ - 1) / every_);
   }
   std::string kind() const override { return inner_->kind(); }
+  bool is_live() const override { return inner_->is_live(); }
   std::string label() const override { return inner_->label(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return details_; }
   std::vector<Timestamp> times() const override {

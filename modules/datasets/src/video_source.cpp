@@ -102,6 +102,7 @@ class LiveCamera : public ImageSource {
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return std::nullopt; }
   std::string kind() const override { return "live camera"; }
+  bool is_live() const override { return true; }
 
   std::optional<Frame> next() override {
     if (done_) return std::nullopt;

@@ -145,11 +145,8 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
       calibration_.remember(retired_.back());
     }
   });
-  // Once in a long while: whoever tracks meanwhile may wait until the corrected reference is there.
-  const bool due = calibration_.is_due(int(window_.keyframes().size()));
-  std::unique_lock<std::mutex> calibrating(calibrating_, std::defer_lock);
-  if (due) calibrating.lock();
-  if (due) timed("self_calibration", &update->times, [&] { calibrate(false); });
+  if (calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
+    timed("self_calibration", &update->times, [&] { calibrate(false); });
   timed("window", &update->times, [&] {
     seed_points(&window_.newest());
     publish(window_.newest());

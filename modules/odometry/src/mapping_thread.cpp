@@ -27,6 +27,7 @@ void MappingThread::run(const TrackedFrame& frame) {
     reference_ = mapper_->reference();
     if (frame.make_keyframe) --keyframes_pending_;
   }
+  keyframe_done_.notify_all();
   on_update_(frame, update);
 }
 
@@ -54,15 +55,19 @@ void MappingThread::loop() {
     const TrackedFrame frame = std::move(queue_.front());
     queue_.pop_front();
     busy_ = true;
+    const bool failed = failure_ != nullptr;
     lock.unlock();
+    std::exception_ptr failure;
     try {
-      if (!failure_) run(frame);
+      if (!failed) run(frame);
     } catch (...) {
-      failure_ = std::current_exception();
+      failure = std::current_exception();
     }
     lock.lock();
+    if (failure) failure_ = failure;
     busy_ = false;
     if (queue_.empty()) idle_.notify_all();
+    if (failure_) keyframe_done_.notify_all();
   }
 }
 
@@ -76,6 +81,11 @@ void MappingThread::wait_idle() {
 bool MappingThread::keyframe_pending() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return keyframes_pending_ > 0;
+}
+
+void MappingThread::wait_keyframe() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  keyframe_done_.wait(lock, [this] { return keyframes_pending_ == 0 || failure_; });
 }
 
 std::shared_ptr<const Reference> MappingThread::reference() const {

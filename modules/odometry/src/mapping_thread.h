@@ -26,6 +26,8 @@ class MappingThread {
   void wait_idle();
   /// A keyframe was submitted and is not processed yet.
   bool keyframe_pending() const;
+  /// Waits until none is pending: a map that falls behind is waited for before it is lost.
+  void wait_keyframe();
   /// The newest reference.
   std::shared_ptr<const Reference> reference() const;
   /// Takes the mapper's own reference over: after the caller has used the mapper in wait_idle's shelter.
@@ -40,7 +42,7 @@ class MappingThread {
   bool own_thread_;
   OnUpdate on_update_;
   mutable std::mutex mutex_;
-  std::condition_variable wake_, idle_;
+  std::condition_variable wake_, idle_, keyframe_done_;
   std::deque<TrackedFrame> queue_;
   std::shared_ptr<const Reference> reference_;
   std::exception_ptr failure_;

@@ -29,7 +29,7 @@ struct Odometry::Impl {
   // ---- one frame -------------------------------------------------------------------------------------------------
 
   const FrameRecord& process(const Frame& frame) {
-    if (options.realtime) mapper.wait_for_calibration();
+    if (frames_ahead >= options.max_frames_ahead) mapping.wait_keyframe();
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
@@ -42,6 +42,15 @@ struct Odometry::Impl {
     if (has_map && (!lost || tries_old_map(record.edges))) track_frame(frame, pyramid, &record);
     if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
     note_pose(record);
+    return record;
+  }
+
+  // The constant-velocity model bridges the gap, as it does after frames that were lost.
+  const FrameRecord& pass_over(const Frame& frame, const std::string& why) {
+    FrameRecord& record = records.begin_frame(frame);
+    record.state = ever_tracked ? TrackingState::kLost : TrackingState::kBootstrapping;
+    record.note = why;
+    ++frames_lost;
     return record;
   }
 
@@ -94,7 +103,7 @@ struct Odometry::Impl {
   }
 
   std::vector<SE3> starts() const {
-    if (!lost) return motion_hypotheses(T_last_ref, velocity);
+    if (frames_lost == 0) return motion_hypotheses(T_last_ref, velocity);
     const Vector6d drift = velocity.log() * double(frames_lost + 1);
     const SE3 on = SE3::exp(drift) * T_last_ref, half = SE3::exp(0.5 * drift) * T_last_ref;
     if (frames_lost > kLongGap) return {T_last_ref, half, on};  // nobody moves on as before for long
@@ -124,7 +133,9 @@ struct Odometry::Impl {
     const bool back =
         is_back(builder.pinhole(), nearest, reference->keyframe_id, decision.flow_px, params.mapping.keyframe);
     if (back) tracked.return_to = nearest.id;
-    tracked.make_keyframe = decision.needed && !back && !mapping.keyframe_pending();
+    const bool pending = mapping.keyframe_pending();
+    frames_ahead = decision.needed && pending ? frames_ahead + 1 : 0;
+    tracked.make_keyframe = decision.needed && !back && !pending;
     if (tracked.make_keyframe) frames_since_keyframe = 0;
     mapping.submit(std::move(tracked));
   }
@@ -247,6 +258,8 @@ struct Odometry::Impl {
     if (has_map) close_segment();
     Run run = records.finish();
     run.camera = mapper.camera();
+    if (options.realtime) run.realtime = RealtimeRecord{};
+    if (options.realtime) run.realtime->left_out_of_mapping = mapping.left_out();
     return run;
   }
 
@@ -286,8 +299,10 @@ struct Odometry::Impl {
   NewestPose newest_pose;
   SE3 T_last_ref, velocity;
   int frames_since_keyframe = 0;
+  int frames_ahead = 0;  // the latest of a row that would have been keyframes, had the mapping not been busy with one
   int segment = -1, lost_at = -1, unexplained_frames = 0;
-  int frames_lost = 0, tries = 0;  // since the loss: frames, and those tried against the old map
+  int frames_lost = 0;  // since the last frame with a pose: lost or passed over
+  int tries = 0;        // of them, those tried against the old map
   bool seeking = false;  // a bootstrap runs beside the map, see is_out_of_map
   bool has_map = false, lost = false, ever_tracked = false;
 };
@@ -300,6 +315,7 @@ const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
 SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
+const FrameRecord& Odometry::pass_over(const Frame& frame, const std::string& why) { return impl_->pass_over(frame, why); }
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

@@ -35,6 +35,27 @@ void enter_opaque(const float* __restrict x, float slope, float rest, int32_t id
   }
 }
 
+// Planes over ray coordinates: a x + b y + c.
+struct RayPlanes {
+  float a[5], b[5], c[5];
+};
+
+// The same where each sample has a ray of its own: inside where all five planes are not negative.
+void enter_opaque_inside(const float* __restrict xy, const Eigen::Vector3f& N, const RayPlanes& f, int32_t id, int count,
+                         float* __restrict idepth, int32_t* __restrict owner) {
+  const float nx = N.x(), ny = N.y(), nz = N.z();
+  const RayPlanes g = f;  // by value: it does not change while idepth is written
+  for (int u = 0; u < count; ++u) {
+    const float x = xy[2 * u], y = xy[2 * u + 1];
+    const float q = nx * x + ny * y + nz, before = idepth[u];
+    const int32_t nearer = -(int32_t(q > before) & int32_t(g.a[0] * x + g.b[0] * y + g.c[0] >= 0) &
+                             int32_t(g.a[1] * x + g.b[1] * y + g.c[1] >= 0) & int32_t(g.a[2] * x + g.b[2] * y + g.c[2] >= 0) &
+                             int32_t(g.a[3] * x + g.b[3] * y + g.c[3] >= 0) & int32_t(g.a[4] * x + g.b[4] * y + g.c[4] >= 0));
+    idepth[u] = nearer ? q : before;
+    owner[u] = (owner[u] & ~nearer) | (id & nearer);
+  }
+}
+
 // The mip level whose texels are half a pixel or larger, for a cut-out at 1/z = q.
 int cut_out_level(const ViewSurface& view, float q, float focal) {
   const Surface& s = *view.surface;
@@ -127,11 +148,16 @@ void draw_pinhole(const ViewSurface& view, int id, const Pinhole& pinhole, int v
 void draw_along_rays(const ViewSurface& view, int id, const Eigen::Vector2f* rays, int s, RowSamples* row) {
   constexpr float kSlack = 1e-5f;  // of the surface's size: closes cracks that rounding would open
   const Eigen::Vector3f N = view.idepth.cast<float>();
-  Eigen::Vector3f f[5];
-  for (int i = 0; i < 5; ++i) f[i] = view.inside[i].cast<float>() + (i < 4 ? kSlack : 0.0f) * N;
+  RayPlanes f;
+  for (int i = 0; i < 5; ++i) {
+    const Eigen::Vector3f plane = view.inside[i].cast<float>() + (i < 4 ? kSlack : 0.0f) * N;
+    f.a[i] = plane.x(), f.b[i] = plane.y(), f.c[i] = plane.z();
+  }
   float* idepth = row->idepth_of(s);
   int32_t* owner = row->owner_of(s);
-  const bool cut_out = view.texture->is_cut_out();
+  if (!view.texture->is_cut_out())
+    return enter_opaque_inside(rays[view.col_begin].data(), N, f, id, view.col_end - view.col_begin, idepth + view.col_begin,
+                               owner + view.col_begin);
   const Eigen::Vector2f& middle = rays[(view.col_begin + view.col_end) / 2];
   const float q_middle = std::max(1e-4f, N.x() * middle.x() + N.y() * middle.y() + N.z());
   const CutOut is_there(view, q_middle, 500.0f);
@@ -139,8 +165,8 @@ void draw_along_rays(const ViewSurface& view, int id, const Eigen::Vector2f* ray
     const float x = rays[u].x(), y = rays[u].y();
     const float q = N.x() * x + N.y() * y + N.z();
     bool inside = q > idepth[u];
-    for (const Eigen::Vector3f& g : f) inside &= g.x() * x + g.y() * y + g.z() >= 0;
-    if (inside && (!cut_out || is_there(x, y, q))) idepth[u] = q, owner[u] = id;
+    for (int i = 0; i < 5; ++i) inside &= f.a[i] * x + f.b[i] * y + f.c[i] >= 0;
+    if (inside && is_there(x, y, q)) idepth[u] = q, owner[u] = id;
   }
 }
 

@@ -53,6 +53,9 @@ TEST(FrameRange, WrongRangesAreTold) {
   EXPECT_THAT(error_of([&] { set_frame_range("-1:5", &o); }), HasSubstr("not a frame number"));
   EXPECT_THAT(error_of([&] { set_frame_range("1.5:5", &o); }), HasSubstr("not a frame number"));
   EXPECT_THAT(error_of([&] { set_frame_range("a:b", &o); }), HasSubstr("'a' is not a number"));
+  EXPECT_THAT(error_of([&] { set_frame_range("9:5", &o); }), HasSubstr("holds no frame"));
+  EXPECT_THAT(error_of([&] { set_frame_range("1:2:3", &o); }), HasSubstr("--frames '1:2:3'"));
+  EXPECT_THAT(error_of([&] { set_frame_range("0:99999999999", &o); }), HasSubstr("--frames '0:99999999999'"));
   test::TempFolder folder;
   test::write_edgevo_layout(folder.path(), 3);
   EXPECT_THAT(error_of([&] { indices(folder.path(), "3:5", 1); }), HasSubstr("begins at 3, but"));

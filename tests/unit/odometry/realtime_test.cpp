@@ -56,5 +56,27 @@ TEST(Realtime, AnImageOfAnotherSizeThrowsInTheCaller) {
   EXPECT_GE(odometry.finish().frames.size(), 25u);
 }
 
+// Frames that a live camera gave and nobody had time for: each has its row, and tracking goes on over the gap.
+TEST(Realtime, FramesThatArePassedOverKeepTheirRow) {
+  constexpr int kAll = 60, kBegin = 40, kEnd = 43;
+  Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());
+  for (int k = 0; k < kAll; ++k) {
+    const Frame frame = sweep_frame(k);
+    if (k < kBegin || k >= kEnd)
+      odometry.process(frame);
+    else
+      EXPECT_EQ(odometry.pass_over(frame, "no time").note, "no time");
+  }
+  const auto run = odometry.finish();
+  ASSERT_EQ(run.frames.size(), size_t(kAll));
+  for (int k = kBegin; k < kEnd; ++k) {
+    EXPECT_EQ(run.frames[size_t(k)].state, TrackingState::kLost);
+    EXPECT_FALSE(run.frames[size_t(k)].T_world_cam);
+  }
+  EXPECT_EQ(trajectory_error(run, kEnd, kAll, sweep_pose).poses, kAll - kEnd);
+  for (int k = kEnd; k < kAll; ++k) EXPECT_EQ(run.frames[size_t(k)].segment, 0) << k;
+  EXPECT_TRUE(run.realtime);
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -25,6 +25,8 @@ class ImageSource {
   virtual std::optional<int> size() const = 0;
   /// "KITTI odometry", "rawlog", ...; for `edgevo info` and summary.yaml.
   virtual std::string kind() const = 0;
+  /// Images come at their own time and do not wait: a live camera.
+  virtual bool is_live() const { return false; }
   /// The name of this camera in its source, such as the sensor label of a rawlog; empty where cameras have no names.
   virtual std::string label() const { return {}; }
   /// Where another sensor of the vehicle says that it was, if the source recorded such a one; empty where it did not. May read the

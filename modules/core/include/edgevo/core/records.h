@@ -34,6 +34,7 @@ struct FrameRecord {
   /// that the frame was tracked against, the scale taken as known (alignment/pose_covariance.h). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
   std::string note;             ///< why a bootstrap is not ready, why tracking was lost; else empty
+  std::optional<double> latency_ms;  ///< --realtime: from when the frame was due (or came in) until its pose was there
 };
 
 /// A 3D edge point as its host keyframe leaves the window.
@@ -87,6 +88,16 @@ struct ScaleRecord {
   std::string problem;              ///< why the scale that was asked for could not be had; else empty
 };
 
+/// How a --realtime run kept up with its source; the latency of each frame is in its FrameRecord.
+struct RealtimeRecord {
+  std::string pace;               ///< when frames were due, in words
+  int handed_over = 0;            ///< frames that the odometry was given
+  int late = 0;                   ///< of them, those that it was not ready for within a millisecond after they were due
+  int dropped = 0;                ///< frames that a live camera gave while too many were waiting; each has its row, without a pose
+  int left_out_of_mapping = 0;    ///< frames with a pose that did not refine depths, since the mapping was behind
+  double frames_per_second = 0;   ///< handed over, from when the first was due until the last had its pose
+};
+
 struct Run {
   Pinhole pinhole;             ///< of the undistorted images, camera.k1 taken out; EdgePoint::px refers to it
   CameraRefinement camera;
@@ -94,6 +105,7 @@ struct Run {
   std::vector<KeyframeRecord> keyframes;
   std::string scale_source = "none";  ///< "none": unit arbitrary; else metres
   ScaleRecord scale;                  ///< all lengths of the run have been multiplied by it
+  std::optional<RealtimeRecord> realtime;  ///< none of a synchronous run
   std::optional<SE3> T_vehicle_cam;   ///< mount of the camera (vehicle x forward, y left, z up; metres), if it is known
 
   bool is_metric() const { return scale_source != "none"; }

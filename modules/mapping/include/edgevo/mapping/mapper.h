@@ -4,7 +4,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,8 +72,6 @@ class Mapper {
   /// Keyframes, retired or in the window, that a correction of the camera moved since the last call.
   std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
   const CameraRefinement& camera() const { return calibration_.state(); }
-  /// Returns when no self-calibration is running: from another thread, which would otherwise run away from a map that stands still.
-  void wait_for_calibration() const { const std::lock_guard<std::mutex> lock(calibrating_); }
 
  private:
   std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
@@ -93,7 +90,6 @@ class Mapper {
   Window window_;
   std::shared_ptr<const Reference> reference_;
   SelfCalibration calibration_;
-  mutable std::mutex calibrating_;  ///< held while a self-calibration runs
   RebuildPyramid rebuild_;
   std::vector<Keyframe> retired_;
   std::vector<RevisedKeyframe> revised_;

@@ -20,6 +20,10 @@ namespace edgevo {
 struct OdometryOptions {
   uint64_t seed = 1;
   bool realtime = false;   ///< tracking and mapping in two threads: faster, and not bit-identical from run to run
+  /// Realtime: so many frames that call for a keyframe may be tracked while the mapping is still busy with one; then tracking waits for it.
+  /// 1: nearly the map of a synchronous run. More: fewer waits where frames come at their own time, on an older map; with 8 a drive at
+  /// 1 m a frame runs out of it.
+  int max_frames_ahead = 1;
   std::function<void(const std::string&)> log;  ///< one line at each change of state; may be empty
 };
 
@@ -32,6 +36,9 @@ class Odometry {
   /// The next frame, in time order. The record holds what is known now; poses found later (bootstrap) and final poses come with
   /// finish(). Throws InputError if the image does not have the camera's size.
   const FrameRecord& process(const Frame& frame);
+  /// A frame that came and is not to be processed, since the program is behind its camera: it gets its row, without a pose and with
+  /// `why` as its note, and the next frame is expected further on. The image is not used.
+  const FrameRecord& pass_over(const Frame& frame, const std::string& why);
 
   /// What the newest frame sees of the map. In the thread of process(). Cost: one projection a point, about 0.1 ms.
   FrameView frame_view() const;

@@ -1,0 +1,186 @@
+// The feed by a clock that only moves when somebody sleeps or works, so that every time is exact on any
+// machine.
+#include "edgevo/datasets/live_feed.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+
+#include "edgevo/core/error.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class TestClock : public FeedClock {
+ public:
+  double now_s() const override { return now_s_; }
+  void sleep_s(double seconds) override { now_s_ = now_s_ + seconds; }
+
+ private:
+  std::atomic<double> now_s_{1000};
+};
+
+// Frames 0, 1, ... a quarter of a second apart; then the end, or an error.
+class TestSource : public ImageSource {
+ public:
+  explicit TestSource(int frames, bool live = false, bool breaks = false)
+      : frames_(frames), live_(live), breaks_(breaks) {}
+  const Camera& camera() const override { return camera_; }
+  std::optional<int> size() const override { return frames_; }
+  std::string kind() const override { return "test"; }
+  bool is_live() const override { return live_; }
+  std::optional<Frame> next() override {
+    if (given_ == frames_) {
+      exhausted = true;
+      if (breaks_) throw InputError("test", "is broken", "");
+      return std::nullopt;
+    }
+    Frame frame;
+    frame.index = given_;
+    frame.time = Timestamp::from_seconds(50 + 0.25 * given_);
+    frame.image = {2, 1, {uint8_t(given_), 0}};
+    ++given_;
+    return frame;
+  }
+  int given() const { return given_; }
+  std::atomic<bool> exhausted{false};
+
+ private:
+  Camera camera_;
+  std::atomic<int> given_{0};
+  int frames_;
+  bool live_, breaks_;
+};
+
+bool never() { return false; }
+
+struct Told {
+  std::vector<int> index, dropped;
+  std::vector<double> due_s, handed_s;  // after the first frame was due
+};
+
+// Takes all frames, working `work_s` on each.
+Told take_all(LiveFeed& feed, TestClock& clock, double work_s) {
+  Told told;
+  double begin = 0;
+  while (const auto fed = feed.next(never)) {
+    if (told.index.empty()) begin = fed->due_s;
+    EXPECT_EQ(fed->frame.image.pixels[0], fed->frame.index);
+    told.index.push_back(fed->frame.index);
+    told.due_s.push_back(fed->due_s - begin);
+    told.handed_s.push_back(fed->handed_s - begin);
+    for (const Frame& frame : fed->dropped) told.dropped.push_back(frame.index);
+    clock.sleep_s(work_s);
+  }
+  return told;
+}
+
+MATCHER_P(Nearly, values, "") {
+  if (arg.size() != values.size()) return false;
+  for (size_t i = 0; i < arg.size(); ++i)
+    if (std::abs(arg[i] - values[i]) > 1e-6) return false;
+  return true;
+}
+using Seconds = std::vector<double>;
+
+TEST(LiveFeed, HandsEachFrameOverWhenItIsDue) {
+  const auto clock = std::make_shared<TestClock>();
+  TestSource source(4);
+  LiveFeed feed(source, parse_pace("10"), clock);
+  const Told told = take_all(feed, *clock, 0.03);
+  EXPECT_THAT(told.index, ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(told.due_s, Nearly(Seconds{0, 0.1, 0.2, 0.3}));
+  EXPECT_THAT(told.handed_s, Nearly(told.due_s));
+}
+
+TEST(LiveFeed, FollowsTheTimesOfTheSource) {
+  const auto clock = std::make_shared<TestClock>();
+  TestSource source(3);
+  LiveFeed feed(source, parse_pace("2x"), clock);
+  EXPECT_THAT(take_all(feed, *clock, 0).handed_s, Nearly(Seconds{0, 0.125, 0.25}));
+}
+
+TEST(LiveFeed, AFrameOfARecordingIsLateRatherThanDropped) {
+  const auto clock = std::make_shared<TestClock>();
+  TestSource source(30);
+  LiveFeed feed(source, parse_pace("10"), clock);
+  const Told told = take_all(feed, *clock, 0.15);
+  EXPECT_EQ(told.index.size(), 30u);
+  EXPECT_TRUE(told.dropped.empty());
+  for (size_t i = 0; i < 30; ++i)
+    EXPECT_NEAR(told.due_s[i], 0.1 * double(i), 1e-6);  // work does not move what is due
+  for (size_t i = 0; i < 30; ++i) EXPECT_NEAR(told.handed_s[i], 0.15 * double(i), 1e-6);
+}
+
+TEST(LiveFeed, WithoutAPaceAFrameIsDueWhenItIsAskedFor) {
+  const auto clock = std::make_shared<TestClock>();
+  TestSource source(3);
+  LiveFeed feed(source, Pace(), clock);
+  const Told told = take_all(feed, *clock, 0.15);
+  EXPECT_THAT(told.due_s, Nearly(Seconds{0, 0.15, 0.3}));
+  EXPECT_THAT(told.handed_s, Nearly(told.due_s));
+}
+
+TEST(LiveFeed, ReadsAFewFramesAhead) {
+  TestSource source(100);
+  LiveFeed feed(source, parse_pace("10"), std::make_shared<TestClock>());
+  while (source.given() < int(LiveFeed::kReadAhead) + 1)
+    std::this_thread::yield();  // that one waits for room
+  EXPECT_EQ(feed.next(never)->frame.index, 0);
+  while (source.given() < int(LiveFeed::kReadAhead) + 2) std::this_thread::yield();
+  EXPECT_EQ(source.given(), int(LiveFeed::kReadAhead) + 2);
+}
+
+TEST(LiveFeed, ALiveCameraDropsTheOldestAndSaysSo) {
+  const auto clock = std::make_shared<TestClock>();
+  constexpr int kFrames = int(LiveFeed::kMaxWaiting) + 5;
+  TestSource source(kFrames, true);
+  LiveFeed feed(source, Pace(), clock);
+  while (!source.exhausted) std::this_thread::yield();  // all came while nobody was fetching
+  clock->sleep_s(0.4);
+  const auto first = feed.next(never);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->frame.index, 5);
+  EXPECT_NEAR(first->handed_s - first->due_s, 0.4, 1e-6);  // it has waited since it came in
+  ASSERT_EQ(first->dropped.size(), 5u);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(first->dropped[size_t(i)].index, i);
+  EXPECT_EQ(first->dropped[2].time, Timestamp::from_seconds(50.5));
+  const Told rest = take_all(feed, *clock, 0);
+  EXPECT_EQ(rest.index.size(), LiveFeed::kMaxWaiting - 1);
+  EXPECT_TRUE(rest.dropped.empty());
+}
+
+TEST(LiveFeed, ALiveCameraPacesItself) {
+  TestSource source(3, true);
+  EXPECT_THROW(LiveFeed(source, parse_pace("30"), std::make_shared<TestClock>()), InputError);
+}
+
+TEST(LiveFeed, WhatTheSourceThrowsComesAfterTheFramesBefore) {
+  const auto clock = std::make_shared<TestClock>();
+  TestSource source(3, false, true);
+  LiveFeed feed(source, parse_pace("30"), clock);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(feed.next(never)->frame.index, i);
+  EXPECT_THROW(feed.next(never), InputError);
+  EXPECT_FALSE(feed.next(never));
+}
+
+TEST(LiveFeed, StopsWhileItWaitsForAFrameThatIsNotDue) {
+  const auto clock = std::make_shared<TestClock>();
+  TestSource source(3);
+  LiveFeed feed(source, parse_pace("0.001"), clock);
+  ASSERT_TRUE(feed.next(never));
+  const double begin = clock->now_s();
+  EXPECT_FALSE(feed.next([&] { return clock->now_s() > begin + 1; }));
+  EXPECT_LT(clock->now_s(), begin + 1.2);
+}
+
+TEST(LiveFeed, GoesAwayWhileFramesWait) {
+  TestSource source(100);
+  const LiveFeed feed(source, Pace());
+}
+
+}  // namespace
+}  // namespace edgevo
