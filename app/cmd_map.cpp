@@ -36,7 +36,8 @@ void print_map(const Run& run, const MapReport& report, const std::string& out) 
   std::printf("%s: voxels of %g, range %g, %lld occupied, %lld free, of %d points in %d keyframes; unit: %s\n", out.c_str(),
               report.octree.resolution, report.octree.max_range, (long long)report.octree.occupied_voxels,
               (long long)report.octree.free_voxels, report.octree.points.kept, report.octree.batches, unit_statement(run).c_str());
-  std::printf("grid of %d x %d cells: %s\n", report.grid_width, report.grid_height, report.grid_statement.c_str());
+  if (!report.grid) return;
+  std::printf("grid of %d x %d cells: %s\n", report.grid->width, report.grid->height, report.grid->statement.c_str());
 }
 
 int map(const MapArguments& args) {

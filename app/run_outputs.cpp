@@ -81,7 +81,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   attempt("keyframes.simplemap", [&](const auto& path) { write_simplemap(run, filter, path); });
   attempt("scene.3Dscene", [&](const auto& path) { write_scene(run, filter, path); });
   attempt("playback.rawlog", [&](const auto&) { playback_->finish(run, filter); });
-  attempt("report.html", [&](const auto& path) { write_file(path, report(run, info)); });
+  attempt("report.html", [&](const auto& path) { write_file(path, report(run, info, summary.map)); });
   summary.use_with_outputs = use_until_now();
   summary.not_written = not_written_;
   summary_reserve_.reset();
@@ -89,11 +89,11 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   if (first_failure_) throw *first_failure_;
 }
 
-std::string RunOutputs::report(const Run& run, const RunInfo& info) const {
+std::string RunOutputs::report(const Run& run, const RunInfo& info, const MapReport& map) const {
   constexpr int kPictures = 6;
   const auto image_path = [&](int frame) { return playback_->image_path(frame); };
   const PointFilter& points = map_.occupancy.points;
-  return report_html({run, info, points, draw_edge_pictures(run, camera_, points, image_path, kPictures), not_written_});
+  return report_html({run, info, points, draw_edge_pictures(run, camera_, points, image_path, kPictures), not_written_, map});
 }
 
 void RunOutputs::attempt(const std::string& name, const std::function<void(const std::string& path)>& write) {

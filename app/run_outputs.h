@@ -75,7 +75,7 @@ class RunOutputs {
   void finish(const Run& run, const RunInfo& info);
 
  private:
-  std::string report(const Run& run, const RunInfo& info) const;
+  std::string report(const Run& run, const RunInfo& info, const MapReport& map) const;
   void attempt(const std::string& name, const std::function<void(const std::string& path)>& write);
   void note_failure(const std::string& name, const InputError& error);
   ResourceUse use_until_now() const;

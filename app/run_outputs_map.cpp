@@ -25,13 +25,11 @@ MapReport write_map_files(const Run& run, const MapParams& params, const WriteOn
   });
   if (!octree) return report;
   write_one("edges.bt", [&](const auto& path) { octree->write_bt(path); });
-  std::optional<OccupancyGrid> grid;
   write_one("grid.yaml", [&](const auto& path) {
-    grid = make_grid(run, *octree, camera_height_of(run, params.grid), params.grid);
-    report.grid_statement = grid->statement, report.grid_width = grid->width, report.grid_height = grid->height;
-    write_ros_grid(*grid, path);
+    report.grid = make_grid(run, *octree, camera_height_of(run, params.grid), params.grid);
+    write_ros_grid(*report.grid, path);
   });
-  if (grid) write_one("grid.gridmap.gz", [&](const auto& path) { write_gridmap(*grid, path); });
+  if (report.grid) write_one("grid.gridmap.gz", [&](const auto& path) { write_gridmap(*report.grid, path); });
   return report;
 }
 

@@ -27,8 +27,7 @@ using WriteOne = std::function<void(const std::string& name, const std::function
 
 struct MapReport {
   OctreeStats octree;
-  std::string grid_statement;
-  int grid_width = 0, grid_height = 0;
+  std::optional<OccupancyGrid> grid;  ///< as written
 };
 
 /// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz, each by `write_one`.

@@ -181,6 +181,8 @@ void write_trajectory(const Run& run, YamlWriter* y) {
 
 void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   const OctreeStats& map = report.octree;
+  const OccupancyGrid none;
+  const OccupancyGrid& grid = report.grid ? *report.grid : none;
   y->open("map");
   y->text("axes", "x forward, y left, z up");
   y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)"
@@ -198,9 +200,9 @@ void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   y->integer("voxel_rays", map.rays);
   y->integer("voxels_occupied", map.occupied_voxels);
   y->integer("voxels_free", map.free_voxels);
-  y->text("grid", report.grid_statement);
-  y->integer("grid_width", report.grid_width);
-  y->integer("grid_height", report.grid_height);
+  y->text("grid", grid.statement);
+  y->integer("grid_width", grid.width);
+  y->integer("grid_height", grid.height);
   if (map.points.kept == 0) y->text("note", "no point passed the filter: the map files are valid but empty");
   y->close();
 }

@@ -9,7 +9,9 @@
 #include "run_outputs_stages.h"
 #include "run_report_advice.h"
 #include "run_report_chart.h"
+#include "run_report_map.h"
 #include "run_report_page.h"
+#include "run_report_scale.h"
 #include "run_report_truth.h"
 
 namespace edgevo::app {
@@ -274,18 +276,8 @@ std::string timing_section(const Run& run) {
                           stage_table(run));
 }
 
-// ---- scale, parameters, the rest
+// ---- advice, the tiles
 // -------------------------------------------------------------------------------------
-
-std::string scale_section(const Run& run) {
-  std::string body = "<p>Unit: <b>" + html_escaped(unit_statement(run)) + "</b>. Source of scale: <b>" +
-                     html_escaped(run.scale_source) + "</b>.</p>\n<p>Self-calibration of the lens: <b>" +
-                     html_escaped(to_string(run.camera.state)) + "</b>";
-  if (run.camera.sigma > 0)
-    body += ", residual k1 " + fixed(run.camera.estimate, 5) + " ± " + fixed(run.camera.sigma, 5) + " from " +
-            std::to_string(run.camera.keyframes) + " keyframes";
-  return section_html("scale", "Scale and camera", body + ".</p>\n");
-}
 
 std::string advice_section(const ReportInput& in) {
   std::string body = "<ul>\n";
@@ -341,7 +333,7 @@ std::string report_html(const ReportInput& in) {
   const std::optional<TruthComparison> truth =
       compare_with_truth(in.run, in.info.ground_truth_path, &why_not);
   std::string body =
-      tiles(in.run, truth) + advice_section(in) + trajectory_section(in, truth, why_not) + edges_section(in);
+      tiles(in.run, truth) + advice_section(in) + trajectory_section(in, truth, why_not) + edges_section(in) + map_section(in.run, in.map);
   if (!in.run.frames.empty()) body += tracking_section(in.run) + timing_section(in.run);
   body += scale_section(in.run) + parameters_html(in.info.command_line, in.info.params_yaml, in.info.notes);
   return page_html("edgevo run", in.info.source_kind + " " + in.info.source_path, body);

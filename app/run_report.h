@@ -3,12 +3,14 @@
 //
 // It holds what happened (states, inlier share, residual), where the camera went (from above and over time,
 // with ground truth where that is known), what it saw (edges coloured by inverse depth), what it cost (CPU
-// time by stage), in which unit and with which parameters, and what the user can do next. A pure function of
-// its input: the same run gives the same bytes but for the stage times.
+// time by stage), what the map holds, in which unit and how certain that is, with which parameters, and
+// what the user can do next. A pure function of its input: the same run gives the same bytes but for the
+// stage times.
 #include <string>
 #include <vector>
 
 #include "run_outputs.h"
+#include "run_outputs_map.h"
 #include "run_report_frames.h"
 
 namespace edgevo::app {
@@ -19,6 +21,7 @@ struct ReportInput {
   PointFilter points;  ///< which edge points are drawn
   EdgePictures pictures;
   std::vector<std::string> not_written;  ///< files of the run that could not be
+  MapReport map = {};                    ///< what the map files hold
 };
 
 std::string report_html(const ReportInput& input);

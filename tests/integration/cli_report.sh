@@ -28,6 +28,8 @@ alone street/report.html
 holds street/report.html 'ATE, Sim(3)'
 holds street/report.html 'edgevo eval trajectory_tum.txt'
 holds street/report.html 'canny_percentile'
+holds street/report.html 'grid.yaml from above'
+holds street/report.html 'free voxels'
 holds street/report.html 'arbitrary'
 
 copy_sequence "$scenes/desk" no_truth 0 40
@@ -58,7 +60,7 @@ probe street/report.html
 check "pictures that the browser shows" "$(found images)" -ge 4
 check "drawings" "$(found drawings)" -eq 9
 check "lines in them" "$(found lines)" -ge 10
-check "sections" "$(found sections)" -eq 7
+check "sections" "$(found sections)" -eq 8
 check "wider than the window" "$(found wide | grep -c false)" -eq 1
 check "resources loaded from elsewhere" "$(found loaded)" -eq 0
 probe no_truth_out/report.html

@@ -33,6 +33,8 @@ check "an uncertainty in summary.yaml" "$(value height scale relative_standard_d
 check "rows of scale.csv" "$(awk 'END { print NR - 1 }' height/scale.csv)" -eq "$(wc -l <"$sequence/times.txt")"
 check "headers that tell metres and how certain they are" \
   "$(grep -a -l 'metre (scale from camera_height=1.65, +- [0-9.]* %)' height/trajectory_tum.txt height/edges.ply height/edges.bt height/edges.ot height/grid.yaml | wc -l)" -eq 5
+check "report.html: the deviation, how it was found, and its course" \
+  "$(grep -o -e '% (one standard deviation), median' -e 'measured over the edges of the ground' -e 'metres per unit' height/report.html | sort -u | wc -l)" -eq 3
 run_code 0 "$edgevo" run "$sequence" -o height2 --scale camera_height=1.65 --quiet
 for file in trajectory_tum.txt trajectory_live_tum.txt scale.csv edges.ply edges.ot grid.pgm; do same "$file again" height/$file height2/$file; done
 

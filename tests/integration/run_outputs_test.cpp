@@ -205,9 +205,11 @@ TEST_F(RunOutputsTest, ReportShowsTheRun) {
     for (size_t at = html.find(what); at != std::string::npos; at = html.find(what, at + 1)) ++n;
     return n;
   };
-  EXPECT_EQ(count("<img alt="), 6);
+  EXPECT_EQ(count("<img alt="), 7);  // six with edges, the grid
   EXPECT_EQ(count("<svg"), 9);  // from above, three over time, ribbon, three of tracking, stages
   EXPECT_EQ(count("</svg>"), count("<svg"));
+  EXPECT_THAT(html, HasSubstr("grid.yaml from above"));
+  EXPECT_THAT(html, HasSubstr("occupied voxels"));
   EXPECT_THAT(html, HasSubstr("LOST 5"));
   EXPECT_THAT(html, HasSubstr("lost: 3 of 400 points aligned, 120 needed"));
   EXPECT_THAT(html, HasSubstr("percentile: 0.9"));

@@ -5,14 +5,11 @@
 #include <filesystem>
 
 #include "edgevo/datasets/open_source.h"
-#include "edgevo/occupancy/octree_map.h"
 #include "street_drive.h"
 #include "true_scene.h"
 
 namespace edgevo::testing {
 namespace {
-
-constexpr double kVoxel = 0.2;
 
 class MetricMap : public StreetDrive {};
 
@@ -30,26 +27,22 @@ TEST_F(MetricMap, LengthFromOdometryWithTwoPercentOfNoise) {
 
 // Voxels where edges are: on surfaces. Voxels said to be free: nothing there.
 TEST_F(MetricMap, VoxelsAgainstTheTrueSurfaces) {
-  const edgevo::Run run = in_metres("robot_pose", track(0));
-  OccupancyParams params;
-  params.resolution = std::to_string(kVoxel);
-  params.max_range = "20";
-  const OctreeMap map(run, params);
-  const TrueScene truth(*renderer_, run);
-  const MapQuality quality = truth.judge(map.tree(), run, params);
+  const MapQuality quality = truth_->judge(map_->tree(), *metric_run_, map_params());
   std::cout << "[ figures  ] " << quality << std::endl;
   EXPECT_GE(quality.occupied_on_surface, 0.95);
-  EXPECT_LE(quality.free_behind_surface, 0.006);  // the aim is 0.001, see README.md
+  EXPECT_LE(quality.free_behind_surface, 0.001);
   EXPECT_GE(quality.mapped_points_occupied, 0.9);
-  EXPECT_GE(quality.true_edges_occupied, 0.85);
+  EXPECT_GE(quality.true_edges_occupied, 0.87);
+  EXPECT_GE(quality.crossing_edges_occupied, 0.95);
   EXPECT_GT(quality.occupied, 1000);
-  EXPECT_GT(quality.free, 10000);
+  EXPECT_GT(quality.free, 250000);
 }
 
 // KITTI's camera sits 1.65 m over the road.
 TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
   SourceOptions options;
   options.path = std::string(EDGEVO_DATA_DIR) + "/kitti00_first300";
+  options.last = 160;  // 120 m
   if (!std::filesystem::is_directory(options.path))
     GTEST_SKIP() << "NOT TESTED: there is no " << options.path << "; configure with -DEDGEVO_DATA_DIR=DIR";
   edgevo::Run run = drive(*open_source(options));

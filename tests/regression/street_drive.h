@@ -1,12 +1,15 @@
 #pragma once
-// A drive through the rendered street that several tests share: it takes half a minute.
+// A drive through the rendered street, its map and the judge of both, made once for all tests of the program:
+// they take half a minute.
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "drive.h"
+#include "edgevo/occupancy/octree_map.h"
 #include "edgevo/scale/run_scale.h"
 #include "edgevo/simulation/rendered_source.h"
+#include "true_scene.h"
 
 namespace edgevo::testing {
 
@@ -18,7 +21,17 @@ class StreetDrive : public ::testing::Test {
     if (run_) return;
     renderer_ = std::make_shared<SceneRenderer>(load_scene("street"));
     RenderedSource source(renderer_, 0, kFrames);
-    run_ = new edgevo::Run(drive(source));  // for the life of the program: two suites use it
+    run_ = new edgevo::Run(drive(source));  // for the life of the program: two suites use these
+    metric_run_ = new edgevo::Run(in_metres("robot_pose", track(0)));
+    truth_ = new TrueScene(*renderer_, *metric_run_);
+    map_ = new OctreeMap(*metric_run_, map_params());
+  }
+
+  static OccupancyParams map_params() {
+    OccupancyParams params;
+    params.resolution = "0.2";
+    params.max_range = "20";
+    return params;
   }
 
   // Positions of the camera in metres, each step with 2 % of noise (0: exact).
@@ -29,7 +42,8 @@ class StreetDrive : public ::testing::Test {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     const auto& poses = renderer_->scene().T_scene_cam;
     for (size_t i = 0; i < size_t(kFrames); ++i) {
-      if (i > 0) position += (1 + noise * normal(random)) * (poses[i].translation() - poses[i - 1].translation());
+      if (i > 0)
+        position += (1 + noise * normal(random)) * (poses[i].translation() - poses[i - 1].translation());
       track.positions.push_back({renderer_->scene().times[i], position});
     }
     return track;
@@ -49,15 +63,18 @@ class StreetDrive : public ::testing::Test {
     const auto& poses = renderer_->scene().T_scene_cam;
     for (size_t i = 1; i < run.frames.size(); ++i) {
       if (!run.frames[i - 1].T_world_cam || !run.frames[i].T_world_cam) continue;
-      length += (run.frames[i].T_world_cam->translation() - run.frames[i - 1].T_world_cam->translation()).norm();
+      length +=
+          (run.frames[i].T_world_cam->translation() - run.frames[i - 1].T_world_cam->translation()).norm();
       truth += (poses[i].translation() - poses[i - 1].translation()).norm();
     }
     return length / truth;
   }
 
   inline static std::shared_ptr<SceneRenderer> renderer_;
-  inline static edgevo::Run* run_ = nullptr;
+  inline static edgevo::Run* run_ = nullptr;         // as driven, unit arbitrary
+  inline static edgevo::Run* metric_run_ = nullptr;  // with its metres from the true positions
+  inline static TrueScene* truth_ = nullptr;
+  inline static OctreeMap* map_ = nullptr;  // of metric_run_, voxels of 0.2 m
 };
-
 
 }  // namespace edgevo::testing

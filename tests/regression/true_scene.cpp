@@ -11,14 +11,53 @@
 #include "edgevo/edges/frame_pyramid.h"
 
 namespace edgevo::testing {
+
+/// The edge pixels whose true place lies in one voxel.
+struct EdgeCell {
+  std::map<size_t, int> pixels;  // of each keyframe
+  int all = 0;
+  double across = 0;  // sum of |cos| between edge normal and epipolar line
+
+  void add(size_t keyframe, const EdgePixel& e, const Eigen::Vector2d& epipolar) {
+    ++pixels[keyframe], ++all;
+    across += std::abs(Eigen::Vector2d(double(e.nx), double(e.ny)).normalized().dot(epipolar));
+  }
+  bool is_well_observed() const {
+    return std::count_if(pixels.begin(), pixels.end(), [](const auto& p) { return p.second >= 5; }) >= 5;
+  }
+  /// By twelve degrees or more: a motion along an edge does not tell its depth.
+  bool crosses_the_motion() const { return across >= 0.2 * all; }
+};
+
 namespace {
+
+constexpr int kEveryFree = 7;  // of the free voxels is looked at: there are hundreds of thousands
+
+double share(int64_t part, int64_t all) { return double(part) / double(std::max<int64_t>(1, all)); }
+
+bool is_occupied(const octomap::OcTree& tree, const Eigen::Vector3d& p) {
+  const auto* node = tree.search(p.x(), p.y(), p.z());
+  return node && tree.isNodeOccupied(node);
+}
+
+// The voxel or one of its neighbours.
+bool is_occupied_around(const octomap::OcTree& tree, const std::array<int, 3>& cell, double voxel) {
+  for (int dx = -1; dx <= 1; ++dx)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dz = -1; dz <= 1; ++dz)
+        if (is_occupied(tree,
+                        voxel * Eigen::Vector3d(cell[0] + dx + 0.5, cell[1] + dy + 0.5, cell[2] + dz + 0.5)))
+          return true;
+  return false;
+}
 
 Eigen::Vector3d centre(const octomap::OcTree& tree, const octomap::OcTreeKey& key) {
   const octomap::point3d p = tree.keyToCoord(key);
   return {double(p.x()), double(p.y()), double(p.z())};
 }
 
-// From a point to the parallelogram (or its half) nearest in the plane, by clamping its coordinates: exact for rectangles.
+// From a point to the parallelogram (or its half) nearest in the plane, by clamping its coordinates: exact
+// for rectangles.
 double distance_to(const Surface& s, const Eigen::Vector3d& p) {
   Eigen::Matrix<double, 3, 2> sides;
   sides << s.side_u, s.side_v;
@@ -36,9 +75,12 @@ bool is_near_ball(const Surface& s, const Eigen::Vector3d& p, double limit) {
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const MapQuality& q) {
-  return out << q.occupied << " occupied voxels, " << 100 * q.occupied_on_surface << " % on a surface; " << q.free << " free, "
-             << 100 * q.free_behind_surface << " % behind one; " << 100 * q.mapped_points_occupied << " % of the points' voxels kept; "
-             << 100 * q.true_edges_occupied << " % of " << q.true_edge_voxels << " voxels of true edges occupied";
+  return out << q.occupied << " occupied voxels, " << 100 * q.occupied_on_surface << " % on a surface; "
+             << q.free << " free, " << 100 * q.free_behind_surface << " % behind one; "
+             << 100 * q.mapped_points_occupied << " % of the points' voxels kept; "
+             << 100 * q.true_edges_occupied << " % of " << q.true_edge_voxels
+             << " voxels of true edges occupied, " << 100 * q.crossing_edges_occupied
+             << " % of those across the motion";
 }
 
 TrueScene::TrueScene(const SceneRenderer& renderer, const Run& run) : renderer_(&renderer) {
@@ -61,7 +103,8 @@ TrueScene::TrueScene(const SceneRenderer& renderer, const Run& run) : renderer_(
   const Eigen::Matrix4d T = Eigen::umeyama(a, b, false);
   T_scene_map_ = SE3(Eigen::Matrix3d(T.topLeftCorner<3, 3>()), Eigen::Vector3d(T.topRightCorner<3, 1>()));
   for (const KeyframeRecord& k : run.keyframes)
-    views_.push_back({renderer.scene().T_scene_cam[size_t(k.frame_index)].inverse(), renderer.render_depth(k.frame_index)});
+    views_.push_back({renderer.scene().T_scene_cam[size_t(k.frame_index)].inverse(),
+                      renderer.render_depth(k.frame_index)});
 }
 
 double TrueScene::distance(const Eigen::Vector3d& p_map, double limit) const {
@@ -83,7 +126,8 @@ bool TrueScene::is_seen_through(const Eigen::Vector3d& p_scene, double tolerance
     }
     const Eigen::Vector2d px = pinhole.project(p);
     if (!pinhole.contains(px, 1)) continue;
-    const float depth = view.depth[size_t(std::lround(px.y())) * size_t(pinhole.width) + size_t(std::lround(px.x()))];
+    const float depth =
+        view.depth[size_t(std::lround(px.y())) * size_t(pinhole.width) + size_t(std::lround(px.x()))];
     if (depth == 0 || double(depth) > p.z() - tolerance) return true;
   }
   return false;
@@ -99,68 +143,88 @@ bool TrueScene::is_any_part_seen_through(const Eigen::Vector3d& centre_map, doub
   return false;
 }
 
-MapQuality TrueScene::judge(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params) const {
+MapQuality TrueScene::judge(const octomap::OcTree& tree, const Run& run,
+                            const OccupancyParams& params) const {
+  MapQuality quality;
+  judge_voxels(tree, &quality);
+  judge_points(tree, run, params, &quality);
+  judge_edges(tree, run, params, &quality);
+  return quality;
+}
+
+void TrueScene::judge_voxels(const octomap::OcTree& tree, MapQuality* quality) const {
   const double voxel = tree.getResolution(), half_diagonal = 0.5 * std::sqrt(3.0) * voxel;
   octomap::OcTree voxels(tree);
   voxels.expand();
-  MapQuality quality;
-  int64_t on_surface = 0, behind = 0;
+  int64_t on_surface = 0, behind = 0, looked_at = 0;
   for (auto leaf = voxels.begin_leafs(), end = voxels.end_leafs(); leaf != end; ++leaf) {
     const Eigen::Vector3d p = centre(voxels, leaf.getKey());
     if (voxels.isNodeOccupied(*leaf)) {
-      ++quality.occupied;
-      on_surface += distance(p, 2 * voxel) <= voxel + half_diagonal;  // some point of the voxel is within one voxel
-    } else if (++quality.free % 7 == 0) {
+      ++quality->occupied;
+      on_surface +=
+          distance(p, 2 * voxel) <= voxel + half_diagonal;  // some point of the voxel is within one voxel
+    } else if (++quality->free % kEveryFree == 0) {
       behind += !is_any_part_seen_through(p, voxel);
+      ++looked_at;
     }
   }
-  quality.occupied_on_surface = double(on_surface) / double(std::max<int64_t>(1, quality.occupied));
-  quality.free_behind_surface = 7 * double(behind) / double(std::max<int64_t>(1, quality.free));
+  quality->occupied_on_surface = share(on_surface, quality->occupied);
+  quality->free_behind_surface = share(behind, looked_at);
+}
 
+void TrueScene::judge_points(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
+                             MapQuality* quality) const {
   const SE3 T_map = T_map_world(run);
   int64_t points = 0, kept = 0;
-  const auto is_occupied = [&](const Eigen::Vector3d& p) {
-    const auto* node = tree.search(p.x(), p.y(), p.z());
-    return node && tree.isNodeOccupied(node);
-  };
   for (const KeyframeRecord& k : run.keyframes)
     for (const EdgePoint& e : k.points) {
       const Eigen::Vector3d p_cam = point_in_camera(run.pinhole, e);
       if (!params.points.keeps(e) || p_cam.norm() > params.given_max_range()) continue;
       ++points;
-      kept += is_occupied(T_map * k.T_world_cam * p_cam);
+      kept += is_occupied(tree, T_map * k.T_world_cam * p_cam);
     }
-  quality.mapped_points_occupied = double(kept) / double(std::max<int64_t>(1, points));
+  quality->mapped_points_occupied = share(kept, points);
+}
 
-  // True edges: edge pixels of the keyframes at their true depth. Well observed: five pixels in each of five keyframes within half the range.
-  std::map<std::array<int, 3>, std::map<size_t, int>> seen;
+// True edges: edge pixels of the keyframes at their true depth. Well observed: five pixels in each of five
+// keyframes within half the range.
+void TrueScene::judge_edges(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
+                            MapQuality* quality) const {
+  const double voxel = tree.getResolution();
+  std::map<std::array<int, 3>, EdgeCell> cells;
   PyramidBuilder builder(renderer_->camera(), EdgeParams());
-  const SE3 T_map_scene = T_scene_map_.inverse();
   for (size_t k = 0; k < run.keyframes.size(); ++k) {
     const auto pyramid = builder.build(renderer_->render_image(run.keyframes[k].frame_index));
-    for (const EdgePixel& e : pyramid->finest().edges.pixels) {
-      const Eigen::Vector2d px = e.position().cast<double>();
-      const float z = views_[k].depth[size_t(std::lround(px.y())) * size_t(renderer_->camera().pinhole.width) + size_t(std::lround(px.x()))];
-      const Eigen::Vector3d p_cam = double(z) * renderer_->camera().pinhole.ray(px);
-      if (!(z > 0) || p_cam.norm() > 0.5 * params.given_max_range()) continue;
-      const Eigen::Vector3d p = T_map_scene * (views_[k].T_cam_scene.inverse() * p_cam);
-      ++seen[{int(std::floor(p.x() / voxel)), int(std::floor(p.y() / voxel)), int(std::floor(p.z() / voxel))}][k];
-    }
+    add_edges(pyramid->finest().edges.pixels, k, voxel, 0.5 * params.given_max_range(), &cells);
   }
-  int64_t found = 0;
-  for (const auto& [cell, views] : seen) {
-    const auto good = std::count_if(views.begin(), views.end(), [](const auto& v) { return v.second >= 5; });
-    if (good < 5) continue;
-    ++quality.true_edge_voxels;
-    bool any = false;
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dz = -1; dz <= 1; ++dz)
-          any |= is_occupied(voxel * Eigen::Vector3d(cell[0] + dx + 0.5, cell[1] + dy + 0.5, cell[2] + dz + 0.5));
-    found += any;
+  int64_t found = 0, crossing = 0, crossing_found = 0;
+  for (const auto& [at, cell] : cells) {
+    if (!cell.is_well_observed()) continue;
+    const bool is_found = is_occupied_around(tree, at, voxel);
+    ++quality->true_edge_voxels, found += is_found;
+    if (cell.crosses_the_motion()) ++crossing, crossing_found += is_found;
   }
-  quality.true_edges_occupied = double(found) / double(std::max<int64_t>(1, quality.true_edge_voxels));
-  return quality;
+  quality->true_edges_occupied = share(found, quality->true_edge_voxels);
+  quality->crossing_edges_occupied = share(crossing_found, crossing);
+}
+
+void TrueScene::add_edges(const std::vector<EdgePixel>& edges, size_t k, double voxel, double range,
+                          std::map<std::array<int, 3>, EdgeCell>* cells) const {
+  const Pinhole& pinhole = renderer_->camera().pinhole;
+  const SE3 T_map_cam = T_scene_map_.inverse() * views_[k].T_cam_scene.inverse();
+  const size_t next = k + 1 < views_.size() ? k + 1 : k - 1;
+  const Eigen::Vector2d epipole =
+      pinhole.project((views_[k].T_cam_scene * views_[next].T_cam_scene.inverse()).translation());
+  for (const EdgePixel& e : edges) {
+    const Eigen::Vector2d px = e.position().cast<double>();
+    const float z =
+        views_[k].depth[size_t(std::lround(px.y())) * size_t(pinhole.width) + size_t(std::lround(px.x()))];
+    const Eigen::Vector3d p_cam = double(z) * pinhole.ray(px);
+    if (!(z > 0) || p_cam.norm() > range) continue;
+    const Eigen::Vector3d p = T_map_cam * p_cam / voxel;
+    (*cells)[{int(std::floor(p.x())), int(std::floor(p.y())), int(std::floor(p.z()))}].add(
+        k, e, (px - epipole).normalized());
+  }
 }
 
 }  // namespace edgevo::testing

@@ -29,6 +29,10 @@ void OccupancyParams::visit(ParamVisitor& v) {
            "points carve free space when idepth_sigma/idepth is at most this");
   v.number("carve_stop_sigmas", carve_stop_sigmas, 0, 20,
            "rays stop this many depth sigmas before the point");
+  v.integer("carve_neighbours", carve_neighbours, 0, 100,
+            "points carve when this many others lie near: a wrong one is alone");
+  v.number("carve_neighbour_share", carve_neighbour_share, 0.001, 1,
+           "near is within this share of the point's range");
   v.number("prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel that holds a point, per sight");
   v.number("prob_miss", prob_miss, 0.01, 0.49, "occupancy of a voxel that a ray crosses, per keyframe");
   auto group = v.group("points");

@@ -86,6 +86,7 @@ void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionL
                     OctreeStats* stats) {
   const SE3 T_map = T_map_world(run);
   SegmentInserter inserter(run.pinhole, limits, tree, stats);
+  for (const KeyframeRecord* keyframe : keyframes) inserter.note_points(*keyframe, T_map * keyframe->T_world_cam);
   size_t size_after_merging = 0;
   for (const KeyframeRecord* keyframe : keyframes) {
     const double start = thread_cpu_ms();
@@ -128,7 +129,7 @@ OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
   stats_.max_range =
       length_or_share(params.given_max_range(), params.max_range_share, stats_.median_depth, 0);
   const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma,
-                               params.carve_stop_sigmas};
+                               params.carve_stop_sigmas, params.carve_neighbours, params.carve_neighbour_share};
 
   tree_ = empty_tree(stats_.resolution, params);
   for (const auto& [segment, keyframes] : keyframes_by_segment(run)) {

@@ -6,13 +6,32 @@
 namespace edgevo {
 namespace {
 
+double relative_sigma(const EdgePoint& p) { return double(p.idepth_sigma) / double(p.idepth); }
+
+// Times the range of the map: points beyond it carve up to it. Those farther than this are asked for
+// neighbours as if they were here.
+constexpr double kFarthest = 2;
+
 octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
 
 }  // namespace
 
 SegmentInserter::SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
                                  OctreeStats* stats)
-    : pinhole_(pinhole), limits_(limits), tree_(tree), stats_(stats) {}
+    : pinhole_(pinhole),
+      limits_(limits),
+      tree_(tree),
+      stats_(stats),
+      points_(std::max(neighbour_radius(kFarthest * limits.max_range), tree->getResolution())) {}
+
+void SegmentInserter::note_points(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
+  octomap::OcTreeKey key;
+  for (const EdgePoint& p : keyframe.points) {
+    if (!limits_.points.keeps(p)) continue;
+    const Eigen::Vector3d p_map = T_map_cam * point_in_camera(pinhole_, p);
+    if (tree_->coordToKeyChecked(to_octomap(p_map), key)) points_.add(p_map);
+  }
+}
 
 void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
   free_.clear();
@@ -21,12 +40,28 @@ void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_ca
     if (!limits_.points.keeps(p)) continue;
     const Eigen::Vector3d p_cam = point_in_camera(pinhole_, p);
     mark(p_cam, T_map_cam, p.observations);
-    const double relative_sigma = double(p.idepth_sigma) / double(p.idepth);
-    if (relative_sigma <= limits_.carve_max_relative_sigma) carve(p_cam, T_map_cam, relative_sigma);
+    if (may_carve(p, p_cam, T_map_cam)) carve(p_cam, T_map_cam, relative_sigma(p));
   }
   update_tree();
   ++batch_;
   ++stats_->batches;
+}
+
+bool SegmentInserter::may_carve(const EdgePoint& p, const Eigen::Vector3d& p_cam,
+                                const SE3& T_map_cam) const {
+  return relative_sigma(p) <= limits_.carve_max_relative_sigma && has_neighbours(p_cam, T_map_cam);
+}
+
+double SegmentInserter::neighbour_radius(double range) const {
+  return limits_.carve_neighbour_share * std::min(range, kFarthest * limits_.max_range);
+}
+
+// Wrong matches leave points far behind the surface, certain of themselves (depth off by 20 to 300 of their
+// sigmas), but each alone.
+bool SegmentInserter::has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const {
+  const int with_itself = limits_.carve_neighbours + 1;
+  return limits_.carve_neighbours == 0 ||
+         points_.has_within(T_map_cam * p_cam, neighbour_radius(p_cam.norm()), with_itself);
 }
 
 void SegmentInserter::mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations) {

@@ -7,6 +7,7 @@
 #include "edgevo/core/point_filter.h"
 #include "edgevo/core/records.h"
 #include "edgevo/occupancy/octree_map.h"
+#include "point_cells.h"
 
 namespace edgevo {
 
@@ -16,6 +17,8 @@ struct InsertionLimits {
   double max_range = 0;
   double carve_max_relative_sigma = 0;
   double carve_stop_sigmas = 0;
+  int carve_neighbours = 0;
+  double carve_neighbour_share = 0;
 };
 
 class SegmentInserter {
@@ -24,11 +27,18 @@ class SegmentInserter {
   SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
                   OctreeStats* stats);
 
-  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). Cost: its rays, whatever the size of the tree. `T_map_cam`: its pose in
-  /// the map's world.
+  /// Notes where the points of a keyframe lie: those of all keyframes tell which of them have neighbours.
+  /// Before the first insert().
+  void note_points(const KeyframeRecord& keyframe, const SE3& T_map_cam);
+
+  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). Cost: its rays, whatever
+  /// the size of the tree. `T_map_cam`: its pose in the map's world.
   void insert(const KeyframeRecord& keyframe, const SE3& T_map_cam);
 
  private:
+  bool may_carve(const EdgePoint& p, const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const;
+  double neighbour_radius(double range) const;
+  bool has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const;
   void mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations);
   void carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma);
   void update_tree();
@@ -38,7 +48,8 @@ class SegmentInserter {
   octomap::OcTree* const tree_;
   OctreeStats* const stats_;
 
-  int batch_ = 0;  ///< number of the keyframe within the segment
+  PointCells points_;  ///< of the whole segment, in the map's world
+  int batch_ = 0;      ///< number of the keyframe within the segment
   /// Voxels with a point, and the last batch that sees it. Each is updated once a batch, so the order does
   /// not matter.
   std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> seen_until_;

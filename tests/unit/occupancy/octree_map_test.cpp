@@ -85,12 +85,27 @@ TEST(OctreeMap, UncertainPointsCarveNothing) {
   EXPECT_GT(map.stats().occupied_voxels, 500);
 }
 
+// A wrong point, certain of itself, behind the wall: its ray says that the wall's inside is free. Four of them beside each other are believed.
+TEST(OctreeMap, LonePointsCarveNothing) {
+  const auto free_behind_the_wall = [](int points) {
+    auto scene = pole_and_wall(1, 5);
+    for (int i = 0; i < points; ++i)
+      scene.run.keyframes[0].points.push_back(testing::edge_point(scene.run.pinhole, SE3(), {1.12 + 0.1 * i, 0.05, 14}, 0.001, 5));
+    return at(OctreeMap(scene.run, fixed_size()).tree(), scene.run, {1.12 * 12.05 / 14, 0.05 * 12.05 / 14, 12.05}) == Voxel::kFree;
+  };
+  EXPECT_FALSE(free_behind_the_wall(1));
+  EXPECT_FALSE(free_behind_the_wall(3));
+  EXPECT_TRUE(free_behind_the_wall(4));
+}
+
 TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
   edgevo::Run run;
   run.pinhole = testing::test_pinhole();
   run.keyframes.resize(1);
   run.keyframes[0].points = {testing::edge_point(run.pinhole, SE3(), {0.05, 0.05, 10}, 0.04, 5)};
-  const OctreeMap map(run, fixed_size());  // three sigmas: 1.2
+  OccupancyParams params = fixed_size();  // three sigmas: 1.2
+  params.carve_neighbours = 0;
+  const OctreeMap map(run, params);
   EXPECT_EQ(at(map.tree(), run, {0.05 * 0.86, 0.05 * 0.86, 8.6}), Voxel::kFree);
   EXPECT_EQ(at(map.tree(), run, {0.05 * 0.9, 0.05 * 0.9, 9.0}), Voxel::kUnknown);
   EXPECT_EQ(at(map.tree(), run, {0.05, 0.05, 10}), Voxel::kOccupied);

@@ -17,6 +17,8 @@ struct OccupancyParams {
   double max_range_share = 2.0;
   double carve_max_relative_sigma = 0.05;  ///< only points at least this certain carve free space
   double carve_stop_sigmas = 3.0;  ///< rays stop this many sigmas of depth (and a voxel) before the point
+  int carve_neighbours = 3;             ///< a point carves when this many others of its segment lie near it
+  double carve_neighbour_share = 0.03;  ///< near: within this share of its range (at most of twice max_range)
   double prob_hit = 0.7,
          prob_miss = 0.4;  ///< per keyframe, of a voxel with a point and of one that a ray crosses
   PointFilter points;

@@ -10,6 +10,9 @@
 //  point. Rays up to
 //    the point let neighbouring rays erase the edge itself: a thin edge covers one voxel of each ray's path,
 //    its depth error several.
+//  - A point carves only where others of its segment lie near it (carve_neighbours). A wrong match leaves a
+//  point metres behind the
+//    surface whose sigma is small, but no others beside it; its ray would free the inside of walls.
 //  - The records hold each point once, in its host, although several keyframes saw it. A point with n
 //  observations counts
 //    as seen in its host's batch and the n - 1 after it: there its voxel is hit and not carved. Counted once,
