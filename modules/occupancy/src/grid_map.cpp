@@ -33,9 +33,10 @@ class BandAlongTheWay {
   }
   Band at(double x, double y) const {
     if (camera_height_ <= 0 || cameras_.empty()) return {};
-    const auto distance = [&](const Eigen::Vector3d& c) { return std::hypot(c.x() - x, c.y() - y); };
-    const auto nearest = std::min_element(cameras_.begin(), cameras_.end(),
-                                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    const Eigen::Vector2d here(x, y);
+    const auto nearest = std::min_element(cameras_.begin(), cameras_.end(), [&](const auto& a, const auto& b) {
+      return (a.template head<2>() - here).squaredNorm() < (b.template head<2>() - here).squaredNorm();
+    });
     const double ground = nearest->z() - camera_height_;
     return {ground + params_.band_low * camera_height_, ground + params_.band_high * camera_height_};
   }

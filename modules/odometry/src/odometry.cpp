@@ -283,7 +283,7 @@ struct Odometry::Impl {
   static constexpr double kTurnedAwayShare = 0.15;  // of the window's points in view; below it the camera has turned away from the map
   // A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a map.
   static constexpr double kExplainedShare = 0.7, kExplainedResidualPx = 1.0;
-  static constexpr int kManyUnexplained = 6;   // more frames that are not explained than others, of late
+  static constexpr int kManyUnexplained = 12;  // more frames that are not explained than others, of late: a keyframe may still mend it
 
   OdometryParams params;
   OdometryOptions options;
