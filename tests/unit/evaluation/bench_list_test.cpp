@@ -81,8 +81,8 @@ TEST(BenchList, WhatIsWrongIsToldWithItsLine) {
 }
 
 TEST(BenchList, ThoseThatShipAreRead) {
-  const std::vector<std::string> lights{"glare", "mixed"};
-  for (const auto& [name, jobs] : {std::pair("rendered", 50), {"real", 60}}) {
+  const std::vector<std::string> lights{"drift", "jumps", "gamma", "vignette", "glare", "eaten", "shadows", "blur", "noise", "dropped", "mixed"};
+  for (const auto& [name, jobs] : {std::pair("rendered", 50), {"real", 110}, {"lights", 300}}) {
     const std::string path = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/" + name + ".yaml";
     EXPECT_EQ(parse_bench_list(read_file(path, ""), path, lights).jobs(), jobs);
   }
