@@ -13,9 +13,10 @@ void PointCells::add(const Eigen::Vector3d& p) { points_[cell_of(p)].push_back(p
 
 bool PointCells::has_within(const Eigen::Vector3d& p, double radius, int count) const {
   const Cell middle = cell_of(p);
-  for (int64_t dx = -1; dx <= 1; ++dx)
-    for (int64_t dy = -1; dy <= 1; ++dy)
-      for (int64_t dz = -1; dz <= 1; ++dz) {
+  // The middle cube first: most points have their neighbours there.
+  for (const int64_t dx : {0, -1, 1})
+    for (const int64_t dy : {0, -1, 1})
+      for (const int64_t dz : {0, -1, 1}) {
         const auto cell = points_.find({middle[0] + dx, middle[1] + dy, middle[2] + dz});
         if (cell == points_.end()) continue;
         for (const Eigen::Vector3d& q : cell->second)

@@ -258,8 +258,7 @@ struct Odometry::Impl {
     if (has_map) close_segment();
     Run run = records.finish();
     run.camera = mapper.camera();
-    if (options.realtime) run.realtime = RealtimeRecord{};
-    if (options.realtime) run.realtime->left_out_of_mapping = mapping.left_out();
+    if (options.realtime) run.realtime.emplace().left_out_of_mapping = mapping.left_out();
     return run;
   }
 
