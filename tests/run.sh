@@ -4,6 +4,7 @@
 #   tests/run.sh              everything: Release build in build/release, all tests
 #   tests/run.sh --quick      unit tests only, no benchmarks built
 #   tests/run.sh --sanitize   the tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan
+#   tests/run.sh --sanitize-threads  the tests under ThreadSanitizer, in build/tsan
 #
 # JOBS=N sets how many compilers run at a time (default: as many as there are cores). With CI=true warnings are errors.
 set -eu
@@ -21,9 +22,14 @@ case "${1:-}" in
   --sanitize)
     folder=build/asan
     benchmarks=OFF
-    build_options="-DCMAKE_BUILD_TYPE=RelWithDebInfo -DEDGEVO_SANITIZE=address,undefined"
+    build_options="--preset asan"
     # UBSan goes on after an error unless told; a test must not pass then.
     export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1" ;;
+  --sanitize-threads)
+    folder=build/tsan
+    benchmarks=OFF
+    build_options="--preset tsan"
+    export TSAN_OPTIONS="halt_on_error=1:suppressions=$PWD/tests/tsan.supp" ;;
   *)
     echo "run.sh: unknown option $1; see the head of this script" >&2
     exit 2 ;;
