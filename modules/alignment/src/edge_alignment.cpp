@@ -80,14 +80,17 @@ class EdgeCost {
       cost += add_edge(point, p, t, &eq, &square_sum);
       if (photometric_) cost += add_photometric(cloud_.gradient_patches[i], point, p, &eq);
     }
-    // Points that leave the view cost as much as points without a match.
-    cost += double(cloud_.points.size() - eq.stats.visible) * miss_cost();
+    cost += double(cloud_.points.size() - eq.stats.visible) * kOutOfView * miss_cost();
     eq.stats.cost = cost / std::max<size_t>(1, cloud_.points.size());
     eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(square_sum / eq.stats.inliers) : 0.0;
     return eq;
   }
 
  private:
+  // A point out of view speaks for a pose as little as against it: half a miss. Free, points would be pushed out of the view; at the price
+  // of a miss, a camera that drives past the last near points is held back.
+  static constexpr double kOutOfView = 0.5;
+
   double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
   double robust_cost(double r) const {
     return huber_ ? huber_cost(r, params_.huber_px)
@@ -210,10 +213,15 @@ double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, i
   return cost;
 }
 
+double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params,
+                 const SE3& T_cur_ref) {
+  return EdgeCost(current, cloud, level, params)(T_cur_ref).stats.cost;
+}
+
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
                            const AlignmentParams& params, SE3* T_cur_ref) {
-  const EdgeCost edge_cost(current, cloud, level, params);
-  return minimise(edge_cost, params.edge_iterations, current.levels[level].pinhole.fx, 0.005, T_cur_ref).stats;
+  const EdgeCost cost(current, cloud, level, params);
+  return minimise(cost, params.edge_iterations, current.levels[level].pinhole.fx, 0.005, T_cur_ref).stats;
 }
 
 }  // namespace edgevo

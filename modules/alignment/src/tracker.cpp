@@ -19,15 +19,23 @@ double median_depth(const ReferenceCloud& cloud) {
   return depths[depths.size() / 2];
 }
 
+int count_edge_levels(const FramePyramid& pyramid) {
+  int levels = 0;
+  while (levels < int(pyramid.levels.size()) && !pyramid.levels[levels].gradient_magnitude.empty()) ++levels;
+  return levels;
+}
+
 TrackResult align_from(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                        const AlignmentParams& params) {
   TrackResult result;
   result.T_cur_ref = start;
   const int coarsest = int(current.levels.size()) - 1;
   align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &result.T_cur_ref);
-  int edge_levels = 0;
-  while (edge_levels < int(current.levels.size()) && !current.levels[edge_levels].gradient_magnitude.empty()) ++edge_levels;
-  for (int level = std::min(edge_levels, 2) - 1; level >= 0; --level)
+  const int edge_level = std::min(count_edge_levels(current), 2) - 1;
+  // Glare and shadows lead gray levels astray where the edges of the scene run along the motion: the edges choose where to go on from.
+  if (edge_cost(current, cloud, edge_level, params, start) < edge_cost(current, cloud, edge_level, params, result.T_cur_ref))
+    result.T_cur_ref = start;
+  for (int level = edge_level; level >= 0; --level)
     result.stats = align_edges(current, cloud, level, params, &result.T_cur_ref);
   if (result.T_cur_ref.is_finite()) result.evidence = weigh_evidence(current, cloud, result.T_cur_ref, params);
   return result;

@@ -33,6 +33,10 @@ double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, i
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
                            const AlignmentParams& params, SE3* T_cur_ref);
 
+/// What align_edges minimises, at one pose: truncated robust cost a point.
+double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params,
+                 const SE3& T_cur_ref);
+
 /// Residual g^T (p' - n) and its derivative for one point and a given match; for tests and for align_edges.
 struct EdgeResidual {
   double value = 0;
