@@ -165,6 +165,35 @@ TEST(Track, PhotometricCostAgreesWithTheTruth) {
   EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
 }
 
+// Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges are those of the scene.
+TEST(Track, EdgesOverruleGrayLevelsThatAreLedAstray) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)), elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
+  const auto frame = std::const_pointer_cast<FramePyramid>(scene.pyramid(T_cur_ref.inverse()));
+  const auto astray = std::const_pointer_cast<FramePyramid>(scene.pyramid(elsewhere.inverse()));
+  for (size_t level = 1; level < frame->levels.size(); ++level) std::swap(frame->levels[level].gray, astray->levels[level].gray);
+  const FramePyramid& current = *frame;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  SE3 by_patches = T_cur_ref;
+  align_patches(current, cloud, int(current.levels.size()) - 1, 1, AlignmentParams(), &by_patches);
+  for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
+  ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1) << "what comes of following them";
+  const TrackResult r = track(current, cloud, {T_cur_ref}, AlignmentParams());
+  EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
+}
+
+// Points that leave the view must not hold the camera back, nor may a pose win by pushing them out.
+TEST(EdgeAlignment, APointOutOfViewCostsHalfAMiss) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto there = scene.pyramid(SE3());
+  const AlignmentParams params;
+  const double none_in_view = edge_cost(*there, cloud, 0, params, SE3::exp(twist(0, 0, 0, 0, 2, 0)));
+  EXPECT_LT(edge_cost(*there, cloud, 0, params, SE3()), 0.2 * none_in_view);
+  // Nothing matches in a black image: each point in view costs a miss.
+  EXPECT_NEAR(edge_cost(*scene.pyramid(SE3(), 0.0, 0.0), cloud, 0, params, SE3()), 2 * none_in_view, 0.05 * none_in_view);
+}
+
 TEST(Track, BlackImageIsLostWithAReason) {
   const test::PlaneScene scene;
   const TrackResult r = track(*scene.pyramid(SE3(), 0.0, 0.0), scene.cloud(SE3()), {SE3()}, AlignmentParams());

@@ -119,7 +119,8 @@ TEST(Study, VirtualKittiFolders) {
   const auto read = virtual_kitti_frames(source);
   EXPECT_EQ(read->load(3).image.pixels, frames.load(3).image.pixels);
   EXPECT_NEAR(read->load(3).depth[1234], frames.load(3).depth[1234], 0.006);
-  for (const StudySample& s : cell(run_study(*read, small_study()), "frame_distance", "normal", "gradient", "1").samples)
+  const StudyResult r = run_study(*read, small_study());
+  for (const StudySample& s : cell(r, "frame_distance", "normal", "gradient", "1").samples)
     EXPECT_LT(s.drift_percent, 15);
   std::filesystem::remove(folder + "/extrinsic.txt");
   EXPECT_THROW(virtual_kitti_frames(source), InputError) << "no poses";
