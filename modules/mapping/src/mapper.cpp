@@ -145,25 +145,41 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
       calibration_.remember(retired_.back());
     }
   });
-  if (calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
-    timed("self_calibration", &update->times, [&] { calibrate(false); });
+  if (calibration_.is_running() || calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
+    timed("self_calibration", &update->times, [&] { calibrate_on_the_way(); });
   timed("window", &update->times, [&] {
     seed_points(&window_.newest());
     publish(window_.newest());
   });
 }
 
-void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild) {
+void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread) {
   calibration_ = SelfCalibration(pinhole_, params);
   rebuild_ = rebuild;
+  calibration_has_thread_ = own_thread;
+}
+
+void Mapper::calibrate_on_the_way() {
+  if (calibration_has_thread_ && !calibration_.is_running())
+    calibration_.begin(window_pointers(), calibration_options());
+  else if (!calibration_.is_running() || calibration_.is_ready())
+    calibrate(false);
+}
+
+std::vector<const Keyframe*> Mapper::window_pointers() const {
+  std::vector<const Keyframe*> window;
+  for (const Keyframe& k : window_.keyframes()) window.push_back(&k);
+  return window;
+}
+
+BaOptions Mapper::calibration_options() const {
+  BaOptions options;
+  options.huber_width = params_.window.ba_huber;
+  return options;
 }
 
 void Mapper::calibrate(bool at_end) {
-  std::vector<const Keyframe*> window;
-  for (const Keyframe& k : window_.keyframes()) window.push_back(&k);
-  BaOptions options;
-  options.huber_width = params_.window.ba_huber;
-  std::optional<MapRevision> revision = calibration_.estimate(window, options, at_end);
+  std::optional<MapRevision> revision = calibration_.estimate(window_pointers(), calibration_options(), at_end);
   if (!revision) return;
   const double k1 = revision->k1;
   window_.apply(*revision, [&](const FramePyramid& old) { return rebuild_(old, k1); });

@@ -17,13 +17,11 @@ struct Odometry::Impl {
         records(camera.pinhole),
         rebuilder(camera, p.edges),
         mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {
-    // In realtime the mapping must not stand still for long: without the last and dearest estimate.
-    SelfCalibrationParams calibration = p.camera;
-    if (o.realtime) calibration.checkpoints = std::min(calibration.checkpoints, 2);
-    mapper.enable_self_calibration(calibration, [this](const FramePyramid& old, double k1) {
+    // In realtime the mapping must not stand still for long.
+    mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, double k1) {
       rebuilder.set_residual_k1(k1);
       return rebuilder.build(old.source);
-    });
+    }, o.realtime);
   }
 
   // ---- one frame -------------------------------------------------------------------------------------------------

@@ -83,6 +83,12 @@ Outcome calibrate(const DriveOptions& o, const SelfCalibrationParams& params = {
   return out;
 }
 
+std::vector<const Keyframe*> range(const std::vector<Keyframe>& drive, size_t begin, size_t end) {
+  std::vector<const Keyframe*> keyframes;
+  for (size_t i = begin; i < end; ++i) keyframes.push_back(&drive[i]);
+  return keyframes;
+}
+
 TEST(SelfCalibration, FindsTheDistortion) {
   for (const double k1 : {0.01, -0.008, 0.02})
     for (const uint64_t seed : {1, 2, 3}) {
@@ -147,21 +153,67 @@ TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
   }
 }
 
-// The drive is the truth: after the correction the shape of the way is the true one again.
+// The drive is the truth: after a correction the shape of the way is the true one again.
+void expect_true_shape(const MapRevision& revision, const std::vector<Keyframe>& drive) {
+  ASSERT_EQ(revision.keyframes.size(), drive.size());
+  const auto step = [](const SE3& a, const SE3& b) { return (b * a.inverse()).translation().norm(); };
+  const auto ratio = [&](size_t i) {
+    return step(revision.keyframes[i - 1].T_cam_world, revision.keyframes[i].T_cam_world) /
+           step(drive[i - 1].T_cam_world, drive[i].T_cam_world);
+  };
+  for (size_t i = 1; i < drive.size(); ++i) EXPECT_NEAR(ratio(i) / ratio(drive.size() - 1), 1.0, 0.02) << i;
+}
+
 TEST(SelfCalibration, TheRevisedWayHasTheTrueShape) {
   DriveOptions o;
   o.k1 = 0.015;
   const Outcome out = calibrate(o);
   ASSERT_TRUE(out.revision);
-  const auto step = [](const SE3& a, const SE3& b) { return (b * a.inverse()).translation().norm(); };
-  const auto& keyframes = out.revision->keyframes;
-  const double last = step(keyframes[58].T_cam_world, keyframes[59].T_cam_world) /
-                      step(out.drive[58].T_cam_world, out.drive[59].T_cam_world);
-  for (size_t i = 1; i < keyframes.size(); ++i) {
-    const double ratio = step(keyframes[i - 1].T_cam_world, keyframes[i].T_cam_world) /
-                         step(out.drive[i - 1].T_cam_world, out.drive[i].T_cam_world);
-    EXPECT_NEAR(ratio / last, 1.0, 0.02) << i;
-  }
+  expect_true_shape(*out.revision, out.drive);
+}
+
+// In a thread of its own: keyframes come, and points go, while the estimate runs.
+TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const std::vector<Keyframe> drive = make_drive(o);
+  constexpr size_t kKnown = 45, kWindow = 12;
+  SelfCalibration beside(ba_scene::pinhole(), {}), at_once(ba_scene::pinhole(), {});
+  for (size_t i = 0; i < kKnown - kWindow; ++i) beside.remember(drive[i]), at_once.remember(drive[i]);
+  ASSERT_TRUE(at_once.estimate(range(drive, kKnown - kWindow, kKnown), BaOptions(), true));
+
+  std::vector<Keyframe> now = drive;
+  beside.begin(range(now, kKnown - kWindow, kKnown), BaOptions());
+  EXPECT_TRUE(beside.is_running());
+  EXPECT_FALSE(beside.is_due(int(kWindow))) << "one at a time";
+  std::vector<Keyframe>(now).swap(now);  // the copy that it works on is its own
+  now[kKnown - 1].points.erase(now[kKnown - 1].points.begin(), now[kKnown - 1].points.begin() + 20);
+  for (size_t i = kKnown - kWindow; i < now.size() - kWindow; ++i) beside.remember(now[i]);
+  const auto revision = beside.estimate(range(now, now.size() - kWindow, now.size()), BaOptions(), false);
+  EXPECT_FALSE(beside.is_running());
+  ASSERT_TRUE(revision);
+  EXPECT_EQ(revision->k1, at_once.state().k1) << "the same estimate";
+  EXPECT_EQ(beside.state().keyframes, int(kKnown));
+  expect_true_shape(*revision, now);
+  const RevisedKeyframe& newest = revision->keyframes.back();
+  EXPECT_LT((newest.T_cam_world * now.back().T_cam_world.inverse()).log().norm(), 1e-12);
+  ASSERT_EQ(revision->keyframes[kKnown - 1].points.size(), now[kKnown - 1].points.size());
+  // Depths, too: new and old points alike stand at the true depth in the unit of the newest keyframe.
+  for (const size_t k : {kKnown - 1, kKnown + 4})
+    for (size_t i = 0; i < now[k].points.size(); ++i)
+      EXPECT_NEAR(revision->keyframes[k].points[i].idepth * revision->keyframes[k].length_ratio / now[k].points[i].idepth, 1.0, 0.25) << k;
+}
+
+TEST(SelfCalibration, AnEstimateThatNobodyTakesDoesNoHarm) {
+  DriveOptions o;
+  o.keyframes = 30;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), {});
+  calibration.begin(range(drive, 0, 30), BaOptions());
+  calibration.forget();
+  EXPECT_FALSE(calibration.is_running());
+  EXPECT_EQ(calibration.state().state, CameraRefinement::State::kTooEarly);
+  calibration.begin(range(drive, 0, 30), BaOptions());  // and is destroyed
 }
 
 // A window adjusted with the revision's prior stays where the whole adjustment put it.
@@ -223,16 +275,11 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
   DriveOptions o;
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
-  const auto pointers = [&](size_t begin, size_t end) {
-    std::vector<const Keyframe*> window;
-    for (size_t i = begin; i < end; ++i) window.push_back(&drive[i]);
-    return window;
-  };
   SelfCalibration calibration(ba_scene::pinhole(), {});
-  ASSERT_TRUE(calibration.estimate(pointers(0, 60), BaOptions(), true));
+  ASSERT_TRUE(calibration.estimate(range(drive, 0, 60), BaOptions(), true));
   const CameraRefinement found = calibration.state();
   calibration.forget();
-  EXPECT_FALSE(calibration.estimate(pointers(0, 35), BaOptions(), true));
+  EXPECT_FALSE(calibration.estimate(range(drive, 0, 35), BaOptions(), true));
   EXPECT_EQ(calibration.state().k1, found.k1);
   EXPECT_EQ(calibration.state().keyframes, found.keyframes);
 }

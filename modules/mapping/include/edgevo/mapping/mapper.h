@@ -52,9 +52,10 @@ class Mapper {
   Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
          uint64_t seed);
 
-  /// Lets the residual distortion of the camera be found; `rebuild(pyramid, k1)` builds a pyramid anew from its source image.
+  /// Lets the residual distortion of the camera be found; `rebuild(pyramid, k1)` builds a pyramid anew from its source image. In a thread
+  /// of its own the mapping goes on meanwhile, but when it ends, and with it the result, depends on the machine.
   using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&, double k1)>;
-  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild);
+  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread);
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three between them. Returns an
   /// empty string, or why they make no map.
@@ -77,7 +78,10 @@ class Mapper {
   std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
   void seed_points(Keyframe* keyframe);
+  void calibrate_on_the_way();
   void calibrate(bool at_end);
+  std::vector<const Keyframe*> window_pointers() const;
+  BaOptions calibration_options() const;
   std::shared_ptr<const FramePyramid> corrected(const std::shared_ptr<const FramePyramid>& pyramid) const;
   void publish(const Keyframe& keyframe);
   void return_to(int keyframe_id);
@@ -91,6 +95,7 @@ class Mapper {
   std::shared_ptr<const Reference> reference_;
   SelfCalibration calibration_;
   RebuildPyramid rebuild_;
+  bool calibration_has_thread_ = false;
   std::vector<Keyframe> retired_;
   std::vector<RevisedKeyframe> revised_;
   int next_id_ = 0;
