@@ -56,7 +56,8 @@ BaPrior hold_ends(const SE3& first, const SE3& newest, int newest_id) {
 }
 
 // Median of new over old inverse depth of the points of some keyframes; 1 where there are none.
-double idepth_ratio(const std::vector<const Keyframe*>& keyframes, size_t from, size_t to, const CalibrationHistory& h, const BaProblem& solution) {
+double idepth_ratio(const std::vector<const Keyframe*>& keyframes, size_t from, size_t to, const CalibrationHistory& h,
+                    const BaProblem& solution) {
   std::vector<double> ratios;
   for (size_t k = from; k < to; ++k)
     for (size_t i = 0; i < keyframes[k]->points.size(); ++i)
