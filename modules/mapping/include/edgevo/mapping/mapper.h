@@ -15,7 +15,8 @@
 
 namespace edgevo {
 
-/// What a frame is tracked against: the cloud of a keyframe, the newest unless the camera has come back to an older one, and where the window's keyframes stand. Immutable once handed out.
+/// What a frame is tracked against: the cloud of a keyframe, the newest unless the camera has come back to an older one, and where the
+/// window's keyframes stand. Immutable once handed out.
 struct Reference {
   int keyframe_id = 0;
   SE3 T_ref_world;
