@@ -24,7 +24,6 @@ vpColVector limited(vpColVector v) {
 
 Command stop(const std::string& why) {
   Command command;
-  command.velocity.resize(6);
   command.stop = why;
   return command;
 }

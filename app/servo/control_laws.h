@@ -11,8 +11,8 @@ namespace edgevo::app {
 
 /// What a law wants, and how far it believes to be from its goal.
 struct Command {
-  vpColVector velocity;  ///< of the camera in its own axes, [v, w]; metres and radians a second; zero when
-                         ///< `stop` says why
+  /// Of the camera in its own axes, [v, w]; metres and radians a second; zero when `stop` says why.
+  vpColVector velocity = vpColVector(6);
   std::string stop;      ///< why the robot must stop; empty: it may move
   double translation_m = 0, rotation_deg = 0;  ///< PBVS: left to go
   double image_px = 0;   ///< IBVS: rms distance of the points from where they are wanted

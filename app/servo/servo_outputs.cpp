@@ -125,9 +125,7 @@ std::vector<TimeChart> error_charts(const ServoResult& r, const ServoParams& par
 }
 
 double norm(const vpColVector& v, unsigned begin) {
-  return v.size() < 6
-             ? 0
-             : std::sqrt(v[begin] * v[begin] + v[begin + 1] * v[begin + 1] + v[begin + 2] * v[begin + 2]);
+  return std::sqrt(v[begin] * v[begin] + v[begin + 1] * v[begin + 1] + v[begin + 2] * v[begin + 2]);
 }
 
 std::vector<TimeChart> loop_charts(const ServoResult& r) {
@@ -263,8 +261,7 @@ std::string servo_csv(const ServoResult& result) {
     for (double v : {1000 * row.age_s, 1000 * row.latency_s, row.true_mm, row.true_deg,
                      1000 * c.translation_m, c.rotation_deg, c.image_px})
       append_fixed(&(text += ','), v, 4);
-    for (unsigned i = 0; i < 6; ++i)
-      append_fixed(&(text += ','), c.velocity.size() < 6 ? 0.0 : c.velocity[i], 6);
+    for (unsigned i = 0; i < 6; ++i) append_fixed(&(text += ','), c.velocity[i], 6);
     for (int i = 0; i < 3; ++i) append_fixed(&(text += ','), row.T_scene_cam.translation()[i], 6);
     for (int i = 0; i < 4; ++i) append_fixed(&(text += ','), row.T_scene_cam.rotation().coeffs()[i], 8);
     text += ',' + one_cell(c.stop) + '\n';
