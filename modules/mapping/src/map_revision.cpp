@@ -1,18 +1,17 @@
 #include "map_revision.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
-
-#include "edgevo/core/radial.h"
+#include <utility>
 
 namespace edgevo {
 namespace {
 
 using ba::RadialEstimate;
 
-constexpr int kGaugeSpan = 8;  // keyframes over which the scale of a new prior is held
+constexpr int kGaugeSpan = 8;      // keyframes over which the scale of a new prior is held
+constexpr size_t kNewestSpan = 8;  // the newest keyframes that an estimate knew: they tell its unit of length
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + values.size() / 2;
@@ -135,12 +134,48 @@ RevisedKeyframe revise(const Pinhole& c, double k1_before, double k1, const Keyf
   return r;
 }
 
-// Inverse depths by host and place: what a point is known by, since points come and go between two histories.
-std::map<std::pair<double, double>, double> idepths_of_host(const CalibrationHistory& h, const BaProblem& solution, size_t host) {
-  std::map<std::pair<double, double>, double> idepths;
+// Inverse depths by place in one host: what a point is known by, since points come and go between two histories.
+using IdepthAt = std::map<std::pair<double, double>, double>;
+std::pair<double, double> place(const CalibrationHistory& h, int i) { return {h.problem.px_host[i].x(), h.problem.px_host[i].y()}; }
+
+IdepthAt idepths_of_host(const CalibrationHistory& h, const BaProblem& solution, size_t host) {
+  IdepthAt idepths;
   for (const int i : h.point_index[host])
-    if (i >= 0) idepths[{h.problem.px_host[i].x(), h.problem.px_host[i].y()}] = solution.points[i].idepth;
+    if (i >= 0) idepths[place(h, i)] = solution.points[i].idepth;
   return idepths;
+}
+
+// Gives the points of `p` the solution's inverse depths, new ones scaled alike; returns new over old inverse depth at the newest known
+// keyframes.
+double carry_idepths(const CalibrationHistory& then, const BaProblem& solution, const CalibrationHistory& now, BaProblem* p) {
+  const size_t known = then.problem.file.poses.size();
+  std::vector<bool> is_new(p->points.size(), true);
+  std::vector<double> ratios;
+  for (size_t host = 0; host < known; ++host) {
+    const IdepthAt idepths = idepths_of_host(then, solution, host);
+    for (const int i : now.point_index[host]) {
+      const auto found = i >= 0 ? idepths.find(place(now, i)) : idepths.end();
+      if (found == idepths.end()) continue;
+      if (host + kNewestSpan >= known) ratios.push_back(found->second / p->points[i].idepth);
+      p->points[i].idepth = found->second;
+      is_new[i] = false;
+    }
+  }
+  const double ratio = ratios.empty() ? 1.0 : median(std::move(ratios));
+  for (size_t i = 0; i < p->points.size(); ++i)
+    if (is_new[i]) p->points[i].idepth *= ratio;
+  return ratio;
+}
+
+// Gives the first poses of `p` those of the solution; the others keep their motion against the newest of them, lengths times `length`.
+void carry_poses(const BaProblem& solution, double length, BaProblem* p) {
+  const size_t known = solution.poses.size();
+  const SE3 T_newest_world = p->poses[known - 1].T_cam_world;
+  for (size_t k = 0; k < known; ++k) p->poses[k].T_cam_world = solution.poses[k].T_cam_world;
+  for (size_t k = known; k < p->poses.size(); ++k) {
+    const SE3 T_k_newest = p->poses[k].T_cam_world * T_newest_world.inverse();
+    p->poses[k].T_cam_world = SE3(T_k_newest.rotation(), length * T_k_newest.translation()) * p->poses[known - 1].T_cam_world;
+  }
 }
 
 }  // namespace
@@ -169,29 +204,8 @@ CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::ve
 
 BaProblem carry_over(const CalibrationHistory& then, const RadialEstimate& estimate, const CalibrationHistory& now) {
   BaProblem p = ba::without_radial(now.problem, estimate.k1);
-  const size_t known = then.problem.file.poses.size(), newest = known - 1;
-  std::vector<bool> is_new(p.points.size(), true);
-  std::vector<double> ratios;  // near the newest keyframe that was known
-  for (size_t host = 0; host < known; ++host) {
-    const auto idepths = idepths_of_host(then, estimate.solution, host);
-    for (const int i : now.point_index[host]) {
-      if (i < 0) continue;
-      const auto found = idepths.find({now.problem.px_host[i].x(), now.problem.px_host[i].y()});
-      if (found == idepths.end()) continue;
-      if (host + kGaugeSpan > newest) ratios.push_back(found->second / p.points[i].idepth);
-      p.points[i].idepth = found->second;
-      is_new[i] = false;
-    }
-  }
-  const double ratio = ratios.empty() ? 1.0 : median(std::move(ratios));
-  for (size_t i = 0; i < p.points.size(); ++i)
-    if (is_new[i]) p.points[i].idepth *= ratio;
-  const SE3 T_old_world = p.poses[newest].T_cam_world;
-  for (size_t k = 0; k < known; ++k) p.poses[k].T_cam_world = estimate.solution.poses[k].T_cam_world;
-  for (size_t k = known; k < p.poses.size(); ++k) {
-    const SE3 T_k_newest = p.poses[k].T_cam_world * T_old_world.inverse();
-    p.poses[k].T_cam_world = SE3(T_k_newest.rotation(), T_k_newest.translation() / ratio) * p.poses[newest].T_cam_world;
-  }
+  const double idepth_ratio = carry_idepths(then, estimate.solution, now, &p);
+  carry_poses(estimate.solution, 1.0 / idepth_ratio, &p);
   return p;
 }
 
@@ -223,21 +237,6 @@ void apply_to_history(const Pinhole& c, const MapRevision& revision, std::vector
       }
     }
   }
-}
-
-Eigen::Vector2d correct_pixel(const Pinhole& c, double k1_before, double k1, const Eigen::Vector2d& px) {
-  const Eigen::Vector2d x = remove_radial(k1, add_radial(k1_before, c.ray(px).head<2>()));
-  return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy};
-}
-
-// A gradient is a covector: n' ~ (d px / d px')^T n.
-Eigen::Vector2d correct_normal(const Pinhole& c, double k1_before, double k1, const Eigen::Vector2d& px,
-                               const Eigen::Vector2d& normal) {
-  const Eigen::Vector2d x = c.ray(px).head<2>();
-  const Eigen::Vector2d corrected = remove_radial(k1, add_radial(k1_before, x));
-  const Eigen::Matrix2d J = radial_jacobian(k1_before, x).inverse() * radial_jacobian(k1, corrected);
-  const Eigen::Vector2d f(c.fx, c.fy);
-  return f.cwiseInverse().cwiseProduct(J.transpose() * f.cwiseProduct(normal)).normalized();
 }
 
 }  // namespace edgevo

@@ -1,10 +1,12 @@
 #include "edgevo/mapping/self_calibration.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <future>
 
+#include "edgevo/core/radial.h"
 #include "map_revision.h"
 
 namespace edgevo {
@@ -30,6 +32,21 @@ struct SelfCalibration::Job {
   CalibrationHistory history;
   std::future<RadialEstimate> estimate;  // last: it waits for its thread before the history goes
 };
+
+Eigen::Vector2d correct_pixel(const Pinhole& c, double k1_before, double k1, const Eigen::Vector2d& px) {
+  const Eigen::Vector2d x = remove_radial(k1, add_radial(k1_before, c.ray(px).head<2>()));
+  return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy};
+}
+
+// A gradient is a covector: n' ~ (d px / d px')^T n.
+Eigen::Vector2d correct_normal(const Pinhole& c, double k1_before, double k1, const Eigen::Vector2d& px,
+                               const Eigen::Vector2d& normal) {
+  const Eigen::Vector2d x = c.ray(px).head<2>();
+  const Eigen::Vector2d corrected = remove_radial(k1, add_radial(k1_before, x));
+  const Eigen::Matrix2d J = radial_jacobian(k1_before, x).inverse() * radial_jacobian(k1, corrected);
+  const Eigen::Vector2d f(c.fx, c.fy);
+  return f.cwiseInverse().cwiseProduct(J.transpose() * f.cwiseProduct(normal)).normalized();
+}
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
   v.text("refine", refine, {"none", "k1"}, "residual radial distortion found while running; none: the file is taken as it is");

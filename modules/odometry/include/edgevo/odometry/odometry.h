@@ -19,7 +19,8 @@ namespace edgevo {
 
 struct OdometryOptions {
   uint64_t seed = 1;
-  bool realtime = false;   ///< tracking and mapping in two threads: faster, and not bit-identical from run to run
+  /// Tracking, mapping and self-calibration in threads of their own: faster, and not bit-identical from run to run.
+  bool realtime = false;
   /// Realtime: so many frames that call for a keyframe may be tracked while the mapping is still busy with one; then tracking waits for it.
   /// 1: nearly the map of a synchronous run. More: fewer waits where frames come at their own time, on an older map; with 8 a drive at
   /// 1 m a frame runs out of it.
