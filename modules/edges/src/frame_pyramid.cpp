@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "edgevo/core/error.h"
 #include "edgevo/edges/edge_extraction.h"
 #include "opencv_view.h"
+#include "undistortion.h"
 
 namespace edgevo {
 
@@ -13,25 +15,20 @@ struct PyramidBuilder::Impl {
   Camera camera;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
-  cv::Mat fixed_map, fixed_map_fraction;  // empty where the camera has no distortion
+  std::optional<Undistortion> undistortion;  // none where the camera has no distortion
 
   void make_maps() {
-    fixed_map.release();
-    fixed_map_fraction.release();
-    if (!camera.has_distortion()) return;
-    UndistortionMaps maps = make_undistortion_maps(camera);
-    const cv::Mat x(maps.height, maps.width, CV_32F, maps.x.data()), y(maps.height, maps.width, CV_32F, maps.y.data());
-    cv::convertMaps(x, y, fixed_map, fixed_map_fraction, CV_16SC2);
+    undistortion.reset();
+    if (camera.has_distortion() && camera.pinhole.width > 1 && camera.pinhole.height > 1)
+      undistortion.emplace(make_undistortion_maps(camera));
   }
 
   Plane<uint8_t> undistort(const GrayImage& image) const {
     Plane<uint8_t> out(image.width, image.height);
-    cv::Mat to = as_mat(out);
-    const cv::Mat from = as_mat(image.view());
-    if (fixed_map.empty())
-      from.copyTo(to);
+    if (undistortion)
+      undistortion->apply(image.view(), &out);
     else
-      cv::remap(from, to, fixed_map, fixed_map_fraction, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+      std::copy(image.pixels.begin(), image.pixels.end(), out.row(0));
     return out;
   }
 

@@ -212,6 +212,7 @@ ceres::Solver::Options CeresSolve::solver_options() const {
   o.num_threads = 1;
   o.max_num_iterations = options_.max_iterations;
   o.function_tolerance = options_.relative_decrease;
+  o.initial_trust_region_radius = 1.0 / options_.initial_damping;
   o.gradient_tolerance = 1e-16;
   o.parameter_tolerance = 1e-14;
   o.logging_type = ceres::SILENT;

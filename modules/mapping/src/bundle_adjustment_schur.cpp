@@ -15,7 +15,6 @@
 namespace edgevo::ba {
 namespace {
 
-constexpr double kInitialLambda = 1e-4;
 constexpr double kMaxLambda = 1e16;
 
 // Marquardt's scaling; bounded below, so that a pose that nothing observes stays where it is.
@@ -36,6 +35,7 @@ struct Step {
 
 class Damping {
  public:
+  explicit Damping(double initial) : lambda_(initial) {}
   double lambda() const { return lambda_; }
   /// Nielsen's rule: a smooth function of the gain of the accepted step.
   void accept(double gain) {
@@ -49,7 +49,7 @@ class Damping {
   }
 
  private:
-  double lambda_ = kInitialLambda, factor_ = 2;
+  double lambda_, factor_ = 2;
 };
 
 class Minimizer {
@@ -59,7 +59,8 @@ class Minimizer {
         state_(initial_state(problem, options.min_idepth)),
         window_(make_window(problem, state_, nullptr)),
         prior_(problem),
-        builder_(window_, options.huber_width) {
+        builder_(window_, options.huber_width),
+        damping_(options.initial_damping) {
     for (int i = 0; i < window_.pose_count; ++i)
       if (!problem.poses[i].fixed) free_poses_.push_back(i);
     trial_ = state_;

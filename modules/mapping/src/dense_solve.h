@@ -1,15 +1,47 @@
 #pragma once
 // Symmetric systems of normal equations.
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 namespace edgevo::ba {
 
-/// A x = b for a symmetric A that is positive definite as a rule: Cholesky, which Eigen does block by block; the slow factorisation
-/// without square roots only where that fails.
+/// Half bandwidth of a symmetric matrix: |i - j| of its farthest entry that is not zero, read from the lower triangle.
+inline Eigen::Index half_bandwidth(const Eigen::MatrixXd& A) {
+  Eigen::Index width = 0;
+  for (Eigen::Index col = 0; col < A.cols(); ++col) {
+    Eigen::Index row = A.rows() - 1;
+    while (row > col + width && A(row, col) == 0.0) --row;
+    width = std::max(width, row - col);
+  }
+  return width;
+}
+
+/// A x = b for a symmetric A that is positive definite as a rule: Cholesky, block by block and within the band only, so that n poses that
+/// see w others each cost n w^2 and not n^3; the slow factorisation without square roots only where that fails.
 inline Eigen::VectorXd solve_positive(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
-  const Eigen::LLT<Eigen::MatrixXd> llt(A);
-  if (llt.info() == Eigen::Success) return llt.solve(b);
-  return A.ldlt().solve(b);
+  constexpr Eigen::Index kBlock = 48;
+  const Eigen::Index n = A.rows(), width = half_bandwidth(A);
+  Eigen::MatrixXd L = A;
+  Eigen::VectorXd x = b;
+  // L L^T = A and L y = b, a column of blocks at a time.
+  for (Eigen::Index k = 0; k < n; k += kBlock) {
+    const Eigen::Index size = std::min(kBlock, n - k), below = std::min(n - k, size + width) - size;
+    auto diagonal = L.block(k, k, size, size);
+    if (Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(diagonal); llt.info() != Eigen::Success) return A.ldlt().solve(b);
+    const auto triangle = diagonal.triangularView<Eigen::Lower>();
+    auto panel = L.block(k + size, k, below, size);
+    triangle.transpose().solveInPlace<Eigen::OnTheRight>(panel);
+    L.block(k + size, k + size, below, below).selfadjointView<Eigen::Lower>().rankUpdate(panel, -1.0);
+    triangle.solveInPlace(x.segment(k, size));
+    x.segment(k + size, below).noalias() -= panel * x.segment(k, size);
+  }
+  // L^T x = y, backwards.
+  for (Eigen::Index k = (n - 1) / kBlock * kBlock; k >= 0; k -= kBlock) {
+    const Eigen::Index size = std::min(kBlock, n - k), below = std::min(n - k, size + width) - size;
+    x.segment(k, size).noalias() -= L.block(k + size, k, below, size).transpose() * x.segment(k + size, below);
+    L.block(k, k, size, size).triangularView<Eigen::Lower>().transpose().solveInPlace(x.segment(k, size));
+  }
+  return x;
 }
 
 }  // namespace edgevo::ba

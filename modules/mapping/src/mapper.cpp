@@ -1,6 +1,7 @@
 #include "edgevo/mapping/mapper.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/thread_clock.h"
@@ -192,6 +193,14 @@ std::shared_ptr<const FramePyramid> Mapper::corrected(const std::shared_ptr<cons
   return pyramid->residual_k1 == k1 || !rebuild_ ? pyramid : rebuild_(*pyramid, k1);
 }
 
+// Every immature point is searched in every frame: as many as it takes to fill the window again, and not more.
+int Mapper::new_points_wanted() const {
+  constexpr int kAtLeast = 300;  // also a full window needs points where the view is new
+  const DepthFilterParams& p = params_.depth_filter;
+  const int lacking = std::max(0, params_.window.max_points - window_.active_points());
+  return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points), p.max_new_points);
+}
+
 // Drops immature points that are dead or too old, and makes new ones in the newest keyframe where the map has none.
 void Mapper::seed_points(Keyframe* keyframe) {
   for (Keyframe& host : window_.keyframes()) {
@@ -204,8 +213,10 @@ void Mapper::seed_points(Keyframe* keyframe) {
   median_idepth_ = prior.median();
   std::vector<bool> occupied(prior.grid().size());
   for (int c = 0; c < prior.grid().size(); ++c) occupied[c] = prior.occupied(c);
+  DepthFilterParams wanted = params_.depth_filter;
+  wanted.max_new_points = new_points_wanted();
   keyframe->immature = make_immature_points(
-      *keyframe, occupied, [&](const Eigen::Vector2d& px) { return prior.range(px); }, params_.depth_filter, &random_);
+      *keyframe, occupied, [&](const Eigen::Vector2d& px) { return prior.range(px); }, wanted, &random_);
 }
 
 void Mapper::publish(const Keyframe& keyframe) {

@@ -15,6 +15,7 @@ void BootstrapParams::visit(ParamVisitor& v) {
 
 void DepthFilterParams::visit(ParamVisitor& v) {
   v.integer("max_new_points", max_new_points, 10, 20000, "immature points made in a keyframe, at most");
+  v.number("candidates_per_point", candidates_per_point, 0, 100, "immature points made for each that the window lacks");
   v.integer("cell_px", cell_px, 2, 200, "one new point in each cell of this size, pixels");
   v.number("prior_low", prior_low, 0.01, 1, "search range: times the smallest inverse depth seen nearby");
   v.number("prior_high", prior_high, 1, 100, "search range: times the largest inverse depth seen nearby");
@@ -35,6 +36,7 @@ void DepthFilterParams::visit(ParamVisitor& v) {
 
 void KeyframeParams::visit(ParamVisitor& v) {
   v.number("flow_px", flow_px, 1, 500, "rms image motion by translation that makes a keyframe, at 1241 pixels width");
+  v.number("max_flow_px", max_flow_px, 1, 1000, "keyframe before the next frame would move further; at 1241 pixels width");
   v.number("min_flow_px", min_flow_px, 0, 500, "no keyframe below it: standstill or pure rotation");
   v.number("min_view_share", min_view_share, 0, 1, "keyframe when a smaller share of the cloud is in view");
   v.number("min_turn_share", min_turn_share, 0, 1, "keyframe below this share in view even without translation");
@@ -49,8 +51,8 @@ void WindowParams::visit(ParamVisitor& v) {
   v.integer("activation_cell_px", activation_cell_px, 2, 200, "points are spread over cells of this size, pixels");
   v.text("solver", solver, {"schur", "ceres"}, "bundle adjustment");
   v.text("gauge", gauge, {"fixed", "prior"}, "two oldest poses fixed, or a marginalisation prior");
-  v.integer("ba_iterations", ba_iterations, 1, 100, "at most");
-  v.integer("ba_update_iterations", ba_update_iterations, 0, 100, "at most, after the matches were updated");
+  v.integer("ba_iterations", ba_iterations, 1, 100, "at most, before the matches are updated");
+  v.integer("ba_update_iterations", ba_update_iterations, 0, 100, "at most, after that; 0: the matches are not updated");
   v.number("ba_huber", ba_huber, 0.1, 100, "Huber width in sigmas");
   v.boolean("photometric", photometric, "image-gradient cost in the bundle adjustment (slower)");
   v.number("photometric_sigma", photometric_sigma, 0.01, 100, "deviation of a normalised patch difference in that cost");

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int kMaxNewtonSteps = 8;
 constexpr double kEnough = 1e-4;  // of k1: 0.03 px at the border of a wide image
+constexpr double kRough = 10;     // the first solve may stop so much earlier: its solution serves only until k1 moves
 
 Eigen::Vector2d normalised(const Pinhole& c, const Eigen::Vector2d& px) { return c.ray(px).head<2>(); }
 Eigen::Vector2d pixel(const Pinhole& c, const Eigen::Vector2d& x) { return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy}; }
@@ -74,10 +75,12 @@ RadialEstimate estimate_k1(const RadialProblem& problem, double start, double pr
   const auto solver = make_bundle_adjuster("schur");
   RadialProblem current = problem;  // its poses and depths follow the solution
   for (int i = 0; i < kMaxNewtonSteps; ++i) {
+    const bool rough = i == 0;
+    BaOptions solve = options;
+    if (rough) solve.relative_decrease *= kRough;
     BaProblem p = without_radial(current, e.k1);
-    const BaResult result = solver->solve(&p, options);
+    const BaResult result = solver->solve(&p, solve);
     if (!result.usable) return e;
-    if (i == 0) e.cost_file = result.final_cost;
     e.cost = result.final_cost;
     const ProfileStep step = profile_step(p, k1_derivative(current, e.k1), options);
     if (!step.usable) return e;
@@ -87,7 +90,7 @@ RadialEstimate estimate_k1(const RadialProblem& problem, double start, double pr
     const double change = next - e.k1;
     e.solution = p;
     e.usable = true;
-    if (std::abs(change) < std::max(kEnough, 0.15 * e.sigma) || i + 1 == kMaxNewtonSteps) break;
+    if ((!rough && std::abs(change) < std::max(kEnough, 0.15 * e.sigma)) || i + 1 == kMaxNewtonSteps) break;
     predict(step, change, &p);
     current.file.poses = p.poses;
     for (size_t k = 0; k < p.points.size(); ++k) current.file.points[k].idepth = p.points[k].idepth;

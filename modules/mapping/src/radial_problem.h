@@ -25,7 +25,6 @@ struct RadialEstimate {
   bool usable = false;
   double k1 = 0;
   double sigma = 0;      ///< one standard deviation, cluster-robust; see ProfileStep::score_square
-  double cost_file = 0;  ///< least cost at the k1 that the search started from
   double cost = 0;       ///< at `k1`
   BaProblem solution;    ///< poses and depths at `k1`
 };

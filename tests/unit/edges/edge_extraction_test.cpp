@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "edgevo/core/error.h"
@@ -148,6 +149,30 @@ TEST(FramePyramid, RemovesTheDistortion) {
       ++on_line;
     }
   EXPECT_GT(on_line, 150);
+}
+
+// Every pixel is the bilinear value at the place its map names, to rounding: half a gray level, and 1/256 px of the slope along each axis.
+TEST(FramePyramid, UndistortsToTheRoundingOfItsPositions) {
+  Camera camera;
+  camera.pinhole = {300, 300, 160, 120, 320, 240};
+  camera.distortion.k1 = 0.2;  // the corners come from beyond the image
+  const GrayImage image = test::textured_image(320, 240, 5);
+  const auto pyramid = PyramidBuilder(camera, EdgeParams()).build(image);
+  const UndistortionMaps maps = make_undistortion_maps(camera);
+  int beyond = 0;
+  for (int v = 0; v < 240; ++v)
+    for (int u = 0; u < 320; ++u) {
+      const size_t i = size_t(v) * 320 + u;
+      const double x = std::clamp(double(maps.x[i]), 0.0, 319.0), y = std::clamp(double(maps.y[i]), 0.0, 239.0);
+      beyond += x != maps.x[i] || y != maps.y[i];
+      const int left = std::min(int(x), 318), top = std::min(int(y), 238);
+      const double a = image.view().at(left, top), b = image.view().at(left + 1, top), c = image.view().at(left, top + 1),
+                   d = image.view().at(left + 1, top + 1), fx = x - left, fy = y - top;
+      const double exact = (a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy;
+      const double slope = std::max({a, b, c, d}) - std::min({a, b, c, d});
+      ASSERT_NEAR(pyramid->finest().gray.at(u, v), exact, 0.501 + slope * 2 / 256) << u << " " << v;
+    }
+  EXPECT_GT(beyond, 1000);
 }
 
 }  // namespace

@@ -68,6 +68,16 @@ TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
   EXPECT_TRUE(d.needed);
 }
 
+// A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames goes on more slowly.
+TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
+  const SE3 fast = move(0.3, 0, 0);
+  const KeyframeDecision d = decide(fast, 1);
+  ASSERT_LT(d.flow_px, params.flow_px);
+  ASSERT_GT(2 * d.flow_px, params.max_flow_px);
+  EXPECT_TRUE(d.needed);
+  EXPECT_FALSE(decide(fast, 3).needed);
+}
+
 TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
   // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
   const ReferenceCloud cloud = grid_cloud(camera);

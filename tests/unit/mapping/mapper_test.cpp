@@ -87,6 +87,25 @@ TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
   EXPECT_LT((T_first_last.inverse() * truth).angle(), 0.02);
 }
 
+// The fewer points the window lacks, the fewer candidates it makes.
+TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
+  const auto candidates = [](int max_points) {
+    MappingParams params = params_with("prior");
+    params.window.max_points = max_points;
+    params.depth_filter.cell_px = 4;
+    SweepDriver driver(params);
+    EXPECT_EQ(driver.start(), "");
+    driver.process(12, true);
+    const Window& window = driver.mapper.window();
+    const int lacking = std::max(0, max_points - window.active_points()), made = int(window.newest().immature.size());
+    EXPECT_LE(made, std::max(300, int(params.depth_filter.candidates_per_point * lacking))) << max_points;
+    return made;
+  };
+  const int full = candidates(200), empty = candidates(4000);
+  EXPECT_GT(full, 100);
+  EXPECT_GT(empty, 2 * full);
+}
+
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
   SweepDriver driver(params_with("fixed"));
   ASSERT_EQ(driver.start(), "");

@@ -80,6 +80,7 @@ struct BaOptions {
   double huber_width = 1.5;         ///< in sigmas
   double min_idepth = 1e-6;         ///< an update never takes rho below it
   double relative_decrease = 1e-4;  ///< stop when the cost falls by less than this share
+  double initial_damping = 1e-4;    ///< of the first step, share of the diagonal; a trusted linearisation wants less
 };
 
 struct BaResult {

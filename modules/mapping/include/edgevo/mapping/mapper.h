@@ -78,6 +78,7 @@ class Mapper {
  private:
   std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
+  int new_points_wanted() const;
   void seed_points(Keyframe* keyframe);
   void calibrate_on_the_way();
   void calibrate(bool at_end);

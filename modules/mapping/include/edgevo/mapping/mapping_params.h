@@ -20,6 +20,7 @@ struct BootstrapParams {
 
 struct DepthFilterParams {
   int max_new_points = 1200;        ///< a keyframe
+  double candidates_per_point = 4;  ///< new points for each that the window lacks; some never get a depth, some leave the view before
   int cell_px = 12;                 ///< one new point a cell
   double prior_low = 0.4, prior_high = 2.5;   ///< search range around the depths seen nearby
   double far_low = 0.02, far_high = 8.0;      ///< where none is near: times the median inverse depth
@@ -38,7 +39,8 @@ struct DepthFilterParams {
 };
 
 struct KeyframeParams {
-  double flow_px = 30;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
+  double flow_px = 40;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
+  double max_flow_px = 70;          ///< a keyframe before the next frame goes beyond it: fast motion
   double min_flow_px = 4;           ///< below it no keyframe: standstill, or a rotation that keeps the map in view
   double min_view_share = 0.75;
   double min_turn_share = 0.55;     ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
@@ -48,15 +50,15 @@ struct KeyframeParams {
 };
 
 struct WindowParams {
-  int keyframes = 16;
+  int keyframes = 12;
   int max_points = 2000;
   double max_projected_sigma_px = 1.5;  ///< an immature point joins below it
   int min_matches = 2;                  ///< keyframes that must match a point before it joins
   int activation_cell_px = 14;
   std::string solver = "schur";
   std::string gauge = "prior";          ///< "fixed": two oldest poses; "prior": marginalisation prior
-  int ba_iterations = 8;
-  int ba_update_iterations = 3;         ///< after the matches were updated
+  int ba_iterations = 1;                ///< before the matches are updated: poses are nearly right from tracking
+  int ba_update_iterations = 4;         ///< after that
   double ba_huber = 1.5;
   bool photometric = false;             ///< image-gradient cost in the BA, Eq. (photometricerror)
   double photometric_sigma = 0.5;       ///< of a normalised patch difference, in deviations
