@@ -70,7 +70,7 @@ TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
 
 // A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames goes on more slowly.
 TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
-  const SE3 fast = move(0.3, 0, 0);
+  const SE3 fast = move(0.33, 0, 0);
   const KeyframeDecision d = decide(fast, 1);
   ASSERT_LT(d.flow_px, params.flow_px);
   ASSERT_GT(2 * d.flow_px, params.max_flow_px);
