@@ -94,7 +94,8 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
   const PyramidLevel& host = q.host->finest();
   const PyramidLevel& target = q.target->finest();
   const Walk walk = walk_along_edge(target.edges, centre, match->search_px);
-  for (int side = params.patch_side; side <= params.max_patch_side; side += 2) {
+  const int last_side = std::max(params.patch_side, params.max_patch_side);
+  for (int side = params.patch_side; side <= last_side; side += 2) {
     Patch patch;
     if (!comparison.cut(host, q.px_host, A, side / 2, &patch)) return false;
     const TemplateMatch m = match_template(comparison, patch, target, walk, params.sigma_c);
@@ -141,7 +142,7 @@ void AssociationParams::visit(ParamVisitor& v) {
   v.number("max_search_px", max_search_px, 0, 30, "cap of the half search length, pixels");
   v.boolean("photometric", photometric, "search along the edge by patches (paper); false: edge matches only");
   v.odd("patch_side", patch_side, 3, 11, "first patch size S_p, pixels");
-  v.odd("max_patch_side", max_patch_side, 3, 11, "patches grow up to tau_S, pixels");
+  v.odd("max_patch_side", max_patch_side, 3, 11, "patches grow up to tau_S, pixels; a larger first size does not grow");
   v.number("max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
   v.number("sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
   v.number("tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");

@@ -346,6 +346,16 @@ TEST(Associate, OffGivesEdgeMatchesOnly) {
   EXPECT_GT(o.matched, 0.7 * o.tried);
 }
 
+// A first patch larger than the largest one is searched with all the same: it does not grow.
+TEST(Associate, AFirstPatchBeyondTheLargestOneDoesNotGrow) {
+  AssociationParams one_size, beyond;
+  one_size.patch_side = one_size.max_patch_side = beyond.patch_side = 9;
+  beyond.max_patch_side = 5;
+  const Outcome a = associate_all(one_size, 1.0, 0.0), b = associate_all(beyond, 1.0, 0.0);
+  EXPECT_GT(a.photometric, 0);
+  EXPECT_EQ(a.photometric, b.photometric);
+}
+
 TEST(Associate, APointBehindTheCameraOrOutsideHasNoMatch) {
   const test::PlaneScene scene;
   const auto host = scene.pyramid(SE3());
