@@ -9,7 +9,7 @@
 namespace edgevo {
 
 /// Bilinear, positions rounded to 1/128 px; beyond the border the border pixels go on. At least 2x2 pixels.
-/// A quarter of the time of OpenCV's remap, whose positions are rounded to 1/32 px (numbers in the module's README).
+/// Faster than OpenCV's remap, whose positions are rounded to 1/32 px (numbers in the module's README).
 class Undistortion {
  public:
   explicit Undistortion(const UndistortionMaps& maps);
