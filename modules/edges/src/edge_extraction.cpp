@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "edgevo/core/simd.h"
+
 namespace edgevo {
 namespace {
 
@@ -112,45 +114,104 @@ class Walker {
   std::vector<Pixel> pixels_;
 };
 
-EdgePixel locate(int x, int y, const Gradient& g) {
-  const float m0 = std::max(g.magnitude.at(x, y), 1e-3f);
-  EdgePixel e;
-  e.nx = float(g.dx.at(x, y)) / (kGradientSteps * m0);
-  e.ny = float(g.dy.at(x, y)) / (kGradientSteps * m0);
-  const ImageView<float> m = g.magnitude.view();
-  const float before = bilinear(m, float(x) - e.nx, float(y) - e.ny);
-  const float after = bilinear(m, float(x) + e.nx, float(y) + e.ny);
-  const float curvature = before - 2.0f * m0 + after;
-  const float shift = curvature < -1e-3f ? std::clamp(0.5f * (before - after) / curvature, -0.5f, 0.5f) : 0.0f;
-  e.x = float(x) + shift * e.nx;
-  e.y = float(y) + shift * e.ny;
-  e.strength = m0 / kSobelPerGrayLevel;
-  return e;
+constexpr int kRun = 256;  // pixels that are gathered, then placed, at a time
+using Floats = std::array<float, kRun>;
+
+// Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in both, and at those behind.
+struct Surroundings {
+  Floats dx, dy, here, ahead_x, ahead_y, ahead_xy, behind_x, behind_y, behind_xy;
+};
+
+struct Places {
+  Floats nx, ny, shift;
+};
+
+// The maximum of a parabola through the magnitudes at the pixel and one pixel along the normal on both sides, at most half a pixel away.
+EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, Places* __restrict out) {
+  for (int i = 0; i < count; ++i) {
+    const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, 1e-3f));
+    const float nx = s.dx[i] * scale, ny = s.dy[i] * scale, ax = std::abs(nx), ay = std::abs(ny);
+    const float ahead_row = m + ax * (s.ahead_x[i] - m), ahead_next = s.ahead_y[i] + ax * (s.ahead_xy[i] - s.ahead_y[i]);
+    const float behind_row = m + ax * (s.behind_x[i] - m), behind_next = s.behind_y[i] + ax * (s.behind_xy[i] - s.behind_y[i]);
+    const float ahead = ahead_row + ay * (ahead_next - ahead_row), behind = behind_row + ay * (behind_next - behind_row);
+    const float curvature = std::min(behind - 2.0f * m + ahead, -1e-3f);
+    out->nx[i] = nx, out->ny[i] = ny;
+    out->shift[i] = std::min(std::max(0.5f * (behind - ahead) / curvature, -0.5f), 0.5f);
+  }
 }
 
-void append_chain(const std::vector<Pixel>& path, const Gradient& gradient, EdgeMap* map) {
-  const int chain = int(map->chains.size());
-  const int begin = int(map->pixels.size());
-  for (const Pixel& p : path) {
-    if (gradient.magnitude.at(p.x, p.y) < 1.0f) continue;  // a detector other than Canny may mark flat pixels
-    map->pixels.push_back(locate(p.x, p.y, gradient));
-    map->pixels.back().chain = chain;
+// Writes edge pixels at `pixels`; their chains are not known here.
+class Placement {
+ public:
+  explicit Placement(const Gradient& gradient) : gradient_(gradient), width_(gradient.magnitude.width()) {}
+
+  void run(const Pixel* pixels, int count, EdgePixel* out) {
+    for (int i = 0; i < count; ++i) gather(pixels[i], i);
+    place(around_, count, &places_);
+    for (int i = 0; i < count; ++i) {
+      const float nx = places_.nx[i], ny = places_.ny[i], shift = places_.shift[i];
+      out[i] = {float(pixels[i].x) + shift * nx, float(pixels[i].y) + shift * ny, nx, ny, around_.here[i] / kSobelPerGrayLevel, 0};
+    }
   }
-  map->chains.push_back({begin, int(map->pixels.size())});
+
+ private:
+  void gather(Pixel p, int i) {
+    const int dx = gradient_.dx.at(p.x, p.y), dy = gradient_.dy.at(p.x, p.y);
+    const int x = dx > 0 ? 1 : -1, y = dy > 0 ? width_ : -width_;
+    const float* m = &gradient_.magnitude.at(p.x, p.y);
+    around_.dx[i] = float(dx), around_.dy[i] = float(dy), around_.here[i] = *m;
+    around_.ahead_x[i] = m[x], around_.ahead_y[i] = m[y], around_.ahead_xy[i] = m[x + y];
+    around_.behind_x[i] = m[-x], around_.behind_y[i] = m[-y], around_.behind_xy[i] = m[-x - y];
+  }
+
+  const Gradient& gradient_;
+  int width_;
+  Surroundings around_;
+  Places places_;
+};
+
+// Edges as whole pixels, chain by chain.
+struct Chains {
+  std::vector<Pixel> pixels;
+  std::vector<EdgeChain> chains;
+
+  void append(const std::vector<Pixel>& path, const Gradient& gradient) {
+    const int begin = int(pixels.size());
+    for (const Pixel& p : path)
+      if (gradient.magnitude.at(p.x, p.y) >= 1.0f) pixels.push_back(p);  // a detector other than Canny may mark flat pixels
+    chains.push_back({begin, int(pixels.size())});
+  }
+};
+
+EdgeMap place_all(Chains chains, const Gradient& gradient) {
+  EdgeMap map;
+  map.width = gradient.magnitude.width();
+  map.height = gradient.magnitude.height();
+  const int count = int(chains.pixels.size());
+  map.pixels.resize(count);
+  Placement placement(gradient);
+  for (int i = 0; i < count; i += kRun) placement.run(&chains.pixels[i], std::min(kRun, count - i), &map.pixels[i]);
+  map.chains = std::move(chains.chains);
+  for (size_t c = 0; c < map.chains.size(); ++c)
+    for (int i = map.chains[c].begin; i < map.chains[c].end; ++i) map.pixels[i].chain = int(c);
+  return map;
 }
 
 }  // namespace
 
 EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain) {
-  EdgeMap map;
-  map.width = mask.width();
-  map.height = mask.height();
-  if (map.width <= 2 * kBorder || map.height <= 2 * kBorder) return map;
+  if (mask.width() <= 2 * kBorder || mask.height() <= 2 * kBorder) {
+    EdgeMap empty;
+    empty.width = mask.width();
+    empty.height = mask.height();
+    return empty;
+  }
   Walker walker(mask);
-  map.pixels.reserve(walker.pixels().size());
+  Chains chains;
+  chains.pixels.reserve(walker.pixels().size());
   std::vector<Pixel> path;
   const auto keep = [&] {
-    if (int(path.size()) >= min_chain) append_chain(path, gradient, &map);
+    if (int(path.size()) >= min_chain) chains.append(path, gradient);
     path.clear();
   };
   for (const Pixel& p : walker.pixels()) {
@@ -167,7 +228,7 @@ EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int 
     walker.walk(p, &path);
     keep();
   }
-  return map;
+  return place_all(std::move(chains), gradient);
 }
 
 }  // namespace edgevo

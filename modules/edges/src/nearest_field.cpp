@@ -9,20 +9,15 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRowBits = NearestField::kRowBits;
+constexpr int kShift = NearestField::kShift;
 constexpr int16_t kFar = 0x3FFF;  // a key beyond every distance; adding a row's share does not overflow
 
-// Squared distances and column offsets around one edge pixel of a row.
-struct Ramp {
-  explicit Ramp(int radius) {
-    for (int d = -radius; d <= radius; ++d) {
-      key.push_back(int16_t((d * d) << kRowBits));
-      back.push_back(int8_t(-d));
-    }
-  }
-  std::vector<int16_t> key;
-  std::vector<int8_t> back;
-};
+// Keys around one edge pixel of a row, from `radius` columns before it to as many after it.
+std::vector<int16_t> make_ramp(int radius) {
+  std::vector<int16_t> keys;
+  for (int d = -radius; d <= radius; ++d) keys.push_back(int16_t((d * d << kShift) + int(d > 0)));  // after it: the edge lies to the left
+  return keys;
+}
 
 // One bit a pixel, row by row: the columns of a row come out of it in ascending order and once each, without sorting.
 class EdgeBits {
@@ -42,16 +37,14 @@ class EdgeBits {
   std::vector<uint64_t> bits_;
 };
 
-// Writes, for the edges at columns `xs` (ascending) of one row, each column's squared distance and offset to the nearest.
-void fill_row(const std::vector<int>& xs, int width, int radius, const Ramp& ramp, int16_t* key, int8_t* offset) {
+// Writes, for the edges at columns `xs` (ascending) of one row, each column's key to the nearest.
+void fill_row(const std::vector<int>& xs, int width, int radius, const std::vector<int16_t>& ramp, int16_t* key) {
   std::fill(key, key + width, kFar);
   for (size_t k = 0; k < xs.size(); ++k) {
     const int left = k == 0 ? 0 : (xs[k - 1] + xs[k]) / 2 + 1;  // a tie goes to the left edge
     const int right = k + 1 == xs.size() ? width - 1 : (xs[k] + xs[k + 1]) / 2;
     const int from = std::max(left, xs[k] - radius), to = std::min(right, xs[k] + radius);
-    const int start = from - xs[k] + radius;
-    std::copy_n(ramp.key.begin() + start, to - from + 1, key + from);
-    std::copy_n(ramp.back.begin() + start, to - from + 1, offset + from);
+    std::copy_n(ramp.begin() + (from - xs[k] + radius), to - from + 1, key + from);
   }
 }
 
@@ -79,9 +72,8 @@ EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* 
 
 NearestField::NearestField(const EdgeMap& edges, int radius)
     : radius_(radius),
-      none_((radius * radius + 1) << kRowBits),
+      none_((radius * radius + 1) << kShift),
       keys_(edges.width, edges.height),
-      row_offset_(edges.width, edges.height),
       index_(edges.width, edges.height) {
   const int width = edges.width, height = edges.height;
   EdgeBits bits(width, height);
@@ -91,7 +83,7 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
     index_.at(x, y) = int32_t(i);
     bits.set(x, y);
   }
-  const Ramp ramp(radius);
+  const std::vector<int16_t> ramp = make_ramp(radius);
   const int padded = (width + kBlock - 1) / kBlock * kBlock;
   Plane<int16_t> in_row(padded, height);
   std::vector<int> columns;
@@ -99,7 +91,7 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
   for (int y = 0; y < height; ++y) {
     bits.list_row(y, &columns);
     is_empty[y] = columns.empty();
-    fill_row(columns, width, radius, ramp, in_row.row(y), row_offset_.row(y));
+    fill_row(columns, width, radius, ramp, in_row.row(y));
     std::fill(in_row.row(y) + width, in_row.row(y) + padded, kFar);
   }
   std::vector<int16_t> best(padded), share;
@@ -109,7 +101,7 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
     for (int dy = std::max(-radius, -y); dy <= std::min(radius, height - 1 - y); ++dy) {
       if (is_empty[y + dy]) continue;
       rows.push_back(in_row.row(y + dy));
-      share.push_back(int16_t((dy * dy << kRowBits) + dy + radius));
+      share.push_back(int16_t((dy * dy << kShift) + 2 * (dy + radius)));
     }
     take_minimum(rows.data(), share.data(), int(rows.size()), best.data(), padded);
     std::copy_n(best.begin(), width, keys_.row(y));

@@ -3,9 +3,11 @@
 //
 // Exact (Euclidean distance between integer pixel positions; ties go to the upper row, then to the left), cut off at `radius`.
 // Separable: first the nearest edge within each row, then for each pixel the best of the 2 radius + 1 rows around it; the second
-// pass is a minimum over 16-bit keys (squared distance, row offset), which compilers vectorise.
-// Cost at 1241x376, radius 12: about 2 ms on one core, independent of the number of edges.
+// pass is a minimum over 16-bit keys (squared distance, row offset, side), which compilers vectorise. A key is all that is stored of an
+// offset: squared distance and row give the number of columns.
+// Cost at 1241x376, radius 12: about 1 ms on one core, independent of the number of edges.
 #include <algorithm>
+#include <cmath>
 
 #include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/plane.h"
@@ -14,8 +16,9 @@ namespace edgevo {
 
 class NearestField {
  public:
-  static constexpr int kMaxRadius = 15;  ///< squared distance and row offset must fit 15 bits
+  static constexpr int kMaxRadius = 15;  ///< squared distance, row offset and side must fit 15 bits
   static constexpr int kRowBits = 5;     ///< of these, for the row offset
+  static constexpr int kShift = kRowBits + 1;  ///< of the squared distance; the lowest bit is the side
 
   NearestField() = default;
   /// `radius` in pixels, 1..kMaxRadius. Edge positions are rounded to the pixel they lie in.
@@ -31,23 +34,23 @@ class NearestField {
   /// Squared distance from (x, y), rounded to the next pixel, to the pixel of the nearest edge; radius^2 + 1 where there is none within
   /// the radius or (x, y) lies outside the image. A quarter of the memory traffic of `nearest`: asked first where edges are rare.
   int squared_distance(float x, float y) const {
-    if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return none_ >> kRowBits;
-    return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kRowBits;
+    if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return none_ >> kShift;
+    return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kShift;
   }
   /// The same as `nearest` for an integer pixel inside the image.
   int nearest_at(int x, int y) const {
     const int key = keys_.at(x, y);
     if (key >= none_) return -1;
-    const int row = y + (key & ((1 << kRowBits) - 1)) - radius_;
-    return index_.at(x + row_offset_.at(x, row), row);
+    const int down = (key >> 1 & ((1 << kRowBits) - 1)) - radius_;
+    const int across = int(std::sqrt(float((key >> kShift) - down * down)));  // exact: a square
+    return index_.at(key & 1 ? x - across : x + across, y + down);
   }
 
  private:
   int radius_ = 0;
   int none_ = 0;                 // keys from here on mean: no edge within the radius
-  Plane<int16_t> keys_;          // 32 * squared distance + row offset + radius
-  Plane<int8_t> row_offset_;     // columns to the nearest edge within the row
-  Plane<int32_t> index_;         // edge pixel index; valid only at edge pixels
+  Plane<int16_t> keys_;   // 64 * squared distance + 2 * (row offset + radius) + 1 if the edge lies to the left
+  Plane<int32_t> index_;  // edge pixel index; valid only at edge pixels
 };
 
 }  // namespace edgevo
