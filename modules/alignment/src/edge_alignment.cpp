@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "edge_match.h"
+#include "edge_sums.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
 
@@ -15,11 +16,6 @@ struct NormalEquations {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
   AlignmentStats stats;
-
-  void add(const Eigen::Matrix<double, 1, 6>& J, double residual, double weight) {
-    H.noalias() += weight * J.transpose() * J;
-    b.noalias() += (weight * residual) * J.transpose();
-  }
 };
 
 // One solve of (H + lambda diag H) xi = -b; false if the system is not positive definite.
@@ -65,24 +61,31 @@ class EdgeCost {
  public:
   EdgeCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
       : level_(current.levels[level]), cloud_(cloud), params_(params),
-        huber_(params.robust == "huber"), photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {}
+        huber_(params.robust == "huber"), photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {
+    matched_.reserve(cloud.points.size());
+  }
 
   NormalEquations operator()(const SE3& T_cur_ref) const {
     NormalEquations eq;
     const Eigen::Matrix3d R = T_cur_ref.R();
     const Eigen::Vector3d t = T_cur_ref.translation();
-    double square_sum = 0, cost = 0;
+    matched_.clear();
+    double cost = 0;
     for (size_t i = 0; i < cloud_.points.size(); ++i) {
       const CloudPoint& point = cloud_.points[i];
       const Projection p = project(level_.pinhole, R, t, point.ray, point.idepth);
       if (!p.valid || !level_.pinhole.contains(p.px, 2)) continue;
       ++eq.stats.visible;
-      cost += add_edge(point, p, t, &eq, &square_sum);
+      match(point, p);
       if (photometric_) cost += add_photometric(cloud_.gradient_patches[i], point, p, &eq);
     }
+    eq.stats.inliers = matched_.size();
+    const EdgeSums sums = sum_edges(matched_, level_.pinhole, t, miss_cost());
+    sums.add_to(&eq.H, &eq.b);
+    cost += sums.cost + double(eq.stats.visible - eq.stats.inliers) * miss_cost();
     cost += double(cloud_.points.size() - eq.stats.visible) * kOutOfView * miss_cost();
     eq.stats.cost = cost / std::max<size_t>(1, cloud_.points.size());
-    eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(square_sum / eq.stats.inliers) : 0.0;
+    eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(sums.square / eq.stats.inliers) : 0.0;
     return eq;
   }
 
@@ -100,19 +103,11 @@ class EdgeCost {
     return huber_ ? huber_weight(r, params_.huber_px) : student_t_weight(r, params_.huber_px);
   }
 
-  // Returns the cost of the point: Eq. (edgeerror), truncated.
-  double add_edge(const CloudPoint& point, const Projection& p, const Eigen::Vector3d& t, NormalEquations* eq,
-                  double* square_sum) const {
+  void match(const CloudPoint& point, const Projection& p) const {
     const EdgeMatch match = match_edge(level_, p.px, point.normal, params_);
-    if (!match.found) return miss_cost();
-    const Eigen::Vector2d& g = match.normal;
-    const double r = match.residual_px;
-    const Eigen::Matrix<double, 1, 6> J = g.transpose() * pose_jacobian(level_.pinhole, p.Y, point.idepth);
-    const double w_depth = depth_weight(projection_jacobian(level_.pinhole, p.Y), t, g, point.idepth_sigma);
-    eq->add(J, r, w_depth * robust_weight(r));
-    *square_sum += r * r;
-    ++eq->stats.inliers;
-    return w_depth * robust_cost(r) + (1.0 - w_depth) * std::min(robust_cost(r), miss_cost());
+    if (!match.found) return;
+    matched_.append(p.Y, point.idepth, point.idepth_sigma, match.normal, match.residual_px, robust_weight(match.residual_px),
+                    robust_cost(match.residual_px));
   }
 
   // Eq. (photometricerror) with F the gradient magnitude, normalised patch by patch.
@@ -133,6 +128,7 @@ class EdgeCost {
   const ReferenceCloud& cloud_;
   const AlignmentParams& params_;
   bool huber_, photometric_;
+  mutable MatchedEdges matched_;  // memory for one evaluation after another
 };
 
 class PatchCost {

@@ -1,31 +1,26 @@
 #include "edgevo/alignment/patch_template.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "edgevo/alignment/patch_normalisation.h"
+#include "edgevo/alignment/sample_square.h"
 
 namespace edgevo {
 namespace {
 
+constexpr int kWideSide = kPatchSide + 2;
 using Patch = std::array<float, kPatchPixels>;
 constexpr float kMinDeviation = 1.0f;  // gray levels (or gradient units): flatter patches say nothing
 
-// Samples the patch at (x, y); all its pixels share the fractional part, so that the four weights are constants.
-template <class T>
-bool sample(const ImageView<T>& image, float x, float y, Patch* out) {
+// Samples a square of kSide pixels around (x, y); false if it does not lie in the image.
+template <int kSide, class T>
+bool sample(const ImageView<T>& image, float x, float y, std::array<float, kSide * kSide>* out) {
+  constexpr int kRadius = kSide / 2;
   const float xf = std::floor(x), yf = std::floor(y);
-  if (!(xf >= kPatchRadius && yf >= kPatchRadius && xf < float(image.width - kPatchRadius - 1) &&
-        yf < float(image.height - kPatchRadius - 1)))
-    return false;
-  const float fx = x - xf, fy = y - yf;
-  const float w00 = (1 - fx) * (1 - fy), w01 = fx * (1 - fy), w10 = (1 - fx) * fy, w11 = fx * fy;
-  const T* row = image.data + (int(yf) - kPatchRadius) * image.stride + int(xf) - kPatchRadius;
-  float* to = out->data();
-  for (int v = 0; v < kPatchSide; ++v, row += image.stride, to += kPatchSide) {
-    const T* below = row + image.stride;
-    for (int u = 0; u < kPatchSide; ++u)
-      to[u] = w00 * float(row[u]) + w01 * float(row[u + 1]) + w10 * float(below[u]) + w11 * float(below[u + 1]);
-  }
+  if (!(xf >= kRadius && yf >= kRadius && xf < float(image.width - kRadius - 1) && yf < float(image.height - kRadius - 1))) return false;
+  const T* corner = image.data + (int(yf) - kRadius) * image.stride + int(xf) - kRadius;
+  sample_square<kSide>(corner, image.stride, x - xf, y - yf, out->data());
   return true;
 }
 
@@ -46,16 +41,17 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
   for (size_t k = 0; k < positions.size(); ++k) {
     PatchTemplate& p = patches[k];
     const float x = positions[k].x(), y = positions[k].y();
-    Patch left, right, up, down;
-    if (!sample(image, x, y, &p.value) || !sample(image, x - 1, y, &left) || !sample(image, x + 1, y, &right) ||
-        !sample(image, x, y - 1, &up) || !sample(image, x, y + 1, &down))
-      continue;
+    std::array<float, kWideSide * kWideSide> wide;  // one pixel more on each side, for central differences
+    if (!sample<kWideSide>(image, x, y, &wide)) continue;
+    const auto centre = [&wide](int i) { return &wide[(i / kPatchSide + 1) * kWideSide + i % kPatchSide + 1]; };
+    for (int i = 0; i < kPatchPixels; ++i) p.value[i] = *centre(i);
     const float deviation = normalise(&p.value);
     if (deviation == 0) continue;
     const float half = 0.5f / deviation;
     for (int i = 0; i < kPatchPixels; ++i) {
-      p.gx[i] = half * (right[i] - left[i]);
-      p.gy[i] = half * (down[i] - up[i]);
+      const float* c = centre(i);
+      p.gx[i] = half * (c[1] - c[-1]);
+      p.gy[i] = half * (c[kWideSide] - c[-kWideSide]);
     }
     project_out_normalisation(p.value.data(), kPatchPixels, p.gx.data());
     project_out_normalisation(p.value.data(), kPatchPixels, p.gy.data());
@@ -68,21 +64,30 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
   return patches;
 }
 
+// The template has zero mean and unit deviation, its derivatives are orthogonal to a constant and to it: of the image's normalisation only
+// the division by its deviation is left in the sums, so that one pass over the pixels does.
 template <class T>
 PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& patch, float x, float y) {
   PatchDifference d;
   Patch current;
-  if (!patch.usable || !sample(image, x, y, &current) || normalise(&current) == 0) return d;
-  float square = 0, bx = 0, by = 0;
+  if (!patch.usable || !sample<kPatchSide>(image, x, y, &current)) return d;
+  float sum = 0, square = 0, product = 0, bx = 0, by = 0;
+#pragma omp simd reduction(+ : sum, square, product, bx, by)
   for (int i = 0; i < kPatchPixels; ++i) {
-    const float r = current[i] - patch.value[i];
-    square += r * r;
-    bx += patch.gx[i] * r;
-    by += patch.gy[i] * r;
+    const float v = current[i];
+    sum += v;
+    square += v * v;
+    product += v * patch.value[i];
+    bx += v * patch.gx[i];
+    by += v * patch.gy[i];
   }
+  const float mean = sum / kPatchPixels;
+  const float deviation = std::sqrt(std::max(0.0f, square / kPatchPixels - mean * mean));
+  if (!(deviation >= kMinDeviation)) return d;
+  const float scale = 1.0f / (deviation * kPatchPixels);
   d.usable = true;
-  d.mean_square = square / kPatchPixels;
-  d.gradient = Eigen::Vector2d(bx, by) / kPatchPixels;
+  d.mean_square = std::max(0.0f, 2.0f - 2.0f * product * scale);
+  d.gradient = Eigen::Vector2d(bx * scale, by * scale);
   return d;
 }
 

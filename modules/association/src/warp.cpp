@@ -6,6 +6,7 @@
 
 #include "edgevo/alignment/patch_normalisation.h"
 #include "edgevo/alignment/projection.h"
+#include "edgevo/alignment/sample_square.h"
 #include "edgevo/core/simd.h"
 
 namespace edgevo {
@@ -110,28 +111,6 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, con
   interpolate(corners, grid, count, patch->value.data());
   return true;
 }
-
-namespace {
-
-// Bilinear values at a square of pixels that all lie (fx, fy) off the grid; `corner` is the grid point of the first. Each row is
-// interpolated along itself once and serves the patch row above and below it.
-template <int kSide, class T>
-void sample_square(const T* corner, std::ptrdiff_t stride, float fx, float fy, float* to) {
-  float rows[2][kSide];
-  const auto interpolate = [fx](const T* row, float* out) {
-    for (int u = 0; u < kSide; ++u) out[u] = float(row[u]) + fx * (float(row[u + 1]) - float(row[u]));
-  };
-  interpolate(corner, rows[0]);
-  for (int v = 0; v < kSide; ++v, to += kSide) {
-    const float* above = rows[v & 1];
-    float* below = rows[(v + 1) & 1];
-    corner += stride;
-    interpolate(corner, below);
-    for (int u = 0; u < kSide; ++u) to[u] = above[u] + fy * (below[u] - above[u]);
-  }
-}
-
-}  // namespace
 
 template <class T>
 bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Patch* patch) {
