@@ -251,8 +251,7 @@ void fuse(const EpipolarMatch& m, ImmaturePoint* p) {
   } else {
     ++p->bad;
   }
-  const int borne = p->good == 0 ? 1 : 2;  // what was not found twice will hardly be found
-  if (p->bad > borne + p->good) p->dead = true;
+  if (p->bad > 2 + p->good) p->dead = true;
 }
 
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,

@@ -11,7 +11,6 @@ namespace {
 using ba::RadialEstimate;
 
 constexpr int kGaugeSpan = 8;      // keyframes over which the scale of a new prior is held
-constexpr size_t kManyPoints = 7000;  // enough for k1: what limits it is common to all matches
 constexpr size_t kNewestSpan = 8;  // the newest keyframes that an estimate knew: they tell its unit of length
 
 double median(std::vector<double> values) {
@@ -193,14 +192,12 @@ CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::ve
   }
   file.poses.front().fixed = true;
   file.prior = hold_ends(keyframes.front()->T_cam_world, keyframes.back()->T_cam_world, keyframes.back()->id);
-  size_t all = 0;
-  for (const Keyframe* k : keyframes) all += k->points.size();
-  const size_t each = 1 + all / kManyPoints;  // each second, third ... point
   h.point_index.resize(keyframes.size());
   for (size_t host = 0; host < keyframes.size(); ++host)
-    for (size_t i = 0; i < keyframes[host]->points.size(); ++i) {
-      if (i % each == 0) add_point(pinhole, k1, keyframes[host]->points[i], int(host), pose_of_id, &h);
-      if (h.point_index[host].size() == i) h.point_index[host].push_back(-1);
+    for (const MapPoint& p : keyframes[host]->points) {
+      const size_t known = h.point_index[host].size();
+      add_point(pinhole, k1, p, int(host), pose_of_id, &h);
+      if (h.point_index[host].size() == known) h.point_index[host].push_back(-1);
     }
   return h;
 }

@@ -13,7 +13,7 @@ struct CalibrationHistory {
   std::vector<std::vector<int>> point_index;  ///< [keyframe][point] -> problem point, -1: none
 };
 
-/// `k1`: the residual distortion that the keyframes' images are corrected for now. Of more than 7000 points every second, third ... one.
+/// `k1`: the residual distortion that the keyframes' images are corrected for now.
 CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::vector<const Keyframe*>& keyframes);
 
 /// The solution of an estimate on `then` for the keyframes and points of `now`, which begins with those of `then`. A keyframe that

@@ -116,11 +116,10 @@ TEST(Fusion, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
   EXPECT_EQ(p.bad, 2);
 }
 
-TEST(Fusion, KillsPointsWithMoreOutliersThanTwoPlusAgreementsOrOneIfNeverFound) {
+TEST(Fusion, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
   for (int good = 0; good < 3; ++good) {
     ImmaturePoint p = point(0.2, 0.1, good);
-    const int borne = good == 0 ? 1 : 2 + good;
-    for (int i = 0; i < borne; ++i) fuse(not_found(EpipolarOutcome::kNoMatch), &p);
+    for (int i = 0; i < 2 + good; ++i) fuse(not_found(EpipolarOutcome::kNoMatch), &p);
     EXPECT_FALSE(p.dead) << good;
     fuse(not_found(EpipolarOutcome::kNoMatch), &p);
     EXPECT_TRUE(p.dead) << good;

@@ -64,7 +64,7 @@ void update_depths(const FramePyramid& target, const SE3& T_target_host, const D
                    const AssociationParams& association, Keyframe* host);
 
 /// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills points with more
-/// outliers than 2 + agreements, and those never found with more than one.
+/// outliers than 2 + agreements.
 void fuse(const EpipolarMatch& measurement, ImmaturePoint* point);
 
 /// Pulls inverse depths towards those of their neighbours on the same edge that agree with them.
