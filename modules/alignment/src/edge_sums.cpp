@@ -30,7 +30,7 @@ EDGEVO_WIDE_CLONES void sum_blocks(const double* block, int count, const Constan
     const Quad x = n[M::kX], y = n[M::kY], r = n[M::kResidual], a = n[M::kIdepth] * n[M::kInverseZ];
     const Quad gx = c.fx * n[M::kNormalX], gy = c.fy * n[M::kNormalY], g = gx * x + gy * y;  // g^T J_pi Y_z = (gx, gy, -g)
     const Quad J[6] = {a * gx, a * gy, -(a * g), -(y * g + gy), x * g + gx, x * gy - y * gx};
-    // Share of a point's testimony that its uncertain depth leaves: 1 / (1 + s^2), s its deviation along the normal in pixels.
+    // depth_weight of edge_match.h: 1 / (1 + s^2), s the deviation along the normal by an uncertain depth, pixels.
     const Quad s = (gx * c.tx + gy * c.ty - g * c.tz) * n[M::kInverseZ] * n[M::kSigma];
     const Quad w_depth = 1.0 / (1.0 + s * s), w = w_depth * n[M::kWeight];
     int k = 0;

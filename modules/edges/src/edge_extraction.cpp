@@ -115,6 +115,7 @@ class Walker {
 };
 
 constexpr int kRun = 256;  // pixels that are gathered, then placed, at a time
+constexpr float kLeastCurvature = 1e-3f;  // Sobel units; a flatter parabola has no top to speak of
 using Floats = std::array<float, kRun>;
 
 // Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in both, and at those behind.
@@ -134,9 +135,10 @@ EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, Places* __restri
     const float ahead_row = m + ax * (s.ahead_x[i] - m), ahead_next = s.ahead_y[i] + ax * (s.ahead_xy[i] - s.ahead_y[i]);
     const float behind_row = m + ax * (s.behind_x[i] - m), behind_next = s.behind_y[i] + ax * (s.behind_xy[i] - s.behind_y[i]);
     const float ahead = ahead_row + ay * (ahead_next - ahead_row), behind = behind_row + ay * (behind_next - behind_row);
-    const float curvature = std::min(behind - 2.0f * m + ahead, -1e-3f);
+    const float curvature = behind - 2.0f * m + ahead;
+    const float top = 0.5f * (behind - ahead) / std::min(curvature, -kLeastCurvature);  // a division that never fails needs no branch
     out->nx[i] = nx, out->ny[i] = ny;
-    out->shift[i] = std::min(std::max(0.5f * (behind - ahead) / curvature, -0.5f), 0.5f);
+    out->shift[i] = curvature < -kLeastCurvature ? std::min(std::max(top, -0.5f), 0.5f) : 0.0f;
   }
 }
 

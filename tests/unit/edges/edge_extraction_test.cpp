@@ -38,6 +38,21 @@ TEST(EdgeExtraction, StraightEdgesAreSubPixelAndPointFromDarkToBright) {
   }
 }
 
+// What a detector marks beside a maximum of the gradient stays where it is: a parabola that opens upwards has no top. The gray levels grow
+// by one, then two, then four a pixel from left to right.
+TEST(EdgeExtraction, PixelsThatAreNoMaximumAreNotMoved) {
+  const GrayImage image = test::make_image(90, 40, [](double x, double) { return x < 30 ? x : x < 60 ? 30 + 2 * (x - 30) : 90 + 4 * (x - 60); });
+  const Gradient gradient = compute_gradient(image.view());
+  for (const int column : {15, 28, 57}) {
+    Plane<uint8_t> mask(90, 40);
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 90; ++x) mask.at(x, y) = x == column ? 255 : 0;
+    const EdgeMap map = extract_edges(mask, gradient, 5);
+    ASSERT_EQ(map.chains.size(), 1u) << column;
+    for (const EdgePixel& e : map.pixels) EXPECT_EQ(e.x, float(column));
+  }
+}
+
 TEST(EdgeExtraction, ChainsFollowTheEdge) {
   const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
   ASSERT_FALSE(map.chains.empty());
