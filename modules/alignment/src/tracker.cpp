@@ -100,8 +100,7 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
   const auto try_starts = [&](const std::vector<SE3>& from) {
     for (const SE3& start : from) {
       TrackResult r = align_from(current, cloud, start, params);
-      if (++tried == 1 || r.evidence.inlier_share * r.evidence.weight > best.evidence.inlier_share * best.evidence.weight)
-        best = std::move(r);
+      if (++tried == 1 || support(r.evidence, params) > support(best.evidence, params)) best = std::move(r);
       if (is_good(best, params)) return;
     }
   };

@@ -90,10 +90,12 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   d.flow_px = std::sqrt(square / counted);
   d.view_share = double(in_view) / double(cloud.points.size());
   const double flow = d.flow_px * scale;
-  const double next_flow = flow * (1.0 + 1.0 / std::max(1, frames_since_keyframe));  // of the next frame, if the motion goes on
+  // Of the next frame, if the motion goes on.
+  const double growth = 1.0 + 1.0 / std::max(1, frames_since_keyframe);
+  const double next_flow = growth * flow, next_view_share = 1.0 - growth * (1.0 - d.view_share);
   // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
   d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
-             (flow > params.min_flow_px && (next_flow > params.max_flow_px || d.view_share < params.min_view_share ||
+             (flow > params.min_flow_px && (next_flow > params.max_flow_px || next_view_share < params.min_view_share ||
                                             frames_since_keyframe >= params.max_frames));
   return d;
 }

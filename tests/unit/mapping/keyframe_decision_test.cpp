@@ -99,6 +99,16 @@ TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
   EXPECT_FALSE(decide(move(0.06, 0, 0, 0.02)).needed);
 }
 
+// A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more slowly.
+TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
+  const SE3 turning = move(0.06, 0, 0, 0.25);
+  const KeyframeDecision d = decide(turning, 1);
+  ASSERT_GT(d.view_share, params.min_view_share);
+  ASSERT_LT(1 - 2 * (1 - d.view_share), params.min_view_share);
+  EXPECT_TRUE(d.needed);
+  EXPECT_FALSE(decide(turning, 10).needed);
+}
+
 TEST_F(Decision, FollowsTheWidthOfTheImage) {
   const Pinhole half{360, 360, 310, 93.75, 621, 188};
   for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {

@@ -23,6 +23,12 @@ struct PoseEvidence {
 PoseEvidence weigh_evidence(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                             const AlignmentParams& params);
 
+/// What speaks for a pose beyond what a wrong one has by chance, to choose among poses. A wrong pose that keeps more points in view finds
+/// more edges than the right one, but not a larger share of them. Negative below the limit of LOST.
+inline double support(const PoseEvidence& evidence, const AlignmentParams& params) {
+  return (evidence.inlier_share - params.lost_share) * evidence.weight;
+}
+
 /// The equations of Eq. (edgeerror) at a pose, for pose_covariance(). Cost: as above.
 std::vector<PoseEquation> pose_equations(const FramePyramid& current, const ReferenceCloud& cloud,
                                          const SE3& T_cur_ref, const AlignmentParams& params);
