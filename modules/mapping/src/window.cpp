@@ -14,7 +14,6 @@ namespace edgevo {
 namespace {
 
 constexpr int kMaxMisses = 3;       // a point that more keyframes than this should have seen is dropped
-constexpr int kMissesOnEnd = 2;     // keyframes in a row that do not show a new point: those beyond would match by chance
 constexpr double kDropSigmas = 4.0; // observations beyond this after the last adjustment are dropped
 constexpr double kViewBorderPx = 6;
 constexpr double kEnoughDecrease = 1e-3;  // share of the cost; what is left after it is below the noise of the matches
@@ -96,35 +95,22 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
   return matches;
 }
 
-void Window::match_outwards(size_t host, int step, MapPoint* point) const {
-  int misses = 0;
-  // Before the first keyframe the index wraps around and ends the loop.
-  for (size_t t = host + step; t < keyframes_.size() && misses < kMissesOnEnd; t += step) {
-    const Keyframe& target = keyframes_[t];
-    Eigen::Vector2d px;
-    if (!in_view(pinhole_, relative_pose(target, keyframes_[host]), point->px, point->idepth, &px)) continue;
-    const Match match = associate(query(keyframes_[host], *point, target), association_);
-    if (match.kind == MatchKind::kNone) {
-      ++misses;
-      continue;
-    }
-    misses = 0;
-    point->observations.push_back({target.id, match});
-  }
-}
-
-bool Window::try_activate(size_t host, const ImmaturePoint& candidate, int min_matches) {
+bool Window::try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches) {
   MapPoint point;
   point.px = candidate.px;
   point.normal = candidate.normal;
   point.idepth = candidate.idepth;
   point.idepth_sigma = candidate.idepth_sigma;
   point.edge_pixel = candidate.edge_pixel;
-  match_outwards(host, -1, &point);
-  std::reverse(point.observations.begin(), point.observations.end());  // oldest keyframe first, as everywhere
-  match_outwards(host, +1, &point);
+  for (const Keyframe& target : keyframes_) {
+    if (target.id == host->id) continue;
+    Eigen::Vector2d px;
+    if (!in_view(pinhole_, relative_pose(target, *host), point.px, point.idepth, &px)) continue;
+    const Match match = associate(query(*host, point, target), association_);
+    if (match.kind != MatchKind::kNone) point.observations.push_back({target.id, match});
+  }
   if (int(point.observations.size()) < min_matches) return false;
-  keyframes_[host].points.push_back(std::move(point));
+  host->points.push_back(std::move(point));
   return true;
 }
 
@@ -146,20 +132,19 @@ int Window::activate(int min_good, int min_matches) {
   int activated = 0;
   // First one point a cell, then two: the newest hosts first, they will be seen longest.
   for (int per_cell = 1; per_cell <= 2; ++per_cell)
-    for (size_t h = keyframes_.size(); h-- > 0;) {
-      Keyframe& host = keyframes_[h];
-      const SE3 T = relative_pose(newest(), host);
-      for (ImmaturePoint& p : host.immature) {
+    for (auto host = keyframes_.rbegin(); host != keyframes_.rend(); ++host) {
+      const SE3 T = relative_pose(newest(), *host);
+      for (ImmaturePoint& p : host->immature) {
         if (active >= params_.max_points) return activated;
         if (p.dead || p.good < min_good) continue;
         if (!in_view(pinhole_, T, p.px, p.idepth, &px)) continue;
         int& here = count[grid.index(px.x(), px.y())];
         if (here >= per_cell) continue;
-        const SE3& T_view = host.id == newest().id ? relative_pose(keyframes_[keyframes_.size() - 2], host) : T;
+        const SE3& T_view = host->id == newest().id ? relative_pose(keyframes_[keyframes_.size() - 2], *host) : T;
         const DepthMotion motion = depth_motion(pinhole_, T_view, pinhole_.ray(p.px), p.idepth, p.idepth_sigma);
         if (motion.sigma_mu_px > params_.max_projected_sigma_px) continue;
         p.dead = true;  // tried once: it becomes active or is gone
-        if (!try_activate(h, p, min_matches)) continue;
+        if (!try_activate(&*host, p, min_matches)) continue;
         ++here, ++active, ++activated;
       }
     }

@@ -81,28 +81,6 @@ TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
   EXPECT_EQ(window.activate(2, 2), 0);
 }
 
-// Keyframes 1 to `blank` show nothing: whether points of later ones are matched in keyframe 0.
-int matches_in_oldest(int blank) {
-  Window window(Sweep::pinhole(), params_with(), AssociationParams());
-  Random random(17);
-  const auto gray = PyramidBuilder(Sweep::scene().camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 80; }));
-  for (int k = 0; k < 6; ++k) {
-    Keyframe keyframe = test::true_keyframe(k, kFramesApart * k, 0.0, &random);
-    if (k >= 1 && k <= blank) keyframe.pyramid = gray, keyframe.immature.clear();
-    window.add(std::move(keyframe));
-  }
-  EXPECT_GT(window.activate(2, 2), 100);
-  int matches = 0;
-  for (const Keyframe& k : window.keyframes())
-    for (const MapPoint& p : k.points) matches += k.id > 0 && p.find(0);
-  return matches;
-}
-
-TEST(Window, ANewPointIsNotSoughtBeyondTwoKeyframesThatDoNotShowIt) {
-  EXPECT_GT(matches_in_oldest(1), 20);
-  EXPECT_EQ(matches_in_oldest(2), 0);
-}
-
 TEST(Window, ActivationStopsAtTheLimit) {
   WindowParams params = params_with();
   params.max_points = 120;

@@ -80,9 +80,7 @@ class Window {
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
-  /// Matches a new point of keyframe `host` in those before (step -1) or after it (+1), nearest first, until two in a row do not show it.
-  void match_outwards(size_t host, int step, MapPoint* point) const;
-  bool try_activate(size_t host, const ImmaturePoint& candidate, int min_matches);
+  bool try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches);
 
   Pinhole pinhole_;
   WindowParams params_;
