@@ -26,7 +26,7 @@ struct ReferenceCloud {
   PatchTemplates gradient_patches;               ///< finest level, gradient magnitude; empty unless asked for
 };
 
-/// Cuts the patches of all levels. Cost: 2 to 3 ms for 1500 points, most of it fresh memory.
+/// Cuts the patches of all levels. Cost: 2 to 3 ms for 1500 points.
 ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid, std::vector<CloudPoint> points,
                                     bool with_gradient_patches);
 
