@@ -59,22 +59,28 @@ NormalEquationsBuilder::NormalEquationsBuilder(const Window& window, double hube
       schur_(n_ * n_),
       schur_b_(n_) {}
 
+void NormalEquationsBuilder::reset_cost_and_depths(const State& state, NormalEquations* out) {
+  for (int h = 0; h < n_; ++h)
+    for (int t = window_.targets[h].first; t <= window_.targets[h].last; ++t)
+      relative_[h * n_ + t] = relative_pose(state.poses[t], state.poses[h]);
+  out->cost = 0;
+  out->idepth_information.resize(window_.points.size());
+  out->idepth_gradient.resize(window_.points.size());
+}
+
 void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
+  reset_cost_and_depths(state, out);
   out->adjoint.resize(n_ * n_);
   for (int h = 0; h < n_; ++h)
     for (int t = window_.targets[h].first; t <= window_.targets[h].last; ++t) {
       const int pair = h * n_ + t;
-      relative_[pair] = relative_pose(state.poses[t], state.poses[h]);
       out->adjoint[pair] = (state.poses[t] * state.poses[h].inverse()).adjoint();
       pairs_[pair] = PairSums{};
     }
-  out->cost = 0;
   out->H.setZero(6 * n_, 6 * n_);
   out->S.setZero(6 * n_, 6 * n_);
   out->b.setZero(6 * n_);
   out->s.setZero(6 * n_);
-  out->idepth_information.resize(window_.points.size());
-  out->idepth_gradient.resize(window_.points.size());
   out->coupling.resize(window_.observations.size());
 }
 
@@ -88,12 +94,19 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
     }
     for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i) {
       const WindowPoint& point = window_.points[i];
-      add_point(point, h, i, state.idepth[point.index], out);
+      add_point<Sums::kAll>(point, h, i, state.idepth[point.index], out);
       if (!point.fixed && out->idepth_information[i] > kMinIdepthInformation) eliminate(point, i, out);
     }
     scatter_pairs(h, out);
     scatter_schur(h, out);
   }
+}
+
+void NormalEquationsBuilder::build_cost_and_depths(const State& state, NormalEquations* out) {
+  reset_cost_and_depths(state, out);
+  for (int h = 0; h < n_; ++h)
+    for (int i = window_.host_begin[h]; i < window_.host_begin[h + 1]; ++i)
+      add_point<Sums::kCostAndDepths>(window_.points[i], h, i, state.idepth[window_.points[i].index], out);
 }
 
 // J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
@@ -142,8 +155,10 @@ inline void NormalEquationsBuilder::add_to_pair(const Derivatives& d, PairSums* 
   }
 }
 
+template <NormalEquationsBuilder::Sums wanted>
 void NormalEquationsBuilder::add_point(const WindowPoint& point, int host, int point_index, double idepth,
                                        NormalEquations* out) {
+  constexpr bool kAll = wanted == Sums::kAll;
   const RelativePose* relative = &relative_[host * n_];
   PairSums* pairs = &pairs_[host * n_];
   PackedVector6* coupling = out->coupling.data();
@@ -154,12 +169,13 @@ void NormalEquationsBuilder::add_point(const WindowPoint& point, int host, int p
     Derivatives d;
     if (!differentiate(relative[o.target], point, idepth, o, &d)) {
       cost += huber_cost(o.hidden_residual, huber_width_);
-      coupling[k] = PackedVector6{};
+      if (kAll) coupling[k] = PackedVector6{};
       continue;
     }
     cost += d.cost;
     const Rows w_idepth = both(d.weight) * d.J_idepth;
     depth += sums(w_idepth * d.J_idepth, w_idepth * d.r);
+    if (!kAll) continue;
     for (int i = 0; i < 3; ++i) coupling[k].x[i] = sums(w_idepth * d.J[2 * i], w_idepth * d.J[2 * i + 1]);
     add_to_pair(d, &pairs[o.target]);
   }

@@ -44,6 +44,9 @@ class NormalEquationsBuilder {
  public:
   NormalEquationsBuilder(const Window& window, double huber_width);
   void build(const State& state, NormalEquations* out);
+  /// Only the cost and the sums of single depths (idepth_information, idepth_gradient), the same bits as `build` gives; the rest of `out`
+  /// is not touched. A third of the time of `build`.
+  void build_cost_and_depths(const State& state, NormalEquations* out);
 
  private:
   struct Derivatives;
@@ -56,9 +59,13 @@ class NormalEquationsBuilder {
   static Matrix6d to_matrix(const SchurBlock& block);
   static void add_to_pair(const Derivatives& d, PairSums* sums);
 
+  enum class Sums { kAll, kCostAndDepths };
+
   void reset(const State& state, NormalEquations* out);
+  void reset_cost_and_depths(const State& state, NormalEquations* out);
   bool differentiate(const RelativePose& T, const WindowPoint& point, double idepth,
                      const WindowObservation& o, Derivatives* d) const;
+  template <Sums wanted>
   void add_point(const WindowPoint& point, int host, int point_index, double idepth, NormalEquations* out);
   void eliminate(const WindowPoint& point, int point_index, NormalEquations* out);
   void scatter_pairs(int host, NormalEquations* out);

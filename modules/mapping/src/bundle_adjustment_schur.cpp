@@ -3,7 +3,7 @@
 // With Marquardt's scaling the damped system of a point is (1 + lambda) times its information, so that the
 // Schur complement is H + lambda D - S / (1 + lambda): S is summed once a linearisation, and a rejected step
 // costs only a 6n x 6n factorisation. The linearisation of a trial state gives its cost too, and serves the
-// next step when the trial is accepted.
+// next step when the trial is accepted; of a trial that is foreseen to be the last only cost and depths are summed.
 #include <algorithm>
 #include <cmath>
 
@@ -73,10 +73,15 @@ class Minimizer {
   const NormalEquations& equations() const { return now_; }
 
  private:
-  void evaluate(const State& state, NormalEquations* equations) {
+  void linearize(const State& state, NormalEquations* equations) {
     builder_.build(state, equations);
     equations->cost += prior_.add(state.poses, &equations->H, &equations->b);
   }
+  void evaluate(const State& state, NormalEquations* equations) {
+    builder_.build_cost_and_depths(state, equations);
+    if (!prior_.empty()) equations->cost += prior_.cost(prior_.displacement(state.poses));
+  }
+  bool is_enough(double decrease) const { return decrease <= options_.relative_decrease * std::abs(now_.cost); }
   bool solve_step();
   bool solve_poses();
   void solve_idepths();
@@ -161,7 +166,7 @@ void Minimizer::apply_step() {
 
 BaResult Minimizer::run() {
   BaResult result;
-  evaluate(state_, &now_);
+  linearize(state_, &now_);
   result.initial_cost = result.final_cost = now_.cost;
   if (!std::isfinite(now_.cost) || (window_.observations.empty() && prior_.empty())) return result;
   result.usable = true;
@@ -174,17 +179,22 @@ BaResult Minimizer::run() {
     if (step_.predicted_decrease <= 1e-14 * std::abs(now_.cost))
       break;  // the minimum, as far as the sums can tell
     apply_step();
-    evaluate(trial_, &next_);
+    const bool foreseen_last = result.iterations == options_.max_iterations || is_enough(step_.predicted_decrease);
+    if (foreseen_last)
+      evaluate(trial_, &next_);
+    else
+      linearize(trial_, &next_);
     const double decrease = now_.cost - next_.cost;
     if (!(decrease > 0)) {  // also when not finite
       damping_.reject();
       continue;
     }
-    const bool converged = decrease <= options_.relative_decrease * std::abs(now_.cost);
+    const bool converged = is_enough(decrease);
     damping_.accept(decrease / step_.predicted_decrease);
     std::swap(state_, trial_);
     std::swap(now_, next_);
     if (converged) break;
+    if (foreseen_last && result.iterations < options_.max_iterations) linearize(state_, &now_);
   }
   result.final_cost = now_.cost;
   return result;
