@@ -1,6 +1,7 @@
 #include "edgevo/mapping/depth_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -84,6 +85,7 @@ class EpipolarSearch {
     if (!s.visible) return outcome(EpipolarOutcome::kOutOfView);
     if (s.length < kMinSegmentPx) return outcome(EpipolarOutcome::kNoBaseline);
     if (!clip(target_.pinhole, 3, &s)) return outcome(EpipolarOutcome::kOutOfView);
+    if (runs_along_edge(s, range)) return outcome(EpipolarOutcome::kNoBaseline);
     scan(s);
     if (!(best_.cost < params_.max_cost)) return outcome(EpipolarOutcome::kNoMatch);
     if (std::max(best_.cost, kEqualCost) > params_.max_cost_ratio * second_cost_) return outcome(EpipolarOutcome::kAmbiguous);
@@ -110,31 +112,65 @@ class EpipolarSearch {
     return m;
   }
 
+  // An edge along its epipolar line looks the same at every depth: what is found on the line is something else.
+  bool runs_along_edge(const Segment& s, const IdepthRange& range) const {
+    const Eigen::Matrix2d A = patch_warp(target_.pinhole, T_, px_host_, 0.5 * (range.low + range.high));
+    return std::abs(warp_normal(A, normal_host_).dot(s.direction)) < params_.min_epipolar_cosine;
+  }
+
+  // Steps along the segment that may have an edge in reach.
+  struct Batch {
+    static constexpr int kSize = 16;
+    std::array<double, kSize> along;  // the segment, pixels
+    std::array<int, kSize> pixel;     // of the nearest edge
+    int count = 0;
+  };
+
+  // A search waits for memory most of its time: field, index and edges of a batch are asked for before they are read.
   void scan(const Segment& s) {
     const double step = std::max(1.0, s.length / kMaxSteps);
-    const float reach = float(params_.max_edge_distance_px);
+    const int steps = int(s.length / step) + 1;
     int last_edge = -1;
-    for (int i = 0; i * step <= s.length; ++i) {
-      const double along = i * step;
-      const Eigen::Vector2d p = s.start + along * s.direction;
-      const double clear = clear_distance(p) - reach;
-      if (clear > 0) {  // no edge is in reach from here, nor from the next steps within `clear`
-        i += int(clear / step);
-        continue;
-      }
-      const int n = target_.field.nearest(float(p.x()), float(p.y()));
-      if (n < 0 || n == last_edge) continue;
-      const EdgePixel& e = target_.edges.pixels[n];
-      if ((e.position() - p.cast<float>()).squaredNorm() > reach * reach) continue;
-      last_edge = n;
-      consider(e, s, along, p);
+    Batch batch;
+    for (int i = 0; i < steps;) {
+      i = take_batch(s, step, i, steps, &batch);
+      for (int k = 0; k < batch.count; ++k) target_.field.prefetch_edge(batch.pixel[k]);
+      for (int k = 0; k < batch.count; ++k) prefetch(&target_.edges.pixels[target_.field.edge_at(batch.pixel[k])]);
+      for (int k = 0; k < batch.count; ++k) visit(target_.field.edge_at(batch.pixel[k]), s, batch.along[k], &last_edge);
     }
   }
 
-  // At least so far from p is the nearest edge, pixels: the field's distance is between pixels, and both p and the edge may lie half a
-  // diagonal from theirs.
-  double clear_distance(const Eigen::Vector2d& p) const {
-    return std::sqrt(double(target_.field.squared_distance(float(p.x()), float(p.y())))) - std::sqrt(2.0);
+  // Fills a batch from step `i` on; returns the next step.
+  int take_batch(const Segment& s, double step, int i, int steps, Batch* batch) const {
+    const int in_reach = max_squared_distance(params_.max_edge_distance_px);
+    batch->count = 0;
+    for (; i < steps && batch->count < Batch::kSize; ++i) {
+      const Eigen::Vector2d p = s.start + i * step * s.direction;
+      if (target_.field.squared_distance(float(p.x()), float(p.y())) > in_reach) continue;
+      const int pixel = target_.field.nearest_pixel(float(p.x()), float(p.y()));
+      if (pixel < 0) continue;  // the field reaches less far than the search
+      batch->along[batch->count] = i * step;
+      batch->pixel[batch->count++] = pixel;
+    }
+    return i;
+  }
+
+  // The largest of the field's distances, which are between pixels, at which an edge may lie within `reach` of a position: both may be
+  // half a diagonal from their pixels.
+  static int max_squared_distance(double reach) {
+    const double between_pixels = reach + std::sqrt(2.0);
+    return int(between_pixels * between_pixels);
+  }
+
+  // The nearest edge at one step.
+  void visit(int edge, const Segment& s, double along, int* last_edge) {
+    if (edge == *last_edge) return;
+    const EdgePixel& e = target_.edges.pixels[edge];
+    const Eigen::Vector2d p = s.start + along * s.direction;
+    const float reach = float(params_.max_edge_distance_px);
+    if ((e.position() - p.cast<float>()).squaredNorm() > reach * reach) return;
+    *last_edge = edge;
+    consider(e, s, along, p);
   }
 
   // One edge near the line: where the line crosses its tangent, and how alike it looks there.

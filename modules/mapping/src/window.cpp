@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/association/look_ahead.h"
 #include "edgevo/association/photometric_residual.h"
 #include "edgevo/association/uncertainty.h"
 #include "edgevo/association/warp.h"
@@ -59,15 +60,22 @@ int Window::active_points() const {
   return n;
 }
 
-AssociationQuery Window::query(const Keyframe& host, const MapPoint& point, const Keyframe& target) const {
+std::vector<Window::View> Window::views_from(const Keyframe& host) const {
+  std::vector<View> views;
+  for (const Keyframe& target : keyframes_)
+    if (target.id != host.id) views.push_back({&target, relative_pose(target, host)});
+  return views;
+}
+
+AssociationQuery Window::query(const Keyframe& host, const MapPoint& point, const View& view) const {
   AssociationQuery q;
   q.host = host.pyramid.get();
-  q.target = target.pyramid.get();
+  q.target = view.target->pyramid.get();
   q.px_host = point.px;
   q.normal_host = point.normal;
   q.idepth = point.idepth;
   q.idepth_sigma = point.idepth_sigma;
-  q.T_target_host = relative_pose(target, host);
+  q.T_target_host = view.T_target_host;
   q.pose_covariance = settled_covariance();
   return q;
 }
@@ -77,11 +85,11 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
   const Keyframe& target = newest();
   for (Keyframe& host : keyframes_) {
     if (host.id == target.id) continue;
-    const SE3 T_target_host = relative_pose(target, host);
+    const View view{&target, relative_pose(target, host)};
     for (MapPoint& point : host.points) {
       Eigen::Vector2d px;
-      if (!in_view(pinhole_, T_target_host, point.px, point.idepth, &px)) continue;
-      AssociationQuery q = query(host, point, target);
+      if (!in_view(pinhole_, view.T_target_host, point.px, point.idepth, &px)) continue;
+      AssociationQuery q = query(host, point, view);
       q.pose_covariance = pose_covariance;
       const Match match = associate(q, association_);
       if (match.kind == MatchKind::kNone) {
@@ -95,19 +103,25 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
   return matches;
 }
 
-bool Window::try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches) {
+bool Window::try_activate(const ImmaturePoint& candidate, const std::vector<View>& views, int min_matches, Keyframe* host) const {
   MapPoint point;
   point.px = candidate.px;
   point.normal = candidate.normal;
   point.idepth = candidate.idepth;
   point.idepth_sigma = candidate.idepth_sigma;
   point.edge_pixel = candidate.edge_pixel;
-  for (const Keyframe& target : keyframes_) {
-    if (target.id == host->id) continue;
+  LookAhead look_ahead(association_);
+  std::vector<const View*> in_sight;
+  for (const View& view : views) {
     Eigen::Vector2d px;
-    if (!in_view(pinhole_, relative_pose(target, *host), point.px, point.idepth, &px)) continue;
-    const Match match = associate(query(*host, point, target), association_);
-    if (match.kind != MatchKind::kNone) point.observations.push_back({target.id, match});
+    if (!in_view(pinhole_, view.T_target_host, point.px, point.idepth, &px)) continue;
+    in_sight.push_back(&view);
+    look_ahead.add(*view.target->pyramid, px);
+  }
+  look_ahead.run();
+  for (const View* view : in_sight) {
+    const Match match = associate(query(*host, point, *view), association_);
+    if (match.kind != MatchKind::kNone) point.observations.push_back({view->target->id, match});
   }
   if (int(point.observations.size()) < min_matches) return false;
   host->points.push_back(std::move(point));
@@ -134,6 +148,7 @@ int Window::activate(int min_good, int min_matches) {
   for (int per_cell = 1; per_cell <= 2; ++per_cell)
     for (auto host = keyframes_.rbegin(); host != keyframes_.rend(); ++host) {
       const SE3 T = relative_pose(newest(), *host);
+      const std::vector<View> views = views_from(*host);
       for (ImmaturePoint& p : host->immature) {
         if (active >= params_.max_points) return activated;
         if (p.dead || p.good < min_good) continue;
@@ -144,7 +159,7 @@ int Window::activate(int min_good, int min_matches) {
         const DepthMotion motion = depth_motion(pinhole_, T_view, pinhole_.ray(p.px), p.idepth, p.idepth_sigma);
         if (motion.sigma_mu_px > params_.max_projected_sigma_px) continue;
         p.dead = true;  // tried once: it becomes active or is gone
-        if (!try_activate(&*host, p, min_matches)) continue;
+        if (!try_activate(p, views, min_matches, &*host)) continue;
         ++here, ++active, ++activated;
       }
     }
@@ -163,6 +178,11 @@ Window::Adjustment Window::build_adjustment() {
     const auto it = std::lower_bound(problem.pose_ids.begin(), problem.pose_ids.end(), id);
     return int(it - problem.pose_ids.begin());
   };
+  size_t matches = 0;
+  for (const Keyframe& k : keyframes_)
+    for (const MapPoint& p : k.points) matches += p.observations.size();
+  problem.observations.reserve(matches), a.match_index.reserve(matches);
+  problem.points.reserve(active_points()), a.points.reserve(active_points());
   for (size_t h = 0; h < keyframes_.size(); ++h)
     for (MapPoint& p : keyframes_[h].points) {
       if (p.observations.empty()) continue;
@@ -243,41 +263,39 @@ int Window::update_matches(const BaResult& result, const Adjustment& adjustment)
   size_t k = 0;  // matches stand in the order of build_adjustment
   const std::vector<MapPoint*>& points = adjustment.points;
   size_t next = 0;
-  for (Keyframe& host : keyframes_)
+  for (Keyframe& host : keyframes_) {
+    const std::vector<View> views = views_from(host);
     for (MapPoint& p : host.points) {
       if (next >= points.size() || points[next] != &p) continue;
       ++next;
-      std::vector<Observation> kept;
-      kept.reserve(p.observations.size());
+      size_t kept = 0;
       for (Observation& o : p.observations) {
         const int index = adjustment.match_index[k++];
-        if (!needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index], association_)) {
-          kept.push_back(std::move(o));
-          continue;
+        if (needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index], association_)) {
+          ++updated;
+          const auto view = std::find_if(views.begin(), views.end(), [&](const View& v) { return v.target->id == o.keyframe_id; });
+          o.match = associate(query(host, p, *view), association_);
         }
-        ++updated;
-        const auto target = std::find_if(keyframes_.begin(), keyframes_.end(),
-                                         [&](const Keyframe& f) { return f.id == o.keyframe_id; });
-        const Match match = associate(query(host, p, *target), association_);
-        if (match.kind != MatchKind::kNone) kept.push_back({o.keyframe_id, match});
+        if (o.match.kind != MatchKind::kNone) p.observations[kept++] = o;
       }
-      p.observations = std::move(kept);
+      p.observations.resize(kept);
     }
+  }
   return updated;
 }
 
 void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
   size_t k = 0;
   for (MapPoint* p : adjustment.points) {
-    std::vector<Observation> kept;
-    for (Observation& o : p->observations) {
+    size_t kept = 0;
+    for (const Observation& o : p->observations) {
       const double sigmas = std::abs(result.residual_normal_px[adjustment.match_index[k++]]) * o.match.inv_sigma_normal;
       if (sigmas < kDropSigmas)
-        kept.push_back(std::move(o));
+        p->observations[kept++] = o;
       else
         ++p->misses;
     }
-    p->observations = std::move(kept);
+    p->observations.resize(kept);
   }
   for (Keyframe& host : keyframes_) {
     auto gone = std::remove_if(host.points.begin(), host.points.end(), [](const MapPoint& p) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/simd.h"
 #include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/plane.h"
 
@@ -28,25 +29,45 @@ class NearestField {
   /// Index into EdgeMap::pixels of the edge pixel nearest to (x, y), rounded to the next pixel; -1 if there is none within
   /// the radius or (x, y) lies outside the image.
   int nearest(float x, float y) const {
-    if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return -1;
-    return nearest_at(int(x + 0.5f), int(y + 0.5f));
+    const int pixel = nearest_pixel(x, y);
+    return pixel < 0 ? -1 : edge_at(pixel);
+  }
+  /// The same for an integer pixel inside the image.
+  int nearest_at(int x, int y) const {
+    const int pixel = nearest_pixel_at(x, y);
+    return pixel < 0 ? -1 : edge_at(pixel);
   }
   /// Squared distance from (x, y), rounded to the next pixel, to the pixel of the nearest edge; radius^2 + 1 where there is none within
-  /// the radius or (x, y) lies outside the image. A quarter of the memory traffic of `nearest`: asked first where edges are rare.
+  /// the radius or (x, y) lies outside the image.
   int squared_distance(float x, float y) const {
-    if (!(x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f)) return none_ >> kShift;
+    if (!contains(x, y)) return none_ >> kShift;
     return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kShift;
   }
-  /// The same as `nearest` for an integer pixel inside the image.
-  int nearest_at(int x, int y) const {
+
+  /// `nearest` in two halves, for callers with many look-ups at a time, whose memory is then asked for before it is read:
+  /// row * width + column of the nearest edge's pixel, -1 as for `nearest`;
+  int nearest_pixel(float x, float y) const { return contains(x, y) ? nearest_pixel_at(int(x + 0.5f), int(y + 0.5f)) : -1; }
+  /// the edge at such a pixel.
+  int edge_at(int pixel) const { return index_.row(0)[pixel]; }
+  /// What the first half will read, and the second.
+  void prefetch_pixel(float x, float y) const {
+    if (contains(x, y)) prefetch(&keys_.at(int(x + 0.5f), int(y + 0.5f)));
+  }
+  void prefetch_edge(int pixel) const { prefetch(index_.row(0) + pixel); }
+
+ private:
+  // Rounds to a pixel of the image.
+  bool contains(float x, float y) const {
+    return x > -0.5f && y > -0.5f && x < float(keys_.width()) - 0.5f && y < float(keys_.height()) - 0.5f;
+  }
+  int nearest_pixel_at(int x, int y) const {
     const int key = keys_.at(x, y);
     if (key >= none_) return -1;
     const int down = (key >> 1 & ((1 << kRowBits) - 1)) - radius_;
     const int across = int(std::sqrt(float((key >> kShift) - down * down)));  // exact: a square
-    return index_.at(key & 1 ? x - across : x + across, y + down);
+    return (y + down) * keys_.width() + (key & 1 ? x - across : x + across);
   }
 
- private:
   int radius_ = 0;
   int none_ = 0;                 // keys from here on mean: no edge within the radius
   Plane<int16_t> keys_;   // 64 * squared distance + 2 * (row offset + radius) + 1 if the edge lies to the left

@@ -66,7 +66,13 @@ class Window {
   void apply(const MapRevision& revision, const Rebuild& rebuild);
 
  private:
-  AssociationQuery query(const Keyframe& host, const MapPoint& point, const Keyframe& target) const;
+  /// Another keyframe as a host sees it.
+  struct View {
+    const Keyframe* target;
+    SE3 T_target_host;
+  };
+  std::vector<View> views_from(const Keyframe& host) const;
+  AssociationQuery query(const Keyframe& host, const MapPoint& point, const View& view) const;
   /// The window as a problem, and how to find one's way back from it.
   struct Adjustment {
     BaProblem problem;
@@ -80,7 +86,7 @@ class Window {
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
-  bool try_activate(Keyframe* host, const ImmaturePoint& candidate, int min_matches);
+  bool try_activate(const ImmaturePoint& candidate, const std::vector<View>& views, int min_matches, Keyframe* host) const;
 
   Pinhole pinhole_;
   WindowParams params_;
