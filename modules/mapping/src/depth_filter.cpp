@@ -85,7 +85,6 @@ class EpipolarSearch {
     if (!s.visible) return outcome(EpipolarOutcome::kOutOfView);
     if (s.length < kMinSegmentPx) return outcome(EpipolarOutcome::kNoBaseline);
     if (!clip(target_.pinhole, 3, &s)) return outcome(EpipolarOutcome::kOutOfView);
-    if (runs_along_edge(s, range)) return outcome(EpipolarOutcome::kNoBaseline);
     scan(s);
     if (!(best_.cost < params_.max_cost)) return outcome(EpipolarOutcome::kNoMatch);
     if (std::max(best_.cost, kEqualCost) > params_.max_cost_ratio * second_cost_) return outcome(EpipolarOutcome::kAmbiguous);
@@ -110,12 +109,6 @@ class EpipolarSearch {
     EpipolarMatch m;
     m.outcome = o;
     return m;
-  }
-
-  // An edge along its epipolar line looks the same at every depth: what is found on the line is something else.
-  bool runs_along_edge(const Segment& s, const IdepthRange& range) const {
-    const Eigen::Matrix2d A = patch_warp(target_.pinhole, T_, px_host_, 0.5 * (range.low + range.high));
-    return std::abs(warp_normal(A, normal_host_).dot(s.direction)) < params_.min_epipolar_cosine;
   }
 
   // Steps along the segment that may have an edge in reach.

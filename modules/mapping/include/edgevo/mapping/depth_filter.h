@@ -22,7 +22,7 @@ struct IdepthRange {
 
 enum class EpipolarOutcome {
   kFound,
-  kNoBaseline,     ///< the segment is too short to tell anything, or runs along the edge
+  kNoBaseline,     ///< the segment is too short to tell anything
   kOutOfView,
   kNoMatch,        ///< no edge of compatible direction looks alike
   kAmbiguous,      ///< two places look alike
