@@ -78,8 +78,8 @@ NearestField::NearestField(const EdgeMap& edges, int radius)
   const int width = edges.width, height = edges.height;
   EdgeBits bits(width, height);
   for (size_t i = 0; i < edges.pixels.size(); ++i) {
-    const int x = std::clamp(int(std::lround(edges.pixels[i].x)), 0, width - 1);
-    const int y = std::clamp(int(std::lround(edges.pixels[i].y)), 0, height - 1);
+    const int x = std::clamp(int(edges.pixels[i].x + 0.5f), 0, width - 1);
+    const int y = std::clamp(int(edges.pixels[i].y + 0.5f), 0, height - 1);
     index_.at(x, y) = int32_t(i);
     bits.set(x, y);
   }
