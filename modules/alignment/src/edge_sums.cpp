@@ -10,7 +10,8 @@ namespace edgevo {
 namespace {
 
 constexpr int kLanes = MatchedEdges::kLanes;
-constexpr int kSums = 21 + 6 + 2;  // H, b, cost, squared residuals
+// Where each of EdgeSums stands.
+enum { kH = 0, kB = kH + 21, kCostSum = kB + 6, kSquare, kSums };
 
 // The compiler's vector type, which lives in registers of whatever width there is.
 using Quad = double __attribute__((vector_size(8 * kLanes)));
@@ -33,16 +34,16 @@ EDGEVO_WIDE_CLONES void sum_blocks(const double* block, int count, const Constan
     // depth_weight of edge_match.h: 1 / (1 + s^2), s the deviation along the normal by an uncertain depth, pixels.
     const Quad s = (gx * c.tx + gy * c.ty - g * c.tz) * n[M::kInverseZ] * n[M::kSigma];
     const Quad w_depth = 1.0 / (1.0 + s * s), w = w_depth * n[M::kWeight];
-    int k = 0;
+    int k = kH;
     for (int i = 0; i < 6; ++i) {
       const Quad w_J = w * J[i];
       for (int j = i; j < 6; ++j) sums[k++] += w_J * J[j];
     }
     const Quad w_r = w * r;
-    for (int i = 0; i < 6; ++i) sums[k++] += w_r * J[i];
+    for (int i = 0; i < 6; ++i) sums[kB + i] += w_r * J[i];
     const Quad cost = n[M::kCost], most = Quad{} + c.miss_cost, bounded = cost < most ? cost : most;
-    sums[k++] += w_depth * cost + (1.0 - w_depth) * bounded;
-    sums[k] += r * r;
+    sums[kCostSum] += w_depth * cost + (1.0 - w_depth) * bounded;
+    sums[kSquare] += r * r;
   }
   std::memcpy(out, sums, sizeof(sums));
 }
@@ -78,10 +79,10 @@ EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen
     for (int lane = 0; lane < kLanes; ++lane) sums[k] += lanes[size_t(k) * kLanes + lane] + last[size_t(k) * kLanes + lane];
   }
   EdgeSums out;
-  std::copy_n(sums, 21, out.H);
-  std::copy_n(sums + 21, 6, out.b);
-  out.cost = sums[27];
-  out.square = sums[28];
+  std::copy_n(sums + kH, kB - kH, out.H);
+  std::copy_n(sums + kB, kCostSum - kB, out.b);
+  out.cost = sums[kCostSum];
+  out.square = sums[kSquare];
   return out;
 }
 
