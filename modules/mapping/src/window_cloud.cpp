@@ -2,14 +2,21 @@
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/mapping/depth_filter.h"
 #include "edgevo/mapping/window.h"
 
 namespace edgevo {
 namespace {
 
 constexpr size_t kEnoughCloud = 500;  // with fewer points of known depth the cloud is filled up with immature ones
+constexpr double kThinShare = 0.25;    // points of known depth for each cell of the activation, below which they are few for a small image, too
 
 }  // namespace
+
+bool Window::is_cloud_thin(const Keyframe& keyframe) const {
+  const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
+  return cloud(keyframe).size() < std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
+}
 
 // Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma: under a pure
 // rotation, where depth does not matter, they count fully.
