@@ -16,6 +16,7 @@ namespace {
 constexpr double kMaxForwardBackwardPx = 0.7;
 constexpr size_t kMaxKeptViews = 14;  // pyramids kept between the two views; the others keep their corners only
 constexpr int kMinPnpPoints = 20;
+constexpr int kMaxDisagreeing = 8;    // frames in a row whose corners do not agree on one motion: the first view was taken in bad light
 
 using Points = std::vector<cv::Point2f>;
 
@@ -64,11 +65,13 @@ struct Bootstrap::Impl {
   std::vector<BootstrapView> views;
   std::vector<Points> corners_in_view;  // for each view, where the corners still alive now were
   size_t first_corners = 0;  // followed from the first view on
+  int disagreeing = 0;       // frames in a row
   cv::Mat previous;
 
   void start(BootstrapView view, cv::Mat image) {
     views.clear();
     corners_in_view.clear();
+    disagreeing = 0;
     Points corners;
     cv::goodFeaturesToTrack(image, corners, params.max_corners, 0.005, std::max(5.0, pinhole.width / 120.0));
     for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
@@ -141,7 +144,9 @@ struct Bootstrap::Impl {
       return m.median_error_px < n.median_error_px;
     });
     const int agreeing = cv::countNonZero(best.inliers);
-    if (agreeing < params.min_inlier_share * double(a.size()))
+    const bool disagree = agreeing < params.min_inlier_share * double(a.size());
+    disagreeing = disagree ? disagreeing + 1 : 0;
+    if (disagree)
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed", 100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
     if (is_ambiguous(best, motions)) return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
@@ -235,14 +240,21 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
   cv::Mat image_again = image;
   impl_->follow(std::move(view), std::move(image));
   const int alive = int(impl_->corners_in_view.back().size());
-  if (alive < impl_->params.min_tracks || int(impl_->views.size()) > impl_->params.max_frames) {
-    const bool few = alive < impl_->params.min_tracks;
+  const bool few = alive < impl_->params.min_tracks, long_ago = int(impl_->views.size()) > impl_->params.max_frames;
+  BootstrapStatus status;
+  if (few)
+    status.reason = sentence("only %.0f corners could be followed, %.0f needed; new first view", alive, impl_->params.min_tracks);
+  else if (long_ago)
+    status.reason = "too little motion for too long; new first view";
+  else
+    status = impl_->try_two_views();
+  const bool disagreed = impl_->disagreeing >= kMaxDisagreeing;
+  if (disagreed) status.reason += "; new first view";
+  if (few || long_ago || disagreed) {
     impl_->start(std::move(again), std::move(image_again));
     if (int(impl_->corners_in_view.back().size()) < impl_->params.min_tracks) reset();
-    return {std::nullopt, few ? sentence("only %.0f corners could be followed, %.0f needed; new first view", alive, impl_->params.min_tracks)
-                              : "too little motion for too long; new first view"};
   }
-  return impl_->try_two_views();
+  return status;
 }
 
 }  // namespace edgevo

@@ -210,6 +210,26 @@ TEST_F(BootstrapTest, TakesANewFirstViewAfterTooManyFrames) {
   EXPECT_GE(moving.result->views.front().frame_index, 5);
 }
 
+// Every other strip of the first image is displaced, as if shadows had moved on: half of its corners agree with no later view.
+TEST_F(BootstrapTest, GivesUpAFirstViewThatDisagreesWithAllOthers) {
+  GrayImage torn = scene.render(sweep_pose(0));
+  const GrayImage whole = torn;
+  constexpr int kStrip = 40, kShift = 9;
+  for (int y = 0; y + kShift < torn.height; ++y)
+    for (int x = 0; x < torn.width; ++x)
+      if (x / kStrip % 2) torn.pixels[size_t(y) * torn.width + x] = whole.pixels[size_t(y + kShift) * torn.width + x];
+  Bootstrap bootstrap = make();
+  std::string given_up;
+  BootstrapStatus status = bootstrap.add(0, time_of(0), PyramidBuilder(scene.camera, EdgeParams()).build(torn));
+  for (int k = 1; k < 60 && !status.result; ++k) {
+    status = add(&bootstrap, k);
+    if (status.reason.find("; new first view") != std::string::npos) given_up += status.reason;
+  }
+  EXPECT_THAT(given_up, HasSubstr("of the corners agree on one motion"));
+  ASSERT_TRUE(status.result);
+  EXPECT_GT(status.result->views.front().frame_index, 0);
+}
+
 TEST_F(BootstrapTest, KeepsMemoryBounded) {
   params.min_disparity = 0.4;  // never enough
   Bootstrap bootstrap = make();
