@@ -45,7 +45,7 @@ class NormalEquationsBuilder {
   NormalEquationsBuilder(const Window& window, double huber_width);
   void build(const State& state, NormalEquations* out);
   /// Only the cost and the sums of single depths (idepth_information, idepth_gradient), the same bits as `build` gives; the rest of `out`
-  /// is not touched. A third of the time of `build`.
+  /// is not touched. A fraction of the time of `build`.
   void build_cost_and_depths(const State& state, NormalEquations* out);
 
  private:

@@ -60,7 +60,7 @@ class Window {
   bool is_cloud_thin(const Keyframe& keyframe) const;
   /// Share of the window's points that lie in the image of `keyframe`, matched there or not; 0 without points.
   double view_share(const Keyframe& keyframe) const;
-  /// The same; where they are few (a rotation away from the map) with immature ones, whose depth is a guess.
+  /// The points of `cloud`; where they are few (a rotation away from the map) with immature ones, whose depth is a guess.
   std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
   /// The camera was corrected: poses, points and prior as the revision says, images built anew by `rebuild`.
