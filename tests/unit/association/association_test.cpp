@@ -4,7 +4,6 @@
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/association/associate.h"
-#include "edgevo/association/look_ahead.h"
 #include "edgevo/association/normal_refinement.h"
 #include "edgevo/association/patch_cost.h"
 #include "edgevo/association/photometric_residual.h"
@@ -370,22 +369,6 @@ TEST(Associate, APointBehindTheCameraOrOutsideHasNoMatch) {
   EXPECT_EQ(associate(q, AssociationParams()).kind, MatchKind::kNone);
   q.T_target_host = SE3(Eigen::Quaterniond::Identity(), {50, 0, 0});
   EXPECT_EQ(associate(q, AssociationParams()).kind, MatchKind::kNone);
-}
-
-// It asks for memory only; an address sanitizer sees it read beyond an image.
-TEST(LookAhead, TakesMorePlacesThanItHoldsAnywhere) {
-  const test::PlaneScene scene;
-  const auto frame = scene.pyramid(SE3());
-  const auto blank = PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 90; }));
-  const AssociationParams params;
-  LookAhead look_ahead(params);
-  for (double y : {-1e9, -3.0, 0.0, 0.4, 120.0, 239.0, 239.4, 1e9})
-    for (double x : {-1e9, -3.0, 0.0, 0.4, 160.0, 319.0, 319.4, 1e9, std::nan("")}) {
-      look_ahead.add(*frame, {x, y});
-      look_ahead.add(*blank, {x, y});
-    }
-  look_ahead.run();
-  look_ahead.run();
 }
 
 TEST(NeedsUpdate, FollowsTheDistanceCheck) {

@@ -106,6 +106,16 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
+// No point can be matched in as many keyframes as asked for: what keeps the map alive is that one match does where it thins out.
+TEST(Mapper, AMapThatThinsOutTakesPointsWithOneMatch) {
+  MappingParams params = params_with("prior");
+  params.window.min_matches = 10;
+  SweepDriver driver(params);
+  ASSERT_EQ(driver.start(), "");
+  for (int step = 1; step <= 15; ++step) driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
+  EXPECT_GT(driver.mapper.reference()->known_points, 60);
+}
+
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
   SweepDriver driver(params_with("fixed"));
   ASSERT_EQ(driver.start(), "");
