@@ -52,6 +52,9 @@ int calibrate(const CalibrateArguments& args) {
   write_file(args.out, camera_yaml(corrected.camera, "Self-calibration of edgevo: " + found));
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
   if (run.refinement.k1 != 0) print_change(run.camera, corrected);
+  if (run.refinement.shutter.readout_s != 0)
+    std::printf("the shutter rolls, read-out %.4f s: no camera file says that; give it with --set camera.readout_s=%.4f\n",
+                run.refinement.shutter.readout_s, run.refinement.shutter.readout_s);
   std::printf("%s: a camera file for --camera, MRPT, OpenCV and ROS\n", args.out.c_str());
   return 0;
 }

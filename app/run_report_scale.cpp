@@ -64,12 +64,21 @@ TimeChart scale_chart(const Run& run) {
   return chart;
 }
 
+std::string shutter_text(const CameraRefinement::Shutter& shutter) {
+  std::string html = " Rolling shutter: <b>" + html_escaped(to_string(shutter.state)) + "</b>";
+  if (shutter.sigma > 0)
+    html += ", read-out " + fixed(shutter.estimate, 4) + " ± " + fixed(shutter.sigma, 4) + " s from " +
+            std::to_string(shutter.keyframes) + " keyframes";
+  if (shutter.readout_s != 0) html += ", " + fixed(shutter.readout_s, 4) + " s applied";
+  return html + ".";
+}
+
 std::string lens_text(const CameraRefinement& camera) {
   std::string html = "<p>Self-calibration of the lens: <b>" + html_escaped(to_string(camera.state)) + "</b>";
   if (camera.sigma > 0)
     html += ", residual k1 " + fixed(camera.estimate, 5) + " ± " + fixed(camera.sigma, 5) + " from " +
             std::to_string(camera.keyframes) + " keyframes";
-  return html + ".</p>\n";
+  return html + "." + shutter_text(camera.shutter) + "</p>\n";
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ void process_keyframe(benchmark::State& state) {
   const auto align = [&](bool make_keyframe) {
     const auto reference = mapper.reference();
     const TrackResult r = track(*bench::pyramid(frame), reference->cloud, motion_hypotheses(T_last_ref, SE3()), AlignmentParams());
-    return TrackedFrame{frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame), reference->keyframe_id,
+    return TrackedFrame{frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame), {}, reference->keyframe_id,
                         r.T_cur_ref, r.covariance, make_keyframe};
   };
   std::map<std::string, double> totals;

@@ -94,6 +94,23 @@ TEST(SelfCalibration, LeavesAnExactCameraAlone) {
   const CameraRefinement& camera = street_drive().run.camera;
   EXPECT_NE(camera.state, CameraRefinement::State::kApplied);
   EXPECT_EQ(camera.k1, 0);
+  EXPECT_NE(camera.shutter.state, CameraRefinement::State::kApplied);
+  EXPECT_EQ(camera.shutter.readout_s, 0);
+}
+
+// Rows taken one after the other, as nearly all webcams and telephones do it, and as no file says.
+TEST(SelfCalibration, FindsTheRollingShutterOfAHandHeldCamera) {
+  Scene scene = load_scene("desk");
+  scene.shutter.rolling_s = 0.02;
+  constexpr int kFrames = 170;
+  RenderedSource source(std::make_shared<SceneRenderer>(scene), 0, kFrames);
+  const DriveFigures figures = measure(drive(source), truth_of(scene, 0, kFrames));
+  std::cout << "[ figures  ] " << figures << std::endl;
+  const CameraRefinement::Shutter& shutter = figures.run.camera.shutter;
+  EXPECT_EQ(shutter.state, CameraRefinement::State::kApplied);
+  EXPECT_NEAR(shutter.readout_s, 0.02, 0.007);
+  EXPECT_EQ(figures.completion, 1);
+  EXPECT_LT(figures.ate_percent, 0.15);
 }
 
 // A real sequence lies in EDGEVO_DATA_DIR or it is not tested.

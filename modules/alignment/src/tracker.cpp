@@ -83,6 +83,13 @@ void judge(const AlignmentParams& params, TrackResult* r) {
   }
 }
 
+// Covariance and verdict.
+void finish(const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params, TrackResult* r) {
+  if (r->T_cur_ref.is_finite()) r->covariance = pose_covariance(pose_equations(current, cloud, r->T_cur_ref, params));
+  r->weak_directions = find_weak_directions(r->covariance, median_depth(cloud), params.weak_sigma);
+  judge(params, r);
+}
+
 }  // namespace
 
 std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_before) {
@@ -107,10 +114,18 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
   try_starts(starts);
   if (!is_good(best, params)) try_starts(search_rotation(current, cloud, starts.front(), params));
   best.starts_tried = tried;
-  if (best.T_cur_ref.is_finite()) best.covariance = pose_covariance(pose_equations(current, cloud, best.T_cur_ref, params));
-  best.weak_directions = find_weak_directions(best.covariance, median_depth(cloud), params.weak_sigma);
-  judge(params, &best);
+  finish(current, cloud, params, &best);
   return best;
+}
+
+TrackResult track_again(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params) {
+  TrackResult result;
+  result.T_cur_ref = T_cur_ref;
+  result.starts_tried = 1;
+  result.stats = align_edges(current, cloud, 0, params, &result.T_cur_ref);
+  if (result.T_cur_ref.is_finite()) result.evidence = weigh_evidence(current, cloud, result.T_cur_ref, params);
+  finish(current, cloud, params, &result);
+  return result;
 }
 
 }  // namespace edgevo

@@ -46,9 +46,15 @@ void visit_camera(ParamVisitor& v, Camera* camera) {
     any.read(v, key, *value);
 }
 
+State state_of(const std::string& name) {
+  const auto& names = refinement_state_names();
+  return State(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
 void visit_refinement(ParamVisitor& v, std::string* state, CameraRefinement* c) {
   const auto g = v.group("self_calibration");
-  std::string result;  // the state in words
+  std::string result;  // the states in words
+  std::string shutter = to_string(State::kOff);
   v.text("state", *state, refinement_state_names(), "");
   v.text("result", result, {}, "");
   const Numbers any;
@@ -56,11 +62,14 @@ void visit_refinement(ParamVisitor& v, std::string* state, CameraRefinement* c) 
   any.read(v, "estimate", c->estimate);
   any.read(v, "standard_deviation", c->sigma);
   v.integer("keyframes", c->keyframes, 0, std::numeric_limits<int>::max(), "");
-}
-
-State state_of(const std::string& name) {
-  const auto& names = refinement_state_names();
-  return State(std::find(names.begin(), names.end(), name) - names.begin());
+  CameraRefinement::Shutter& s = c->shutter;
+  v.text("shutter", shutter, refinement_state_names(), "");
+  v.text("shutter_result", result, {}, "");
+  any.read(v, "readout_s", s.readout_s);
+  any.read(v, "readout_estimate", s.estimate);
+  any.read(v, "readout_standard_deviation", s.sigma);
+  v.integer("readout_keyframes", s.keyframes, 0, std::numeric_limits<int>::max(), "");
+  s.state = state_of(shutter);
 }
 
 }  // namespace

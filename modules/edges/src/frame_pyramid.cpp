@@ -13,23 +13,44 @@ namespace edgevo {
 
 struct PyramidBuilder::Impl {
   Camera camera;
+  double readout_s = 0;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
   std::optional<Undistortion> undistortion;  // none where the camera has no distortion
+  std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
+
+  bool has_area() const { return camera.pinhole.width > 1 && camera.pinhole.height > 1; }
 
   void make_maps() {
     undistortion.reset();
-    if (camera.has_distortion() && camera.pinhole.width > 1 && camera.pinhole.height > 1)
-      undistortion.emplace(make_undistortion_maps(camera));
+    rolling.reset();
+    if (camera.has_distortion() && has_area()) undistortion.emplace(make_undistortion_maps(camera));
   }
 
-  Plane<uint8_t> undistort(const GrayImage& image) const {
+  Plane<uint8_t> undistort(const GrayImage& image, const ImageMotion& motion) {
     Plane<uint8_t> out(image.width, image.height);
-    if (undistortion)
+    if (readout_s != 0 && motion.is_known() && has_area()) {
+      if (!rolling) rolling.emplace(make_undistortion_maps(camera));
+      rolling->apply(rolling_shift(motion), image.view(), &out);
+    } else if (undistortion) {
       undistortion->apply(image.view(), &out);
-    else
+    } else {
       std::copy(image.pixels.begin(), image.pixels.end(), out.row(0));
+    }
     return out;
+  }
+
+  // How far the rolling shutter moves the points of the undistorted image in the raw one, at the nodes of a grid.
+  ShiftGrid rolling_shift(const ImageMotion& motion) const {
+    const Pinhole& p = camera.pinhole;
+    ShiftGrid grid(p.width, p.height);
+    for (int row = 0; row < grid.rows(); ++row)
+      for (int column = 0; column < grid.columns(); ++column) {
+        const Eigen::Vector2d x = p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
+        const Eigen::Vector2d moved = camera.distort(add_rolling(p, readout_s, motion, x)) - camera.distort(x);
+        grid.set(column, row, float(p.fx * moved.x()), float(p.fy * moved.y()));
+      }
+    return grid;
   }
 
   void find_edges(PyramidLevel* level) const {
@@ -52,15 +73,16 @@ PyramidBuilder::~PyramidBuilder() = default;
 PyramidBuilder::PyramidBuilder(PyramidBuilder&&) noexcept = default;
 
 const Pinhole& PyramidBuilder::pinhole() const { return impl_->camera.pinhole; }
-double PyramidBuilder::residual_k1() const { return impl_->camera.residual_k1; }
+ImageCorrection PyramidBuilder::correction() const { return {impl_->camera.residual_k1, impl_->readout_s}; }
 
-void PyramidBuilder::set_residual_k1(double k1) {
-  if (k1 == impl_->camera.residual_k1) return;
-  impl_->camera.residual_k1 = k1;
+void PyramidBuilder::set_correction(const ImageCorrection& correction) {
+  impl_->readout_s = correction.readout_s;
+  if (correction.k1 == impl_->camera.residual_k1) return;
+  impl_->camera.residual_k1 = correction.k1;
   impl_->make_maps();
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image) {
+std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image, const ImageMotion& motion) {
   const Pinhole& camera = impl_->camera.pinhole;
   if (image.width != camera.width || image.height != camera.height)
     throw InputError("image", "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
@@ -68,13 +90,13 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image
                                   std::to_string(camera.height), "give the camera file of these images");
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
-  pyramid->residual_k1 = impl_->camera.residual_k1;
+  pyramid->correction = correction();
   pyramid->levels.resize(impl_->params.levels);
   for (int l = 0; l < impl_->params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[l];
     level.pinhole = camera.at_level(l);
     if (l == 0) {
-      level.gray = impl_->undistort(image);
+      level.gray = impl_->undistort(image, motion);
     } else {
       level.gray = Plane<uint8_t>(level.pinhole.width, level.pinhole.height);
       cv::Mat to = as_mat(level.gray);

@@ -32,6 +32,53 @@ EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint
 // Also where a lens model gives no number.
 float within(float position, int size) { return std::min(std::max(0.0f, position), float(size - 1)); }
 
+// Of one row: fetches the neighbours of each position and blends them.
+void fetch_run(const ImageView<uint8_t>& image, const int32_t* corner, const uint8_t* right, const uint8_t* down, int count,
+               uint8_t* out) {
+  Pairs above, below;
+  for (int i = 0; i < count; ++i) {
+    const uint8_t* p = image.data + corner[i];
+    std::memcpy(&above[i], p, 2);
+    std::memcpy(&below[i], p + image.width, 2);
+  }
+  blend(above, below, right, down, count, out);
+}
+
+// Positions in the raw image as corners and shares, a run of them.
+struct Run {
+  std::array<float, kRunLength> x, y;
+  std::array<int32_t, kRunLength> corner;
+  std::array<uint8_t, kRunLength> right, down;
+};
+
+EDGEVO_WIDE_CLONES void split_positions(int count, int width, int height, Run* __restrict r) {
+  const float last_x = float(width - 1), last_y = float(height - 1);
+  for (int i = 0; i < count; ++i) {
+    const float x = std::min(std::max(0.0f, r->x[i]), last_x), y = std::min(std::max(0.0f, r->y[i]), last_y);
+    const int left = std::min(int(x), width - 2), top = std::min(int(y), height - 2);
+    r->corner[i] = left + top * width;
+    r->right[i] = uint8_t(int((x - float(left)) * kOne + 0.5f));
+    r->down[i] = uint8_t(int((y - float(top)) * kOne + 0.5f));
+  }
+}
+
+// The shift of one row of the image at the nodes' columns.
+std::vector<float> between_rows(const float* above, const float* below, float share, int columns) {
+  std::vector<float> row(columns);
+  for (int k = 0; k < columns; ++k) row[k] = above[k] + share * (below[k] - above[k]);
+  return row;
+}
+
+// position + shift, the shift linear between the nodes `x` / kCell and the next one.
+void add_shift(const float* position, const std::vector<float>& shift, int x, int count, float* out) {
+  constexpr int kCell = ShiftGrid::kCell;
+  for (int first = 0; first < count; first += kCell) {
+    const int node = (x + first) / kCell, n = std::min(kCell, count - first);
+    const float from = shift[node], slope = (shift[node + 1] - from) / kCell;
+    for (int i = 0; i < n; ++i) out[first + i] = position[first + i] + (from + slope * float(i));
+  }
+}
+
 }  // namespace
 
 Undistortion::Undistortion(const UndistortionMaps& maps) : width_(maps.width), height_(maps.height) {
@@ -47,18 +94,31 @@ Undistortion::Undistortion(const UndistortionMaps& maps) : width_(maps.width), h
 }
 
 void Undistortion::apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) const {
-  Pairs above, below;
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; x += kRunLength) {
       const size_t first = size_t(y) * width_ + x;
-      const int count = std::min(kRunLength, width_ - x);
-      for (int i = 0; i < count; ++i) {
-        const uint8_t* p = image.data + corner_[first + i];
-        std::memcpy(&above[i], p, 2);
-        std::memcpy(&below[i], p + width_, 2);
-      }
-      blend(above, below, &right_[first], &down_[first], count, out->row(y) + x);
+      fetch_run(image, &corner_[first], &right_[first], &down_[first], std::min(kRunLength, width_ - x), out->row(y) + x);
     }
+}
+
+void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<uint8_t>& image, Plane<uint8_t>* out) const {
+  static_assert(kRunLength % ShiftGrid::kCell == 0, "runs begin at nodes");
+  const int width = maps_.width, height = maps_.height;
+  Run run;
+  for (int y = 0; y < height; ++y) {
+    const int node = y / ShiftGrid::kCell;
+    const float share = float(y % ShiftGrid::kCell) / ShiftGrid::kCell;
+    const std::vector<float> dx = between_rows(shift.x(node), shift.x(node + 1), share, shift.columns());
+    const std::vector<float> dy = between_rows(shift.y(node), shift.y(node + 1), share, shift.columns());
+    for (int x = 0; x < width; x += kRunLength) {
+      const size_t first = size_t(y) * width + x;
+      const int count = std::min(kRunLength, width - x);
+      add_shift(&maps_.x[first], dx, x, count, run.x.data());
+      add_shift(&maps_.y[first], dy, x, count, run.y.data());
+      split_positions(count, width, height, &run);
+      fetch_run(image, run.corner.data(), run.right.data(), run.down.data(), count, out->row(y) + x);
+    }
+  }
 }
 
 }  // namespace edgevo

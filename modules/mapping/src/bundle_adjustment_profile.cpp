@@ -14,27 +14,30 @@ namespace {
 // One observation with its derivative by k.
 struct Row {
   BaLinearization lin;
-  Eigen::Vector2d J_k;
+  ImageRate J_k;
   double weight;
 };
 
 // d r / dk = W (J_pi R dx/dk - dm/dk), Eq. (reprojectionerror) with ray x and match m moving with k.
-Eigen::Vector2d global_jacobian(const BaProblem& problem, const BaObservation& o, const BaPoint& p, const Eigen::Vector2d& ray_rate,
-                                const Eigen::Vector2d& px_rate) {
+ImageRate global_jacobian(const BaProblem& problem, const BaObservation& o, const BaPoint& p, const ImageRate& ray_rate,
+                          const ImageRate& px_rate) {
   const SE3 T = problem.poses[o.target].T_cam_world * problem.poses[p.host].T_cam_world.inverse();
   const Eigen::Vector3d Y = T.R() * p.ray + p.idepth * T.translation();
-  const Eigen::Vector3d dY = T.R().leftCols<2>() * ray_rate;
+  const Eigen::Matrix<double, 3, kUnknowns> dY = T.R().leftCols<2>() * ray_rate;
   const Pinhole& c = problem.pinhole;
-  const Eigen::Vector2d moved(c.fx * (dY.x() - Y.x() / Y.z() * dY.z()) / Y.z() - px_rate.x(),
-                              c.fy * (dY.y() - Y.y() / Y.z() * dY.z()) / Y.z() - px_rate.y());
-  return {o.inv_sigma_normal * o.normal.dot(moved),
-          o.inv_sigma_tangent * (o.normal.x() * moved.y() - o.normal.y() * moved.x())};
+  ImageRate moved;
+  moved.row(0) = c.fx / Y.z() * (dY.row(0) - Y.x() / Y.z() * dY.row(2)) - px_rate.row(0);
+  moved.row(1) = c.fy / Y.z() * (dY.row(1) - Y.y() / Y.z() * dY.row(2)) - px_rate.row(1);
+  Eigen::Matrix2d W;  // along the normal, across it
+  W.row(0) = o.inv_sigma_normal * o.normal.transpose();
+  W.row(1) = o.inv_sigma_tangent * Eigen::RowVector2d(-o.normal.y(), o.normal.x());
+  return W * moved;
 }
 
 class Profile {
  public:
   Profile(const BaProblem& problem, const GlobalDerivative& derivative, const BaOptions& options)
-      : problem_(problem), derivative_(derivative), options_(options), H_k_(Eigen::VectorXd::Zero(6 * problem.poses.size())) {}
+      : problem_(problem), derivative_(derivative), options_(options), H_k_(PoseRows::Zero(6 * problem.poses.size(), kUnknowns)) {}
 
   ProfileStep run() {
     ProfileStep step;
@@ -48,15 +51,19 @@ class Profile {
     step.idepth_rate.resize(problem_.points.size());
     for (size_t i = 0; i < problem_.points.size(); ++i) step.idepth_rate[i] = idepth_rate(int(i), step.pose_rate);
     sum_score(&step);
-    step.usable = std::isfinite(step.gradient) && step.curvature > 0;
+    step.usable = step.gradient.allFinite() && step.curvature.allFinite();
     return step;
   }
 
  private:
+  using PoseRows = Eigen::Matrix<double, Eigen::Dynamic, kUnknowns>;
+  using IdepthRate = Eigen::Matrix<double, 1, kUnknowns>;
+
   Row row(int observation) const {
     const BaObservation& o = problem_.observations[observation];
     const BaPoint& p = problem_.points[o.point];
-    Row r{linearize(problem_.pinhole, problem_.poses[o.target].T_cam_world, problem_.poses[p.host].T_cam_world, p, o), {0, 0}, 0};
+    Row r{linearize(problem_.pinhole, problem_.poses[o.target].T_cam_world, problem_.poses[p.host].T_cam_world, p, o),
+          ImageRate::Zero(), 0};
     if (!r.lin.valid) return r;
     r.J_k = global_jacobian(problem_, o, p, derivative_.ray[o.point], derivative_.px[observation]);
     r.weight = huber_weight(r.lin.residual.norm(), options_.huber_width);
@@ -65,23 +72,25 @@ class Profile {
 
   // The point's depth eliminated: H_k = sum w J_pose^T (J_k - J_rho (sum w J_rho J_k) / (sum w J_rho^2)).
   void reduce_point(int point) {
-    double information = 0, coupling = 0;
+    double information = 0;
+    IdepthRate coupling = IdepthRate::Zero();
     for (int k = first_[point]; k < first_[point + 1]; ++k) {
       information += rows_[k].weight * rows_[k].lin.J_idepth.squaredNorm();
-      coupling += rows_[k].weight * rows_[k].lin.J_idepth.dot(rows_[k].J_k);
+      coupling += rows_[k].weight * rows_[k].lin.J_idepth.transpose() * rows_[k].J_k;
     }
     const BaPoint& p = problem_.points[point];
-    const double rate = !p.fixed && information > kMinIdepthInformation ? -coupling / information : 0.0;
+    IdepthRate rate = IdepthRate::Zero();
+    if (!p.fixed && information > kMinIdepthInformation) rate = -coupling / information;
     for (int k = first_[point]; k < first_[point + 1]; ++k) {
       const Row& r = rows_[k];
-      const Eigen::Vector2d J = r.weight * (r.J_k + rate * r.lin.J_idepth);
-      H_k_.segment<6>(6 * problem_.observations[k].target) += r.lin.J_target.transpose() * J;
-      H_k_.segment<6>(6 * p.host) += r.lin.J_host.transpose() * J;
+      const ImageRate J = r.weight * (r.J_k + r.lin.J_idepth * rate);
+      H_k_.middleRows<6>(6 * problem_.observations[k].target) += r.lin.J_target.transpose() * J;
+      H_k_.middleRows<6>(6 * p.host) += r.lin.J_host.transpose() * J;
     }
   }
 
   // dpose/dk = -(H - S)^-1 H_k over the free poses.
-  bool solve_poses(Eigen::VectorXd* rate) const {
+  bool solve_poses(PoseRows* rate) const {
     const State state = initial_state(problem_, options_.min_idepth);
     const Window window = make_window(problem_, state, nullptr);
     NormalEquations equations;
@@ -93,50 +102,52 @@ class Profile {
         for (int d = 0; d < 6; ++d) free_rows.push_back(int(6 * i) + d);
     const int m = int(free_rows.size());
     Eigen::MatrixXd A(m, m);
-    Eigen::VectorXd b(m);
+    PoseRows b(m, kUnknowns);
     for (int i = 0; i < m; ++i) {
-      b[i] = -H_k_[free_rows[i]];
+      b.row(i) = -H_k_.row(free_rows[i]);
       for (int j = 0; j < m; ++j)
         A(i, j) = equations.H(free_rows[i], free_rows[j]) - equations.S(free_rows[i], free_rows[j]);
       A(i, i) += 1e-9 * equations.H(free_rows[i], free_rows[i]) + 1e-12;
     }
-    const Eigen::VectorXd x = solve_positive(A, b);
-    rate->setZero(6 * problem_.poses.size());
-    for (int i = 0; i < m; ++i) (*rate)[free_rows[i]] = x[i];
+    const PoseRows x = solve_positive(A, b);
+    rate->setZero(6 * problem_.poses.size(), kUnknowns);
+    for (int i = 0; i < m; ++i) rate->row(free_rows[i]) = x.row(i);
     return x.allFinite();
   }
 
   // Derivative of a residual along the path, its depth's own share left out.
-  Eigen::Vector2d along_poses(const Row& r, int observation, const Eigen::VectorXd& pose_rate) const {
+  ImageRate along_poses(const Row& r, int observation, const PoseRows& pose_rate) const {
     const BaObservation& o = problem_.observations[observation];
-    return r.J_k + r.lin.J_target * pose_rate.segment<6>(6 * o.target) +
-           r.lin.J_host * pose_rate.segment<6>(6 * problem_.points[o.point].host);
+    return r.J_k + r.lin.J_target * pose_rate.middleRows<6>(6 * o.target) +
+           r.lin.J_host * pose_rate.middleRows<6>(6 * problem_.points[o.point].host);
   }
 
-  double idepth_rate(int point, const Eigen::VectorXd& pose_rate) const {
-    if (problem_.points[point].fixed) return 0;
-    double information = 0, coupling = 0;
+  IdepthRate idepth_rate(int point, const PoseRows& pose_rate) const {
+    if (problem_.points[point].fixed) return IdepthRate::Zero();
+    double information = 0;
+    IdepthRate coupling = IdepthRate::Zero();
     for (int k = first_[point]; k < first_[point + 1]; ++k) {
       const Row& r = rows_[k];
       information += r.weight * r.lin.J_idepth.squaredNorm();
-      coupling += r.weight * r.lin.J_idepth.dot(along_poses(r, k, pose_rate));
+      coupling += r.weight * r.lin.J_idepth.transpose() * along_poses(r, k, pose_rate);
     }
-    return information > kMinIdepthInformation ? -coupling / information : 0.0;
+    if (!(information > kMinIdepthInformation)) return IdepthRate::Zero();
+    return -coupling / information;
   }
 
   void sum_score(ProfileStep* step) const {
-    std::vector<double> score(problem_.poses.size(), 0.0);
+    std::vector<Unknowns> score(problem_.poses.size(), Unknowns::Zero());
     for (size_t k = 0; k < problem_.observations.size(); ++k) {
       const int point = problem_.observations[k].point;
       const Row& r = rows_[k];
       if (!r.lin.valid) continue;
-      const Eigen::Vector2d total = along_poses(r, int(k), step->pose_rate) + r.lin.J_idepth * step->idepth_rate[point];
-      const double part = r.weight * r.lin.residual.dot(total);
+      const ImageRate total = along_poses(r, int(k), step->pose_rate) + r.lin.J_idepth * step->idepth_rate[point];
+      const Unknowns part = r.weight * total.transpose() * r.lin.residual;
       step->gradient += part;
-      step->curvature += r.weight * total.squaredNorm();
+      step->curvature += r.weight * total.transpose() * total;
       score[problem_.points[point].host] += part;
     }
-    for (const double s : score) step->score_square += s * s;
+    for (const Unknowns& s : score) step->score_square += s * s.transpose();
   }
 
   const BaProblem& problem_;
@@ -144,7 +155,7 @@ class Profile {
   const BaOptions& options_;
   std::vector<int> first_;  // observations of point i: [first_[i], first_[i + 1])
   std::vector<Row> rows_;   // per observation
-  Eigen::VectorXd H_k_;     // sum w J_pose^T J_k, depths eliminated
+  PoseRows H_k_;            // sum w J_pose^T J_k, depths eliminated
 };
 
 }  // namespace

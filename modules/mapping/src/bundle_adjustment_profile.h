@@ -1,10 +1,10 @@
 #pragma once
-// A global unknown k of a bundle adjustment (one number that all observations share, such as a coefficient of the camera), found by
+// Global unknowns k of a bundle adjustment (a few numbers that all observations share, such as coefficients of the camera), found by
 // minimising the profile cost
 //     C(k) = min over poses and depths of cost(k, poses, depths).
 // At the minimum over poses and depths, one linearisation gives C'(k) and C''(k): with r the whitened residuals, w their robust weights,
 //     dr/dk = J_k + J_pose dpose/dk + J_rho drho/dk     along the path of minima (implicit function theorem)
-//     C' = sum w r dr/dk,   C'' = sum w (dr/dk)^2        (Gauss-Newton)
+//     C' = sum w (dr/dk)^T r,   C'' = sum w (dr/dk)^T (dr/dk)        (Gauss-Newton)
 // and the rates of the poses and depths predict them for the next k.
 #include <Eigen/Core>
 #include <vector>
@@ -13,20 +13,25 @@
 
 namespace edgevo::ba {
 
+constexpr int kUnknowns = 2;
+using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
+using UnknownsSquare = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+using ImageRate = Eigen::Matrix<double, 2, kUnknowns>;  // of an image point, a column an unknown
+
 /// How rays and matches move with k.
 struct GlobalDerivative {
-  std::vector<Eigen::Vector2d> ray;  ///< per point, d (x, y) / dk of its host ray
-  std::vector<Eigen::Vector2d> px;   ///< per observation, dm / dk in pixels
+  std::vector<ImageRate> ray;  ///< per point, d (x, y) / dk of its host ray
+  std::vector<ImageRate> px;   ///< per observation, dm / dk in pixels
 };
 
 struct ProfileStep {
-  double gradient = 0;   ///< C'
-  double curvature = 0;  ///< C''
+  Unknowns gradient = Unknowns::Zero();               ///< C'
+  UnknownsSquare curvature = UnknownsSquare::Zero();  ///< C''
   /// sum over hosts of the square of each host's own part of C'. Errors of one image are not independent, so that
-  /// sqrt(score_square) / C'' is an honest standard deviation of k (the cluster-robust "sandwich"), sqrt(1 / C'') is not.
-  double score_square = 0;
-  Eigen::VectorXd pose_rate;        ///< dpose/dk, left perturbations, 6 rows a pose; 0 for fixed poses
-  std::vector<double> idepth_rate;  ///< per point
+  /// C''^-1 score_square C''^-1 is an honest covariance of k (the cluster-robust "sandwich"), C''^-1 is not.
+  UnknownsSquare score_square = UnknownsSquare::Zero();
+  Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> pose_rate;  ///< dpose/dk, left perturbations, 6 rows a pose; 0 for fixed poses
+  std::vector<Eigen::Matrix<double, 1, kUnknowns>> idepth_rate;  ///< per point
   bool usable = false;
 };
 

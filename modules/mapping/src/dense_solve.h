@@ -18,11 +18,12 @@ inline Eigen::Index half_bandwidth(const Eigen::MatrixXd& A) {
 
 /// A x = b for a symmetric A that is positive definite as a rule: Cholesky, block by block and within the band only, so that n poses that
 /// see w others each cost n w^2 and not n^3; the slow factorisation without square roots only where that fails.
-inline Eigen::VectorXd solve_positive(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
+template <class Columns>
+Columns solve_positive(const Eigen::MatrixXd& A, const Columns& b) {
   constexpr Eigen::Index kBlock = 48;
   const Eigen::Index n = A.rows(), width = half_bandwidth(A);
   Eigen::MatrixXd L = A;
-  Eigen::VectorXd x = b;
+  Columns x = b;
   // L L^T = A and L y = b, a column of blocks at a time.
   for (Eigen::Index k = 0; k < n; k += kBlock) {
     const Eigen::Index size = std::min(kBlock, n - k), below = std::min(n - k, size + width) - size;
@@ -32,14 +33,14 @@ inline Eigen::VectorXd solve_positive(const Eigen::MatrixXd& A, const Eigen::Vec
     auto panel = L.block(k + size, k, below, size);
     triangle.transpose().solveInPlace<Eigen::OnTheRight>(panel);
     L.block(k + size, k + size, below, below).selfadjointView<Eigen::Lower>().rankUpdate(panel, -1.0);
-    triangle.solveInPlace(x.segment(k, size));
-    x.segment(k + size, below).noalias() -= panel * x.segment(k, size);
+    triangle.solveInPlace(x.middleRows(k, size));
+    x.middleRows(k + size, below).noalias() -= panel * x.middleRows(k, size);
   }
   // L^T x = y, backwards.
   for (Eigen::Index k = (n - 1) / kBlock * kBlock; k >= 0; k -= kBlock) {
     const Eigen::Index size = std::min(kBlock, n - k), below = std::min(n - k, size + width) - size;
-    x.segment(k, size).noalias() -= L.block(k + size, k, below, size).transpose() * x.segment(k + size, below);
-    L.block(k, k, size, size).triangularView<Eigen::Lower>().transpose().solveInPlace(x.segment(k, size));
+    x.middleRows(k, size).noalias() -= L.block(k + size, k, below, size).transpose() * x.middleRows(k + size, below);
+    L.block(k, k, size, size).triangularView<Eigen::Lower>().transpose().solveInPlace(x.middleRows(k, size));
   }
   return x;
 }

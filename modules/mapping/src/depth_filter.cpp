@@ -85,6 +85,7 @@ class EpipolarSearch {
     if (!s.visible) return outcome(EpipolarOutcome::kOutOfView);
     if (s.length < kMinSegmentPx) return outcome(EpipolarOutcome::kNoBaseline);
     if (!clip(target_.pinhole, 3, &s)) return outcome(EpipolarOutcome::kOutOfView);
+    if (runs_along(s, range)) return outcome(EpipolarOutcome::kAlongLine);
     scan(s);
     if (!(best_.cost < params_.max_cost)) return outcome(EpipolarOutcome::kNoMatch);
     if (std::max(best_.cost, kEqualCost) > params_.max_cost_ratio * second_cost_) return outcome(EpipolarOutcome::kAmbiguous);
@@ -109,6 +110,12 @@ class EpipolarSearch {
     EpipolarMatch m;
     m.outcome = o;
     return m;
+  }
+
+  // Of the host's edge as it is seen here, at the middle of the range.
+  bool runs_along(const Segment& s, const IdepthRange& range) const {
+    const Eigen::Matrix2d A = patch_warp(target_.pinhole, T_, px_host_, 0.5 * (range.low + range.high));
+    return std::abs(warp_normal(A, normal_host_).dot(s.direction)) < params_.min_epipolar_cosine;
   }
 
   // Steps along the segment that may have an edge in reach.
@@ -265,7 +272,8 @@ EpipolarMatch search_epipolar(const FramePyramid& host, const FramePyramid& targ
 }
 
 void fuse(const EpipolarMatch& m, ImmaturePoint* p) {
-  if (m.outcome == EpipolarOutcome::kOutOfView || m.outcome == EpipolarOutcome::kNoBaseline) return;
+  if (m.outcome == EpipolarOutcome::kOutOfView || m.outcome == EpipolarOutcome::kNoBaseline || m.outcome == EpipolarOutcome::kAlongLine)
+    return;
   const double sigma = std::hypot(p->idepth_sigma, m.idepth_sigma);
   if (m.outcome == EpipolarOutcome::kFound && std::abs(m.idepth - p->idepth) < 3.0 * sigma) {
     if (p->good == 0) {  // the first depth replaces the range it was found in

@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-using ba::RadialEstimate;
+using ba::CameraEstimate;
 
 constexpr int kGaugeSpan = 8;      // keyframes over which the scale of a new prior is held
 constexpr size_t kNewestSpan = 8;  // the newest keyframes that an estimate knew: they tell its unit of length
@@ -24,20 +24,22 @@ bool is_fixed(const MapPoint& p) {
                      [](const Observation& o) { return o.match.kind == MatchKind::kEdgeFixed; });
 }
 
-void add_point(const Pinhole& c, double k1, const MapPoint& p, int host, const std::map<int, int>& pose_of_id, CalibrationHistory* h) {
+void add_point(const Pinhole& c, const ImageCorrection& now, const MapPoint& p, int host, const std::map<int, int>& pose_of_id,
+               CalibrationHistory* h) {
   BaProblem& file = h->problem.file;
-  const auto to_file = [&](const Eigen::Vector2d& px) { return correct_pixel(c, k1, 0, px); };
+  const ImageCorrection none;
   const int index = int(file.points.size());
   const size_t before = file.observations.size();
   for (const Observation& o : p.observations) {
     const auto target = pose_of_id.find(o.keyframe_id);
     if (target == pose_of_id.end()) continue;
-    file.observations.push_back({index, target->second, to_file(o.match.px), correct_normal(c, k1, 0, o.match.px, o.match.normal),
-                                 o.match.inv_sigma_normal, 0.0});
+    const ImageMotion& motion = h->problem.motion_of(target->second);
+    file.observations.push_back({index, target->second, correct_pixel(c, now, none, motion, o.match.px),
+                                 correct_normal(c, now, none, motion, o.match.px, o.match.normal), o.match.inv_sigma_normal, 0.0});
   }
   if (file.observations.size() == before) return;
   file.points.push_back({host, Eigen::Vector3d::Zero(), p.idepth, is_fixed(p)});
-  h->problem.px_host.push_back(to_file(p.px));
+  h->problem.px_host.push_back(correct_pixel(c, now, none, h->problem.motion_of(host), p.px));
   h->point_index[host].push_back(index);
 }
 
@@ -121,15 +123,16 @@ BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions&
   return prior;
 }
 
-RevisedKeyframe revise(const Pinhole& c, double k1_before, double k1, const Keyframe& k, const SE3& T_cam_world, double ratio,
-                       const std::vector<int>& point_index, const BaProblem& solution) {
+RevisedKeyframe revise(const Pinhole& c, const ImageCorrection& before, const ImageCorrection& now, const Keyframe& k,
+                       const SE3& T_cam_world, double ratio, const std::vector<int>& point_index, const BaProblem& solution) {
   RevisedKeyframe r;
   r.id = k.id;
+  r.motion = k.motion;
   r.T_cam_world = T_cam_world;
   r.length_ratio = 1.0 / ratio;
   for (size_t i = 0; i < k.points.size(); ++i) {
     const double idepth = point_index[i] >= 0 ? solution.points[point_index[i]].idepth : k.points[i].idepth * ratio;
-    r.points.push_back({correct_pixel(c, k1_before, k1, k.points[i].px), idepth});
+    r.points.push_back({correct_pixel(c, before, now, k.motion, k.points[i].px), idepth});
   }
   return r;
 }
@@ -180,7 +183,7 @@ void carry_poses(const BaProblem& solution, double length, BaProblem* p) {
 
 }  // namespace
 
-CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::vector<const Keyframe*>& keyframes) {
+CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& now, const std::vector<const Keyframe*>& keyframes) {
   CalibrationHistory h;
   BaProblem& file = h.problem.file;
   file.pinhole = pinhole;
@@ -189,6 +192,7 @@ CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::ve
     pose_of_id[k->id] = int(file.poses.size());
     file.poses.push_back({k->T_cam_world, false});
     file.pose_ids.push_back(k->id);
+    h.problem.motion.push_back(k->motion);
   }
   file.poses.front().fixed = true;
   file.prior = hold_ends(keyframes.front()->T_cam_world, keyframes.back()->T_cam_world, keyframes.back()->id);
@@ -196,28 +200,28 @@ CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::ve
   for (size_t host = 0; host < keyframes.size(); ++host)
     for (const MapPoint& p : keyframes[host]->points) {
       const size_t known = h.point_index[host].size();
-      add_point(pinhole, k1, p, int(host), pose_of_id, &h);
+      add_point(pinhole, now, p, int(host), pose_of_id, &h);
       if (h.point_index[host].size() == known) h.point_index[host].push_back(-1);
     }
   return h;
 }
 
-BaProblem carry_over(const CalibrationHistory& then, const RadialEstimate& estimate, const CalibrationHistory& now) {
-  BaProblem p = ba::without_radial(now.problem, estimate.k1);
+BaProblem carry_over(const CalibrationHistory& then, const CameraEstimate& estimate, const CalibrationHistory& now) {
+  BaProblem p = ba::corrected(now.problem, estimate.value);
   const double idepth_ratio = carry_idepths(then, estimate.solution, now, &p);
   carry_poses(estimate.solution, 1.0 / idepth_ratio, &p);
   return p;
 }
 
-MapRevision make_revision(const Pinhole& c, double k1_before, const std::vector<const Keyframe*>& keyframes, size_t remembered,
-                          const CalibrationHistory& history, const BaOptions& options, RadialEstimate* e) {
+MapRevision make_revision(const Pinhole& c, const ImageCorrection& before, const std::vector<const Keyframe*>& keyframes,
+                          size_t remembered, const CalibrationHistory& history, const BaOptions& options, CameraEstimate* e) {
   const size_t n = keyframes.size();
   anchor(keyframes.back()->T_cam_world, idepth_ratio(keyframes, remembered, n, history, e->solution), &e->solution);
   MapRevision r;
-  r.k1_before = k1_before;
-  r.k1 = e->k1;
+  r.before = before;
+  r.now = e->value;
   for (size_t k = 0; k < n; ++k)
-    r.keyframes.push_back(revise(c, k1_before, e->k1, *keyframes[k], e->solution.poses[k].T_cam_world,
+    r.keyframes.push_back(revise(c, before, e->value, *keyframes[k], e->solution.poses[k].T_cam_world,
                                  idepth_ratio(keyframes, k, k + 1, history, e->solution), history.point_index[k], e->solution));
   r.prior = marginalize_first(e->solution, int(remembered), options);
   return r;
@@ -232,8 +236,9 @@ void apply_to_history(const Pinhole& c, const MapRevision& revision, std::vector
       k.points[i].px = r.points[i].px;
       k.points[i].idepth = r.points[i].idepth;
       for (Observation& o : k.points[i].observations) {
-        o.match.normal = correct_normal(c, revision.k1_before, revision.k1, o.match.px, o.match.normal);
-        o.match.px = correct_pixel(c, revision.k1_before, revision.k1, o.match.px);
+        const ImageMotion& motion = revision.motion_of(o.keyframe_id);
+        o.match.normal = correct_normal(c, revision.before, revision.now, motion, o.match.px, o.match.normal);
+        o.match.px = correct_pixel(c, revision.before, revision.now, motion, o.match.px);
       }
     }
   }

@@ -3,27 +3,27 @@
 #include <vector>
 
 #include "edgevo/mapping/self_calibration.h"
-#include "radial_problem.h"
+#include "camera_problem.h"
 
 namespace edgevo {
 
 /// Keyframes as one problem in the camera file's images.
 struct CalibrationHistory {
-  ba::RadialProblem problem;
+  ba::CameraProblem problem;
   std::vector<std::vector<int>> point_index;  ///< [keyframe][point] -> problem point, -1: none
 };
 
-/// `k1`: the residual distortion that the keyframes' images are corrected for now.
-CalibrationHistory make_history(const Pinhole& pinhole, double k1, const std::vector<const Keyframe*>& keyframes);
+/// `now`: what the keyframes' images are corrected for.
+CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& now, const std::vector<const Keyframe*>& keyframes);
 
 /// The solution of an estimate on `then` for the keyframes and points of `now`, which begins with those of `then`. A keyframe that
 /// came later keeps its motion against the newest known one, in the solution's unit there, and so does a point.
-BaProblem carry_over(const CalibrationHistory& then, const ba::RadialEstimate& estimate, const CalibrationHistory& now);
+BaProblem carry_over(const CalibrationHistory& then, const ba::CameraEstimate& estimate, const CalibrationHistory& now);
 
 /// The solution of `e`, anchored at the newest keyframe, as what became of each keyframe; the first `remembered` ones are no longer in
 /// the window.
-MapRevision make_revision(const Pinhole& pinhole, double k1_before, const std::vector<const Keyframe*>& keyframes, size_t remembered,
-                          const CalibrationHistory& history, const BaOptions& options, ba::RadialEstimate* e);
+MapRevision make_revision(const Pinhole& pinhole, const ImageCorrection& before, const std::vector<const Keyframe*>& keyframes, size_t remembered,
+                          const CalibrationHistory& history, const BaOptions& options, ba::CameraEstimate* e);
 
 /// `history`: the remembered keyframes, the first ones of the revision.
 void apply_to_history(const Pinhole& pinhole, const MapRevision& revision, std::vector<Keyframe>* history);

@@ -51,6 +51,24 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
   return chosen;
 }
 
+// How the images of the first keyframes moved: as between the first and the last of them, with one depth for each. Only where the map came
+// at once, by large motion: over more frames a hand-held camera moves otherwise than on the whole.
+void find_motions(std::deque<Keyframe>* keyframes) {
+  constexpr int kMaxFrames = 2;
+  const Keyframe &first = keyframes->front(), &last = keyframes->back();
+  const double seconds = seconds_between(first.time, last.time);
+  if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames) return;
+  const Vector6d velocity = relative_pose(last, first).log() / seconds;
+  for (Keyframe& k : *keyframes) {
+    if (k.points.empty()) continue;
+    std::vector<double> idepths;
+    for (const MapPoint& p : k.points) idepths.push_back(p.idepth);
+    std::nth_element(idepths.begin(), idepths.begin() + idepths.size() / 2, idepths.end());
+    k.motion.velocity = velocity;
+    k.motion.idepth.setConstant(idepths[idepths.size() / 2]);
+  }
+}
+
 }  // namespace
 
 Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
@@ -88,6 +106,8 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   if (stats.points < kMinFirstPoints)
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
   if (stats.cost_per_observation > kMaxFirstCost) return "the edges of the first views do not fit one rigid scene";
+  // For an estimate of the read-out time; rows that were put right for one already are not as the camera took them.
+  if (calibration_.state().shutter.readout_s == 0) find_motions(&window_.keyframes());
   next_id_ += int(chosen.size());
   publish(window_.newest());
   return {};
@@ -105,7 +125,7 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe, const 
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
   TrackedFrame frame = tracked;
-  frame.pyramid = corrected(tracked.pyramid);
+  frame.pyramid = corrected(tracked);
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to help.
@@ -129,6 +149,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   keyframe.frame_index = frame.frame_index;
   keyframe.time = frame.time;
   keyframe.pyramid = frame.pyramid;
+  keyframe.motion = frame.motion;
   keyframe.T_cam_world = T_cam_world;
   update->keyframe_id = keyframe.id;
   window_.add(std::move(keyframe));
@@ -185,15 +206,14 @@ BaOptions Mapper::calibration_options() const {
 void Mapper::calibrate(bool at_end) {
   std::optional<MapRevision> revision = calibration_.estimate(window_pointers(), calibration_options(), at_end);
   if (!revision) return;
-  const double k1 = revision->k1;
-  window_.apply(*revision, [&](const FramePyramid& old) { return rebuild_(old, k1); });
+  window_.apply(*revision, [&](const Keyframe& k) { return rebuild_(*k.pyramid, k.motion, revision->now); });
   for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
 }
 
 // A frame that was on its way while the camera was corrected.
-std::shared_ptr<const FramePyramid> Mapper::corrected(const std::shared_ptr<const FramePyramid>& pyramid) const {
-  const double k1 = calibration_.state().k1;
-  return pyramid->residual_k1 == k1 || !rebuild_ ? pyramid : rebuild_(*pyramid, k1);
+std::shared_ptr<const FramePyramid> Mapper::corrected(const TrackedFrame& tracked) const {
+  const ImageCorrection now = calibration_.state().correction();
+  return tracked.pyramid->correction == now || !rebuild_ ? tracked.pyramid : rebuild_(*tracked.pyramid, tracked.motion, now);
 }
 
 // Every immature point is searched in every frame: as many as it takes to fill the window again, and not more.

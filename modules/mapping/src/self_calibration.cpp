@@ -5,25 +5,27 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <optional>
+#include <utility>
 
-#include "edgevo/core/radial.h"
+#include "camera_finder.h"
 #include "map_revision.h"
 
 namespace edgevo {
 namespace {
 
-using ba::RadialEstimate;
-using ba::RadialProblem;
+using State = CameraRefinement::State;
 
-constexpr double kMaxUsefulSigma = 0.004;  // a k1 known no better than this is not observed
-constexpr double kModelKeyframes = 30;     // that SelfCalibrationParams::model_sigma refers to
-constexpr double kMinChange = 5e-4;        // of k1; smaller corrections wait for the end of the run
+constexpr double kMinChange = 5e-4;  // of k1, or of the read-out time in seconds; smaller ones wait for the end of the run
 
-RadialEstimate estimate_from(const RadialProblem& problem, double k1, const SelfCalibrationParams& params, BaOptions options) {
-  options.max_iterations = 15;
-  options.relative_decrease = 1e-5;  // of a cost of thousands: less than a standard deviation of k1 is worth
-  options.initial_damping = 1e-6;    // the way has been adjusted before: an iteration or more fewer at 120 keyframes
-  return ba::estimate_k1(problem, k1, params.prior_sigma, params.max_k1, options);
+// A read-out time is known from fewer keyframes than k1 is, and each estimate brings the matches of the next one nearer to the truth.
+int first_checkpoint(const SelfCalibrationParams& p) { return p.refines_readout() ? std::max(1, p.min_keyframes / 3) : p.min_keyframes; }
+int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
+  return keyframes < p.min_keyframes ? std::min(p.min_keyframes, keyframes + (keyframes + 1) / 2) : 2 * keyframes;
+}
+
+bool changes_much(const ImageCorrection& before, const ImageCorrection& now) {
+  return std::abs(now.k1 - before.k1) > kMinChange || std::abs(now.readout_s - before.readout_s) > kMinChange;
 }
 
 }  // namespace
@@ -31,37 +33,54 @@ RadialEstimate estimate_from(const RadialProblem& problem, double k1, const Self
 // An estimate in a thread of its own, on what was known when it began.
 struct SelfCalibration::Job {
   CalibrationHistory history;
-  std::future<RadialEstimate> estimate;  // last: it waits for its thread before the history goes
+  std::future<CameraFinding> finding;  // last: it waits for its thread before the history goes
 };
 
-Eigen::Vector2d correct_pixel(const Pinhole& c, double k1_before, double k1, const Eigen::Vector2d& px) {
-  const Eigen::Vector2d x = remove_radial(k1, add_radial(k1_before, c.ray(px).head<2>()));
+const ImageMotion& MapRevision::motion_of(int keyframe_id) const {
+  static const ImageMotion unknown;
+  const auto k = std::lower_bound(keyframes.begin(), keyframes.end(), keyframe_id,
+                                  [](const RevisedKeyframe& r, int id) { return r.id < id; });
+  return k != keyframes.end() && k->id == keyframe_id ? k->motion : unknown;
+}
+
+Eigen::Vector2d correct_pixel(const Pinhole& c, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+                              const Eigen::Vector2d& px) {
+  const Eigen::Vector2d x = from_file(c, now, motion, to_file(c, before, motion, c.ray(px).head<2>()));
   return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy};
 }
 
 // A gradient is a covector: n' ~ (d px / d px')^T n.
-Eigen::Vector2d correct_normal(const Pinhole& c, double k1_before, double k1, const Eigen::Vector2d& px,
-                               const Eigen::Vector2d& normal) {
+Eigen::Vector2d correct_normal(const Pinhole& c, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+                               const Eigen::Vector2d& px, const Eigen::Vector2d& normal) {
   const Eigen::Vector2d x = c.ray(px).head<2>();
-  const Eigen::Vector2d corrected = remove_radial(k1, add_radial(k1_before, x));
-  const Eigen::Matrix2d J = radial_jacobian(k1_before, x).inverse() * radial_jacobian(k1, corrected);
+  const Eigen::Vector2d corrected = from_file(c, now, motion, to_file(c, before, motion, x));
+  const Eigen::Matrix2d J = file_jacobian(c, before, motion, x).inverse() * file_jacobian(c, now, motion, corrected);
   const Eigen::Vector2d f(c.fx, c.fy);
   return f.cwiseInverse().cwiseProduct(J.transpose() * f.cwiseProduct(normal)).normalized();
 }
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
-  v.text("refine", refine, {"none", "k1"}, "residual radial distortion found while running; none: the file is taken as it is");
+  v.text("refine", refine, {"none", "k1", "readout", "all"},
+         "found while running: residual radial distortion, read-out time of a rolling shutter; none: the file is taken as it is");
   v.integer("min_keyframes", min_keyframes, 10, 200, "at the first estimate; each further one at twice as many");
   v.integer("checkpoints", checkpoints, 1, 5, "estimates while running; the last one takes about a second (realtime: in a thread beside)");
   v.number("prior_sigma", prior_sigma, 1e-4, 1, "standard deviation of k1 before anything was seen");
   v.number("max_k1", max_k1, 1e-4, 0.2, "an estimate at this limit is not applied");
   v.number("significance", significance, 0, 100, "standard deviations from zero that an estimate needs to be applied");
   v.number("model_sigma", model_sigma, 0, 0.1, "error of k1 by biased matches after 30 keyframes; falls as their number grows");
+  v.number("readout_s", readout_s, -0.2, 0.2, 
+           "rolling shutter: seconds from the first row to the last, where known; 0: global, or to be found");
+  v.number("readout_prior_sigma", readout_prior_sigma, 1e-4, 1, "standard deviation of the read-out time before anything was seen");
+  v.number("max_readout_s", max_readout_s, 1e-3, 0.3, "an estimate at this limit is not applied");
+  v.number("readout_model_sigma", readout_model_sigma, 0, 0.1, 
+           "error of the read-out time by biased matches after 30 keyframes; falls as the root of their number grows");
 }
 
 SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params)
-    : pinhole_(pinhole), params_(params), next_checkpoint_(params.min_keyframes) {
-  if (params.refine != "none") state_.state = CameraRefinement::State::kTooEarly;
+    : pinhole_(pinhole), params_(params), next_checkpoint_(first_checkpoint(params)) {
+  if (params.refines_k1()) state_.state = State::kTooEarly;
+  if (params.refines_readout()) state_.shutter.state = State::kTooEarly;
+  state_.shutter.readout_s = params.readout_s;
 }
 
 SelfCalibration::SelfCalibration(SelfCalibration&&) noexcept = default;
@@ -84,24 +103,10 @@ void SelfCalibration::forget() {
   history_.clear();
 }
 
-// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays applied.
-bool SelfCalibration::judge(double k1, double sigma, int keyframes) {
-  using State = CameraRefinement::State;
-  if (state_.state == State::kApplied && keyframes < state_.keyframes) return false;  // a later, shorter segment knows less
-  state_.estimate = k1;
-  state_.sigma = std::hypot(sigma, params_.model_sigma * kModelKeyframes / double(keyframes));
-  state_.keyframes = keyframes;
-  const bool observed = state_.sigma < kMaxUsefulSigma, believable = std::abs(k1) < 0.999 * params_.max_k1;
-  if (state_.state == State::kApplied) return observed && believable;
-  const bool significant = observed && believable && std::abs(k1) >= params_.significance * state_.sigma;
-  state_.state = significant ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
-  return significant;
-}
-
 // The next checkpoint; after the last one nothing is remembered any more.
 void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
   const int last = params_.min_keyframes << (params_.checkpoints - 1);
-  while (keyframes >= next_checkpoint_ && next_checkpoint_ < last) next_checkpoint_ *= 2;
+  while (keyframes >= next_checkpoint_ && next_checkpoint_ < last) next_checkpoint_ = checkpoint_after(next_checkpoint_, params_);
   if (keyframes < last || at_end) return;
   finished_ = true;
   history_.clear();
@@ -117,35 +122,40 @@ std::vector<const Keyframe*> SelfCalibration::all_keyframes(const std::vector<co
 
 void SelfCalibration::begin(const std::vector<const Keyframe*>& window, const BaOptions& options) {
   job_ = std::make_unique<Job>();
-  job_->history = make_history(pinhole_, state_.k1, all_keyframes(window));
-  job_->estimate = std::async(std::launch::async, [&problem = job_->history.problem, k1 = state_.k1, params = params_, options] {
-    return estimate_from(problem, k1, params, options);
+  job_->history = make_history(pinhole_, state_.correction(), all_keyframes(window));
+  job_->finding = std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_, options] {
+    return find_camera(problem, known, params, options);
   });
 }
 
 bool SelfCalibration::is_ready() const {
-  return job_ && job_->estimate.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return job_ && job_->finding.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
 std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Keyframe*>& window, const BaOptions& options, bool at_end) {
   if (finished_ || params_.refine == "none" || window.empty()) return std::nullopt;
   const std::vector<const Keyframe*> keyframes = all_keyframes(window);
-  if (int(keyframes.size()) < params_.min_keyframes) return std::nullopt;
-  const CalibrationHistory history = make_history(pinhole_, state_.k1, keyframes);
+  if (int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
+  const CalibrationHistory history = make_history(pinhole_, state_.correction(), keyframes);
   int known = int(keyframes.size());
-  RadialEstimate e;
+  CameraFinding found;
   if (const std::unique_ptr<Job> job = std::move(job_)) {
     known = int(job->history.point_index.size());
-    e = job->estimate.get();
-    if (e.usable) e.solution = carry_over(job->history, e, history);
+    found = job->finding.get();
+    if (found.estimate) found.estimate->solution = carry_over(job->history, *found.estimate, history);
   } else {
-    e = estimate_from(history.problem, state_.k1, params_, options);
+    found = find_camera(history.problem, state_, params_, options);
   }
+  const ImageCorrection before = state_.correction();
   std::optional<MapRevision> revision;
-  if (e.usable && judge(e.k1, e.sigma, known) && (at_end || std::abs(e.k1 - state_.k1) > kMinChange)) {
-    revision = make_revision(pinhole_, state_.k1, keyframes, history_.size(), history, options, &e);
+  if (found.estimate && !(at_end || changes_much(before, found.estimate->value))) {
+    found.state.k1 = before.k1, found.state.shutter.readout_s = before.readout_s;
+    found.estimate.reset();
+  }
+  state_ = found.state;
+  if (found.estimate) {
+    revision = make_revision(pinhole_, before, keyframes, history_.size(), history, options, &*found.estimate);
     apply_to_history(pinhole_, *revision, &history_);
-    state_.k1 = e.k1;
   }
   pass_checkpoint(known, at_end);
   return revision;

@@ -19,34 +19,35 @@ int find_edge_pixel(const PyramidLevel& level, const Eigen::Vector2d& px, const 
   return same ? n : -1;
 }
 
-void correct_match(const Pinhole& c, const MapRevision& revision, Match* m) {
-  m->normal = correct_normal(c, revision.k1_before, revision.k1, m->px, m->normal);
-  m->px = correct_pixel(c, revision.k1_before, revision.k1, m->px);
+void correct_match(const Pinhole& c, const MapRevision& revision, int keyframe_id, Match* m) {
+  const ImageMotion& motion = revision.motion_of(keyframe_id);
+  m->normal = correct_normal(c, revision.before, revision.now, motion, m->px, m->normal);
+  m->px = correct_pixel(c, revision.before, revision.now, motion, m->px);
 }
 
 void revise_points(const Pinhole& c, const MapRevision& revision, const RevisedKeyframe& r, Keyframe* k) {
   for (size_t i = 0; i < k->points.size(); ++i) {
     MapPoint& p = k->points[i];
-    p.normal = correct_normal(c, revision.k1_before, revision.k1, p.px, p.normal);
+    p.normal = correct_normal(c, revision.before, revision.now, r.motion, p.px, p.normal);
     p.px = r.points[i].px;
     p.idepth_sigma *= r.points[i].idepth / p.idepth;
     p.idepth = r.points[i].idepth;
     p.edge_pixel = find_edge_pixel(k->pyramid->finest(), p.px, p.normal);
-    for (Observation& o : p.observations) correct_match(c, revision, &o.match);
+    for (Observation& o : p.observations) correct_match(c, revision, o.keyframe_id, &o.match);
   }
 }
 
 // Immature points stand on edge pixels: those that the new image does not show are dropped.
-void revise_immature(const Pinhole& c, const MapRevision& revision, double length_ratio, Keyframe* k) {
+void revise_immature(const Pinhole& c, const MapRevision& revision, const RevisedKeyframe& r, Keyframe* k) {
   std::vector<ImmaturePoint> kept;
   for (ImmaturePoint p : k->immature) {
-    p.normal = correct_normal(c, revision.k1_before, revision.k1, p.px, p.normal);
-    p.px = correct_pixel(c, revision.k1_before, revision.k1, p.px);
+    p.normal = correct_normal(c, revision.before, revision.now, r.motion, p.px, p.normal);
+    p.px = correct_pixel(c, revision.before, revision.now, r.motion, p.px);
     p.edge_pixel = find_edge_pixel(k->pyramid->finest(), p.px, p.normal);
     if (p.edge_pixel < 0) continue;
-    p.idepth /= length_ratio;
-    p.idepth_sigma /= length_ratio;
-    p.idepth_guess /= length_ratio;
+    p.idepth /= r.length_ratio;
+    p.idepth_sigma /= r.length_ratio;
+    p.idepth_guess /= r.length_ratio;
     kept.push_back(p);
   }
   std::stable_sort(kept.begin(), kept.end(), [](const ImmaturePoint& a, const ImmaturePoint& b) { return a.edge_pixel < b.edge_pixel; });
@@ -60,9 +61,9 @@ void Window::apply(const MapRevision& revision, const Rebuild& rebuild) {
     const auto r = std::find_if(revision.keyframes.begin(), revision.keyframes.end(), [&](const RevisedKeyframe& c) { return c.id == k.id; });
     if (r == revision.keyframes.end()) continue;
     k.T_cam_world = r->T_cam_world;
-    k.pyramid = rebuild(*k.pyramid);
+    k.pyramid = rebuild(k);
     revise_points(pinhole_, revision, *r, &k);
-    revise_immature(pinhole_, revision, r->length_ratio, &k);
+    revise_immature(pinhole_, revision, *r, &k);
   }
   if (!revision.prior.pose_ids.empty()) {
     prior_ = revision.prior;

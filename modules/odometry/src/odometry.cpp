@@ -6,6 +6,7 @@
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/thread_clock.h"
 #include "mapping_thread.h"
+#include "rolling_shutter.h"
 #include "run_records.h"
 #include "see_points.h"
 
@@ -18,10 +19,11 @@ struct Odometry::Impl {
         rebuilder(camera, p.edges),
         mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {
     // In realtime the mapping must not stand still for long.
-    mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, double k1) {
-      rebuilder.set_residual_k1(k1);
-      return rebuilder.build(old.source);
+    mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
+      rebuilder.set_correction(now);
+      return rebuilder.build(old.source, motion);
     }, o.realtime);
+    builder.set_correction(mapper.camera().correction());
   }
 
   // ---- one frame -------------------------------------------------------------------------------------------------
@@ -30,7 +32,8 @@ struct Odometry::Impl {
     if (frames_ahead >= options.max_frames_ahead) mapping.wait_keyframe();
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
-    const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image);  // throws for a wrong size: no record then
+    expected_motion = expect_motion();
+    const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image, expected_motion);  // throws for a wrong size: no record then
     newest_pyramid = pyramid;
     FrameRecord& record = records.begin_frame(frame);
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
@@ -40,6 +43,7 @@ struct Odometry::Impl {
     if (has_map && (!lost || tries_old_map(record.edges))) track_frame(frame, pyramid, &record);
     if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
     note_pose(record);
+    time_before = frame.time;
     return record;
   }
 
@@ -78,7 +82,9 @@ struct Odometry::Impl {
 
   void track_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
     const double start = thread_cpu_ms();
-    const TrackResult result = track(*pyramid, reference->cloud, starts(), params.alignment);
+    TrackResult result = track(*pyramid, reference->cloud, starts(), params.alignment);
+    const Vector6d twist = find_twist(frame, result.T_cur_ref);
+    if (is_rolling() && result.verdict != TrackingState::kLost) result = track_rows(*pyramid, twist, result);
     record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
     record->inlier_share = result.evidence.inlier_share;
     record->residual_px = result.stats.residual_px;
@@ -96,8 +102,41 @@ struct Odometry::Impl {
     record->covariance = result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     newest_pose.T_cam_map = result.T_cur_ref * reference->T_ref_world;
-    follow_motion(result.T_cur_ref);
-    submit(frame, pyramid, result);
+    follow_motion(frame, result.T_cur_ref);
+    submit(frame, pyramid, result, twist, record);
+  }
+
+  // ---- rolling shutter: core/image_correction.h ------------------------------------------------------------------------
+
+  bool is_rolling() const { return builder.correction().readout_s != 0; }
+
+  // What the rows of the next image are made ready for: the camera goes on as before.
+  ImageMotion expect_motion() const {
+    if (!is_rolling() || !has_map || lost || !(velocity_s > 0)) return {};
+    return image_motion(builder.pinhole(), reference->cloud, velocity * T_last_ref, velocity.log() / velocity_s, reference->median_idepth);
+  }
+
+  // How the camera moved when the image was taken, a second: the motion since the last frame is that of half a frame ago, and half of
+  // its change comes on top. 0: not known.
+  Vector6d find_twist(const Frame& frame, const SE3& T_cur_ref) const {
+    const double seconds = seconds_between(time_tracked, frame.time);
+    if (!(seconds > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
+    const Vector6d twist = (T_cur_ref * T_last_ref.inverse()).log() / seconds;
+    if (frames_lost > 0 || !(velocity_s > 0)) return twist;
+    return twist + 0.5 * (twist - velocity.log() / velocity_s);
+  }
+
+  ImageMotion found_motion(const Vector6d& twist, const SE3& T_cur_ref) const {
+    if (expected_motion.is_known()) return {twist, expected_motion.idepth};
+    return image_motion(builder.pinhole(), reference->cloud, T_cur_ref, twist, reference->median_idepth);
+  }
+
+  // The pose once more, for the rows as they were taken.
+  TrackResult track_rows(const FramePyramid& pyramid, const Vector6d& twist, const TrackResult& first) const {
+    const ReferenceCloud shifted = shift_cloud(builder.pinhole(), reference->cloud, first.T_cur_ref, builder.correction().readout_s,
+                                               expected_motion, found_motion(twist, first.T_cur_ref));
+    const TrackResult again = track_again(pyramid, shifted, first.T_cur_ref, params.alignment);
+    return again.verdict != TrackingState::kLost ? again : first;
   }
 
   std::vector<SE3> starts() const {
@@ -109,14 +148,17 @@ struct Odometry::Impl {
   }
 
   // The constant-velocity model is fed with good frames only; after a gap with the mean over the gap.
-  void follow_motion(const SE3& T_cur_ref) {
+  void follow_motion(const Frame& frame, const SE3& T_cur_ref) {
     const SE3 motion = T_cur_ref * T_last_ref.inverse();
+    velocity_s = seconds_between(time_tracked, frame.time) / double(frames_lost + 1);
+    time_tracked = frame.time;
     velocity = frames_lost == 0 ? motion : SE3::exp(motion.log() / double(frames_lost + 1));
     T_last_ref = T_cur_ref;
     frames_lost = 0;
   }
 
-  void submit(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, const TrackResult& result) {
+  void submit(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, const TrackResult& result, const Vector6d& twist,
+              FrameRecord* record) {
     TrackedFrame tracked;
     tracked.frame_index = frame.index;
     tracked.time = frame.time;
@@ -135,13 +177,22 @@ struct Odometry::Impl {
     frames_ahead = decision.needed && pending ? frames_ahead + 1 : 0;
     tracked.make_keyframe = decision.needed && !back && !pending;
     if (tracked.make_keyframe) frames_since_keyframe = 0;
+    if (tracked.make_keyframe && params.camera.knows_rolling()) straighten_keyframe(frame, result.T_cur_ref, twist, &tracked, record);
     mapping.submit(std::move(tracked));
+  }
+
+  // What is measured in a keyframe stays: its rows are put where the motion that was found has taken them.
+  void straighten_keyframe(const Frame& frame, const SE3& T_cur_ref, const Vector6d& twist, TrackedFrame* tracked, FrameRecord* record) {
+    const double start = thread_cpu_ms();
+    tracked->motion = found_motion(twist, T_cur_ref);
+    if (is_rolling()) tracked->pyramid = builder.build(frame.image, tracked->motion);
+    record->stage_ms.front().second += thread_cpu_ms() - start;  // the edges
   }
 
   // A new keyframe became the reference: re-express the last pose against it.
   void change_reference(const Frame& frame, std::shared_ptr<const Reference> newest) {
     if (newest == reference) return;
-    if (newest->camera.k1 != builder.residual_k1()) change_camera(frame, newest->camera);
+    if (newest->camera.correction() != builder.correction()) change_camera(frame, newest->camera);
     if (reference) {
       const auto old = newest->T_keyframe_world.find(reference->keyframe_id);
       const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference->T_ref_world;
@@ -152,12 +203,20 @@ struct Odometry::Impl {
 
   // The map was corrected for a residual distortion: the images that follow are too.
   void change_camera(const Frame& frame, const CameraRefinement& camera) {
-    builder.set_residual_k1(camera.k1);
+    const ImageCorrection before = builder.correction(), now = camera.correction();
+    builder.set_correction(now);
     bootstrap.reset();
     char what[160];
-    std::snprintf(what, sizeof what, "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", camera.k1,
-                  camera.sigma, camera.keyframes);
-    say(frame, what);
+    if (now.k1 != before.k1) {
+      std::snprintf(what, sizeof what, "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", camera.k1,
+                    camera.sigma, camera.keyframes);
+      say(frame, what);
+    }
+    if (now.readout_s != before.readout_s) {
+      std::snprintf(what, sizeof what, "self-calibration: rolling shutter, read-out %.4f +- %.4f s from %d keyframes, applied",
+                    camera.shutter.readout_s, camera.shutter.sigma, camera.shutter.keyframes);
+      say(frame, what);
+    }
   }
 
   // ---- bootstrap and segments --------------------------------------------------------------------------------------
@@ -195,6 +254,8 @@ struct Odometry::Impl {
     T_last_ref = SE3();
     const auto before = records.pose_before(frame.index, segment);
     velocity = before ? T_cur * before->inverse() : SE3();
+    velocity_s = before ? seconds_between(time_before, frame.time) : 0;
+    time_tracked = frame.time;
     frames_since_keyframe = 0;
     has_map = ever_tracked = true;
     lost = seeking = false;
@@ -295,6 +356,10 @@ struct Odometry::Impl {
   std::shared_ptr<const Reference> reference;
   NewestPose newest_pose;
   SE3 T_last_ref, velocity;
+  double velocity_s = 0;          // that the motion `velocity` takes; 0: not known
+  Timestamp time_tracked;         // of T_last_ref
+  Timestamp time_before;          // of the frame before this one
+  ImageMotion expected_motion;    // that the newest image was made ready for
   int frames_since_keyframe = 0;
   int frames_ahead = 0;  // the latest of a row that would have been keyframes, had the mapping not been busy with one
   int segment = -1, lost_at = -1, unexplained_frames = 0;

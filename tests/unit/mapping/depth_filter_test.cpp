@@ -110,6 +110,7 @@ TEST(Fusion, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
   ImmaturePoint p = point(0.2, 0.1);
   fuse(not_found(EpipolarOutcome::kOutOfView), &p);
   fuse(not_found(EpipolarOutcome::kNoBaseline), &p);
+  fuse(not_found(EpipolarOutcome::kAlongLine), &p);
   EXPECT_EQ(p.bad, 0);
   fuse(not_found(EpipolarOutcome::kAmbiguous), &p);
   fuse(not_found(EpipolarOutcome::kNoMatch), &p);

@@ -107,7 +107,7 @@ class SweepDriver {
     const SE3 T = sweep_pose(f).inverse() * sweep_pose(frame_of.at(reference->keyframe_id));
     const SE3 start(T.rotation(), unit_ * T.translation());
     const TrackResult r = track(*Sweep::pyramid(f), reference->cloud, {start}, AlignmentParams());
-    return {f, Sweep::time(f), Sweep::pyramid(f), reference->keyframe_id, r.T_cur_ref, r.covariance, make_keyframe};
+    return {f, Sweep::time(f), Sweep::pyramid(f), {}, reference->keyframe_id, r.T_cur_ref, r.covariance, make_keyframe};
   }
   MapUpdate process(int f, bool make_keyframe) {
     note_keyframes();

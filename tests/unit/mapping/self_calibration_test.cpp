@@ -14,6 +14,7 @@ namespace {
 struct DriveOptions {
   int keyframes = 60;
   double k1 = 0;          ///< of the images, unknown to the camera file
+  double readout_s = 0;   ///< of a rolling shutter
   double noise_px = 0.15;
   double step = 1.0;      ///< metres a keyframe; 0: a standstill
   uint64_t seed = 1;
@@ -31,10 +32,17 @@ std::vector<Keyframe> make_drive(const DriveOptions& o) {
         0.03 * std::sin(0.2 * i) * o.step, 0.005 * random.normal() * o.step;
     T_world_cam[i] = T_world_cam[i - 1] * SE3::exp(step);
   }
-  const auto seen_at = [&](const Eigen::Vector2d& px) {  // true pixel -> pixel in the file's image
-    return correct_pixel(camera, o.k1, 0.0, px);
-  };
   std::vector<Keyframe> drive(o.keyframes);
+  // The camera bobs and turns about its keyframes, five of them a second; all it sees is as far away as the middle of the points.
+  for (Keyframe& k : drive) {
+    k.motion.velocity << 0.3 * random.normal(), 0.5 * random.normal(), -5.0, 0.1 * random.normal(), 0.1 * random.normal(),
+        0.1 * random.normal();
+    k.motion.velocity *= o.step;
+    k.motion.idepth.setConstant(0.08);
+  }
+  const auto seen_at = [&](int keyframe, const Eigen::Vector2d& px) {  // true pixel -> pixel in the file's image
+    return correct_pixel(camera, {o.k1, o.readout_s}, {}, drive[size_t(keyframe)].motion, px);
+  };
   for (int h = 0; h < o.keyframes; ++h) {
     drive[h].id = 10 + h;
     drive[h].T_cam_world = T_world_cam[h].inverse();
@@ -42,7 +50,7 @@ std::vector<Keyframe> make_drive(const DriveOptions& o) {
       const Eigen::Vector2d px(random.uniform(20, 1220), random.uniform(10, 366));
       const double depth = random.uniform(5, 40);
       MapPoint p;
-      p.px = seen_at(px);
+      p.px = seen_at(h, px);
       p.normal = Eigen::Vector2d::UnitX();
       p.idepth = 1.0 / depth;
       for (int t = std::max(0, h - 2); t < std::min(o.keyframes, h + 9); ++t) {
@@ -53,7 +61,7 @@ std::vector<Keyframe> make_drive(const DriveOptions& o) {
         seen.keyframe_id = 10 + t;
         seen.match.kind = MatchKind::kEdge;
         seen.match.normal = {std::cos(angle), std::sin(angle)};
-        seen.match.px = seen_at(camera.project(p_target)) + o.noise_px * Eigen::Vector2d(random.normal(), random.normal());
+        seen.match.px = seen_at(t, camera.project(p_target)) + o.noise_px * Eigen::Vector2d(random.normal(), random.normal());
         seen.match.inv_sigma_normal = 1.0 / 0.3;
         p.observations.push_back(seen);
       }
@@ -98,8 +106,75 @@ TEST(SelfCalibration, FindsTheDistortion) {
       EXPECT_EQ(out.state.state, CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.k1, k1, 0.001);
       ASSERT_TRUE(out.revision);
-      EXPECT_EQ(out.revision->k1, out.state.k1);
+      EXPECT_EQ(out.revision->now.k1, out.state.k1);
+      EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kInsignificant);
+      EXPECT_EQ(out.state.shutter.readout_s, 0);
     }
+}
+
+TEST(SelfCalibration, FindsARollingShutter) {
+  for (const double readout_s : {0.02, -0.015, 0.03})
+    for (const double k1 : {0.0, 0.012}) {
+      DriveOptions o;
+      o.k1 = k1, o.readout_s = readout_s;
+      const Outcome out = calibrate(o);
+      EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied) << readout_s << " " << k1;
+      EXPECT_NEAR(out.state.shutter.estimate, readout_s, 0.001);
+      EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013) << "a step further: matches of crooked rows hold on to them";
+      EXPECT_EQ(out.state.state, k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
+      EXPECT_NEAR(out.state.estimate, k1, 0.002);
+      ASSERT_TRUE(out.revision);
+      EXPECT_EQ(out.revision->now, out.state.correction());
+    }
+}
+
+// From few keyframes, long before k1 is looked for.
+TEST(SelfCalibration, ARollingShutterShowsEarly) {
+  DriveOptions o;
+  o.keyframes = 14;
+  o.readout_s = 0.02;
+  const Outcome out = calibrate(o);
+  EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied);
+  EXPECT_NEAR(out.state.shutter.estimate, 0.02, 0.002);
+  EXPECT_EQ(out.state.state, CameraRefinement::State::kTooEarly);
+  EXPECT_EQ(out.state.k1, 0);
+}
+
+TEST(SelfCalibration, SeeksOnlyWhatItIsAskedFor) {
+  DriveOptions o;
+  o.k1 = 0.012, o.readout_s = 0.02;
+  SelfCalibrationParams params;
+  params.refine = "k1";
+  const CameraRefinement lens = calibrate(o, params).state;
+  EXPECT_EQ(lens.shutter.state, CameraRefinement::State::kOff);
+  EXPECT_EQ(lens.shutter.readout_s, 0);
+  params.refine = "readout";
+  const CameraRefinement shutter = calibrate(o, params).state;
+  EXPECT_EQ(shutter.state, CameraRefinement::State::kOff);
+  EXPECT_EQ(shutter.k1, 0);
+  EXPECT_EQ(shutter.shutter.state, CameraRefinement::State::kApplied);
+  params.refine = "none";
+  params.readout_s = 0.02;  // known: taken as it is
+  EXPECT_EQ(calibrate(o, params).state.correction(), (ImageCorrection{0, 0.02}));
+}
+
+// Images that were corrected already: the estimate is of the whole, not of what is left.
+TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
+  DriveOptions o;
+  o.readout_s = 0.02;
+  std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibrationParams params;
+  params.readout_s = 0.015;
+  const ImageCorrection none, applied{0, params.readout_s};
+  for (Keyframe& k : drive)
+    for (MapPoint& p : k.points) {
+      p.px = correct_pixel(ba_scene::pinhole(), none, applied, k.motion, p.px);
+      for (Observation& seen : p.observations)
+        seen.match.px = correct_pixel(ba_scene::pinhole(), none, applied, drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+    }
+  SelfCalibration calibration(ba_scene::pinhole(), params);
+  calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
+  EXPECT_NEAR(calibration.state().shutter.estimate, 0.02, 0.001);
 }
 
 TEST(SelfCalibration, LeavesAGoodCameraAlone) {
@@ -192,7 +267,7 @@ TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
   const auto revision = beside.estimate(range(now, now.size() - kWindow, now.size()), BaOptions(), false);
   EXPECT_FALSE(beside.is_running());
   ASSERT_TRUE(revision);
-  EXPECT_EQ(revision->k1, at_once.state().k1) << "the same estimate";
+  EXPECT_EQ(revision->now, at_once.state().correction()) << "the same estimate";
   EXPECT_EQ(beside.state().keyframes, int(kKnown));
   expect_true_shape(*revision, now);
   const RevisedKeyframe& newest = revision->keyframes.back();
@@ -238,8 +313,8 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
       for (const Observation& seen : p.observations) {
         const int target = seen.keyframe_id - 10 - first;
         if (target < 0) continue;
-        window.observations.push_back({index, target, correct_pixel(window.pinhole, 0, r.k1, seen.match.px),
-                                       correct_normal(window.pinhole, 0, r.k1, seen.match.px, seen.match.normal),
+        window.observations.push_back({index, target, correct_pixel(window.pinhole, {}, r.now, {}, seen.match.px),
+                                       correct_normal(window.pinhole, {}, r.now, {}, seen.match.px, seen.match.normal),
                                        seen.match.inv_sigma_normal, 0.0});
       }
       if (!window.observations.empty() && window.observations.back().point == index)
@@ -253,6 +328,7 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
 
 TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
   SelfCalibrationParams params;
+  params.refine = "k1";
   params.min_keyframes = 15;  // checkpoints at 15, 30 and 60
   DriveOptions o;
   o.keyframes = 72;
@@ -287,11 +363,18 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
 TEST(SelfCalibration, CorrectedNormalsAreThoseOfCorrectedEdges) {
   const Pinhole c = ba_scene::pinhole();
   const Eigen::Vector2d px(1100, 40), along(0.6, 0.8), normal(-0.8, 0.6);
-  const Eigen::Vector2d a = correct_pixel(c, 0.002, 0.015, px - along), b = correct_pixel(c, 0.002, 0.015, px + along);
-  const Eigen::Vector2d corrected = correct_normal(c, 0.002, 0.015, px, normal);
-  EXPECT_NEAR(corrected.norm(), 1, 1e-12);
-  EXPECT_NEAR(corrected.dot((b - a).normalized()), 0, 1e-4);
-  EXPECT_GT(corrected.dot(normal), 0.99);
+  ImageMotion motion;
+  motion.velocity << 1, 2, -5, 0.2, 0.3, 0.4;
+  motion.idepth.setConstant(0.1);
+  for (const ImageCorrection& now : {ImageCorrection{0.015, 0}, {0.002, 0.03}, {0.01, -0.02}}) {
+    const ImageCorrection before{0.002, 0.005};
+    const Eigen::Vector2d a = correct_pixel(c, before, now, motion, px - along), b = correct_pixel(c, before, now, motion, px + along);
+    const Eigen::Vector2d corrected = correct_normal(c, before, now, motion, px, normal);
+    EXPECT_NEAR(corrected.norm(), 1, 1e-12);
+    EXPECT_NEAR(corrected.dot((b - a).normalized()), 0, 1e-4);
+    EXPECT_GT(corrected.dot(normal), 0.99);
+    EXPECT_LT((correct_pixel(c, now, before, motion, correct_pixel(c, before, now, motion, px)) - px).norm(), 1e-8);
+  }
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ struct TrackResult {
 TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, const std::vector<SE3>& starts,
                   const AlignmentParams& params);
 
+/// As track, from a pose that is nearly right: the finest edges alone, for a cloud whose points have moved a little. Cost: a third.
+TrackResult track_again(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params);
+
 /// Starts for the next frame from the last two poses: constant velocity, rest, half and double velocity, rotation only.
 std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_before);
 

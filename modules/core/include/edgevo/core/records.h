@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/image_correction.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
@@ -55,7 +56,8 @@ struct KeyframeRecord {
   std::vector<EdgePoint> points;
 };
 
-/// What self-calibration says about the camera: images of the file's model are distorted by k1 (see radial.h).
+/// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h), and read row by row
+/// (image_correction.h).
 struct CameraRefinement {
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied };
   State state = State::kOff;
@@ -63,6 +65,17 @@ struct CameraRefinement {
   double estimate = 0;  ///< newest estimate, applied or not
   double sigma = 0;     ///< one standard deviation of the estimate; 0: there is none
   int keyframes = 0;    ///< that the estimate rests on
+
+  /// The read-out time of a rolling shutter, in the same words.
+  struct Shutter {
+    State state = State::kOff;
+    double readout_s = 0;  ///< applied to all images: found, or as the parameters gave it
+    double estimate = 0, sigma = 0;
+    int keyframes = 0;
+  };
+  Shutter shutter;
+
+  ImageCorrection correction() const { return {k1, shutter.readout_s}; }
 };
 
 /// Words for the states in files, in their order.

@@ -6,6 +6,7 @@
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
+#include "edgevo/core/image_correction.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/nearest_field.h"
@@ -24,8 +25,8 @@ struct PyramidLevel {
 
 struct FramePyramid {
   std::vector<PyramidLevel> levels;
-  GrayImage source;        ///< as the camera took it: to build the pyramid anew when the camera is corrected
-  double residual_k1 = 0;  ///< that was taken out of `levels`, see core/radial.h
+  GrayImage source;            ///< as the camera took it: to build the pyramid anew when the camera is corrected
+  ImageCorrection correction;  ///< that was taken out of `levels`, beside what the camera file says
   const PyramidLevel& finest() const { return levels.front(); }
 };
 
@@ -39,11 +40,12 @@ class PyramidBuilder {
 
   /// Pinhole of the undistorted images.
   const Pinhole& pinhole() const;
-  /// Residual distortion taken out of the images that follow. Changing it makes new undistortion maps, about 20 ms at 1241x376.
-  double residual_k1() const;
-  void set_residual_k1(double k1);
-  /// `image` must have the camera's size (throws InputError). Cost at 1241x376: see tests/bench/bench_edges.cpp.
-  std::shared_ptr<const FramePyramid> build(const GrayImage& image);
+  /// Taken out of the images that follow. A change of k1 makes new undistortion maps, about 20 ms at 1241x376.
+  ImageCorrection correction() const;
+  void set_correction(const ImageCorrection& correction);
+  /// `image` must have the camera's size (throws InputError). `motion`: of the image at that moment, for a rolling shutter; without it
+  /// the rows stay where they are. Cost at 1241x376: see tests/bench/bench_edges.cpp.
+  std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
 
  private:
   struct Impl;

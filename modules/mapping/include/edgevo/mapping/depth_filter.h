@@ -24,6 +24,7 @@ enum class EpipolarOutcome {
   kFound,
   kNoBaseline,     ///< the segment is too short to tell anything
   kOutOfView,
+  kAlongLine,      ///< the edge runs along its epipolar line, which it crosses anywhere: not searched
   kNoMatch,        ///< no edge of compatible direction looks alike
   kAmbiguous,      ///< two places look alike
 };

@@ -50,6 +50,7 @@ struct Keyframe {
   int frame_index = 0;
   Timestamp time;
   std::shared_ptr<const FramePyramid> pyramid;
+  ImageMotion motion;            ///< of the image when it was taken, for a rolling shutter
   SE3 T_cam_world;
   std::vector<MapPoint> points;
   std::vector<ImmaturePoint> immature;  ///< ascending edge_pixel

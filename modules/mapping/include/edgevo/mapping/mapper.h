@@ -32,6 +32,7 @@ struct TrackedFrame {
   int frame_index = 0;
   Timestamp time;
   std::shared_ptr<const FramePyramid> pyramid;
+  ImageMotion motion;         ///< of its image
   int reference_id = 0;       ///< keyframe that T_cam_ref refers to
   SE3 T_cam_ref;
   Matrix6d covariance = Matrix6d::Zero();
@@ -53,9 +54,10 @@ class Mapper {
   Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
          uint64_t seed);
 
-  /// Lets the residual distortion of the camera be found; `rebuild(pyramid, k1)` builds a pyramid anew from its source image. In a thread
-  /// of its own the mapping goes on meanwhile, but when it ends, and with it the result, depends on the machine.
-  using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&, double k1)>;
+  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid anew from its source image, whose motion is given. In a
+  /// thread of its own the mapping goes on meanwhile, but when it ends, and with it the result, depends on the machine.
+  using RebuildPyramid =
+      std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
   void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread);
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three between them. Returns an
@@ -84,7 +86,7 @@ class Mapper {
   void calibrate(bool at_end);
   std::vector<const Keyframe*> window_pointers() const;
   BaOptions calibration_options() const;
-  std::shared_ptr<const FramePyramid> corrected(const std::shared_ptr<const FramePyramid>& pyramid) const;
+  std::shared_ptr<const FramePyramid> corrected(const TrackedFrame& tracked) const;
   void publish(const Keyframe& keyframe);
   void return_to(int keyframe_id);
 

@@ -1,13 +1,14 @@
 #pragma once
-// Self-calibration: the residual radial distortion k1 (core/radial.h) that the camera file does not know, estimated from the window's
-// own matches while the odometry runs.
+// Self-calibration: what the camera file does not know (core/image_correction.h), the residual radial distortion k1 and the read-out time
+// of a rolling shutter, estimated from the window's own matches while the odometry runs.
 //
 // Not from the paper. A monocular map's scale grows or shrinks along a drive when the lens model is wrong, however good the matches: depth
-// is learnt near the image centre and used further out. The bundle adjustment sees it: its cost against k1 has a minimum where the
-// growth ends. How:
+// is learnt near the image centre and used further out. A rolling shutter stretches the image of a camera that moves up or down, and that
+// looks like a step forward. The bundle adjustment sees both: its cost has a minimum where the growth, and the stretch, ends. How:
 //   1. Keyframes that leave the window are remembered with their matches, without images, up to `max_keyframes`.
 //   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown (Newton on the profile cost).
-//   3. Is k1 `significance` standard deviations from what is applied now, it is applied: poses, depths and matches move to the adjusted
+//      Where one more step with both free makes the shutter look like a rolling one, the read-out time is sought, too.
+//   3. Is either `significance` standard deviations from what is applied now, it is applied: poses, depths and matches move to the adjusted
 //      ones, anchored at the newest keyframe, whose pose and scale stay what they are, and the window's prior is formed anew.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it is applied.
 // After the last checkpoint nothing is remembered any more: memory and time are bounded. A run that ends earlier is estimated at its
@@ -27,13 +28,22 @@
 namespace edgevo {
 
 struct SelfCalibrationParams {
-  std::string refine = "k1";     ///< "none": the camera file is taken as it is
+  std::string refine = "all";    ///< "none": the camera file is taken as it is; "k1", "readout": only that
   int min_keyframes = 30;        ///< at the first checkpoint; each next one at twice as many
   int checkpoints = 3;           ///< the last one is the dearest, about a second at 120 keyframes
   double prior_sigma = 0.01;     ///< of k1 before anything was seen
   double max_k1 = 0.03;          ///< an estimate at this limit is not believed
   double significance = 3.0;     ///< standard deviations
   double model_sigma = 0.004;    ///< what biased matches add to the standard deviation, at 30 keyframes; falls with their number
+  double readout_s = 0;          ///< of a rolling shutter, where it is known: the last row is taken this much later than the first
+  double readout_prior_sigma = 0.03;
+  double max_readout_s = 0.1;    ///< an estimate at this limit is not believed
+  double readout_model_sigma = 0.0015;  ///< as model_sigma, in seconds
+
+  /// Rows may have a time of their own.
+  bool knows_rolling() const { return readout_s != 0 || refines_readout(); }
+  bool refines_k1() const { return refine == "k1" || refine == "all"; }
+  bool refines_readout() const { return refine == "readout" || refine == "all"; }
 
   void visit(ParamVisitor& v);
 };
@@ -42,6 +52,7 @@ struct SelfCalibrationParams {
 struct RevisedKeyframe {
   int id = 0;
   SE3 T_cam_world;
+  ImageMotion motion;       ///< of its image: its pixels move with it
   double length_ratio = 1;  ///< new length over old length near this keyframe
   struct Point {
     Eigen::Vector2d px;
@@ -52,9 +63,11 @@ struct RevisedKeyframe {
 
 /// A correction of the camera and all that moves with it.
 struct MapRevision {
-  double k1_before = 0, k1 = 0;
+  ImageCorrection before, now;
   std::vector<RevisedKeyframe> keyframes;  ///< remembered ones and the window's, ascending id
   BaPrior prior;                           ///< of the remembered ones on the window
+
+  const ImageMotion& motion_of(int keyframe_id) const;
 };
 
 class SelfCalibration {
@@ -68,7 +81,7 @@ class SelfCalibration {
   void remember(const Keyframe& keyframe);
   /// A checkpoint is reached, and no estimate is running.
   bool is_due(int window_keyframes) const;
-  /// Estimates k1 from all that is remembered and the window. A revision if it is to be applied; `at_end`: even if it changes little.
+  /// Estimates what is wrong with the camera from all that is remembered and the window. A revision if it is to be applied; `at_end`: even if it changes little.
   std::optional<MapRevision> estimate(const std::vector<const Keyframe*>& window, const BaOptions& options, bool at_end);
   /// Begins that estimate in a thread of its own, on a copy of the matches; when it is ready, estimate() hands it over for the window as
   /// it is by then (sooner: waits for it). Cost: the copy, some 20 ms at 120 keyframes.
@@ -83,7 +96,6 @@ class SelfCalibration {
  private:
   struct Job;
   std::vector<const Keyframe*> all_keyframes(const std::vector<const Keyframe*>& window) const;
-  bool judge(double k1, double sigma, int keyframes);
   void pass_checkpoint(int keyframes, bool at_end);
 
   Pinhole pinhole_;
@@ -95,9 +107,10 @@ class SelfCalibration {
   std::unique_ptr<Job> job_;       ///< an estimate that is running
 };
 
-/// Inverse of moving the images from k1_before to k1: where a pixel and its normal lie after the correction.
-Eigen::Vector2d correct_pixel(const Pinhole& pinhole, double k1_before, double k1, const Eigen::Vector2d& px);
-Eigen::Vector2d correct_normal(const Pinhole& pinhole, double k1_before, double k1, const Eigen::Vector2d& px,
-                               const Eigen::Vector2d& normal);
+/// Images corrected by `before` are corrected by `now` instead: where a pixel of one that moved with `motion` lies then, and its normal.
+Eigen::Vector2d correct_pixel(const Pinhole& pinhole, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+                              const Eigen::Vector2d& px);
+Eigen::Vector2d correct_normal(const Pinhole& pinhole, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+                               const Eigen::Vector2d& px, const Eigen::Vector2d& normal);
 
 }  // namespace edgevo

@@ -64,7 +64,7 @@ class Window {
   std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
   /// The camera was corrected: poses, points and prior as the revision says, images built anew by `rebuild`.
-  using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&)>;
+  using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const Keyframe&)>;
   void apply(const MapRevision& revision, const Rebuild& rebuild);
 
  private:

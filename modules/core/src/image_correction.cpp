@@ -1,0 +1,42 @@
+#include "edgevo/core/image_correction.h"
+
+#include "edgevo/core/radial.h"
+
+namespace edgevo {
+
+Eigen::Vector2d add_rolling(const Pinhole& c, double readout_s, const ImageMotion& motion, const Eigen::Vector2d& x) {
+  if (readout_s == 0 || !motion.is_known()) return x;
+  return x + readout_s * shutter_row(c, x) * motion.at(c, x);
+}
+
+Eigen::Vector2d to_file(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+  return add_radial(correction.k1, add_rolling(c, correction.readout_s, motion, x));
+}
+
+Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+                          const Eigen::Vector2d& x_file) {
+  const Eigen::Vector2d rolling = remove_radial(correction.k1, x_file);
+  if (correction.readout_s == 0 || !motion.is_known()) return rolling;
+  Eigen::Vector2d x = rolling;
+  for (int i = 0; i < 12; ++i) {
+    const Eigen::Vector2d error = add_rolling(c, correction.readout_s, motion, x) - rolling;
+    x -= error;
+    if (error.squaredNorm() < 1e-26) break;
+  }
+  return x;
+}
+
+Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+  const Eigen::Matrix2d radial = radial_jacobian(correction.k1, add_rolling(c, correction.readout_s, motion, x));
+  if (correction.readout_s == 0 || !motion.is_known()) return radial;
+  constexpr double kStep = 1e-5;
+  Eigen::Matrix2d rolling;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
+    rolling.col(axis) = (add_rolling(c, correction.readout_s, motion, x + step) -
+                         add_rolling(c, correction.readout_s, motion, x - step)) / (2 * kStep);
+  }
+  return radial * rolling;
+}
+
+}  // namespace edgevo

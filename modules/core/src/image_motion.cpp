@@ -1,0 +1,31 @@
+#include "edgevo/core/image_motion.h"
+
+#include <algorithm>
+
+namespace edgevo {
+namespace {
+
+// Where `position` in [0, size) lies between the centres of `cells` cells: the one before it, and the share of the next one.
+struct Between {
+  int cell;
+  double share;
+};
+Between between_cells(double position, double size, int cells) {
+  const double p = std::clamp((position + 0.5) / size * cells - 0.5, 0.0, double(cells - 1));
+  const int cell = std::min(int(p), cells - 2);
+  return {cell, p - cell};
+}
+
+}  // namespace
+
+Eigen::Vector2d ImageMotion::at(const Pinhole& c, const Eigen::Vector2d& x) const {
+  const Between u = between_cells(c.fx * x.x() + c.cx, c.width, kColumns), v = between_cells(c.fy * x.y() + c.cy, c.height, kRows);
+  const Eigen::RowVector2d across(1 - u.share, u.share);
+  const Eigen::Vector2d down(1 - v.share, v.share);
+  const double rho = down.dot(idepth.block<2, 2>(v.cell, u.cell) * across.transpose());
+  const Eigen::Vector3d ray(x.x(), x.y(), 1.0);
+  const Eigen::Vector3d rate = rho * velocity.head<3>() + velocity.tail<3>().cross(ray);
+  return rate.head<2>() - x * rate.z();
+}
+
+}  // namespace edgevo

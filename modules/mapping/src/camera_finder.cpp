@@ -1,0 +1,157 @@
+#include "camera_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace edgevo {
+namespace {
+
+using ba::CameraEstimate;
+using ba::CameraProblem;
+using ba::CameraSearch;
+using State = CameraRefinement::State;
+
+constexpr double kMaxUsefulSigma = 0.004;         // a k1 known no better than this is not observed
+constexpr double kMaxUsefulReadoutSigma = 0.005;  // nor a read-out time, seconds
+constexpr double kModelKeyframes = 30;            // that the parameters' model sigmas refer to
+// Matches found in images with crooked rows hold on to them: estimates come out a fifth to a half short and reach the truth step by step.
+constexpr double kOverRelaxation = 1.3;
+
+// Biased matches: their error of k1 falls with the number of keyframes, that of the read-out time, which needs fewer, with its root.
+double k1_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
+  return std::hypot(formal, p.model_sigma * kModelKeyframes / double(keyframes));
+}
+double readout_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
+  return std::hypot(formal, p.readout_model_sigma * std::sqrt(kModelKeyframes / double(keyframes)));
+}
+
+// What an estimate says about one number of the camera.
+struct Finding {
+  double estimate = 0, sigma = 0;
+  bool trustworthy = false;  // observed, and within the limit
+  State state = State::kNotObservable;
+};
+
+// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays applied.
+Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma, double limit, double significance) {
+  const bool observed = sigma < max_useful_sigma;
+  Finding f{estimate, sigma, observed && std::abs(estimate) < 0.999 * limit, before};
+  if (before == State::kApplied) return f;
+  const bool significant = f.trustworthy && std::abs(estimate - by_file) >= significance * sigma;
+  f.state = significant ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
+  return f;
+}
+
+class CameraFinder {
+ public:
+  CameraFinder(const CameraProblem& problem, const CameraRefinement& known, const SelfCalibrationParams& params, const BaOptions& options)
+      : problem_(problem), params_(params), options_(options), keyframes_(int(problem.file.poses.size())), known_(known),
+        state_(known) {
+    options_.max_iterations = 15;
+    options_.relative_decrease = 1e-5;  // of a cost of thousands: less than a standard deviation of k1 is worth
+    options_.initial_damping = 1e-6;    // the way has been adjusted before: an iteration or more fewer at 120 keyframes
+  }
+
+  CameraFinding run() {
+    if (knew_more()) return nothing();
+    const bool seek_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
+    const bool seek_readout = params_.refines_readout() && (state_.shutter.state == State::kApplied || !seek_k1);
+    CameraEstimate e = search(seek_k1, seek_readout);
+    if (!e.usable) return nothing();
+    if (params_.refines_readout() && !seek_readout) e = look_at_shutter(std::move(e));
+    return settle(std::move(e));
+  }
+
+ private:
+  CameraFinding nothing() const { return {state_, std::nullopt}; }
+
+  // A later, shorter segment knows less.
+  bool knew_more() const {
+    return (state_.state == State::kApplied && keyframes_ < state_.keyframes) ||
+           (state_.shutter.state == State::kApplied && keyframes_ < state_.shutter.keyframes);
+  }
+
+  CameraEstimate search(bool free_k1, bool free_readout) const {
+    CameraSearch s;
+    s.start = state_.correction();
+    s.free << free_k1, free_readout;
+    s.prior << 0, params_.readout_s;
+    s.prior_sigma << params_.prior_sigma, params_.readout_prior_sigma;
+    s.limit << params_.max_k1, params_.max_readout_s;
+    return ba::estimate_camera(problem_, s, options_);
+  }
+
+  // Beside a k1 that was sought alone: the read-out time as one more step shows it. Such a step is less sure than a search, and far from
+  // the minimum its own deviation says little; where it is large a search for both decides.
+  CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
+    const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, params_, keyframes_);
+    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
+      note_readout(one_step, k1_alone.sigma[1]);
+      return k1_alone;
+    }
+    CameraEstimate both = search(true, true);
+    if (!both.usable) return k1_alone;
+    note_readout(both.value.readout_s, both.sigma[1]);
+    return state_.shutter.state == State::kApplied ? std::move(both) : std::move(k1_alone);
+  }
+
+  Finding note_k1(double k1, double formal_sigma) {
+    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), kMaxUsefulSigma, params_.max_k1,
+                            params_.significance);
+    state_.state = f.state;
+    state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
+    return f;
+  }
+
+  Finding note_readout(double readout_s, double formal_sigma) {
+    CameraRefinement::Shutter& s = state_.shutter;
+    const Finding f = weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, params_, keyframes_),
+                            kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance);
+    s.state = f.state;
+    s.estimate = f.estimate, s.sigma = f.sigma, s.keyframes = keyframes_;
+    return f;
+  }
+
+  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is sought anew.
+  CameraFinding settle(CameraEstimate e) {
+    const bool k1_free = e.free[0], readout_free = e.free[1];
+    bool k1 = false, readout = false;
+    if (readout_free) {
+      const Finding f = note_readout(e.value.readout_s, e.sigma[1]);
+      readout = f.state == State::kApplied;
+      if (readout && !f.trustworthy) return nothing();
+    }
+    if (k1_free) {
+      const Finding f = note_k1(e.value.k1, e.sigma[0]);
+      k1 = f.state == State::kApplied;
+      if (k1 && !f.trustworthy) return nothing();
+    }
+    if (!k1 && !readout) return nothing();
+    if (readout) state_.shutter.readout_s = over_relaxed(e.value.readout_s);
+    if (readout || k1 != k1_free) e = search(k1, false);
+    if (!e.usable) return {known_, std::nullopt};
+    if (k1) state_.estimate = state_.k1 = e.value.k1;
+    return {state_, std::move(e)};
+  }
+
+  double over_relaxed(double readout_s) const {
+    const double before = state_.shutter.readout_s;
+    return std::clamp(before + kOverRelaxation * (readout_s - before), -params_.max_readout_s, params_.max_readout_s);
+  }
+
+  const CameraProblem& problem_;
+  const SelfCalibrationParams& params_;
+  BaOptions options_;
+  int keyframes_;
+  CameraRefinement known_, state_;
+};
+
+}  // namespace
+
+CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known, const SelfCalibrationParams& params,
+                          const BaOptions& options) {
+  return CameraFinder(problem, known, params, options).run();
+}
+
+}  // namespace edgevo

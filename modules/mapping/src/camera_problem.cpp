@@ -1,0 +1,146 @@
+#include "camera_problem.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/radial.h"
+
+namespace edgevo::ba {
+namespace {
+
+constexpr int kMaxNewtonSteps = 8;
+const Unknowns kEnough(1e-4, 1e-4);  // of k1: 0.03 px at the border of a wide image; of the read-out: a hundredth of a pixel
+constexpr double kRough = 10;        // the first solve may stop so much earlier: its solution serves only until the unknowns move
+
+Eigen::Vector2d normalised(const Pinhole& c, const Eigen::Vector2d& px) { return c.ray(px).head<2>(); }
+Eigen::Vector2d pixel(const Pinhole& c, const Eigen::Vector2d& x) { return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy}; }
+
+// D = d px_file / d px at the true normalised point x.
+Eigen::Matrix2d pixel_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+  const Eigen::Vector2d f(c.fx, c.fy);
+  return f.asDiagonal() * file_jacobian(c, correction, motion, x) * f.cwiseInverse().asDiagonal();
+}
+
+// x(k) with x_file held: dx/dk = -(dx_file/dx)^-1 dx_file/dk.
+ImageRate removal_rate(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+  const Eigen::Vector2d rolling = add_rolling(c, correction.readout_s, motion, x);
+  ImageRate by_unknown;
+  by_unknown.col(0) = radial_derivative(rolling);
+  by_unknown.col(1).setZero();
+  if (motion.is_known()) by_unknown.col(1) = radial_jacobian(correction.k1, rolling) * (shutter_row(c, x) * motion.at(c, x));
+  return -(file_jacobian(c, correction, motion, x).inverse() * by_unknown);
+}
+
+void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem) {
+  const Eigen::VectorXd pose_change = step.pose_rate * change;
+  for (size_t i = 0; i < problem->poses.size(); ++i)
+    if (!problem->poses[i].fixed)
+      problem->poses[i].T_cam_world = SE3::exp(pose_change.segment<6>(6 * i)) * problem->poses[i].T_cam_world;
+  for (size_t i = 0; i < problem->points.size(); ++i) {
+    BaPoint& p = problem->points[i];
+    if (!p.fixed) p.idepth = std::clamp(p.idepth + step.idepth_rate[i].dot(change), 0.5 * p.idepth, 2.0 * p.idepth);
+  }
+}
+
+using Mask = Eigen::Array<bool, kUnknowns, 1>;
+
+// One Newton step of the free unknowns from k, with the covariance of where it leads; 0 for the others.
+struct NewtonStep {
+  Unknowns change = Unknowns::Zero(), sigma = Unknowns::Zero();
+};
+NewtonStep newton_step(const ProfileStep& step, const CameraSearch& search, const Unknowns& k, const Mask& free) {
+  const Unknowns weight = search.prior_sigma.cwiseAbs2().cwiseInverse();
+  UnknownsSquare curvature = step.curvature, score = step.score_square;
+  curvature.diagonal() += weight;
+  Unknowns gradient = step.gradient + weight.cwiseProduct(k - search.prior);
+  for (int i = 0; i < kUnknowns; ++i)
+    if (!free[i]) {
+      curvature.row(i).setZero(), curvature.col(i).setZero();
+      score.row(i).setZero(), score.col(i).setZero();
+      curvature(i, i) = 1, gradient[i] = 0;
+    }
+  const UnknownsSquare inverse = curvature.inverse();
+  NewtonStep n;
+  n.change = -inverse * gradient;
+  const Unknowns sandwich = (inverse * score * inverse).diagonal();
+  for (int i = 0; i < kUnknowns; ++i)
+    if (free[i]) n.sigma[i] = std::sqrt(std::max(sandwich[i], inverse(i, i)));
+  return n;
+}
+
+}  // namespace
+
+const ImageMotion& CameraProblem::motion_of(int pose) const {
+  static const ImageMotion unknown;
+  return motion.empty() ? unknown : motion[size_t(pose)];
+}
+
+BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correction) {
+  BaProblem p = problem.file;
+  const Pinhole& c = p.pinhole;
+  for (size_t i = 0; i < p.points.size(); ++i) {
+    const Eigen::Vector2d x = from_file(c, correction, problem.motion_of(p.points[i].host), normalised(c, problem.px_host[i]));
+    p.points[i].ray = {x.x(), x.y(), 1.0};
+  }
+  for (BaObservation& o : p.observations) {
+    const ImageMotion& motion = problem.motion_of(o.target);
+    const Eigen::Vector2d x = from_file(c, correction, motion, normalised(c, o.px));
+    const Eigen::Vector2d n = pixel_jacobian(c, correction, motion, x).transpose() * o.normal;
+    const double stretch = n.norm();
+    o.px = pixel(c, x);
+    o.normal = n / stretch;
+    o.inv_sigma_normal *= stretch;
+    o.inv_sigma_tangent *= stretch;
+  }
+  return p;
+}
+
+GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction) {
+  const Pinhole& c = problem.file.pinhole;
+  const auto rate_at = [&](int pose, const Eigen::Vector2d& px_file) {
+    const ImageMotion& motion = problem.motion_of(pose);
+    return removal_rate(c, correction, motion, from_file(c, correction, motion, normalised(c, px_file)));
+  };
+  GlobalDerivative d;
+  d.ray.reserve(problem.px_host.size()), d.px.reserve(problem.file.observations.size());
+  for (size_t i = 0; i < problem.px_host.size(); ++i) d.ray.push_back(rate_at(problem.file.points[i].host, problem.px_host[i]));
+  const Eigen::Vector2d f(c.fx, c.fy);
+  for (const BaObservation& o : problem.file.observations) d.px.push_back(f.asDiagonal() * rate_at(o.target, o.px));
+  return d;
+}
+
+CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch& search, const BaOptions& options) {
+  CameraEstimate e;
+  e.value = search.start;
+  e.free = search.free;
+  const auto solver = make_bundle_adjuster("schur");
+  CameraProblem current = problem;  // its poses and depths follow the solution
+  for (int i = 0; i < kMaxNewtonSteps; ++i) {
+    const bool rough = i == 0;
+    BaOptions solve = options;
+    if (rough) solve.relative_decrease *= kRough;
+    BaProblem p = corrected(current, e.value);
+    const BaResult result = solver->solve(&p, solve);
+    if (!result.usable) return e;
+    const ProfileStep step = profile_step(p, camera_derivative(current, e.value), options);
+    if (!step.usable) return e;
+    const Unknowns k = unknowns(e.value);
+    const NewtonStep newton = newton_step(step, search, k, search.free), all = newton_step(step, search, k, Mask::Constant(true));
+    e.cost = result.final_cost;
+    e.sigma = search.free.select(newton.sigma, all.sigma);
+    e.if_all_free = k + all.change;
+    e.solution = p;
+    e.usable = true;
+    const Unknowns next = (k + newton.change).cwiseMax(-search.limit).cwiseMin(search.limit);
+    const Unknowns change = search.free.select(next - k, Unknowns::Zero()), enough = kEnough.cwiseMax(0.15 * newton.sigma);
+    if ((!rough && (change.array().abs() < enough.array()).all()) || i + 1 == kMaxNewtonSteps) break;
+    predict(step, change, &p);
+    current.file.poses = p.poses;
+    for (size_t n = 0; n < p.points.size(); ++n) current.file.points[n].idepth = p.points[n].idepth;
+    e.value = correction(k + change);
+  }
+  return e;
+}
+
+}  // namespace edgevo::ba

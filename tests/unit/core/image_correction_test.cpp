@@ -1,0 +1,108 @@
+// Rolling shutter: the motion of the image, where the rows show a point, and the way back.
+#include "edgevo/core/image_correction.h"
+
+#include <gtest/gtest.h>
+
+#include "edgevo/core/radial.h"
+
+namespace edgevo {
+namespace {
+
+const Pinhole kCamera{520, 515, 320, 240, 640, 480};
+
+ImageMotion motion_at(double idepth) {
+  ImageMotion m;
+  m.velocity << 0.3, -0.2, 0.25, 0.1, -0.3, 0.2;
+  m.idepth.setConstant(idepth);
+  return m;
+}
+
+std::vector<Eigen::Vector2d> points() {
+  std::vector<Eigen::Vector2d> all;
+  for (double v = 20; v < 480; v += 55)
+    for (double u = 15; u < 640; u += 60) all.push_back(kCamera.ray({u, v}).head<2>());
+  return all;
+}
+
+// Where a point of the middle row's moment is `seconds` later.
+Eigen::Vector2d later(const ImageMotion& m, double idepth, const Eigen::Vector2d& x, double seconds) {
+  const Eigen::Vector3d X = SE3::exp(seconds * m.velocity) * Eigen::Vector3d(Eigen::Vector3d(x.x(), x.y(), 1) / idepth);
+  return X.head<2>() / X.z();
+}
+
+TEST(ImageMotion, IsTheRateOfProjectedPoints) {
+  const double idepth = 0.7, step = 1e-6;
+  const ImageMotion m = motion_at(idepth);
+  for (const Eigen::Vector2d& x : points()) {
+    const Eigen::Vector2d numeric = (later(m, idepth, x, step) - later(m, idepth, x, -step)) / (2 * step);
+    EXPECT_LT((m.at(kCamera, x) - numeric).norm(), 1e-8);
+  }
+}
+
+TEST(ImageMotion, TakesTheDepthOfItsCell) {
+  ImageMotion m;
+  m.velocity << 1, 0, 0, 0, 0, 0;  // dx/dt = idepth
+  m.idepth.setConstant(0.5);
+  m.idepth(2, 7) = 2;
+  const auto idepth_at = [&](double u, double v) { return m.at(kCamera, kCamera.ray({u, v}).head<2>()).x(); };
+  const double cell_width = 640.0 / ImageMotion::kColumns, cell_height = 480.0 / ImageMotion::kRows;
+  EXPECT_NEAR(idepth_at(7.5 * cell_width - 0.5, 2.5 * cell_height - 0.5), 2.0, 1e-9);
+  EXPECT_NEAR(idepth_at(8 * cell_width - 0.5, 2.5 * cell_height - 0.5), 1.25, 1e-9);
+  EXPECT_NEAR(idepth_at(3 * cell_width, 5 * cell_height), 0.5, 1e-9);
+  for (const double u : {-50.0, 0.0, 639.0, 700.0})
+    for (const double v : {-50.0, 0.0, 479.0, 600.0}) EXPECT_NEAR(idepth_at(u, v), 0.5, 1e-9) << u << " " << v;
+}
+
+TEST(ImageMotion, IsNotKnownAtFirst) {
+  EXPECT_FALSE(ImageMotion().is_known());
+  const Eigen::Vector2d x(0.3, -0.2);
+  EXPECT_EQ(add_rolling(kCamera, 0.05, ImageMotion(), x), x);
+  EXPECT_EQ(from_file(kCamera, {0, 0.05}, ImageMotion(), x), x);
+}
+
+// A row in the upper half is taken earlier, one in the lower half later, and the shift is that of the true motion to second order.
+TEST(ImageCorrection, ARowShowsAPointAtItsOwnMoment) {
+  const double idepth = 0.7, readout_s = 0.02;
+  const ImageMotion m = motion_at(idepth);
+  for (const Eigen::Vector2d& x : points()) {
+    const double seconds = readout_s * shutter_row(kCamera, x);
+    const Eigen::Vector2d shown = add_rolling(kCamera, readout_s, m, x), truth = later(m, idepth, x, seconds);
+    EXPECT_LT((shown - truth).norm(), 0.02 * (truth - x).norm() + 1e-12);
+  }
+  EXPECT_NEAR(shutter_row(kCamera, kCamera.ray({100, 0}).head<2>()), -0.5, 1e-12);
+  EXPECT_NEAR(shutter_row(kCamera, kCamera.ray({100, 479}).head<2>()), 0.5, 1e-12);
+}
+
+TEST(ImageCorrection, TheWayBackIsExact) {
+  for (const double readout_s : {-0.05, 0.0, 0.02, 0.1})
+    for (const double k1 : {-0.01, 0.0, 0.02}) {
+      const ImageCorrection c{k1, readout_s};
+      const ImageMotion m = motion_at(0.8);
+      for (const Eigen::Vector2d& x : points()) EXPECT_LT((from_file(kCamera, c, m, to_file(kCamera, c, m, x)) - x).norm(), 1e-11);
+    }
+}
+
+TEST(ImageCorrection, WithoutAReadOutOnlyTheLensIsLeft) {
+  for (const Eigen::Vector2d& x : points()) {
+    EXPECT_EQ(to_file(kCamera, {0.013, 0}, motion_at(1), x), add_radial(0.013, x));
+    EXPECT_EQ(from_file(kCamera, {0.013, 0}, motion_at(1), x), remove_radial(0.013, x));
+    EXPECT_EQ(file_jacobian(kCamera, {0.013, 0}, motion_at(1), x), radial_jacobian(0.013, x));
+  }
+}
+
+TEST(ImageCorrection, TheJacobianIsTheNumericOne) {
+  const ImageCorrection c{0.015, 0.03};
+  const ImageMotion m = motion_at(0.6);
+  for (const Eigen::Vector2d& x : points()) {
+    constexpr double kStep = 1e-6;
+    Eigen::Matrix2d J;
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector2d d = kStep * Eigen::Vector2d::Unit(i);
+      J.col(i) = (to_file(kCamera, c, m, x + d) - to_file(kCamera, c, m, x - d)) / (2 * kStep);
+    }
+    EXPECT_LT((J - file_jacobian(kCamera, c, m, x)).norm(), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace edgevo

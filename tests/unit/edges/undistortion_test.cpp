@@ -1,0 +1,106 @@
+// Images put right: by the lens, and row by row for a rolling shutter. The class is private to the module, hence the path.
+#include "../../../modules/edges/src/undistortion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+namespace {
+
+// Smooth, so that positions show in gray levels: `shown(u, v)` is where the scene's image lies that pixel (u, v) shows.
+template <class F>
+GrayImage picture(int width, int height, const F& shown) {
+  GrayImage image{width, height, std::vector<uint8_t>(size_t(width) * height)};
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
+      const Eigen::Vector2d p = shown(double(u), double(v));
+      image.pixels[size_t(v) * width + u] = uint8_t(std::lround(128 + 60 * std::sin(p.x() / 9) + 50 * std::cos(p.y() / 7)));
+    }
+  return image;
+}
+
+GrayImage still(int width, int height) {
+  return picture(width, height, [](double u, double v) { return Eigen::Vector2d(u, v); });
+}
+
+Camera lens(int width, int height) {
+  Camera c;
+  c.pinhole = {0.9 * width, 0.9 * width, 0.49 * width, 0.51 * height, width, height};
+  c.distortion.k1 = -0.2;
+  return c;
+}
+
+int largest_difference(const Plane<uint8_t>& a, const Plane<uint8_t>& b, int border) {
+  int largest = 0;
+  for (int y = border; y < a.height() - border; ++y)
+    for (int x = border; x < a.width() - border; ++x) largest = std::max(largest, std::abs(int(a.row(y)[x]) - int(b.row(y)[x])));
+  return largest;
+}
+
+TEST(ShiftedUndistortion, WithoutAShiftIsUndistortion) {
+  for (const auto& [width, height] : {std::pair(300, 170), {257, 33}, {64, 48}}) {
+    const UndistortionMaps maps = make_undistortion_maps(lens(width, height));
+    const GrayImage image = still(width, height);
+    Plane<uint8_t> plain(width, height), shifted(width, height);
+    Undistortion(maps).apply(image.view(), &plain);
+    ShiftedUndistortion(maps).apply(ShiftGrid(width, height), image.view(), &shifted);
+    EXPECT_LE(largest_difference(plain, shifted, 0), 1) << width << "x" << height;
+  }
+}
+
+TEST(ShiftedUndistortion, FetchesFromTheShiftedPlace) {
+  const int width = 270, height = 150;
+  Camera pinhole = lens(width, height);
+  pinhole.distortion = {};
+  ShiftGrid shift(width, height);
+  const auto dx = [](double u, double v) { return 3 + 0.01 * u - 0.02 * v; };
+  const auto dy = [](double u, double v) { return -2 + 0.015 * v + 0.005 * u; };
+  for (int row = 0; row < shift.rows(); ++row)
+    for (int column = 0; column < shift.columns(); ++column) {
+      const double u = column * ShiftGrid::kCell, v = row * ShiftGrid::kCell;
+      shift.set(column, row, float(dx(u, v)), float(dy(u, v)));
+    }
+  Plane<uint8_t> out(width, height);
+  ShiftedUndistortion(make_undistortion_maps(pinhole)).apply(shift, still(width, height).view(), &out);
+  const GrayImage expected = picture(width, height, [&](double u, double v) { return Eigen::Vector2d(u + dx(u, v), v + dy(u, v)); });
+  for (int v = 12; v < height - 12; ++v)
+    for (int u = 12; u < width - 12; ++u) EXPECT_NEAR(out.row(v)[u], expected.pixels[size_t(v) * width + u], 2) << u << " " << v;
+}
+
+// An image whose rows were taken one after the other becomes that of the middle row's moment.
+TEST(PyramidBuilder, PutsTheRowsOfARollingShutterRight) {
+  const int width = 320, height = 240;
+  const double readout_s = 0.03;
+  for (const bool with_lens : {false, true}) {
+    Camera camera = lens(width, height);
+    if (!with_lens) camera.distortion = {};
+    ImageMotion motion;
+    motion.velocity << 0.4, -0.5, 0.3, 0.1, 0.2, -0.3;
+    motion.idepth.setConstant(0.9);
+    const Pinhole& p = camera.pinhole;
+    // The raw pixel shows the true point x with to_file(x) = its place: found by from_file.
+    const GrayImage rolling = picture(width, height, [&](double u, double v) {
+      Eigen::Vector2d x_file;
+      EXPECT_TRUE(camera.undistort(p.ray({u, v}).head<2>(), &x_file));
+      const Eigen::Vector2d x = from_file(p, {0, readout_s}, motion, x_file);
+      return Eigen::Vector2d(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
+    });
+    PyramidBuilder builder(camera, EdgeParams());
+    const auto crooked = builder.build(rolling, motion);
+    builder.set_correction({0, readout_s});
+    const auto straight = builder.build(rolling, motion), unknown = builder.build(rolling);
+    Plane<uint8_t> truth(width, height);
+    const GrayImage scene = still(width, height);
+    std::copy(scene.pixels.begin(), scene.pixels.end(), truth.row(0));
+    EXPECT_LE(largest_difference(straight->finest().gray, truth, 16), 3) << with_lens;
+    EXPECT_GT(largest_difference(crooked->finest().gray, truth, 16), 20) << with_lens;
+    EXPECT_EQ(largest_difference(unknown->finest().gray, crooked->finest().gray, 0), 0) << "without its motion an image stays as it is";
+    EXPECT_EQ(straight->correction.readout_s, readout_s);
+  }
+}
+
+}  // namespace
+}  // namespace edgevo
