@@ -38,6 +38,19 @@ TEST_F(RunCalibrationFile, TellsCameraAndFinding) {
   EXPECT_LT(corrected.max_error_px, 0.01);
 }
 
+TEST_F(RunCalibrationFile, TellsTheShutter) {
+  const CameraRefinement::Shutter read_back =
+      read(summary("insignificant", "  residual_k1: 0\n  shutter: \"applied\"\n  shutter_result: \"rows: put right\"\n  readout_s: 0.0221\n"
+                                    "  readout_estimate: 0.0217\n  readout_standard_deviation: 0.0015\n  readout_keyframes: 30\n"))
+          .refinement.shutter;
+  EXPECT_EQ(read_back.state, State::kApplied);
+  EXPECT_EQ(read_back.readout_s, 0.0221);
+  EXPECT_EQ(read_back.estimate, 0.0217);
+  EXPECT_EQ(read_back.sigma, 0.0015);
+  EXPECT_EQ(read_back.keyframes, 30);
+  EXPECT_EQ(read(summary("insignificant")).refinement.shutter.state, State::kOff) << "a run of an earlier version";
+}
+
 TEST_F(RunCalibrationFile, AnInsignificantFindingLeavesTheCamera) {
   const FoldedCamera corrected =
       corrected_camera(read(summary("insignificant", "  residual_k1: 0\n  estimate: 0.0005\n  standard_deviation: 0.002\n")));
