@@ -14,6 +14,7 @@ using State = CameraRefinement::State;
 
 constexpr double kMaxUsefulSigma = 0.004;         // a k1 known no better than this is not observed
 constexpr double kMaxUsefulReadoutSigma = 0.005;  // nor a read-out time, seconds
+constexpr double kLeastSignificance = 1.5;        // standard deviations: a read-out time found early in bad light may turn out to be none
 constexpr double kModelKeyframes = 30;            // that the parameters' model sigmas refer to
 // Matches found in images with crooked rows hold on to them: estimates come out a fifth to a half short and reach the truth step by step.
 constexpr double kOverRelaxation = 1.3;
@@ -33,13 +34,15 @@ struct Finding {
   State state = State::kNotObservable;
 };
 
-// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays applied.
-Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma, double limit, double significance) {
+// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays so until it is
+// told apart from the file by less than `least` standard deviations.
+Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma, double limit, double significance,
+              double least) {
   const bool observed = sigma < max_useful_sigma;
   Finding f{estimate, sigma, observed && std::abs(estimate) < 0.999 * limit, before};
-  if (before == State::kApplied) return f;
-  const bool significant = f.trustworthy && std::abs(estimate - by_file) >= significance * sigma;
-  f.state = significant ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
+  const double told_apart = std::abs(estimate - by_file) / sigma;
+  if (before == State::kApplied && (!f.trustworthy || told_apart >= least)) return f;
+  f.state = f.trustworthy && told_apart >= significance ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
   return f;
 }
 
@@ -98,7 +101,7 @@ class CameraFinder {
 
   Finding note_k1(double k1, double formal_sigma) {
     const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), kMaxUsefulSigma, params_.max_k1,
-                            params_.significance);
+                            params_.significance, 0);
     state_.state = f.state;
     state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
     return f;
@@ -107,7 +110,7 @@ class CameraFinder {
   Finding note_readout(double readout_s, double formal_sigma) {
     CameraRefinement::Shutter& s = state_.shutter;
     const Finding f = weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, params_, keyframes_),
-                            kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance);
+                            kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance, kLeastSignificance);
     s.state = f.state;
     s.estimate = f.estimate, s.sigma = f.sigma, s.keyframes = keyframes_;
     return f;
@@ -116,10 +119,11 @@ class CameraFinder {
   // What of an estimate is applied. What is not significant goes back to what it was, and the rest is sought anew.
   CameraFinding settle(CameraEstimate e) {
     const bool k1_free = e.free[0], readout_free = e.free[1];
-    bool k1 = false, readout = false;
+    bool k1 = false, readout = false, given_up = false;
     if (readout_free) {
       const Finding f = note_readout(e.value.readout_s, e.sigma[1]);
       readout = f.state == State::kApplied;
+      given_up = known_.shutter.state == State::kApplied && !readout;
       if (readout && !f.trustworthy) return nothing();
     }
     if (k1_free) {
@@ -127,9 +131,10 @@ class CameraFinder {
       k1 = f.state == State::kApplied;
       if (k1 && !f.trustworthy) return nothing();
     }
-    if (!k1 && !readout) return nothing();
+    if (!k1 && !readout && !given_up) return nothing();
     if (readout) state_.shutter.readout_s = over_relaxed(e.value.readout_s);
-    if (readout || k1 != k1_free) e = search(k1, false);
+    if (given_up) state_.shutter.readout_s = params_.readout_s;
+    if (readout || given_up || k1 != k1_free) e = search(k1, false);
     if (!e.usable) return {known_, std::nullopt};
     if (k1) state_.estimate = state_.k1 = e.value.k1;
     return {state_, std::move(e)};

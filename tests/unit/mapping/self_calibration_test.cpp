@@ -158,6 +158,32 @@ TEST(SelfCalibration, SeeksOnlyWhatItIsAskedFor) {
   EXPECT_EQ(calibrate(o, params).state.correction(), (ImageCorrection{0, 0.02}));
 }
 
+// Bad light may show a rolling shutter where there is none: later keyframes take it back, and what is already applied with it.
+TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
+  DriveOptions rolling, still;
+  rolling.keyframes = 14, rolling.readout_s = 0.02;
+  still.keyframes = 60;
+  const std::vector<Keyframe> mistaken = make_drive(rolling);
+  SelfCalibration calibration(ba_scene::pinhole(), {});
+  ASSERT_TRUE(calibration.estimate(range(mistaken, 0, mistaken.size()), BaOptions(), true));
+  const ImageCorrection mistake = calibration.state().correction();
+  ASSERT_GT(mistake.readout_s, 0.015);
+  calibration.forget();
+  std::vector<Keyframe> drive = make_drive(still);
+  for (Keyframe& k : drive)
+    for (MapPoint& p : k.points) {
+      p.px = correct_pixel(ba_scene::pinhole(), {}, mistake, k.motion, p.px);
+      for (Observation& seen : p.observations)
+        seen.match.px = correct_pixel(ba_scene::pinhole(), {}, mistake, drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+    }
+  const auto revision = calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
+  EXPECT_EQ(calibration.state().shutter.state, CameraRefinement::State::kInsignificant);
+  EXPECT_EQ(calibration.state().shutter.readout_s, 0);
+  ASSERT_TRUE(revision);
+  EXPECT_EQ(revision->before, mistake);
+  EXPECT_EQ(revision->now, ImageCorrection());
+}
+
 // Images that were corrected already: the estimate is of the whole, not of what is left.
 TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
   DriveOptions o;
