@@ -38,10 +38,17 @@ void nearest_field(benchmark::State& state) {
   state.counters["edges"] = double(edges.pixels.size());
 }
 
-void whole_pyramid(benchmark::State& state) {
+enum class Look { kAsItIs, kLens, kLensAndRows };
+
+// With and without a lens and a rolling shutter to take out.
+void whole_pyramid(benchmark::State& state, Look look) {
   PyramidBuilder builder(bench::scene().camera, EdgeParams());
+  ImageMotion motion;
+  motion.velocity << 0.5, 0.3, -8, 0.02, 0.05, 0.01;
+  motion.idepth.setConstant(0.1);
+  if (look != Look::kAsItIs) builder.set_correction({0.01, look == Look::kLensAndRows ? 0.02 : 0.0});
   size_t edges = 0;
-  for (auto _ : state) edges = builder.build(bench::image(0))->finest().edges.pixels.size();
+  for (auto _ : state) edges = builder.build(bench::image(0), motion)->finest().edges.pixels.size();
   state.counters["edges"] = double(edges);
 }
 
@@ -50,6 +57,8 @@ BENCHMARK_CAPTURE(detect, canny, "canny")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(detect, edge_drawing, "edge_drawing")->Unit(benchmark::kMillisecond);
 BENCHMARK(extract)->Unit(benchmark::kMillisecond);
 BENCHMARK(nearest_field)->Arg(12)->Unit(benchmark::kMillisecond);
-BENCHMARK(whole_pyramid)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_pyramid, as_it_is, Look::kAsItIs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_pyramid, lens, Look::kLens)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_pyramid, lens_and_rolling_shutter, Look::kLensAndRows)->Unit(benchmark::kMillisecond);
 
 }  // namespace
