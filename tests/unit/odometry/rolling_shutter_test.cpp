@@ -17,6 +17,7 @@ ReferenceCloud cloud_of(int points) {
   for (int i = 0; i < points; ++i) {
     CloudPoint p;
     p.px = Eigen::Vector2f(float(random.uniform(5, 635)), float(random.uniform(5, 475)));
+    p.normal = Eigen::Vector2f::UnitX();
     p.ray = kCamera.ray(p.px.cast<double>());
     p.idepth = p.px.y() < 240 ? 0.2 : 1.0;
     p.host_keyframe = 0;
