@@ -26,9 +26,9 @@ rawlog-edit --de-externalize -i outside.rawlog -o inside.rawlog >rawlog-edit.log
 full "$edgevo" run inside.rawlog -o disk/out --quiet
 kept disk/out 5
 
-# Filled by a map of very small voxels: the run itself goes through.
+# Filled by a map of the smallest voxels allowed (22 MB): the run itself goes through.
 rm -rf disk/out
-full "$edgevo" run "$scenes/desk" -o disk/out --quiet --frames 0:30 --set occupancy.resolution_share=0.002
+full "$edgevo" run "$scenes/desk" -o disk/out --quiet --frames 0:30 --set occupancy.resolution_share=0.001
 kept disk/out 30
 
 # Full from the start: told at once.
