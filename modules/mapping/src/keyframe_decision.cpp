@@ -48,6 +48,13 @@ std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCl
   return seen;
 }
 
+// The map explains less and less of what the camera sees: its depths are not good enough for the way gone since. A share that was never
+// high speaks of bad light instead, and a keyframe in bad light does not help.
+bool is_stale(const InlierShares& shares, const KeyframeParams& params) {
+  constexpr double kGoodShare = 0.85;
+  return shares.best >= kGoodShare && shares.now < params.min_inlier_ratio * shares.best;
+}
+
 }  // namespace
 
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref,
@@ -71,7 +78,7 @@ bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int referen
 }
 
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
-                                 int frames_since_keyframe, const KeyframeParams& params) {
+                                 int frames_since_keyframe, const InlierShares& shares, const KeyframeParams& params) {
   KeyframeDecision d;
   const Eigen::Matrix3d R = T_cam_ref.R();
   const Eigen::Vector3d t = T_cam_ref.translation();
@@ -96,7 +103,7 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
   d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
              (flow > params.min_flow_px && (next_flow > params.max_flow_px || next_view_share < params.min_view_share ||
-                                            frames_since_keyframe >= params.max_frames));
+                                            is_stale(shares, params) || frames_since_keyframe >= params.max_frames));
   return d;
 }
 

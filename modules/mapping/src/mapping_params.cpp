@@ -40,6 +40,7 @@ void KeyframeParams::visit(ParamVisitor& v) {
   v.number("min_flow_px", min_flow_px, 0, 500, "no keyframe below it: standstill or pure rotation");
   v.number("min_view_share", min_view_share, 0, 1, "keyframe before a smaller share of the cloud is in view");
   v.number("min_turn_share", min_turn_share, 0, 1, "keyframe below this share in view even without translation");
+  v.number("min_inlier_ratio", min_inlier_ratio, 0, 1, "keyframe where the share of inliers is less than this of its best since the last one");
   v.integer("max_frames", max_frames, 1, 10000, "keyframe after so many frames, if there was motion");
 }
 

@@ -26,8 +26,8 @@ constexpr int kLong = 1000;  // frames since the last keyframe
 
 class Decision : public ::testing::Test {
  protected:
-  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1) const {
-    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, params);
+  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1, InlierShares shares = {}) const {
+    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, shares, params);
   }
   static SE3 move(double x, double y, double z, double turn = 0) {
     return {Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY())), Eigen::Vector3d(x, y, z)};
@@ -109,16 +109,26 @@ TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
+// The map explained the first frames after the keyframe well and explains less and less.
+TEST_F(Decision, AStaleMapMakesOne) {
+  const SE3 moved = move(0.06, 0, 0);
+  const double stale = 0.99 * params.min_inlier_ratio, fresh = 1.01 * params.min_inlier_ratio;
+  EXPECT_TRUE(decide(moved, 5, {0.95 * stale, 0.95}).needed);
+  EXPECT_FALSE(decide(moved, 5, {0.95 * fresh, 0.95}).needed);
+  EXPECT_FALSE(decide(SE3(), 5, {0.95 * stale, 0.95}).needed) << "without motion";
+  for (double in_bad_light : {0.3, 0.6, 0.8}) EXPECT_FALSE(decide(moved, 5, {in_bad_light * stale, in_bad_light}).needed) << in_bad_light;
+}
+
 TEST_F(Decision, FollowsTheWidthOfTheImage) {
   const Pinhole half{360, 360, 310, 93.75, 621, 188};
   for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
-    const KeyframeDecision at_half = decide_keyframe(half, grid_cloud(half), move(t, 0, 0), 1, params);
+    const KeyframeDecision at_half = decide_keyframe(half, grid_cloud(half), move(t, 0, 0), 1, {}, params);
     EXPECT_EQ(at_half.needed, decide(move(t, 0, 0)).needed) << t;
   }
 }
 
 TEST_F(Decision, NoneWithoutPoints) {
-  EXPECT_FALSE(decide_keyframe(camera, ReferenceCloud(), move(1, 0, 0), kLong, params).needed);
+  EXPECT_FALSE(decide_keyframe(camera, ReferenceCloud(), move(1, 0, 0), kLong, {}, params).needed);
 }
 
 TEST_F(Decision, NoneWhereEverythingIsBehind) {

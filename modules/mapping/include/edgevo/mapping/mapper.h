@@ -119,6 +119,12 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 /// smallest flow: at a standstill all are equally near.
 bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params);
 
+/// PoseEvidence::inlier_share of the frames that were tracked against one reference, each in [0, 1].
+struct InlierShares {
+  double now = 1;   ///< of this frame
+  double best = 1;  ///< of all of them
+};
+
 /// Should this frame become a keyframe?
 struct KeyframeDecision {
   bool needed = false;
@@ -126,6 +132,6 @@ struct KeyframeDecision {
   double view_share = 1;     ///< of the cloud, still in view
 };
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
-                                 int frames_since_keyframe, const KeyframeParams& params);
+                                 int frames_since_keyframe, const InlierShares& shares, const KeyframeParams& params);
 
 }  // namespace edgevo

@@ -44,6 +44,7 @@ struct KeyframeParams {
   double min_flow_px = 4;           ///< below it no keyframe: standstill, or a rotation that keeps the map in view
   double min_view_share = 0.75;
   double min_turn_share = 0.55;     ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
+  double min_inlier_ratio = 0.85;   ///< of the best share of inliers since the last keyframe; below it a keyframe: the map goes stale
   int max_frames = 200;
 
   void visit(ParamVisitor& v);
