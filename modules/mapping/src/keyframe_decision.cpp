@@ -48,11 +48,12 @@ std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCl
   return seen;
 }
 
-// The map explains less and less of what the camera sees: its depths are not good enough for the way gone since. A share that was never
-// high speaks of bad light instead, and a keyframe in bad light does not help.
-bool is_stale(const InlierShares& shares, const KeyframeParams& params) {
-  constexpr double kGoodShare = 0.85;
-  return shares.best >= kGoodShare && shares.now < params.min_inlier_ratio * shares.best;
+// The map explains less and less of what the camera sees: its depths are not good enough for the way gone since. Where points find no
+// edges at all, or the share was never high, it is the light instead, and a keyframe in bad light does harm.
+bool is_stale(const ReferenceFit& fit, const KeyframeParams& params) {
+  constexpr double kGoodMatchedShare = 0.84, kGoodInlierShare = 0.85;
+  return fit.matched_share >= kGoodMatchedShare && fit.best_inlier_share >= kGoodInlierShare &&
+         fit.inlier_share < params.min_inlier_ratio * fit.best_inlier_share;
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int referen
 }
 
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
-                                 int frames_since_keyframe, const InlierShares& shares, const KeyframeParams& params) {
+                                 int frames_since_keyframe, const ReferenceFit& fit, const KeyframeParams& params) {
   KeyframeDecision d;
   const Eigen::Matrix3d R = T_cam_ref.R();
   const Eigen::Vector3d t = T_cam_ref.translation();
@@ -103,7 +104,7 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
   d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
              (flow > params.min_flow_px && (next_flow > params.max_flow_px || next_view_share < params.min_view_share ||
-                                            is_stale(shares, params) || frames_since_keyframe >= params.max_frames));
+                                            is_stale(fit, params) || frames_since_keyframe >= params.max_frames));
   return d;
 }
 

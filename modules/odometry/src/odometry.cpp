@@ -166,10 +166,11 @@ struct Odometry::Impl {
     tracked.reference_id = reference->keyframe_id;
     tracked.T_cam_ref = result.T_cur_ref;
     tracked.covariance = result.covariance;
-    inlier_shares.now = result.evidence.inlier_share;
-    inlier_shares.best = std::max(inlier_shares.best, inlier_shares.now);
+    fit.matched_share = result.stats.matched_share();
+    fit.inlier_share = result.evidence.inlier_share;
+    fit.best_inlier_share = std::max(fit.best_inlier_share, fit.inlier_share);
     const KeyframeDecision decision = decide_keyframe(builder.pinhole(), reference->cloud, result.T_cur_ref, ++frames_since_keyframe,
-                                                      inlier_shares, params.mapping.keyframe);
+                                                      fit, params.mapping.keyframe);
     const NearestKeyframe nearest =
         find_nearest_keyframe(builder.pinhole(), *reference, result.T_cur_ref, params.mapping.keyframe);
     const bool back =
@@ -201,7 +202,7 @@ struct Odometry::Impl {
       T_last_ref = T_last_ref * T_old_world * newest->T_ref_world.inverse();
     }
     reference = std::move(newest);
-    inlier_shares = kNoneTracked;
+    fit = kNoneTracked;
   }
 
   // The map was corrected for a residual distortion: the images that follow are too.
@@ -342,7 +343,7 @@ struct Odometry::Impl {
   static constexpr int kLongGap = 10;          // frames
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
   static constexpr double kTurnedAwayShare = 0.15;  // of the window's points in view; below it the camera has turned away from the map
-  static constexpr InlierShares kNoneTracked{0, 0};
+  static constexpr ReferenceFit kNoneTracked{0, 0, 0};
   // A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a map.
   static constexpr double kExplainedShare = 0.7, kExplainedResidualPx = 1.0;
   static constexpr int kManyUnexplained = 12;  // more frames that are not explained than others, of late: a keyframe may still mend it
@@ -365,7 +366,7 @@ struct Odometry::Impl {
   Timestamp time_before;          // of the frame before this one
   ImageMotion expected_motion;    // that the newest image was made ready for
   int frames_since_keyframe = 0;
-  InlierShares inlier_shares = kNoneTracked;  // against `reference`
+  ReferenceFit fit = kNoneTracked;  // of `reference`
   int frames_ahead = 0;  // the latest of a row that would have been keyframes, had the mapping not been busy with one
   int segment = -1, lost_at = -1, unexplained_frames = 0;
   int frames_lost = 0;  // since the last frame with a pose: lost or passed over

@@ -26,8 +26,8 @@ constexpr int kLong = 1000;  // frames since the last keyframe
 
 class Decision : public ::testing::Test {
  protected:
-  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1, InlierShares shares = {}) const {
-    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, shares, params);
+  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1, const ReferenceFit& fit = {}) const {
+    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, fit, params);
   }
   static SE3 move(double x, double y, double z, double turn = 0) {
     return {Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY())), Eigen::Vector3d(x, y, z)};
@@ -109,14 +109,16 @@ TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
-// The map explained the first frames after the keyframe well and explains less and less.
+// The map explained the first frames after the keyframe well and explains less and less, though the points find edges.
 TEST_F(Decision, AStaleMapMakesOne) {
   const SE3 moved = move(0.06, 0, 0);
   const double stale = 0.99 * params.min_inlier_ratio, fresh = 1.01 * params.min_inlier_ratio;
-  EXPECT_TRUE(decide(moved, 5, {0.95 * stale, 0.95}).needed);
-  EXPECT_FALSE(decide(moved, 5, {0.95 * fresh, 0.95}).needed);
-  EXPECT_FALSE(decide(SE3(), 5, {0.95 * stale, 0.95}).needed) << "without motion";
-  for (double in_bad_light : {0.3, 0.6, 0.8}) EXPECT_FALSE(decide(moved, 5, {in_bad_light * stale, in_bad_light}).needed) << in_bad_light;
+  EXPECT_TRUE(decide(moved, 5, {0.9, 0.95 * stale, 0.95}).needed);
+  EXPECT_FALSE(decide(moved, 5, {0.9, 0.95 * fresh, 0.95}).needed);
+  EXPECT_FALSE(decide(SE3(), 5, {0.9, 0.95 * stale, 0.95}).needed) << "without motion";
+  EXPECT_FALSE(decide(moved, 5, {0.7, 0.95 * stale, 0.95}).needed) << "edges are gone";
+  for (double in_bad_light : {0.3, 0.6, 0.8})
+    EXPECT_FALSE(decide(moved, 5, {0.9, in_bad_light * stale, in_bad_light}).needed) << in_bad_light;
 }
 
 TEST_F(Decision, FollowsTheWidthOfTheImage) {

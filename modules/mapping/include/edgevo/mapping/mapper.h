@@ -119,10 +119,11 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 /// smallest flow: at a standstill all are equally near.
 bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params);
 
-/// PoseEvidence::inlier_share of the frames that were tracked against one reference, each in [0, 1].
-struct InlierShares {
-  double now = 1;   ///< of this frame
-  double best = 1;  ///< of all of them
+/// How well a reference explains the frames tracked against it, shares in [0, 1].
+struct ReferenceFit {
+  double matched_share = 1;      ///< AlignmentStats::matched_share() of this frame
+  double inlier_share = 1;       ///< PoseEvidence::inlier_share of this frame
+  double best_inlier_share = 1;  ///< of all the frames
 };
 
 /// Should this frame become a keyframe?
@@ -132,6 +133,6 @@ struct KeyframeDecision {
   double view_share = 1;     ///< of the cloud, still in view
 };
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
-                                 int frames_since_keyframe, const InlierShares& shares, const KeyframeParams& params);
+                                 int frames_since_keyframe, const ReferenceFit& fit, const KeyframeParams& params);
 
 }  // namespace edgevo
