@@ -343,7 +343,7 @@ struct Odometry::Impl {
   static constexpr int kLongGap = 10;          // frames
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
   static constexpr double kTurnedAwayShare = 0.15;  // of the window's points in view; below it the camera has turned away from the map
-  static constexpr ReferenceFit kNoneTracked{0, 0, 0};
+  static constexpr ReferenceFit kNoneTracked{0, 0, 0};  // of a new reference
   // A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a map.
   static constexpr double kExplainedShare = 0.7, kExplainedResidualPx = 1.0;
   static constexpr int kManyUnexplained = 12;  // more frames that are not explained than others, of late: a keyframe may still mend it

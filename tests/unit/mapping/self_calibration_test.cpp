@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "bundle_adjustment_scene.h"
-#include "edgevo/core/radial.h"
 
 namespace edgevo {
 namespace {
@@ -384,23 +383,6 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
   EXPECT_FALSE(calibration.estimate(range(drive, 0, 35), BaOptions(), true));
   EXPECT_EQ(calibration.state().k1, found.k1);
   EXPECT_EQ(calibration.state().keyframes, found.keyframes);
-}
-
-TEST(SelfCalibration, CorrectedNormalsAreThoseOfCorrectedEdges) {
-  const Pinhole c = ba_scene::pinhole();
-  const Eigen::Vector2d px(1100, 40), along(0.6, 0.8), normal(-0.8, 0.6);
-  ImageMotion motion;
-  motion.velocity << 1, 2, -5, 0.2, 0.3, 0.4;
-  motion.idepth.setConstant(0.1);
-  for (const ImageCorrection& now : {ImageCorrection{0.015, 0}, {0.002, 0.03}, {0.01, -0.02}}) {
-    const ImageCorrection before{0.002, 0.005};
-    const Eigen::Vector2d a = correct_pixel(c, before, now, motion, px - along), b = correct_pixel(c, before, now, motion, px + along);
-    const Eigen::Vector2d corrected = correct_normal(c, before, now, motion, px, normal);
-    EXPECT_NEAR(corrected.norm(), 1, 1e-12);
-    EXPECT_NEAR(corrected.dot((b - a).normalized()), 0, 1e-4);
-    EXPECT_GT(corrected.dot(normal), 0.99);
-    EXPECT_LT((correct_pixel(c, now, before, motion, correct_pixel(c, before, now, motion, px)) - px).norm(), 1e-8);
-  }
 }
 
 }  // namespace
