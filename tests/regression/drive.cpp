@@ -1,9 +1,10 @@
 #include "drive.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+
+#include "edgevo/alignment/pose_covariance.h"
 
 namespace edgevo::testing {
 namespace {
@@ -33,14 +34,6 @@ std::optional<SE3> pose_at(const Trajectory& truth, Timestamp time) {
   return std::nullopt;
 }
 
-// Normalised square of the error `xi` without its part along u.
-double normalised_square(const Vector6d& xi, const Vector6d& u, const Matrix6d& covariance) {
-  const Matrix6d information = covariance.inverse();
-  const double length = u.dot(information * u);
-  const Vector6d rest = length > 0 ? Vector6d(xi - u * (u.dot(information * xi) / length)) : xi;
-  return rest.dot(information * rest);
-}
-
 }  // namespace
 
 Consistency pose_consistency(const Run& run, const Trajectory& truth, double metres_per_unit) {
@@ -54,12 +47,11 @@ Consistency pose_consistency(const Run& run, const Trajectory& truth, double met
     if (!T_world_cam || !T_world_ref) continue;
     const SE3 estimate = frame.T_world_cam->inverse() * reference.T_world_cam;
     const SE3 metric(estimate.rotation(), metres_per_unit * estimate.translation());
-    Vector6d unit = Vector6d::Ones(), u = Vector6d::Zero();
+    Vector6d unit = Vector6d::Ones();
     unit.head<3>().setConstant(metres_per_unit);
-    u.head<3>() = metric.translation();
-    const Vector6d xi = (metric * (T_world_cam->inverse() * *T_world_ref).inverse()).log();
-    const double square = normalised_square(xi, u, unit.asDiagonal() * frame.covariance * unit.asDiagonal());
-    c.mean_ratio += square / 5;
+    const double square = normalised_error_square(metric, T_world_cam->inverse() * *T_world_ref,
+                                                  unit.asDiagonal() * frame.covariance * unit.asDiagonal());
+    c.mean_ratio += square / kNormalisedErrorFreedom;
     inside += square > kLow && square < kHigh;
     ++c.frames;
   }

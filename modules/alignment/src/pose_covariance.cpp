@@ -50,4 +50,14 @@ Matrix6d pose_covariance(const std::vector<PoseEquation>& equations) {
   return kReferenceShare * root * axes.eigenvalues().cwiseMax(variance).asDiagonal() * root.transpose();
 }
 
+double normalised_error_square(const SE3& T_estimate, const SE3& T_true, const Matrix6d& covariance) {
+  const Vector6d xi = (T_estimate * T_true.inverse()).log();
+  Vector6d u = Vector6d::Zero();
+  u.head<3>() = T_estimate.translation();
+  const Eigen::LLT<Matrix6d> factor(covariance);
+  const double length = u.dot(factor.solve(u));
+  const Vector6d rest = length > 0 ? Vector6d(xi - u * (u.dot(factor.solve(xi)) / length)) : xi;
+  return rest.dot(factor.solve(rest));
+}
+
 }  // namespace edgevo

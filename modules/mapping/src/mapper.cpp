@@ -79,6 +79,7 @@ Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const Associ
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   window_ = Window(pinhole_, params_.window, association_);
+  tracking_check_ = {};
   const std::vector<const BootstrapView*> chosen = choose_keyframe_views(bootstrap.views);
   for (const BootstrapView* view : chosen) {
     Keyframe k;
@@ -164,6 +165,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     if (window_.is_cloud_thin(window_.newest())) window_.activate(1, 1);
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
+  check_tracking(frame);
   timed("window", &update->times, [&] {
     if (window_.full()) {
       retired_.push_back(window_.remove_oldest());
@@ -176,6 +178,12 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     seed_points(&window_.newest());
     publish(window_.newest());
   });
+}
+
+// What the adjustment made of the pose that tracking had found for the newest keyframe.
+void Mapper::check_tracking(const TrackedFrame& frame) {
+  for (const Keyframe& k : window_.keyframes())
+    if (k.id == frame.reference_id) tracking_check_.add(frame.T_cam_ref, relative_pose(window_.newest(), k), frame.covariance);
 }
 
 void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread) {
@@ -251,6 +259,7 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->known_points = int(window_.cloud(keyframe).size());
   reference->view_share = window_.view_share(keyframe);
   reference->median_idepth = median_idepth_;
+  reference->error_factor = tracking_check_.error_factor();
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
   reference_ = std::move(reference);
 }

@@ -99,7 +99,7 @@ struct Odometry::Impl {
     record->state = result.verdict;
     const bool explained = result.stats.matched_share() >= kExplainedShare && result.stats.residual_px <= kExplainedResidualPx;
     unexplained_frames = std::clamp(unexplained_frames + (explained ? -1 : 1), 0, 2 * kManyUnexplained);
-    record->covariance = result.covariance;
+    record->covariance = reference->error_factor * result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     newest_pose.T_cam_map = result.T_cur_ref * reference->T_ref_world;
     follow_motion(frame, result.T_cur_ref);
@@ -281,7 +281,7 @@ struct Odometry::Impl {
         T_cam_ref = SE3();
       else if (view.pyramid) {
         const TrackResult r = track(*view.pyramid, reference->cloud, {T_cam_ref}, params.alignment);
-        if (r.verdict != TrackingState::kLost) T_cam_ref = r.T_cur_ref, record->covariance = r.covariance;
+        if (r.verdict != TrackingState::kLost) T_cam_ref = r.T_cur_ref, record->covariance = reference->error_factor * r.covariance;
         record->inlier_share = r.evidence.inlier_share;
         record->residual_px = r.stats.residual_px;
       }

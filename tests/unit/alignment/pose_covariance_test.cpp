@@ -97,6 +97,33 @@ TEST(PoseCovariance, AnUnseenDirectionIsUnknown) {
   EXPECT_LT(covariance(0, 0), 1);
 }
 
+// Errors drawn from a covariance: the mean of their normalised squares is the number of degrees of freedom, and a part along the
+// translation adds nothing.
+TEST(PoseCovariance, NormalisedErrorHasFiveDegreesOfFreedom) {
+  const Matrix6d covariance = pose_covariance([] {
+    std::vector<PoseEquation> equations = make_equations(100, 3);
+    Random noise(3);
+    for (PoseEquation& e : equations) e.residual_px = 0.3 * noise.normal();
+    return equations;
+  }());
+  const Matrix6d root = covariance.llt().matrixL();
+  const SE3 truth(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX())), Eigen::Vector3d(0.3, -0.1, 0.8));
+  Random random(11);
+  constexpr int kTrials = 4000;
+  double sum = 0, with_length = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Vector6d noise;
+    for (double& x : noise) x = random.normal();
+    const SE3 estimate = SE3::exp(root * noise) * truth;
+    sum += normalised_error_square(estimate, truth, covariance) / kTrials;
+    const SE3 longer(estimate.rotation(), 1.01 * estimate.translation());
+    with_length += normalised_error_square(longer, truth, covariance) / kTrials;
+  }
+  EXPECT_NEAR(sum, kNormalisedErrorFreedom, 0.2);
+  EXPECT_NEAR(with_length, sum, 0.05 * sum);
+  EXPECT_EQ(normalised_error_square(truth, truth, covariance), 0);
+}
+
 TEST(PoseCovariance, WithoutEquationsNothingIsKnown) {
   const Matrix6d covariance = pose_covariance({});
   EXPECT_TRUE(covariance.allFinite());

@@ -11,6 +11,7 @@
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/core/random.h"
 #include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/tracking_check.h"
 #include "edgevo/mapping/window.h"
 
 namespace edgevo {
@@ -26,6 +27,7 @@ struct Reference {
   double median_idepth = 1;             ///< of the map where the newest keyframe sees it
   std::map<int, SE3> T_keyframe_world;  ///< of all keyframes in the window
   CameraRefinement camera;              ///< that this map was made with
+  double error_factor = 1;              ///< variance of poses tracked against it, over the covariance that their alignment tells
 };
 
 struct TrackedFrame {
@@ -87,6 +89,7 @@ class Mapper {
   std::vector<const Keyframe*> window_pointers() const;
   BaOptions calibration_options() const;
   std::shared_ptr<const FramePyramid> corrected(const TrackedFrame& tracked) const;
+  void check_tracking(const TrackedFrame& frame);
   void publish(const Keyframe& keyframe);
   void return_to(int keyframe_id);
 
@@ -103,6 +106,7 @@ class Mapper {
   std::vector<Keyframe> retired_;
   std::vector<RevisedKeyframe> revised_;
   int next_id_ = 0;
+  TrackingCheck tracking_check_;
   double median_idepth_ = 1;  ///< of the points seen in the newest keyframe
 };
 
