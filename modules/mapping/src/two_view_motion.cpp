@@ -48,6 +48,39 @@ void measure(const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen:
   m->parallax_rad = median(std::move(angles));
 }
 
+// Distance of two rays from fitting a motion, pixels, spread over both images to first order (Sampson).
+double sampson_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y, double focal_px) {
+  const Eigen::Vector3d line_last = T.translation().cross(T.rotation() * x);
+  const Eigen::Vector3d line_first = T.rotation().inverse() * y.cross(T.translation());
+  return focal_px * std::abs(line_last.dot(y)) / std::max(std::hypot(line_last.head<2>().norm(), line_first.head<2>().norm()), 1e-12);
+}
+
+// Does the point of two rays lie in front of both views? One without parallax is far away and no evidence against it.
+bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y, double min_parallax_rad) {
+  const Eigen::Vector3d Rx = T.rotation() * x, normal = Rx.cross(y);
+  if (angle_between(Rx, y) < min_parallax_rad) return true;
+  return T.translation().cross(y).dot(normal) < 0 && T.translation().cross(Rx).dot(normal) < 0;  // both depths
+}
+
+// What a sample of five corners gives, refined over all that agree with it, twice: the more agree, the less it depends on the sample.
+SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen::Vector3d>& last, double focal_px,
+                        double ransac_px, cv::Mat* inliers) {
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<Eigen::Vector3d> x, y;
+    for (size_t i = 0; i < first.size(); ++i) {
+      if (!inliers->at<uchar>(int(i))) continue;
+      x.push_back(first[i]);
+      y.push_back(last[i]);
+    }
+    T = refine_motion(T, x, y, focal_px, 0.5 * ransac_px);
+    for (size_t i = 0; i < first.size(); ++i)
+      inliers->at<uchar>(int(i)) = sampson_distance(T, first[i], last[i], focal_px) < ransac_px &&
+                                   may_lie_in_front(T, first[i], last[i], ransac_px / focal_px);
+  }
+  return T;
+}
+
 }  // namespace
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
@@ -107,14 +140,8 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
     cv::recoverPose(E, from, to, K, R, t, found);
     TwoViewMotion m;
     m.inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
-    std::vector<Eigen::Vector3d> x, y;
-    for (size_t k = 0; k < order.size(); ++k) {
-      if (!found.at<uchar>(int(k))) continue;
-      m.inliers.at<uchar>(order[k]) = 1;
-      x.push_back(rays_first[order[k]]);
-      y.push_back(rays_last[order[k]]);
-    }
-    m.T_last_first = refine_motion(to_se3(R, t), x, y, pinhole.fx, 0.5 * ransac_px);
+    for (size_t k = 0; k < order.size(); ++k) m.inliers.at<uchar>(order[k]) = found.at<uchar>(int(k)) != 0;
+    m.T_last_first = refine_over_inliers(to_se3(R, t), rays_first, rays_last, pinhole.fx, ransac_px, &m.inliers);
     measure(rays_first, rays_last, pinhole.fx, &m);
     motions.push_back(std::move(m));
   }

@@ -269,23 +269,26 @@ struct Odometry::Impl {
     say(frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " + std::to_string(segment));
   }
 
-  // Frames between the two views get their pose from the finished map; those whose image is gone keep the one of PnP.
+  // Frames between the two views get their pose from the finished map; those whose image is gone, or that the map does not explain, keep
+  // the one of PnP. A pose that the map does not explain is DEGRADED.
   void place_bootstrap_frames(const BootstrapResult& result) {
     for (const BootstrapView& view : result.views) {
       FrameRecord* record = records.find(view.frame_index);
       if (!record || !view.placed) continue;
+      const bool is_first = view.frame_index == result.views.front().frame_index;
+      const bool is_last = view.frame_index == result.views.back().frame_index;
       SE3 T_cam_ref = view.T_cam_first * reference->T_ref_world.inverse();
-      if (view.frame_index == result.views.front().frame_index)
-        T_cam_ref = reference->T_keyframe_world.begin()->second * reference->T_ref_world.inverse();
-      else if (view.frame_index == result.views.back().frame_index)
-        T_cam_ref = SE3();
-      else if (view.pyramid) {
+      if (is_first) T_cam_ref = reference->T_keyframe_world.begin()->second * reference->T_ref_world.inverse();
+      if (is_last) T_cam_ref = SE3();
+      record->state = TrackingState::kTracking;
+      if (view.pyramid) {
         const TrackResult r = track(*view.pyramid, reference->cloud, {T_cam_ref}, params.alignment);
-        if (r.verdict != TrackingState::kLost) T_cam_ref = r.T_cur_ref, record->covariance = reference->error_factor * r.covariance;
+        if (r.verdict != TrackingState::kTracking) record->state = TrackingState::kDegraded;
+        if (r.verdict != TrackingState::kLost && !is_first && !is_last)
+          T_cam_ref = r.T_cur_ref, record->covariance = reference->error_factor * r.covariance;
         record->inlier_share = r.evidence.inlier_share;
         record->residual_px = r.stats.residual_px;
       }
-      record->state = TrackingState::kTracking;
       record->note.clear();
       records.place(record, segment, reference->keyframe_id, T_cam_ref, reference->T_ref_world);
     }

@@ -12,14 +12,14 @@ struct Views {
   std::vector<cv::Point2f> first, last;
   std::vector<Eigen::Vector3d> rays_first, rays_last;
 
-  Views(const Eigen::Vector3d& t, const Eigen::Vector3d& w, double noise_px, uint64_t seed = 3) {
+  Views(const Eigen::Vector3d& t, const Eigen::Vector3d& w, double noise_px, double nearest = 3, double farthest = 12, uint64_t seed = 3) {
     Vector6d xi;
     xi << Eigen::Vector3d::Zero(), w;
     truth = SE3(SE3::exp(xi).rotation(), t);
     Random random(seed);
     while (first.size() < 300) {
       const Eigen::Vector2d px(random.uniform(20, 620), random.uniform(20, 460));
-      const Eigen::Vector3d p = truth * (pinhole.ray(px) * random.uniform(3, 12));
+      const Eigen::Vector3d p = truth * (pinhole.ray(px) * random.uniform(nearest, farthest));
       if (p.z() < 0.5 || !pinhole.contains(pinhole.project(p))) continue;
       const Eigen::Vector2d q = pinhole.project(p) + noise_px * Eigen::Vector2d(random.normal(), random.normal());
       first.emplace_back(float(px.x()), float(px.y()));
@@ -53,6 +53,43 @@ TEST(RefineMotion, SharpensTheMotionOfRansac) {
     EXPECT_LT(v.direction_error(m.T_last_first), 0.03);
   }
   EXPECT_FALSE(is_ambiguous(motions.front(), motions));
+}
+
+// Depths of 36 to 110 times the way between the views, as at the begin of a slow motion: nothing speaks against them.
+TEST(EstimateMotions, FarCornersAgree) {
+  const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.2, 20, 60);
+  Random random(1);
+  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, &random);
+  ASSERT_FALSE(motions.empty());
+  for (const TwoViewMotion& m : motions) EXPECT_GT(cv::countNonZero(m.inliers), 285);
+}
+
+// RANSAC's samples of five scatter with the noise; refined over all that agree, they do not.
+TEST(EstimateMotions, AllSamplesEndAtOneMotion) {
+  const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.4);
+  Random random(1);
+  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, &random);
+  ASSERT_GE(motions.size(), 4u);
+  for (const TwoViewMotion& m : motions) {
+    EXPECT_LT((m.T_last_first * motions.front().T_last_first.inverse()).angle(), 3e-4);
+    EXPECT_GT(cv::countNonZero(m.inliers), 200);
+  }
+}
+
+// A corner that fits the epipolar line from behind a view is an outlier.
+TEST(EstimateMotions, ACornerBehindAViewDoesNotAgree) {
+  Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0);
+  const size_t good = v.first.size();
+  for (int i = 0; i < 40; ++i) {
+    const Eigen::Vector2d px(200 + 6 * i, 240), q = v.pinhole.project(v.truth * (-4 * v.pinhole.ray(px)));
+    v.first.emplace_back(float(px.x()), float(px.y()));
+    v.last.emplace_back(float(q.x()), float(q.y()));
+  }
+  Random random(1);
+  for (const TwoViewMotion& m : estimate_motions(v.pinhole, v.first, v.last, 0.7, &random)) {
+    EXPECT_GT(cv::countNonZero(m.inliers.rowRange(0, int(good))), 295);
+    EXPECT_EQ(cv::countNonZero(m.inliers.rowRange(int(good), int(v.first.size()))), 0);
+  }
 }
 
 TEST(IsAmbiguous, MotionsThatFitAlikeButDisagree) {
