@@ -101,10 +101,11 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   // Of the next frame, if the motion goes on.
   const double growth = 1.0 + 1.0 / std::max(1, frames_since_keyframe);
   const double next_flow = growth * flow, next_view_share = 1.0 - growth * (1.0 - d.view_share);
+  const double view_loss = (1.0 - d.view_share) / std::max(1, frames_since_keyframe);  // a frame
   // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
   d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
              (flow > params.min_flow_px && (next_flow > params.max_flow_px || next_view_share < params.min_view_share ||
-                                            is_stale(fit, params) || frames_since_keyframe >= params.max_frames));
+                                            view_loss > params.max_view_loss || is_stale(fit, params) || frames_since_keyframe >= params.max_frames));
   return d;
 }
 

@@ -109,6 +109,18 @@ TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
+// A turn faster still leaves the map behind within a few frames: each is a keyframe.
+TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
+  const SE3 turning = move(0.06, 0, 0, 0.12);
+  const KeyframeDecision d = decide(turning, 1);
+  ASSERT_GT(1 - 2 * (1 - d.view_share), params.min_view_share) << "the next frame would see enough";
+  ASSERT_GT(1 - d.view_share, params.max_view_loss);
+  EXPECT_TRUE(d.needed);
+  EXPECT_FALSE(decide(turning, 2).needed) << "half as fast";
+  params.max_view_loss = 1;
+  EXPECT_FALSE(decide(turning, 1).needed);
+}
+
 // The map explained the first frames after the keyframe well and explains less and less, though the points find edges.
 TEST_F(Decision, AStaleMapMakesOne) {
   const SE3 moved = move(0.06, 0, 0);

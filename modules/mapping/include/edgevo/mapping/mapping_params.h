@@ -43,6 +43,7 @@ struct KeyframeParams {
   double max_flow_px = 70;          ///< a keyframe before the next frame goes beyond it: fast motion
   double min_flow_px = 4;           ///< below it no keyframe: standstill, or a rotation that keeps the map in view
   double min_view_share = 0.75;
+  double max_view_loss = 0.075;     ///< of the cloud, each frame since the last keyframe: a fast turn leaves the map behind
   double min_turn_share = 0.55;     ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
   double min_inlier_ratio = 0.85;   ///< of the best share of inliers since the last keyframe; below it a keyframe: the map goes stale
   int max_frames = 200;
@@ -58,7 +59,7 @@ struct WindowParams {
   int activation_cell_px = 14;
   std::string solver = "schur";
   std::string gauge = "prior";          ///< "fixed": two oldest poses; "prior": marginalisation prior
-  int ba_iterations = 1;                ///< before the matches are updated: poses are nearly right from tracking
+  int ba_iterations = 4;                ///< before the matches are updated
   int ba_update_iterations = 4;         ///< after that
   double ba_huber = 1.5;
   bool photometric = false;             ///< image-gradient cost in the BA, Eq. (photometricerror)
