@@ -111,6 +111,7 @@ TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
 
 // A turn faster still leaves the map behind within a few frames: each is a keyframe.
 TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
+  params.min_view_share = 0.7;
   const SE3 turning = move(0.06, 0, 0, 0.12);
   const KeyframeDecision d = decide(turning, 1);
   ASSERT_GT(1 - 2 * (1 - d.view_share), params.min_view_share) << "the next frame would see enough";
