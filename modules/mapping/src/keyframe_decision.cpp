@@ -104,8 +104,9 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   const double view_loss = (1.0 - d.view_share) / std::max(1, frames_since_keyframe);  // a frame
   // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
   d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
-             (flow > params.min_flow_px && (next_flow > params.max_flow_px || next_view_share < params.min_view_share ||
-                                            view_loss > params.max_view_loss || is_stale(fit, params) || frames_since_keyframe >= params.max_frames));
+             (flow > params.min_flow_px &&
+              (next_flow > params.max_flow_px || next_view_share < params.min_view_share || view_loss > params.max_view_loss ||
+               is_stale(fit, params) || frames_since_keyframe >= params.max_frames));
   return d;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Motion between two views from matched corners: essential matrices by RANSAC, each refined over its inliers.
+// Motion between two views from matched corners: essential matrices by RANSAC, each refined over all corners that agree.
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace edgevo {
 
 struct TwoViewMotion {
   SE3 T_last_first;            ///< |translation| = 1
-  cv::Mat inliers;             ///< CV_8U, one a corner
+  cv::Mat inliers;             ///< CV_8U, one a corner: fits within the threshold, in front of both views
   double median_error_px = 0;  ///< distance from the epipolar line, over all corners
   double parallax_rad = 0;     ///< median angle between the two rays, rotation taken out
 };
