@@ -165,7 +165,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     if (window_.is_cloud_thin(window_.newest())) window_.activate(1, 1);
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
-  check_tracking(frame);
+  if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing
   timed("window", &update->times, [&] {
     if (window_.full()) {
       retired_.push_back(window_.remove_oldest());
