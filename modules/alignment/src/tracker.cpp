@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "edgevo/alignment/rotation_search.h"
 
@@ -19,10 +20,18 @@ double median_depth(const ReferenceCloud& cloud) {
   return depths[depths.size() / 2];
 }
 
-int count_edge_levels(const FramePyramid& pyramid) {
+// Edges are aligned on two levels, where the pyramid has so many with edges.
+int coarsest_edge_level(const FramePyramid& pyramid) {
   int levels = 0;
   while (levels < int(pyramid.levels.size()) && !pyramid.levels[levels].gradient_magnitude.empty()) ++levels;
-  return levels;
+  return std::min(levels, 2) - 1;
+}
+
+// The edges alone, from coarse to fine.
+void align_all_edges(const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params, TrackResult* result) {
+  for (int level = coarsest_edge_level(current); level >= 0; --level)
+    result->stats = align_edges(current, cloud, level, params, &result->T_cur_ref);
+  if (result->T_cur_ref.is_finite()) result->evidence = weigh_evidence(current, cloud, result->T_cur_ref, params);
 }
 
 TrackResult align_from(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
@@ -31,13 +40,11 @@ TrackResult align_from(const FramePyramid& current, const ReferenceCloud& cloud,
   result.T_cur_ref = start;
   const int coarsest = int(current.levels.size()) - 1;
   align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &result.T_cur_ref);
-  const int edge_level = std::min(count_edge_levels(current), 2) - 1;
+  const int edge_level = coarsest_edge_level(current);
   // Glare and shadows lead gray levels astray where the edges of the scene run along the motion: the edges choose where to go on from.
   if (edge_cost(current, cloud, edge_level, params, start) < edge_cost(current, cloud, edge_level, params, result.T_cur_ref))
     result.T_cur_ref = start;
-  for (int level = edge_level; level >= 0; --level)
-    result.stats = align_edges(current, cloud, level, params, &result.T_cur_ref);
-  if (result.T_cur_ref.is_finite()) result.evidence = weigh_evidence(current, cloud, result.T_cur_ref, params);
+  align_all_edges(current, cloud, params, &result);
   return result;
 }
 
@@ -116,6 +123,21 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
   best.starts_tried = tried;
   finish(current, cloud, params, &best);
   return best;
+}
+
+TrackResult track_along(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params) {
+  constexpr int kSteps = 6;  // to either side: neighbours differ by an eighth of the length
+  TrackResult result;
+  result.starts_tried = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const SE3 start(T_cur_ref.rotation(), std::exp2(double(i) / kSteps) * T_cur_ref.translation());
+    const double cost = edge_cost(current, cloud, coarsest_edge_level(current), params, start);
+    if (cost < least) least = cost, result.T_cur_ref = start;
+  }
+  align_all_edges(current, cloud, params, &result);
+  finish(current, cloud, params, &result);
+  return result;
 }
 
 TrackResult track_again(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params) {

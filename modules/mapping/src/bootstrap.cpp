@@ -4,28 +4,18 @@
 #include <cmath>
 #include <cstdio>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
 
+#include "corner_tracking.h"
 #include "edgevo/core/random.h"
 #include "two_view_motion.h"
 
 namespace edgevo {
 namespace {
 
-constexpr double kMaxForwardBackwardPx = 0.7;
 constexpr size_t kMaxKeptViews = 14;  // pyramids kept between the two views; the others keep their corners only
-constexpr int kMinPnpPoints = 20;
+constexpr int kMinPnpCorners = 20;
+constexpr int kMotionTrials = 5;      // RANSAC runs that have to agree
 constexpr int kMaxDisagreeing = 8;    // frames in a row whose corners do not agree on one motion: the first view was taken in bad light
-
-using Points = std::vector<cv::Point2f>;
-
-cv::Mat equalised(const FramePyramid& pyramid) {
-  const Plane<uint8_t>& gray = pyramid.finest().gray;
-  cv::Mat out;
-  cv::equalizeHist(cv::Mat(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0))), out);
-  return out;
-}
 
 cv::Mat camera_matrix(const Pinhole& p) {
   return (cv::Mat_<double>(3, 3) << p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1);
@@ -63,7 +53,7 @@ struct Bootstrap::Impl {
   BootstrapParams params;
   Random random{0};
   std::vector<BootstrapView> views;
-  std::vector<Points> corners_in_view;  // for each view, where the corners still alive now were
+  std::vector<Corners> corners_in_view;  // for each view, where the corners still alive now were
   size_t first_corners = 0;  // followed from the first view on
   int disagreeing = 0;       // frames in a row
   cv::Mat previous;
@@ -72,8 +62,7 @@ struct Bootstrap::Impl {
     views.clear();
     corners_in_view.clear();
     disagreeing = 0;
-    Points corners;
-    cv::goodFeaturesToTrack(image, corners, params.max_corners, 0.005, std::max(5.0, pinhole.width / 120.0));
+    Corners corners = find_corners(image, params.max_corners);
     for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
     first_corners = corners.size();
     view.placed = true;
@@ -84,24 +73,14 @@ struct Bootstrap::Impl {
 
   // Follows the corners into `image`; those that fail the forward-backward check are struck out of every view.
   void follow(BootstrapView view, cv::Mat image) {
-    const Points& from = corners_in_view.back();
-    Points to, back;
-    std::vector<uchar> ok, ok_back;
-    std::vector<float> error;
-    const cv::Size window(21, 21);
-    const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01);
-    if (!from.empty()) {
-      cv::calcOpticalFlowPyrLK(previous, image, from, to, ok, error, window, 4, stop);
-      back = from;
-      cv::calcOpticalFlowPyrLK(image, previous, to, back, ok_back, error, window, 4, stop);
-    }
+    const Corners& from = corners_in_view.back();
+    Corners to;
+    const std::vector<bool> found = follow_corners(previous, image, from, &to);
     std::vector<size_t> alive;
-    for (size_t i = 0; i < from.size(); ++i) {
-      const bool inside = to[i].x >= 0 && to[i].y >= 0 && to[i].x < pinhole.width && to[i].y < pinhole.height;
-      if (ok[i] && ok_back[i] && inside && cv::norm(back[i] - from[i]) < kMaxForwardBackwardPx) alive.push_back(i);
-    }
+    for (size_t i = 0; i < from.size(); ++i)
+      if (found[i]) alive.push_back(i);
     corners_in_view.push_back(std::move(to));
-    for (Points& points : corners_in_view) {
+    for (Corners& points : corners_in_view) {
       for (size_t k = 0; k < alive.size(); ++k) points[k] = points[alive[k]];
       points.resize(alive.size());
     }
@@ -125,7 +104,7 @@ struct Bootstrap::Impl {
 
   // Median over all corners of the first view. Under noise and changing light those that move fast are lost first: the lost ones count
   // as moved further than the median, up to half as many as are left, or the median of what is left would fall with time.
-  double median_motion(const Points& a, const Points& b) const {
+  double median_motion(const Corners& a, const Corners& b) const {
     std::vector<double> motion;
     for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
     const size_t rank = std::min(std::max(motion.size(), first_corners) / 2, 3 * motion.size() / 4);
@@ -134,11 +113,11 @@ struct Bootstrap::Impl {
   }
 
   BootstrapStatus try_two_views() {
-    const Points& a = corners_in_view.front();
-    const Points& b = corners_in_view.back();
+    const Corners& a = corners_in_view.front();
+    const Corners& b = corners_in_view.back();
     const double disparity = median_motion(a, b), needed = params.min_disparity * pinhole.width;
     if (disparity < needed) return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on", disparity, needed)};
-    const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, a, b, params.ransac_px, &random);
+    const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, a, b, params.ransac_px, kMotionTrials, &random);
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
     const TwoViewMotion& best = *std::min_element(motions.begin(), motions.end(), [](const auto& m, const auto& n) {
       return m.median_error_px < n.median_error_px;
@@ -153,8 +132,8 @@ struct Bootstrap::Impl {
   }
 
   BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {
-    const Points& a = corners_in_view.front();
-    const Points& b = corners_in_view.back();
+    const Corners& a = corners_in_view.front();
+    const Corners& b = corners_in_view.back();
     BootstrapResult result;
     std::vector<double> parallax, depths;
     std::vector<int> used;
@@ -191,10 +170,10 @@ struct Bootstrap::Impl {
       const Eigen::Vector3d p = pinhole.ray(c.px_first) / c.idepth_first;
       object.emplace_back(float(p.x()), float(p.y()), float(p.z()));
     }
-    if (int(object.size()) < kMinPnpPoints) return;
+    if (int(object.size()) < kMinPnpCorners) return;
     const Vector6d whole = views.back().T_cam_first.log();
     for (size_t v = 1; v + 1 < views.size(); ++v) {
-      Points image;
+      Corners image;
       for (int i : used) image.push_back(corners_in_view[v][i]);
       const SE3 guess = SE3::exp(whole * (double(v) / double(views.size() - 1)));
       cv::Mat R(3, 3, CV_64F), rvec, tvec(3, 1, CV_64F);

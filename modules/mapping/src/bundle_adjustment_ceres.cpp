@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "bundle_adjustment_corners.h"
 #include "bundle_adjustment_normal_equations.h"
 #include "bundle_adjustment_prior.h"
 #include "bundle_adjustment_solvers.h"
@@ -80,6 +81,26 @@ class ReprojectionCost : public ceres::SizedCostFunction<2, 7, 7, 1> {  // targe
   const BaObservation& observation_;
 };
 
+class CornerCost : public ceres::SizedCostFunction<1, 7, 7> {
+ public:
+  CornerCost(const Pinhole& pinhole, const BaCornerPair& pair) : pinhole_(pinhole), pair_(pair) {}
+
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    const SE3 T_to_from = to_se3(x[0]) * to_se3(x[1]).inverse();
+    const CornerLinearization lin = linearize(pinhole_, T_to_from, pair_);
+    residuals[0] = lin.residual;
+    if (!jacobians) return true;
+    const Eigen::Matrix<double, 1, 6> J_to = lin.J_to.transpose();
+    if (jacobians[0]) write_pose_jacobian(J_to, jacobians[0]);
+    if (jacobians[1]) write_pose_jacobian(-J_to * T_to_from.adjoint(), jacobians[1]);
+    return true;
+  }
+
+ private:
+  const Pinhole& pinhole_;
+  const BaCornerPair& pair_;
+};
+
 // E(xi) = 1/2 |A xi + c|^2 + offset with A = sqrt(D) V^T, c = D^-1/2 V^T b from H = V D V^T.
 class PriorCost : public ceres::CostFunction {
  public:
@@ -135,10 +156,11 @@ class CeresSolve {
     ceres_ = std::make_unique<ceres::Problem>(ownership);
     add_poses();
     add_points();
+    add_corners();
     add_prior();
   }
 
-  bool empty() const { return window_.observations.empty() && prior_.empty(); }
+  bool empty() const { return window_.observations.empty() && problem_.corners.empty() && prior_.empty(); }
   BaResult run();
   const State& state() const { return state_; }
   const Window& window() const { return window_; }
@@ -151,6 +173,7 @@ class CeresSolve {
  private:
   void add_poses();
   void add_points();
+  void add_corners();
   void add_prior();
   ceres::Solver::Options solver_options() const;
 
@@ -194,6 +217,11 @@ void CeresSolve::add_points() {
                                pose_blocks_[o.target].data(), pose_blocks_[point.host].data(), idepth);
     }
   }
+}
+
+void CeresSolve::add_corners() {
+  for (const BaCornerPair& c : problem_.corners)
+    ceres_->AddResidualBlock(new CornerCost(problem_.pinhole, c), &huber_, pose_blocks_[c.to].data(), pose_blocks_[c.from].data());
 }
 
 void CeresSolve::add_prior() {

@@ -38,6 +38,12 @@ void check_observations(const BaProblem& problem) {
   }
 }
 
+void check_corners(const BaProblem& problem) {
+  for (const BaCornerPair& c : problem.corners)
+    if (!is_index(c.from, problem.poses.size()) || !is_index(c.to, problem.poses.size()) || c.from == c.to)
+      malformed("a corner is not seen in two poses", "from and to are two indices into poses");
+}
+
 void check_prior(const BaProblem& problem) {
   const BaPrior& prior = *problem.prior;
   const auto n = static_cast<Eigen::Index>(6 * prior.pose_ids.size());
@@ -62,6 +68,8 @@ bool is_finite(const BaObservation& o) {
          std::isfinite(o.inv_sigma_tangent);
 }
 
+bool is_finite(const BaCornerPair& c) { return c.ray_from.allFinite() && c.ray_to.allFinite() && std::isfinite(c.inv_sigma); }
+
 bool is_finite(const BaPrior& prior) {
   for (const SE3& T : prior.linearization)
     if (!T.is_finite()) return false;
@@ -75,6 +83,7 @@ void check_problem(const BaProblem& problem) {
     malformed("pose_ids and poses differ in size", "name every pose, or none");
   check_points(problem);
   check_observations(problem);
+  check_corners(problem);
   if (problem.prior) check_prior(problem);
 }
 
@@ -85,6 +94,8 @@ bool is_finite(const BaProblem& problem) {
     if (!is_finite(p)) return false;
   for (const BaObservation& o : problem.observations)
     if (!is_finite(o)) return false;
+  for (const BaCornerPair& corner : problem.corners)
+    if (!is_finite(corner)) return false;
   const Pinhole& c = problem.pinhole;
   return std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy) &&
          (!problem.prior || is_finite(*problem.prior));
@@ -93,7 +104,7 @@ bool is_finite(const BaProblem& problem) {
 bool has_unknowns(const BaProblem& problem) {
   bool free_pose = false;
   for (const BaPose& pose : problem.poses) free_pose |= !pose.fixed;
-  if (free_pose && (!problem.observations.empty() || problem.prior)) return true;
+  if (free_pose && (!problem.observations.empty() || !problem.corners.empty() || problem.prior)) return true;
   for (const BaObservation& o : problem.observations)
     if (!problem.points[o.point].fixed) return true;
   return false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bundle_adjustment_corners.h"
 #include "bundle_adjustment_normal_equations.h"
 #include "bundle_adjustment_prior.h"
 #include "edgevo/core/error.h"
@@ -43,6 +44,16 @@ Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
       q.constant -= 0.5 * gradient * gradient / information;
   }
   return q;
+}
+
+// What the corners that a pose shares with others say, in the same perturbations.
+void add_corners(const BaProblem& problem, int pose, const BaOptions& options, Quadratic* q) {
+  std::vector<BaCornerPair> shared;
+  for (const BaCornerPair& c : problem.corners)
+    if (c.from == pose || c.to == pose) shared.push_back(c);
+  std::vector<SE3> poses;
+  for (const BaPose& p : problem.poses) poses.push_back(p.T_cam_world);
+  q->constant += CornerTerm(problem.pinhole, shared, options.huber_width).add(poses, &q->H, &q->b);
 }
 
 // From perturbations delta of the current poses to xi = log(T linearization^-1):  delta = J_l(xi_now) (xi -
@@ -152,6 +163,7 @@ BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& opti
   const Eigen::VectorXd xi_prior = old.displacement(poses);
 
   Quadratic q = eliminate_points(problem, options, *drop_points);
+  add_corners(problem, leaving, options, &q);
   move_linearization(old, xi_prior, &q);
   if (!old.empty()) add_prior(*problem.prior, old.pose_index(), &q);
   // A fixed pose that the old prior holds stays where it is now, which need not be where the prior was

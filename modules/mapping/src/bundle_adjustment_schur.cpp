@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bundle_adjustment_corners.h"
 #include "bundle_adjustment_normal_equations.h"
 #include "bundle_adjustment_prior.h"
 #include "bundle_adjustment_solvers.h"
@@ -59,6 +60,7 @@ class Minimizer {
         state_(initial_state(problem, options.min_idepth)),
         window_(make_window(problem, state_, nullptr)),
         prior_(problem),
+        corners_(problem.pinhole, problem.corners, options.huber_width),
         builder_(window_, options.huber_width),
         damping_(options.initial_damping) {
     for (int i = 0; i < window_.pose_count; ++i)
@@ -76,10 +78,12 @@ class Minimizer {
   void linearize(const State& state, NormalEquations* equations) {
     builder_.build(state, equations);
     equations->cost += prior_.add(state.poses, &equations->H, &equations->b);
+    equations->cost += corners_.add(state.poses, &equations->H, &equations->b);
   }
   void evaluate(const State& state, NormalEquations* equations) {
     builder_.build_cost_and_depths(state, equations);
     if (!prior_.empty()) equations->cost += prior_.cost(prior_.displacement(state.poses));
+    equations->cost += corners_.cost(state.poses);
   }
   bool is_enough(double decrease) const { return decrease <= options_.relative_decrease * std::abs(now_.cost); }
   bool solve_step();
@@ -91,6 +95,7 @@ class Minimizer {
   State state_, trial_;
   Window window_;
   PriorTerm prior_;
+  CornerTerm corners_;
   NormalEquationsBuilder builder_;
   NormalEquations now_, next_;  ///< at state_ and at trial_
   std::vector<int> free_poses_;
@@ -168,7 +173,7 @@ BaResult Minimizer::run() {
   BaResult result;
   linearize(state_, &now_);
   result.initial_cost = result.final_cost = now_.cost;
-  if (!std::isfinite(now_.cost) || (window_.observations.empty() && prior_.empty())) return result;
+  if (!std::isfinite(now_.cost) || (window_.observations.empty() && corners_.empty() && prior_.empty())) return result;
   result.usable = true;
   while (result.iterations < options_.max_iterations && damping_.lambda() < kMaxLambda) {
     ++result.iterations;

@@ -127,6 +127,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
   TrackedFrame frame = tracked;
   frame.pyramid = corrected(tracked);
+  if (frame.pyramid != tracked.pyramid) frame.corners.clear();  // they were seen in images of before
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to help.
@@ -152,6 +153,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   keyframe.pyramid = frame.pyramid;
   keyframe.motion = frame.motion;
   keyframe.T_cam_world = T_cam_world;
+  if (!frame.corners.empty()) keyframe.corners_from = frame.reference_id, keyframe.corners = frame.corners;
   update->keyframe_id = keyframe.id;
   window_.add(std::move(keyframe));
 

@@ -58,7 +58,17 @@ void WindowParams::visit(ParamVisitor& v) {
   v.number("ba_huber", ba_huber, 0.1, 100, "Huber width in sigmas");
   v.boolean("photometric", photometric, "image-gradient cost in the bundle adjustment (slower)");
   v.number("photometric_sigma", photometric_sigma, 0.01, 100, "deviation of a normalised patch difference in that cost");
+  v.number("corner_sigma_px", corner_sigma_px, 0.05, 20, "standard deviation of a corner (group corners) in the bundle adjustment, pixels");
   v.integer("max_cloud_points", max_cloud_points, 50, 20000, "points that a frame is tracked against");
+}
+
+void CornerParams::visit(ParamVisitor& v) {
+  v.number("max_inlier_share", max_inlier_share, 0, 1, "of a frame that would become a keyframe, below which corners are asked about its motion; 0: never");
+  v.integer("max_corners", max_corners, 20, 10000, "corners followed from the last keyframe");
+  v.integer("min_agreeing", min_agreeing, 8, 10000, "corners that must agree on one motion");
+  v.number("min_agreeing_share", min_agreeing_share, 0.1, 1, "of those that could be followed");
+  v.number("ransac_px", ransac_px, 0.1, 10, "inlier threshold of the essential matrix, pixels");
+  v.number("min_parallax_deg", min_parallax_deg, 0, 20, "median angle between the two rays of a corner, degrees; with less they say nothing");
 }
 
 void MappingParams::visit(ParamVisitor& v) {
@@ -66,6 +76,7 @@ void MappingParams::visit(ParamVisitor& v) {
   { const auto g = v.group("depth_filter"); depth_filter.visit(v); }
   { const auto g = v.group("keyframe"); keyframe.visit(v); }
   { const auto g = v.group("window"); window.visit(v); }
+  { const auto g = v.group("corners"); corners.visit(v); }
 }
 
 }  // namespace edgevo

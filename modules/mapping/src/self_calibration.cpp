@@ -92,6 +92,7 @@ void SelfCalibration::remember(const Keyframe& keyframe) {
   history_.push_back(keyframe);
   history_.back().pyramid.reset();
   history_.back().immature.clear();
+  history_.back().corners.clear();
 }
 
 bool SelfCalibration::is_due(int window_keyframes) const {

@@ -11,7 +11,6 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMotionTrials = 5;
 constexpr int kRefineIterations = 10;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
@@ -123,7 +122,7 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
 }
 
 std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
-                                            const std::vector<cv::Point2f>& last, double ransac_px, Random* random) {
+                                            const std::vector<cv::Point2f>& last, double ransac_px, int trials, Random* random) {
   const cv::Mat K = (cv::Mat_<double>(3, 3) << pinhole.fx, 0, pinhole.cx, 0, pinhole.fy, pinhole.cy, 0, 0, 1);
   std::vector<Eigen::Vector3d> rays_first, rays_last;
   for (const cv::Point2f& p : first) rays_first.push_back(pinhole.ray({p.x, p.y}));
@@ -131,7 +130,7 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
   std::vector<TwoViewMotion> motions;
   std::vector<int> order(first.size());
   std::iota(order.begin(), order.end(), 0);
-  for (int trial = 0; trial < kMotionTrials; ++trial) {
+  for (int trial = 0; trial < trials; ++trial) {
     for (size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random->below(int(k))]);
     std::vector<cv::Point2f> from, to;
     for (int i : order) from.push_back(first[i]), to.push_back(last[i]);

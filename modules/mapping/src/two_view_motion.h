@@ -16,9 +16,9 @@ struct TwoViewMotion {
   double parallax_rad = 0;     ///< median angle between the two rays, rotation taken out
 };
 
-/// Several motions, from corners in shuffled order so that RANSAC draws others each time. May be empty.
+/// The motions of `trials` RANSAC runs, from corners in shuffled order so that each draws others. May be empty.
 std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
-                                            const std::vector<cv::Point2f>& last, double ransac_px, Random* random);
+                                            const std::vector<cv::Point2f>& last, double ransac_px, int trials, Random* random);
 
 /// With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: true while motions that
 /// fit about as well as `best` disagree on the rotation by more than a share of the parallax that depths would come from.

@@ -198,8 +198,18 @@ Window::Adjustment Window::build_adjustment() {
       problem.points.push_back({int(h), pinhole_.ray(p.px), p.idepth, fixed});
       a.points.push_back(&p);
     }
+  add_corners(&problem);
   apply_gauge(&problem);
   return a;
+}
+
+void Window::add_corners(BaProblem* problem) const {
+  for (size_t to = 0; to < keyframes_.size(); ++to) {
+    const auto from = std::find(problem->pose_ids.begin(), problem->pose_ids.end(), keyframes_[to].corners_from);
+    if (from == problem->pose_ids.end()) continue;  // it has left the window, and taken what they say into the prior
+    for (const CornerPair& c : keyframes_[to].corners)
+      problem->corners.push_back({int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / params_.corner_sigma_px});
+  }
 }
 
 // Eq. (photometricerror), linearised at the present projection, as a residual in the principal axes of its information.

@@ -54,6 +54,17 @@ void revise_immature(const Pinhole& c, const MapRevision& revision, const Revise
   k->immature = std::move(kept);
 }
 
+Eigen::Vector3d correct_ray(const Pinhole& c, const MapRevision& revision, const ImageMotion& motion, const Eigen::Vector3d& ray) {
+  return c.ray(correct_pixel(c, revision.before, revision.now, motion, c.project(ray)));
+}
+
+void revise_corners(const Pinhole& c, const MapRevision& revision, const RevisedKeyframe& r, Keyframe* k) {
+  for (CornerPair& corner : k->corners) {
+    corner.from = correct_ray(c, revision, revision.motion_of(k->corners_from), corner.from);
+    corner.to = correct_ray(c, revision, r.motion, corner.to);
+  }
+}
+
 }  // namespace
 
 void Window::apply(const MapRevision& revision, const Rebuild& rebuild) {
@@ -64,6 +75,7 @@ void Window::apply(const MapRevision& revision, const Rebuild& rebuild) {
     k.pyramid = rebuild(k);
     revise_points(pinhole_, revision, *r, &k);
     revise_immature(pinhole_, revision, *r, &k);
+    revise_corners(pinhole_, revision, *r, &k);
   }
   if (!revision.prior.pose_ids.empty()) {
     prior_ = revision.prior;

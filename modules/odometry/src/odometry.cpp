@@ -1,11 +1,12 @@
 #include "edgevo/odometry/odometry.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "camera_changes.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/thread_clock.h"
 #include "mapping_thread.h"
+#include "motion_model.h"
 #include "rolling_shutter.h"
 #include "run_records.h"
 #include "see_points.h"
@@ -14,7 +15,7 @@ namespace edgevo {
 struct Odometry::Impl {
   Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
       : params(p), options(o), builder(camera, p.edges), bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
-        mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
+        random(Random::derive(o.seed, 3)), mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
         records(camera.pinhole),
         rebuilder(camera, p.edges),
         mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {
@@ -38,7 +39,7 @@ struct Odometry::Impl {
     FrameRecord& record = records.begin_frame(frame);
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
-    if (lost) ++frames_lost;
+    if (lost) motion.miss();
     newest_pose = {};
     if (has_map && (!lost || tries_old_map(record.edges))) track_frame(frame, pyramid, &record);
     if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
@@ -47,12 +48,12 @@ struct Odometry::Impl {
     return record;
   }
 
-  // The constant-velocity model bridges the gap, as it does after frames that were lost.
+  // The motion model bridges the gap, as it does after frames that were lost.
   const FrameRecord& pass_over(const Frame& frame, const std::string& why) {
     FrameRecord& record = records.begin_frame(frame);
     record.state = ever_tracked ? TrackingState::kLost : TrackingState::kBootstrapping;
     record.note = why;
-    ++frames_lost;
+    motion.miss();
     return record;
   }
 
@@ -82,10 +83,10 @@ struct Odometry::Impl {
 
   void track_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
     const double start = thread_cpu_ms();
-    TrackResult result = track(*pyramid, reference->cloud, starts(), params.alignment);
-    const Vector6d twist = find_twist(frame, result.T_cur_ref);
-    if (is_rolling() && result.verdict != TrackingState::kLost) result = track_rows(*pyramid, twist, result);
+    Tracked tracked = put_rows_right(frame, *pyramid, track(*pyramid, reference->cloud, motion.starts(), params.alignment));
     record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
+    if (is_doubtful(tracked.result)) ask_corners(frame, *pyramid, &tracked, record);
+    const TrackResult& result = tracked.result;
     record->inlier_share = result.evidence.inlier_share;
     record->residual_px = result.stats.residual_px;
     record->note = result.reason;
@@ -102,8 +103,39 @@ struct Odometry::Impl {
     record->covariance = reference->error_factor * result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     newest_pose.T_cam_map = result.T_cur_ref * reference->T_ref_world;
-    follow_motion(frame, result.T_cur_ref);
-    submit(frame, pyramid, result, twist, record);
+    motion.follow(frame.time, result.T_cur_ref);
+    submit(frame, pyramid, std::move(tracked), record);
+  }
+
+  // A frame as it was tracked.
+  struct Tracked {
+    TrackResult result;
+    Vector6d twist = Vector6d::Zero();  // how the camera moved when the image was taken
+    std::vector<CornerPair> corners;    // seen in the reference and here, where they were asked
+  };
+
+  // The edges explain it badly, and it would become part of the map, or is about to be lost.
+  bool is_doubtful(const TrackResult& result) const {
+    const double share = result.evidence.inlier_share;
+    if (lost || !(share < params.mapping.corners.max_inlier_share)) return false;
+    return share < params.alignment.degraded_share || decide(result).needed;
+  }
+
+  // A second opinion (mapping/corner_motion.h): rotation and direction from corners, the length from the edges. The pose that more speaks
+  // for is taken; the corners go with the frame into the adjustment either way.
+  void ask_corners(const Frame& frame, const FramePyramid& pyramid, Tracked* tracked, FrameRecord* record) {
+    const double start = thread_cpu_ms();
+    const SE3 expected = motion.predict();
+    const SE3& guess = tracked->result.verdict != TrackingState::kLost ? tracked->result.T_cur_ref : expected;
+    std::optional<CornerMotion> found =
+        find_corner_motion(builder.pinhole(), *reference->cloud.pyramid, pyramid, guess, params.mapping.corners, &random);
+    if (found) {
+      const SE3 T_cur_ref(found->T_to_from.rotation(), expected.translation().norm() * found->T_to_from.translation());
+      Tracked other = put_rows_right(frame, pyramid, track_along(pyramid, reference->cloud, T_cur_ref, params.alignment));
+      if (support(other.result.evidence, params.alignment) > support(tracked->result.evidence, params.alignment)) *tracked = std::move(other);
+      tracked->corners = std::move(found->pairs);
+    }
+    record->stage_ms.emplace_back("corners", thread_cpu_ms() - start);
   }
 
   // ---- rolling shutter: core/image_correction.h ------------------------------------------------------------------------
@@ -112,23 +144,20 @@ struct Odometry::Impl {
 
   // What the rows of the next image are made ready for: the camera goes on as before.
   ImageMotion expect_motion() const {
-    if (!is_rolling() || !has_map || lost || !(velocity_s > 0)) return {};
-    return image_motion(builder.pinhole(), reference->cloud, velocity * T_last_ref, velocity.log() / velocity_s, reference->median_idepth);
-  }
-
-  // How the camera moved when the image was taken, a second: the motion since the last frame is that of half a frame ago, and half of
-  // its change comes on top. 0: not known.
-  Vector6d find_twist(const Frame& frame, const SE3& T_cur_ref) const {
-    const double seconds = seconds_between(time_tracked, frame.time);
-    if (!(seconds > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
-    const Vector6d twist = (T_cur_ref * T_last_ref.inverse()).log() / seconds;
-    if (frames_lost > 0 || !(velocity_s > 0)) return twist;
-    return twist + 0.5 * (twist - velocity.log() / velocity_s);
+    const std::optional<Vector6d> twist = motion.expected_twist();
+    if (!is_rolling() || !has_map || lost || !twist) return {};
+    return image_motion(builder.pinhole(), reference->cloud, motion.predict(), *twist, reference->median_idepth);
   }
 
   ImageMotion found_motion(const Vector6d& twist, const SE3& T_cur_ref) const {
     if (expected_motion.is_known()) return {twist, expected_motion.idepth};
     return image_motion(builder.pinhole(), reference->cloud, T_cur_ref, twist, reference->median_idepth);
+  }
+
+  Tracked put_rows_right(const Frame& frame, const FramePyramid& pyramid, const TrackResult& result) const {
+    const Vector6d twist = motion.twist(frame.time, result.T_cur_ref);
+    const bool again = is_rolling() && result.verdict != TrackingState::kLost;
+    return {again ? track_rows(pyramid, twist, result) : result, twist, {}};
   }
 
   // The pose once more, for the rows as they were taken.
@@ -139,26 +168,16 @@ struct Odometry::Impl {
     return again.verdict != TrackingState::kLost ? again : first;
   }
 
-  std::vector<SE3> starts() const {
-    if (frames_lost == 0) return motion_hypotheses(T_last_ref, velocity);
-    const Vector6d drift = velocity.log() * double(frames_lost + 1);
-    const SE3 on = SE3::exp(drift) * T_last_ref, half = SE3::exp(0.5 * drift) * T_last_ref;
-    if (frames_lost > kLongGap) return {T_last_ref, half, on};  // nobody moves on as before for long
-    return {on, T_last_ref, half};
+  ReferenceFit fit_with(const TrackResult& r) const {
+    return {r.stats.matched_share(), r.evidence.inlier_share, std::max(fit.best_inlier_share, r.evidence.inlier_share)};
   }
 
-  // The constant-velocity model is fed with good frames only; after a gap with the mean over the gap.
-  void follow_motion(const Frame& frame, const SE3& T_cur_ref) {
-    const SE3 motion = T_cur_ref * T_last_ref.inverse();
-    velocity_s = seconds_between(time_tracked, frame.time) / double(frames_lost + 1);
-    time_tracked = frame.time;
-    velocity = frames_lost == 0 ? motion : SE3::exp(motion.log() / double(frames_lost + 1));
-    T_last_ref = T_cur_ref;
-    frames_lost = 0;
+  KeyframeDecision decide(const TrackResult& r) const {
+    return decide_keyframe(builder.pinhole(), reference->cloud, r.T_cur_ref, frames_since_keyframe + 1, fit_with(r), params.mapping.keyframe);
   }
 
-  void submit(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, const TrackResult& result, const Vector6d& twist,
-              FrameRecord* record) {
+  void submit(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, Tracked from, FrameRecord* record) {
+    const TrackResult& result = from.result;
     TrackedFrame tracked;
     tracked.frame_index = frame.index;
     tracked.time = frame.time;
@@ -166,11 +185,10 @@ struct Odometry::Impl {
     tracked.reference_id = reference->keyframe_id;
     tracked.T_cam_ref = result.T_cur_ref;
     tracked.covariance = result.covariance;
-    fit.matched_share = result.stats.matched_share();
-    fit.inlier_share = result.evidence.inlier_share;
-    fit.best_inlier_share = std::max(fit.best_inlier_share, fit.inlier_share);
-    const KeyframeDecision decision = decide_keyframe(builder.pinhole(), reference->cloud, result.T_cur_ref, ++frames_since_keyframe,
-                                                      fit, params.mapping.keyframe);
+    tracked.corners = std::move(from.corners);
+    const KeyframeDecision decision = decide(result);
+    fit = fit_with(result);
+    ++frames_since_keyframe;
     const NearestKeyframe nearest =
         find_nearest_keyframe(builder.pinhole(), *reference, result.T_cur_ref, params.mapping.keyframe);
     const bool back =
@@ -180,7 +198,7 @@ struct Odometry::Impl {
     frames_ahead = decision.needed && pending ? frames_ahead + 1 : 0;
     tracked.make_keyframe = decision.needed && !back && !pending;
     if (tracked.make_keyframe) frames_since_keyframe = 0;
-    if (tracked.make_keyframe && params.camera.knows_rolling()) straighten_keyframe(frame, result.T_cur_ref, twist, &tracked, record);
+    if (tracked.make_keyframe && params.camera.knows_rolling()) straighten_keyframe(frame, result.T_cur_ref, from.twist, &tracked, record);
     mapping.submit(std::move(tracked));
   }
 
@@ -188,7 +206,10 @@ struct Odometry::Impl {
   void straighten_keyframe(const Frame& frame, const SE3& T_cur_ref, const Vector6d& twist, TrackedFrame* tracked, FrameRecord* record) {
     const double start = thread_cpu_ms();
     tracked->motion = found_motion(twist, T_cur_ref);
-    if (is_rolling()) tracked->pyramid = builder.build(frame.image, tracked->motion);
+    if (is_rolling()) {
+      tracked->pyramid = builder.build(frame.image, tracked->motion);
+      for (CornerPair& c : tracked->corners) c.to = shift_ray(builder.pinhole(), builder.correction().readout_s, expected_motion, tracked->motion, c.to);
+    }
     record->stage_ms.front().second += thread_cpu_ms() - start;  // the edges
   }
 
@@ -199,7 +220,7 @@ struct Odometry::Impl {
     if (reference) {
       const auto old = newest->T_keyframe_world.find(reference->keyframe_id);
       const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference->T_ref_world;
-      T_last_ref = T_last_ref * T_old_world * newest->T_ref_world.inverse();
+      motion.change_reference(T_old_world * newest->T_ref_world.inverse());
     }
     reference = std::move(newest);
     fit = kNoneTracked;
@@ -207,20 +228,10 @@ struct Odometry::Impl {
 
   // The map was corrected for a residual distortion: the images that follow are too.
   void change_camera(const Frame& frame, const CameraRefinement& camera) {
-    const ImageCorrection before = builder.correction(), now = camera.correction();
-    builder.set_correction(now);
+    const ImageCorrection before = builder.correction();
+    builder.set_correction(camera.correction());
     bootstrap.reset();
-    char what[160];
-    if (now.k1 != before.k1) {
-      std::snprintf(what, sizeof what, "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", camera.k1,
-                    camera.sigma, camera.keyframes);
-      say(frame, what);
-    }
-    if (now.readout_s != before.readout_s) {
-      std::snprintf(what, sizeof what, "self-calibration: rolling shutter, read-out %.4f +- %.4f s from %d keyframes, applied",
-                    camera.shutter.readout_s, camera.shutter.sigma, camera.shutter.keyframes);
-      say(frame, what);
-    }
+    for (const std::string& line : describe_changes(before, camera)) say(frame, line);
   }
 
   // ---- bootstrap and segments --------------------------------------------------------------------------------------
@@ -255,16 +266,12 @@ struct Odometry::Impl {
     place_bootstrap_frames(result);
     const SE3& T_cur = reference->T_ref_world;
     newest_pose.T_cam_map = T_cur;
-    T_last_ref = SE3();
     const auto before = records.pose_before(frame.index, segment);
-    velocity = before ? T_cur * before->inverse() : SE3();
-    velocity_s = before ? seconds_between(time_before, frame.time) : 0;
-    time_tracked = frame.time;
+    motion.restart(frame.time, before ? T_cur * before->inverse() : SE3(), before ? seconds_between(time_before, frame.time) : 0);
     frames_since_keyframe = 0;
     has_map = ever_tracked = true;
     lost = seeking = false;
     unexplained_frames = 0;
-    frames_lost = 0;
     record->note.clear();
     say(frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " + std::to_string(segment));
   }
@@ -297,7 +304,8 @@ struct Odometry::Impl {
   void lose(const Frame& frame, const std::string& reason) {
     lost = true;
     lost_at = frame.index;
-    frames_lost = tries = 0;
+    motion.begin_gap();
+    tries = 0;
     bootstrap.reset();
     say(frame, "LOST: " + reason);
   }
@@ -334,7 +342,7 @@ struct Odometry::Impl {
     if (!has_map || lost) return view;
     view.reference_keyframe = reference->keyframe_id;
     // From the segment's map to the world lengths grow by the scale.
-    view.points = see_points(reference->cloud, T_last_ref, *newest_pyramid, 1.0 / records.scale_of(segment));
+    view.points = see_points(reference->cloud, motion.T_last_ref(), *newest_pyramid, 1.0 / records.scale_of(segment));
     return view;
   }
 
@@ -343,7 +351,6 @@ struct Odometry::Impl {
   }
 
   static constexpr int kMinEdges = 200;        // with fewer an image shows nothing to follow
-  static constexpr int kLongGap = 10;          // frames
   static constexpr int kFewKnownPoints = 200;  // of known depth in the reference: fewer may not hold a translation
   static constexpr double kTurnedAwayShare = 0.15;  // of the window's points in view; below it the camera has turned away from the map
   static constexpr ReferenceFit kNoneTracked{0, 0, 0};  // of a new reference
@@ -355,6 +362,7 @@ struct Odometry::Impl {
   OdometryOptions options;
   PyramidBuilder builder;
   Bootstrap bootstrap;
+  Random random;  // of ask_corners
   Mapper mapper;
   RunRecords records;
   PyramidBuilder rebuilder;  // the mapping side's own
@@ -363,17 +371,14 @@ struct Odometry::Impl {
   std::shared_ptr<const FramePyramid> newest_pyramid;
   std::shared_ptr<const Reference> reference;
   NewestPose newest_pose;
-  SE3 T_last_ref, velocity;
-  double velocity_s = 0;          // that the motion `velocity` takes; 0: not known
-  Timestamp time_tracked;         // of T_last_ref
+  MotionModel motion;
   Timestamp time_before;          // of the frame before this one
   ImageMotion expected_motion;    // that the newest image was made ready for
   int frames_since_keyframe = 0;
   ReferenceFit fit = kNoneTracked;  // of `reference`
   int frames_ahead = 0;  // the latest of a row that would have been keyframes, had the mapping not been busy with one
   int segment = -1, lost_at = -1, unexplained_frames = 0;
-  int frames_lost = 0;  // since the last frame with a pose: lost or passed over
-  int tries = 0;        // of them, those tried against the old map
+  int tries = 0;         // frames since a loss that were tried against the old map
   bool seeking = false;  // a bootstrap runs beside the map, see is_out_of_map
   bool has_map = false, lost = false, ever_tracked = false;
 };

@@ -73,4 +73,11 @@ ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, 
   return shifted;
 }
 
+Eigen::Vector3d shift_ray(const Pinhole& pinhole, double readout_s, const ImageMotion& expected, const ImageMotion& measured,
+                          const Eigen::Vector3d& ray) {
+  const Eigen::Vector2d x = ray.head<2>();
+  const Eigen::Vector2d left = add_rolling(pinhole, readout_s, expected, x) - add_rolling(pinhole, readout_s, measured, x);
+  return {x.x() + left.x(), x.y() + left.y(), 1.0};
+}
+
 }  // namespace edgevo

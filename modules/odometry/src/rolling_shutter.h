@@ -18,4 +18,8 @@ ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, co
 ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref, double readout_s,
                            const ImageMotion& expected, const ImageMotion& measured);
 
+/// The same for a point that was seen in such an image, (x, y, 1): where it is in one made ready for `measured`.
+Eigen::Vector3d shift_ray(const Pinhole& pinhole, double readout_s, const ImageMotion& expected, const ImageMotion& measured,
+                          const Eigen::Vector3d& ray);
+
 }  // namespace edgevo

@@ -155,6 +155,19 @@ TEST(Track, TriesOtherStartsWhenTheFirstIsBad) {
   EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
 }
 
+// Rotation and direction known, the length wrong by half: the edges find it.
+TEST(Track, AlongAKnownDirectionTheEdgesFindTheLength) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.25, 0.05, 0.3, 0.02, -0.03, 0.01));
+  for (const double length : {0.55, 1.0, 1.9}) {
+    const SE3 guess(T_cur_ref.rotation(), length * T_cur_ref.translation());
+    const TrackResult r = track_along(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), guess, AlignmentParams());
+    EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+    EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.02 * T_cur_ref.translation().norm()) << length;
+    EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.1);
+  }
+}
+
 TEST(Track, PhotometricCostAgreesWithTheTruth) {
   const test::PlaneScene scene;
   AlignmentParams params;

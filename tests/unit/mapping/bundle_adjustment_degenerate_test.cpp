@@ -215,6 +215,9 @@ TEST_P(BundleAdjustmentDegenerate, MalformedProblemsThrow) {
   expect_throw([](BaProblem* p) { p->observations[0].target = p->points[p->observations[0].point].host; });
   expect_throw([](BaProblem* p) { std::swap(p->observations.front(), p->observations.back()); });
   expect_throw([](BaProblem* p) { p->pose_ids.pop_back(); });
+  const Eigen::Vector3d ahead(0, 0, 1);
+  expect_throw([&](BaProblem* p) { p->corners.push_back({0, 7, ahead, ahead, 2}); });
+  expect_throw([&](BaProblem* p) { p->corners.push_back({3, 3, ahead, ahead, 2}); });
   const BaPrior stranger{{55}, {SE3()}, Eigen::MatrixXd::Identity(6, 6), Eigen::VectorXd::Zero(6), 0};
   expect_throw([&](BaProblem* p) { p->prior = stranger; });
   const BaPrior short_b{{104}, {SE3()}, Eigen::MatrixXd::Identity(6, 6), Eigen::VectorXd::Zero(5), 0};

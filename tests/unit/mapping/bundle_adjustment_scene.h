@@ -19,6 +19,7 @@ struct SceneOptions {
   double outlier_share = 0;  ///< of the observations, off by up to 30 px
   int fixed_poses = 2;
   double fixed_point_share = 0;
+  int corners = 0;  ///< seen in each two neighbouring poses, without noise
   uint64_t seed = 1;
 };
 
@@ -58,6 +59,13 @@ inline BaObservation observe(const BaProblem& p, int point, int target, const Sc
   return m;
 }
 
+inline BaCornerPair observe_corner(const BaProblem& p, int from, int to, Random* random) {
+  const SE3 T_to_from = p.poses[to].T_cam_world * p.poses[from].T_cam_world.inverse();
+  const Eigen::Vector3d ray = p.pinhole.ray({random->uniform(100, 1141), random->uniform(20, 356)});
+  const Eigen::Vector3d x = T_to_from * Eigen::Vector3d(ray * random->uniform(6, 40));
+  return {from, to, ray, x / x.z(), random->uniform(1, 3)};
+}
+
 /// The problem at its true poses and depths; perturb() moves it away.
 inline BaProblem make_scene(const SceneOptions& o) {
   Random random(o.seed);
@@ -77,6 +85,8 @@ inline BaProblem make_scene(const SceneOptions& o) {
       if (target != x.host && random.uniform() < o.observed_share)
         p.observations.push_back(observe(p, i, target, o, &random));
   }
+  for (int to = 1; to < o.poses; ++to)
+    for (int i = 0; i < o.corners; ++i) p.corners.push_back(observe_corner(p, to - 1, to, &random));
   return p;
 }
 

@@ -143,6 +143,19 @@ TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
   EXPECT_EQ(driver.mapper.reference(), before);
 }
 
+TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
+  SweepDriver driver(params_with("prior"));
+  ASSERT_EQ(driver.start(), "");
+  driver.note_keyframes();
+  TrackedFrame frame = driver.align(12, true);
+  frame.corners.assign(70, {Eigen::Vector3d(0.1, 0.2, 1), Eigen::Vector3d(0.15, 0.2, 1)});
+  driver.mapper.process(frame);
+  EXPECT_EQ(driver.mapper.window().newest().corners_from, frame.reference_id);
+  EXPECT_EQ(driver.mapper.window().newest().corners.size(), 70u);
+  driver.process(16, true);
+  EXPECT_EQ(driver.mapper.window().newest().corners_from, -1);
+}
+
 TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
   SweepDriver driver(params_with("fixed"));
   ASSERT_EQ(driver.start(), "");

@@ -107,7 +107,15 @@ class SweepDriver {
     const SE3 T = sweep_pose(f).inverse() * sweep_pose(frame_of.at(reference->keyframe_id));
     const SE3 start(T.rotation(), unit_ * T.translation());
     const TrackResult r = track(*Sweep::pyramid(f), reference->cloud, {start}, AlignmentParams());
-    return {f, Sweep::time(f), Sweep::pyramid(f), {}, reference->keyframe_id, r.T_cur_ref, r.covariance, make_keyframe};
+    TrackedFrame frame;
+    frame.frame_index = f;
+    frame.time = Sweep::time(f);
+    frame.pyramid = Sweep::pyramid(f);
+    frame.reference_id = reference->keyframe_id;
+    frame.T_cam_ref = r.T_cur_ref;
+    frame.covariance = r.covariance;
+    frame.make_keyframe = make_keyframe;
+    return frame;
   }
   MapUpdate process(int f, bool make_keyframe) {
     note_keyframes();

@@ -46,7 +46,7 @@ TEST(RefineMotion, RecoversAPerturbedMotionExactly) {
 TEST(RefineMotion, SharpensTheMotionOfRansac) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.3);
   Random random(1);
-  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, &random);
+  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, 5, &random);
   ASSERT_FALSE(motions.empty());
   for (const TwoViewMotion& m : motions) {
     EXPECT_LT(v.rotation_error(m.T_last_first), 0.004);
@@ -59,7 +59,7 @@ TEST(RefineMotion, SharpensTheMotionOfRansac) {
 TEST(EstimateMotions, FarCornersAgree) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.2, 20, 60);
   Random random(1);
-  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, &random);
+  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, 5, &random);
   ASSERT_FALSE(motions.empty());
   for (const TwoViewMotion& m : motions) EXPECT_GT(cv::countNonZero(m.inliers), 285);
 }
@@ -68,7 +68,7 @@ TEST(EstimateMotions, FarCornersAgree) {
 TEST(EstimateMotions, AllSamplesEndAtOneMotion) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.4);
   Random random(1);
-  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, &random);
+  const auto motions = estimate_motions(v.pinhole, v.first, v.last, 0.7, 5, &random);
   ASSERT_GE(motions.size(), 4u);
   for (const TwoViewMotion& m : motions) {
     EXPECT_LT((m.T_last_first * motions.front().T_last_first.inverse()).angle(), 3e-4);
@@ -86,7 +86,7 @@ TEST(EstimateMotions, ACornerBehindAViewDoesNotAgree) {
     v.last.emplace_back(float(q.x()), float(q.y()));
   }
   Random random(1);
-  for (const TwoViewMotion& m : estimate_motions(v.pinhole, v.first, v.last, 0.7, &random)) {
+  for (const TwoViewMotion& m : estimate_motions(v.pinhole, v.first, v.last, 0.7, 5, &random)) {
     EXPECT_GT(cv::countNonZero(m.inliers.rowRange(0, int(good))), 295);
     EXPECT_EQ(cv::countNonZero(m.inliers.rowRange(int(good), int(v.first.size()))), 0);
   }

@@ -161,6 +161,40 @@ TEST(Window, RecoversPosesAndDepths) {
   EXPECT_LT(idepth_error(window), 0.01);
 }
 
+// The newest keyframe as after a turn in which no match of it is right: only its corners know how it is turned.
+Window window_that_lost_its_newest(bool with_corners) {
+  Window window = true_window(4, 0.02);
+  window.activate(2, 2);
+  Keyframe& newest = window.newest();
+  for (Keyframe& k : window.keyframes())
+    for (MapPoint& p : k.points)
+      p.observations.erase(std::remove_if(p.observations.begin(), p.observations.end(),
+                                          [&](const Observation& o) { return o.keyframe_id == newest.id; }),
+                           p.observations.end());
+  newest.points.clear();
+  const Keyframe& last = window.keyframes()[2];
+  if (with_corners) {
+    const SE3 T = relative_pose(newest, last);
+    newest.corners_from = last.id;
+    for (double y = 20; y < 230; y += 20)
+      for (double x = 20; x < 310; x += 20) {
+        const Eigen::Vector3d ray = Sweep::pinhole().ray({x, y}), there = T * Eigen::Vector3d(ray / Sweep::idepth(last.frame_index, {x, y}));
+        newest.corners.push_back({ray, there / there.z()});
+      }
+  }
+  Vector6d wrong = Vector6d::Zero();
+  wrong.tail<3>() << 0.02, -0.03, 0.01;
+  newest.T_cam_world = SE3::exp(wrong) * newest.T_cam_world;
+  window.adjust();
+  window.adjust();
+  return window;
+}
+
+TEST(Window, CornersHoldAKeyframeThatItsEdgesDoNot) {
+  EXPECT_GT(pose_error(window_that_lost_its_newest(false).newest()).angle(), 0.03);
+  EXPECT_LT(pose_error(window_that_lost_its_newest(true).newest()).angle(), 0.001);
+}
+
 TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
   const auto run = [] {
     Window window = true_window(5, 0.04);

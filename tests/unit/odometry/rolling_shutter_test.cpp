@@ -79,6 +79,23 @@ TEST(RollingShutter, ShiftedPointsProjectWhereTheirRowsShowThem) {
   EXPECT_GT(largest, 1) << "pixels: there was something to shift";
 }
 
+// The same place, as an image made ready for one motion shows it and as one made ready for another does.
+TEST(RollingShutter, AShiftedRayIsWhereTheOtherImageShowsIt) {
+  const ImageMotion expected = image_motion(kCamera, cloud_of(400), SE3(), 2 * twist(), 1);
+  const ImageMotion measured{4 * twist(), expected.idepth};
+  const double readout_s = 0.03;
+  for (const Eigen::Vector2d& px : {Eigen::Vector2d(100, 60), Eigen::Vector2d(320, 400), Eigen::Vector2d(550, 200)}) {
+    const Eigen::Vector2d true_x = kCamera.ray(px).head<2>(), camera_x = add_rolling(kCamera, readout_s, measured, true_x);
+    const ImageCorrection correction{0, readout_s};
+    const Eigen::Vector2d in_expected = from_file(kCamera, correction, expected, camera_x);
+    const Eigen::Vector3d shifted = shift_ray(kCamera, readout_s, expected, measured, {in_expected.x(), in_expected.y(), 1});
+    const double before = kCamera.fx * (in_expected - true_x).norm(), after = kCamera.fx * (shifted.head<2>() - true_x).norm();
+    EXPECT_GT(before, 1) << "pixels";
+    EXPECT_LT(after, 0.1 * before);  // to first order
+    EXPECT_EQ(shifted.z(), 1);
+  }
+}
+
 TEST(RollingShutter, NothingMovesWhereTheMotionWasExpected) {
   const ReferenceCloud cloud = cloud_of(100);
   const ImageMotion m = image_motion(kCamera, cloud, SE3(), twist(), 1);

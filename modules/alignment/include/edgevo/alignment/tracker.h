@@ -28,6 +28,10 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
 /// As track, from a pose that is nearly right: the finest edges alone, for a cloud whose points have moved a little. Cost: a third.
 TrackResult track_again(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params);
 
+/// As track, where the motion is known but for the length of its translation: rotation and direction are those of `T_cur_ref`, the length
+/// is sought from half to twice that of `T_cur_ref`. Then all is left to the finest edges. Cost: half of track's.
+TrackResult track_along(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params);
+
 /// Starts for the next frame from the last two poses: constant velocity, rest, half and double velocity, rotation only.
 std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_before);
 

@@ -53,6 +53,14 @@ struct BaObservation {
   double inv_sigma_tangent = 0;  ///< 1/px; 0: point-to-tangent only
 };
 
+/// A corner seen in two keyframes. Nothing is known of its depth: it speaks for their rotation against each other and for the direction of
+/// the translation between them (src/bundle_adjustment_corners.h has residual and derivatives).
+struct BaCornerPair {
+  int from = 0, to = 0;              ///< indices into BaProblem::poses, not the same
+  Eigen::Vector3d ray_from, ray_to;  ///< (x, y, 1) in the two cameras
+  double inv_sigma = 2;              ///< 1/px
+};
+
 /// What marginalised keyframes and points still say about the remaining poses: the quadratic
 ///     E(xi) = 1/2 xi^T H xi + b^T xi + constant,   xi_i = log(T_cam_world_i  linearization_i^-1)
 /// Keyframes are named by `pose_ids` (see BaProblem::pose_ids); the linearisation point never moves (first
@@ -72,6 +80,7 @@ struct BaProblem {
   std::vector<int> pose_ids;  ///< a lasting name for each pose, for priors; may be empty without one
   std::vector<BaPoint> points;
   std::vector<BaObservation> observations;
+  std::vector<BaCornerPair> corners;
   std::optional<BaPrior> prior;
 };
 
@@ -97,8 +106,8 @@ struct BaResult {
 };
 
 /// Levenberg-Marquardt on a BaProblem, in place. Deterministic: same problem, same bits. One thread.
-/// Throws InputError for a malformed problem: an index out of range, a target that is the host, observations
-/// of a point that are not adjacent, a prior whose sizes disagree or which names a pose that the problem does
+/// Throws InputError for a malformed problem: an index out of range, a target that is the host, a corner seen
+/// twice in one pose, observations of a point that are not adjacent, a prior whose sizes disagree or which names a pose that the problem does
 /// not have.
 class BundleAdjuster {
  public:
@@ -114,7 +123,7 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 
 /// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: all points hosted by it, and the
 /// points seen from it, are eliminated with their observations at their current values (robust weights
-/// frozen), and what remains is a prior on the other poses. Poses that the old prior already linearised keep
+/// frozen), its corners with other poses are linearised there, and what remains is a prior on the other poses. Poses that the old prior already linearised keep
 /// that linearisation point (first estimates).
 ///
 /// A fixed pose counts as known: marginalising it conditions on

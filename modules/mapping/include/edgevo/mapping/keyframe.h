@@ -8,6 +8,7 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/mapping/corner_motion.h"
 
 namespace edgevo {
 
@@ -54,6 +55,8 @@ struct Keyframe {
   SE3 T_cam_world;
   std::vector<MapPoint> points;
   std::vector<ImmaturePoint> immature;  ///< ascending edge_pixel
+  int corners_from = -1;            ///< keyframe that its corners were followed from; -1: nobody asked them
+  std::vector<CornerPair> corners;  ///< from there to here
 };
 
 /// Motion from keyframe `host` to keyframe `target`.

@@ -39,6 +39,7 @@ struct TrackedFrame {
   SE3 T_cam_ref;
   Matrix6d covariance = Matrix6d::Zero();
   bool make_keyframe = false;
+  std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless asked for
   int return_to = -1;         ///< keyframe of the window to track against from now on; -1: the present one
 };
 

@@ -64,7 +64,20 @@ struct WindowParams {
   double ba_huber = 1.5;
   bool photometric = false;             ///< image-gradient cost in the BA, Eq. (photometricerror)
   double photometric_sigma = 0.5;       ///< of a normalised patch difference, in deviations
+  double corner_sigma_px = 0.5;
   int max_cloud_points = 1500;
+
+  void visit(ParamVisitor& v);
+};
+
+/// When corners are asked about a motion: corner_motion.h.
+struct CornerParams {
+  double max_inlier_share = 0.7;  ///< of a frame that would become a keyframe; below it they are asked. 0: never
+  int max_corners = 450;
+  int min_agreeing = 60;
+  double min_agreeing_share = 0.7;
+  double ransac_px = 1.0;
+  double min_parallax_deg = 0.3;
 
   void visit(ParamVisitor& v);
 };
@@ -74,6 +87,7 @@ struct MappingParams {
   DepthFilterParams depth_filter;
   KeyframeParams keyframe;
   WindowParams window;
+  CornerParams corners;
 
   void visit(ParamVisitor& v);
 };

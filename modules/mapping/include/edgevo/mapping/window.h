@@ -82,6 +82,7 @@ class Window {
     std::vector<int> match_index;    ///< of each match, point by point: its place in problem.observations
   };
   Adjustment build_adjustment();
+  void add_corners(BaProblem* problem) const;
   void add_photometric(const Keyframe& host, const MapPoint& point, int target_index, BaProblem* problem) const;
   void take_result(const BaResult& result, const Adjustment& adjustment);
   int update_matches(const BaResult& result, const Adjustment& adjustment);

@@ -1,0 +1,55 @@
+#include "edgevo/mapping/corner_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "corner_tracking.h"
+#include "two_view_motion.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kTrials = 2;  // RANSAC runs; the one with which more corners agree is taken
+
+// Corners of the first image, and where a rotation has them in the second; those that it turns out of the view are left out.
+struct ForeseenCorners {
+  Corners from, to;
+};
+ForeseenCorners foresee(const Pinhole& pinhole, const Corners& corners, const Eigen::Matrix3d& R) {
+  ForeseenCorners f;
+  for (const cv::Point2f& corner : corners) {
+    const Eigen::Vector3d ray = R * pinhole.ray({corner.x, corner.y});
+    if (!(ray.z() > 0) || !pinhole.contains(pinhole.project(ray))) continue;
+    const Eigen::Vector2d px = pinhole.project(ray);
+    f.from.push_back(corner);
+    f.to.emplace_back(float(px.x()), float(px.y()));
+  }
+  return f;
+}
+
+}  // namespace
+
+std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const FramePyramid& from, const FramePyramid& to, const SE3& T_to_from,
+                                               const CornerParams& params, Random* random) {
+  const cv::Mat image_from = equalised(from);
+  ForeseenCorners corners = foresee(pinhole, find_corners(image_from, params.max_corners), T_to_from.R());
+  const std::vector<bool> found = follow_corners(image_from, equalised(to), corners.from, &corners.to);
+  Corners first, last;
+  for (size_t i = 0; i < found.size(); ++i)
+    if (found[i]) first.push_back(corners.from[i]), last.push_back(corners.to[i]);
+  if (int(first.size()) < params.min_agreeing) return std::nullopt;
+  const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, first, last, params.ransac_px, kTrials, random);
+  if (motions.empty()) return std::nullopt;
+  const auto agreeing = [](const TwoViewMotion& m) { return cv::countNonZero(m.inliers); };
+  const TwoViewMotion& best =
+      *std::max_element(motions.begin(), motions.end(), [&](const auto& a, const auto& b) { return agreeing(a) < agreeing(b); });
+  const bool few = agreeing(best) < std::max(double(params.min_agreeing), params.min_agreeing_share * double(first.size()));
+  if (few || best.parallax_rad < params.min_parallax_deg * M_PI / 180) return std::nullopt;
+  CornerMotion motion;
+  motion.T_to_from = best.T_last_first;
+  for (size_t i = 0; i < first.size(); ++i)
+    if (best.inliers.at<uchar>(int(i))) motion.pairs.push_back({pinhole.ray({first[i].x, first[i].y}), pinhole.ray({last[i].x, last[i].y})});
+  return motion;
+}
+
+}  // namespace edgevo

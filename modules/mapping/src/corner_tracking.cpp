@@ -1,0 +1,51 @@
+#include "corner_tracking.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+namespace edgevo {
+namespace {
+
+constexpr double kMaxForwardBackwardPx = 0.7;
+constexpr double kQuality = 0.005;          // of a corner, share of the strongest one's
+constexpr double kCornersAcross = 120;      // corners stand at least so much apart, share of the image width
+constexpr int kLevels = 4;                  // halvings: corners are found 100 px from where they are sought
+constexpr int kLevelsBack = 1;              // on the way back it is known where they began
+
+}  // namespace
+
+cv::Mat equalised(const FramePyramid& pyramid) {
+  const Plane<uint8_t>& gray = pyramid.finest().gray;
+  cv::Mat out;
+  cv::equalizeHist(cv::Mat(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0))), out);
+  return out;
+}
+
+Corners find_corners(const cv::Mat& image, int count) {
+  Corners corners;
+  cv::goodFeaturesToTrack(image, corners, count, kQuality, std::max(5.0, image.cols / kCornersAcross));
+  return corners;
+}
+
+std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from, Corners* to) {
+  std::vector<bool> found(from.size());
+  if (from.empty()) return found;
+  const bool is_foreseen = !to->empty();
+  const int flags = is_foreseen ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
+  const cv::Size window(21, 21);
+  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01);
+  Corners back = from;
+  std::vector<uchar> ok, ok_back;
+  std::vector<float> error;
+  cv::calcOpticalFlowPyrLK(image_from, image_to, from, *to, ok, error, window, kLevels, stop, flags);
+  cv::calcOpticalFlowPyrLK(image_to, image_from, *to, back, ok_back, error, window, is_foreseen ? kLevelsBack : kLevels, stop, flags);
+  for (size_t i = 0; i < from.size(); ++i) {
+    const cv::Point2f& p = (*to)[i];
+    const bool inside = p.x >= 0 && p.y >= 0 && p.x < float(image_to.cols) && p.y < float(image_to.rows);
+    found[i] = ok[i] && ok_back[i] && inside && cv::norm(back[i] - from[i]) < kMaxForwardBackwardPx;
+  }
+  return found;
+}
+
+}  // namespace edgevo
