@@ -121,14 +121,13 @@ struct Odometry::Impl {
     return share < params.alignment.degraded_share || decide(result).needed;
   }
 
-  // A second opinion (mapping/corner_motion.h): rotation and direction from corners, the length from the edges. The pose that more speaks
-  // for is taken; the corners go with the frame into the adjustment either way.
+  // A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the edges made of it: rotation and
+  // direction from corners, the length from the edges. The pose that more speaks for is taken; the corners go with the frame into the adjustment either way.
   void ask_corners(const Frame& frame, const FramePyramid& pyramid, Tracked* tracked, FrameRecord* record) {
     const double start = thread_cpu_ms();
     const SE3 expected = motion.predict();
-    const SE3& guess = tracked->result.verdict != TrackingState::kLost ? tracked->result.T_cur_ref : expected;
     std::optional<CornerMotion> found =
-        find_corner_motion(builder.pinhole(), *reference->cloud.pyramid, pyramid, guess, params.mapping.corners, &random);
+        find_corner_motion(builder.pinhole(), *reference->cloud.pyramid, pyramid, expected, params.mapping.corners, &random);
     if (found) {
       const SE3 T_cur_ref(found->T_to_from.rotation(), expected.translation().norm() * found->T_to_from.translation());
       Tracked other = put_rows_right(frame, pyramid, track_along(pyramid, reference->cloud, T_cur_ref, params.alignment));
