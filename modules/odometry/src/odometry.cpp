@@ -114,15 +114,18 @@ struct Odometry::Impl {
     std::vector<CornerPair> corners;    // seen in the reference and here, where they were asked
   };
 
-  // The edges explain it badly, and it would become part of the map, or is about to be lost.
+  // The last frame became a keyframe.
+  bool follows_keyframe() const { return frames_since_keyframe == 0; }
+
+  // About to be lost; or explained badly, and the map moves on at every frame: large motion. At small motion bad light does that, and it
+  // misleads corners, too.
   bool is_doubtful(const TrackResult& result) const {
-    const double share = result.evidence.inlier_share;
-    if (lost || !(share < params.mapping.corners.max_inlier_share)) return false;
-    return share < params.alignment.degraded_share || decide(result).needed;
+    if (lost || !(result.evidence.inlier_share < params.mapping.corners.max_inlier_share)) return false;
+    return result.verdict == TrackingState::kLost || (follows_keyframe() && decide(result).needed);
   }
 
   // A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the edges made of it: rotation and
-  // direction from corners, the length from the edges. The pose that more speaks for is taken; the corners go with the frame into the adjustment either way.
+  // direction from corners, the length from the edges. The pose that more speaks for is taken; at large motion the corners go with the frame into the adjustment either way.
   void ask_corners(const Frame& frame, const FramePyramid& pyramid, Tracked* tracked, FrameRecord* record) {
     const double start = thread_cpu_ms();
     const SE3 expected = motion.predict();
@@ -132,7 +135,7 @@ struct Odometry::Impl {
       const SE3 T_cur_ref(found->T_to_from.rotation(), expected.translation().norm() * found->T_to_from.translation());
       Tracked other = put_rows_right(frame, pyramid, track_along(pyramid, reference->cloud, T_cur_ref, params.alignment));
       if (support(other.result.evidence, params.alignment) > support(tracked->result.evidence, params.alignment)) *tracked = std::move(other);
-      tracked->corners = std::move(found->pairs);
+      if (follows_keyframe()) tracked->corners = std::move(found->pairs);
     }
     record->stage_ms.emplace_back("corners", thread_cpu_ms() - start);
   }

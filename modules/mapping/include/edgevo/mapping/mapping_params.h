@@ -72,7 +72,7 @@ struct WindowParams {
 
 /// When corners are asked about a motion: corner_motion.h.
 struct CornerParams {
-  double max_inlier_share = 0.7;  ///< of a frame that would become a keyframe; below it they are asked. 0: never
+  double max_inlier_share = 0.7;  ///< of a keyframe right after another one: large motion; below it they are asked. 0: never
   int max_corners = 450;
   int min_agreeing = 60;
   double min_agreeing_share = 0.7;
