@@ -125,7 +125,8 @@ struct Odometry::Impl {
   }
 
   // A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the edges made of it: rotation and
-  // direction from corners, the length from the edges. The pose that more speaks for is taken; at large motion the corners go with the frame into the adjustment either way.
+  // direction from corners, the length from the edges. The pose that more speaks for is taken; at large motion the corners go with the
+  // frame into the adjustment either way.
   void ask_corners(const Frame& frame, const FramePyramid& pyramid, Tracked* tracked, FrameRecord* record) {
     const double start = thread_cpu_ms();
     const SE3 expected = motion.predict();
