@@ -79,8 +79,15 @@ void process_keyframe(benchmark::State& state) {
   const auto align = [&](bool make_keyframe) {
     const auto reference = mapper.reference();
     const TrackResult r = track(*bench::pyramid(frame), reference->cloud, motion_hypotheses(T_last_ref, SE3()), AlignmentParams());
-    return TrackedFrame{frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame), {}, reference->keyframe_id,
-                        r.T_cur_ref, r.covariance, make_keyframe};
+    TrackedFrame tracked;
+    tracked.frame_index = frame;
+    tracked.time = Timestamp::from_seconds(0.1 * frame);
+    tracked.pyramid = bench::pyramid(frame);
+    tracked.reference_id = reference->keyframe_id;
+    tracked.T_cam_ref = r.T_cur_ref;
+    tracked.covariance = r.covariance;
+    tracked.make_keyframe = make_keyframe;
+    return tracked;
   };
   std::map<std::string, double> totals;
   for (auto _ : state) {
