@@ -29,7 +29,8 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
 TrackResult track_again(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params);
 
 /// As track, where the motion is known but for the length of its translation: rotation and direction are those of `T_cur_ref`, the length
-/// is sought from half to twice that of `T_cur_ref`. Then all is left to the finest edges. Cost: half of track's.
+/// is sought from half to twice that of `T_cur_ref`. Then all is left to the edges. Cost: thirteen evaluations of the edge cost and one
+/// alignment of edges on two levels.
 TrackResult track_along(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params);
 
 /// Starts for the next frame from the last two poses: constant velocity, rest, half and double velocity, rotation only.

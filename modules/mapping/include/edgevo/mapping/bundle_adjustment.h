@@ -107,8 +107,8 @@ struct BaResult {
 
 /// Levenberg-Marquardt on a BaProblem, in place. Deterministic: same problem, same bits. One thread.
 /// Throws InputError for a malformed problem: an index out of range, a target that is the host, a corner seen
-/// twice in one pose, observations of a point that are not adjacent, a prior whose sizes disagree or which names a pose that the problem does
-/// not have.
+/// twice in one pose, observations of a point that are not adjacent, a prior whose sizes disagree or which
+/// names a pose that the problem does not have.
 class BundleAdjuster {
  public:
   virtual ~BundleAdjuster() = default;
@@ -123,8 +123,8 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 
 /// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: all points hosted by it, and the
 /// points seen from it, are eliminated with their observations at their current values (robust weights
-/// frozen), its corners with other poses are linearised there, and what remains is a prior on the other poses. Poses that the old prior already linearised keep
-/// that linearisation point (first estimates).
+/// frozen), its corners with other poses are linearised there, and what remains is a prior on the other poses.
+/// Poses that the old prior already linearised keep that linearisation point (first estimates).
 ///
 /// A fixed pose counts as known: marginalising it conditions on
 /// its value, and other fixed poses do not enter the prior, hence have to stay fixed until they are
