@@ -1,20 +1,17 @@
 #include "bundle_adjustment_corners.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "edgevo/core/robust.h"
+#include "epipolar_lines.h"
 
 namespace edgevo::ba {
 
 CornerLinearization linearize(const Pinhole& pinhole, const SE3& T_to_from, const BaCornerPair& pair) {
-  const Eigen::Vector3d Rx = T_to_from.rotation() * pair.ray_from, t = T_to_from.translation();
-  const Eigen::Vector3d line = t.cross(Rx), line_from = T_to_from.rotation().inverse() * pair.ray_to.cross(t);
-  const double length = std::hypot(line.head<2>().norm(), line_from.head<2>().norm());
-  const double scale = pair.inv_sigma * pinhole.fx / std::max(length, 1e-12);
+  const EpipolarLines lines = epipolar_lines(T_to_from, pair.ray_from, pair.ray_to);
+  const Eigen::Vector3d Rx = T_to_from.rotation() * pair.ray_from;
+  const double scale = pair.inv_sigma * pinhole.fx / lines.length;
   CornerLinearization lin;
-  lin.residual = scale * line.dot(pair.ray_to);
-  lin.J_to << scale * Rx.cross(pair.ray_to), scale * line.cross(pair.ray_to);
+  lin.residual = scale * lines.in_to.dot(pair.ray_to);
+  lin.J_to << scale * Rx.cross(pair.ray_to), scale * lines.in_to.cross(pair.ray_to);
   return lin;
 }
 

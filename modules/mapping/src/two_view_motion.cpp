@@ -7,6 +7,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "edgevo/core/robust.h"
+#include "epipolar_lines.h"
 
 namespace edgevo {
 namespace {
@@ -49,9 +50,8 @@ void measure(const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen:
 
 // Distance of two rays from fitting a motion, pixels, spread over both images to first order (Sampson).
 double sampson_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y, double focal_px) {
-  const Eigen::Vector3d line_last = T.translation().cross(T.rotation() * x);
-  const Eigen::Vector3d line_first = T.rotation().inverse() * y.cross(T.translation());
-  return focal_px * std::abs(line_last.dot(y)) / std::max(std::hypot(line_last.head<2>().norm(), line_first.head<2>().norm()), 1e-12);
+  const EpipolarLines lines = epipolar_lines(T, x, y);
+  return focal_px * std::abs(lines.in_to.dot(y)) / lines.length;
 }
 
 // Does the point of two rays lie in front of both views? One without parallax is far away and no evidence against it.

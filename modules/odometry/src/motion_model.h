@@ -30,6 +30,7 @@ class MotionModel {
   void begin_gap() { missed_ = 0; }
   /// A new map: the last frame is the reference, `motion` that since the frame before, which took `seconds` (0: not known).
   void restart(Timestamp time, const SE3& motion, double seconds);
+  /// Another keyframe is the reference; T_old_new is the motion from the new one to the old one.
   void change_reference(const SE3& T_old_new) { T_last_ref_ = T_last_ref_ * T_old_new; }
 
  private:

@@ -195,6 +195,30 @@ TEST(Window, CornersHoldAKeyframeThatItsEdgesDoNot) {
   EXPECT_LT(pose_error(window_that_lost_its_newest(true).newest()).angle(), 0.001);
 }
 
+// A corner stays where the camera took it, whatever is found out about the lens.
+TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
+  Window window = true_window(2, 0.02);
+  const Eigen::Vector3d from = Sweep::pinhole().ray({300, 20}), to = Sweep::pinhole().ray({15, 220});
+  window.newest().corners_from = window.keyframes().front().id;
+  window.newest().corners = {{from, to}};
+  MapRevision revision;
+  revision.now.k1 = 0.05;
+  for (const Keyframe& k : window.keyframes()) {
+    RevisedKeyframe r;
+    r.id = k.id;
+    r.T_cam_world = k.T_cam_world;
+    r.length_ratio = 1;
+    for (const MapPoint& p : k.points) r.points.push_back({p.px, p.idepth});
+    revision.keyframes.push_back(r);
+  }
+  window.apply(revision, [](const Keyframe& k) { return k.pyramid; });
+  const auto taken_at = [&](const ImageCorrection& c, const Eigen::Vector3d& ray) { return to_file(Sweep::pinhole(), c, ImageMotion(), ray.head<2>()); };
+  const CornerPair& moved = window.newest().corners.front();
+  EXPECT_LT((taken_at(revision.now, moved.from) - taken_at(revision.before, from)).norm(), 1e-9);
+  EXPECT_LT((taken_at(revision.now, moved.to) - taken_at(revision.before, to)).norm(), 1e-9);
+  EXPECT_GT((moved.from - from).norm(), 1e-3);
+}
+
 TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
   const auto run = [] {
     Window window = true_window(5, 0.04);
