@@ -6,6 +6,7 @@
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/association/normal_refinement.h"
+#include "edgevo/association/patch_source.h"
 #include "edgevo/association/uncertainty.h"
 
 namespace edgevo {
@@ -91,13 +92,13 @@ int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen:
 // Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was found.
 bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int centre, const AssociationParams& params,
                         const PatchComparison& comparison, Match* match) {
-  const PyramidLevel& host = q.host->finest();
+  const PatchSource host = patch_source(*q.host, q.px_host, A);
   const PyramidLevel& target = q.target->finest();
   const Walk walk = walk_along_edge(target.edges, centre, match->search_px);
   const int last_side = std::max(params.patch_side, params.max_patch_side);
   for (int side = params.patch_side; side <= last_side; side += 2) {
     Patch patch;
-    if (!comparison.cut(host, q.px_host, A, side / 2, &patch)) return false;
+    if (!comparison.cut(*host.level, host.px, host.A_target_host, side / 2, &patch)) return false;
     const TemplateMatch m = match_template(comparison, patch, target, walk, params.sigma_c);
     match->patch_side = side;
     match->cost = m.cost;
@@ -112,8 +113,9 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
 }
 
 void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, const AssociationParams& params, Match* match) {
+  const PatchSource host = patch_source(*q.host, q.px_host, A);
   NormalTemplate patch;
-  if (!make_normal_template(q.host->finest().gray.view(), q.px_host, A, match->normal, params.refine_radius, &patch)) {
+  if (!make_normal_template(host.level->gray.view(), host.px, host.A_target_host, match->normal, params.refine_radius, &patch)) {
     match->kind = MatchKind::kNone;
     return;
   }

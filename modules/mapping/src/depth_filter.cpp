@@ -8,6 +8,7 @@
 #include "edgevo/alignment/projection.h"
 #include "edgevo/association/normal_refinement.h"
 #include "edgevo/association/patch_cost.h"
+#include "edgevo/association/patch_source.h"
 #include "edgevo/association/warp.h"
 
 namespace edgevo {
@@ -71,11 +72,11 @@ bool clip(const Pinhole& camera, double border, Segment* s) {
 
 class EpipolarSearch {
  public:
-  EpipolarSearch(const PyramidLevel& host, const PyramidLevel& target, const Eigen::Vector2d& px_host,
+  EpipolarSearch(const FramePyramid& host, const PyramidLevel& target, const Eigen::Vector2d& px_host,
                  const Eigen::Vector2d& normal_host, const SE3& T_target_host, const DepthFilterParams& params,
                  const AssociationParams& association)
       : host_(host), target_(target), px_host_(px_host), normal_host_(normal_host), T_(T_target_host), params_(params),
-        association_(association), rotated_ray_(T_target_host.R() * host.pinhole.ray(px_host)) {
+        association_(association), rotated_ray_(T_target_host.R() * target.pinhole.ray(px_host)) {
     crossings_.clear();
   }
 
@@ -208,7 +209,8 @@ class EpipolarSearch {
     if (warp_idepth_ > 0 && idepth < warp_idepth_ * kSameWarpRatio && idepth * kSameWarpRatio > warp_idepth_) return warp_ok_;
     warp_idepth_ = idepth;
     A_ = patch_warp(target_.pinhole, T_, px_host_, idepth);
-    warp_ok_ = sample_warped(host_.gradient_magnitude.view(), px_host_, A_, kPatchRadiusPx, &patch_) &&
+    const PatchSource from = patch_source(host_, px_host_, A_);
+    warp_ok_ = sample_warped(from.level->gradient_magnitude.view(), from.px, from.A_target_host, kPatchRadiusPx, &patch_) &&
                divide_by_mean(&patch_);
     return warp_ok_;
   }
@@ -217,9 +219,9 @@ class EpipolarSearch {
   EpipolarMatch measure(const Segment& s) {
     double cosine = best_.normal.dot(s.direction);
     if (params_.refine) {
-      A_ = patch_warp(target_.pinhole, T_, px_host_, best_.idepth);
+      const PatchSource from = patch_source(host_, px_host_, patch_warp(target_.pinhole, T_, px_host_, best_.idepth));
       NormalTemplate patch;
-      if (!make_normal_template(host_.gray.view(), px_host_, A_, best_.normal, association_.refine_radius, &patch))
+      if (!make_normal_template(from.level->gray.view(), from.px, from.A_target_host, best_.normal, association_.refine_radius, &patch))
         return outcome(EpipolarOutcome::kNoMatch);
       const NormalRefinement r = refine_along_normal(patch, target_.gray.view(), best_.px, best_.normal, association_);
       if (!r.accepted) return outcome(EpipolarOutcome::kNoMatch);
@@ -239,7 +241,7 @@ class EpipolarSearch {
     return m;
   }
 
-  const PyramidLevel& host_;
+  const FramePyramid& host_;
   const PyramidLevel& target_;
   Eigen::Vector2d px_host_, normal_host_;
   const SE3& T_;
@@ -268,7 +270,7 @@ double triangulate_idepth(const Pinhole& camera, const Eigen::Vector3d& r, const
 EpipolarMatch search_epipolar(const FramePyramid& host, const FramePyramid& target, const Eigen::Vector2d& px_host,
                               const Eigen::Vector2d& normal_host, const SE3& T_target_host, const IdepthRange& range,
                               const DepthFilterParams& params, const AssociationParams& association) {
-  return EpipolarSearch(host.finest(), target.finest(), px_host, normal_host, T_target_host, params, association).run(range);
+  return EpipolarSearch(host, target.finest(), px_host, normal_host, T_target_host, params, association).run(range);
 }
 
 void fuse(const EpipolarMatch& m, ImmaturePoint* p) {

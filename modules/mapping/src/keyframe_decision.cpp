@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "edgevo/alignment/projection.h"
@@ -10,6 +11,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kReferenceWidth = 1241;  // the pixel thresholds are stated at this width
+constexpr double kReachOfOpeningView = 0.5;  // share of the flow that a keyframe may lie away where the view opens: README.md, "Backwards"
 
 // Image motion by the translation from a keyframe to the camera, of points given in the camera (rays and inverse depths).
 struct Parallax {
@@ -31,6 +33,37 @@ Parallax parallax(const Pinhole& pinhole, const std::vector<CloudPoint>& seen, c
   }
   if (counted == 0) return {};
   return {std::sqrt(square / counted), double(in_view) / double(seen.size())};
+}
+
+// How a view of `points` changes by a motion: rms image motion by the translation alone, and the share of them that stays in view.
+struct ViewChange {
+  double flow_px = 0, view_share = 0;
+};
+
+// None where all are behind the camera then.
+std::optional<ViewChange> view_change(const Pinhole& pinhole, const std::vector<CloudPoint>& points, const SE3& T_to_from) {
+  const Eigen::Matrix3d R = T_to_from.R();
+  const Eigen::Vector3d t = T_to_from.translation();
+  double square = 0;
+  int counted = 0, in_view = 0;
+  for (const CloudPoint& p : points) {
+    const Projection moved = project(pinhole, R, t, p.ray, p.idepth);
+    if (moved.valid && pinhole.contains(moved.px)) ++in_view;
+    const Projection turned = project(pinhole, R, Eigen::Vector3d::Zero(), p.ray, p.idepth);
+    if (!moved.valid || !turned.valid) continue;
+    square += (moved.px - turned.px).squaredNorm();
+    ++counted;
+  }
+  if (counted == 0) return std::nullopt;
+  return ViewChange{std::sqrt(square / counted), double(in_view) / double(points.size())};
+}
+
+// What the cloud does not know comes into view when the camera backs away, and it is the nearest of the scene. A view like the
+// reference's own, left by the motion back, tells how fast: 0 where that makes no more flow than the motion out, up to 1.
+double opening(const ViewChange& out, const ViewChange& back) {
+  constexpr double kFullyOpening = 0.15;  // on a drive backwards it is 0.1 to 0.4, of a camera moved about by hand within 0.1
+  if (!(back.flow_px > out.flow_px)) return 0;
+  return std::min(1.0, (back.flow_px - out.flow_px) / (kFullyOpening * out.flow_px));
 }
 
 // Up to `count` points of the cloud that the camera sees, in its own frame.
@@ -81,31 +114,21 @@ bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int referen
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                                  int frames_since_keyframe, const ReferenceFit& fit, const KeyframeParams& params) {
   KeyframeDecision d;
-  const Eigen::Matrix3d R = T_cam_ref.R();
-  const Eigen::Vector3d t = T_cam_ref.translation();
-  double square = 0;
-  int counted = 0, in_view = 0;
-  for (const CloudPoint& p : cloud.points) {
-    const Projection moved = project(pinhole, R, t, p.ray, p.idepth);
-    if (moved.valid && pinhole.contains(moved.px)) ++in_view;
-    const Projection turned = project(pinhole, R, Eigen::Vector3d::Zero(), p.ray, p.idepth);
-    if (!moved.valid || !turned.valid) continue;
-    square += (moved.px - turned.px).squaredNorm();
-    ++counted;
-  }
-  if (counted == 0) return d;
+  const std::optional<ViewChange> out = view_change(pinhole, cloud.points, T_cam_ref);
+  if (!out) return d;
+  const ViewChange back = view_change(pinhole, cloud.points, T_cam_ref.inverse()).value_or(*out);
+  d.flow_px = std::max(out->flow_px, back.flow_px);
+  d.view_share = std::min(out->view_share, back.view_share);
   const double scale = kReferenceWidth / pinhole.width;
-  d.flow_px = std::sqrt(square / counted);
-  d.view_share = double(in_view) / double(cloud.points.size());
-  const double flow = d.flow_px * scale;
+  const double flow = d.flow_px * scale, reach = 1 - (1 - kReachOfOpeningView) * opening(*out, back);
   // Of the next frame, if the motion goes on.
   const double growth = 1.0 + 1.0 / std::max(1, frames_since_keyframe);
   const double next_flow = growth * flow, next_view_share = 1.0 - growth * (1.0 - d.view_share);
   const double view_loss = (1.0 - d.view_share) / std::max(1, frames_since_keyframe);  // a frame
   // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
-  d.needed = flow > params.flow_px || d.view_share < params.min_turn_share ||
+  d.needed = flow > reach * params.flow_px || d.view_share < params.min_turn_share ||
              (flow > params.min_flow_px &&
-              (next_flow > params.max_flow_px || next_view_share < params.min_view_share || view_loss > params.max_view_loss ||
+              (next_flow > reach * params.max_flow_px || next_view_share < params.min_view_share || view_loss > params.max_view_loss ||
                is_stale(fit, params) || frames_since_keyframe >= params.max_frames));
   return d;
 }

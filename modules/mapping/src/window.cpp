@@ -6,6 +6,7 @@
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/association/look_ahead.h"
+#include "edgevo/association/patch_source.h"
 #include "edgevo/association/photometric_residual.h"
 #include "edgevo/association/uncertainty.h"
 #include "edgevo/association/warp.h"
@@ -103,7 +104,15 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
   return matches;
 }
 
-bool Window::try_activate(const ImmaturePoint& candidate, const std::vector<View>& views, int min_matches, Keyframe* host) const {
+std::vector<Window::Sight> Window::in_sight(const ImmaturePoint& candidate, const std::vector<View>& views) const {
+  std::vector<Sight> sights;
+  Eigen::Vector2d px;
+  for (const View& view : views)
+    if (in_view(pinhole_, view.T_target_host, candidate.px, candidate.idepth, &px)) sights.push_back({&view, px});
+  return sights;
+}
+
+bool Window::try_activate(const ImmaturePoint& candidate, const std::vector<Sight>& sights, int min_matches, Keyframe* host) const {
   MapPoint point;
   point.px = candidate.px;
   point.normal = candidate.normal;
@@ -111,17 +120,11 @@ bool Window::try_activate(const ImmaturePoint& candidate, const std::vector<View
   point.idepth_sigma = candidate.idepth_sigma;
   point.edge_pixel = candidate.edge_pixel;
   LookAhead look_ahead(association_);
-  std::vector<const View*> in_sight;
-  for (const View& view : views) {
-    Eigen::Vector2d px;
-    if (!in_view(pinhole_, view.T_target_host, point.px, point.idepth, &px)) continue;
-    in_sight.push_back(&view);
-    look_ahead.add(*view.target->pyramid, px);
-  }
+  for (const Sight& s : sights) look_ahead.add(*s.view->target->pyramid, s.px);
   look_ahead.run();
-  for (const View* view : in_sight) {
-    const Match match = associate(query(*host, point, *view), association_);
-    if (match.kind != MatchKind::kNone) point.observations.push_back({view->target->id, match});
+  for (const Sight& s : sights) {
+    const Match match = associate(query(*host, point, *s.view), association_);
+    if (match.kind != MatchKind::kNone) point.observations.push_back({s.view->target->id, match});
   }
   if (int(point.observations.size()) < min_matches) return false;
   host->points.push_back(std::move(point));
@@ -158,8 +161,10 @@ int Window::activate(int min_good, int min_matches) {
         const SE3& T_view = host->id == newest().id ? relative_pose(keyframes_[keyframes_.size() - 2], *host) : T;
         const DepthMotion motion = depth_motion(pinhole_, T_view, pinhole_.ray(p.px), p.idepth, p.idepth_sigma);
         if (motion.sigma_mu_px > params_.max_projected_sigma_px) continue;
+        const std::vector<Sight> sights = in_sight(p, views);
+        if (int(sights.size()) < min_matches) continue;  // new in view, as the border is when the camera backs away: it waits
         p.dead = true;  // tried once: it becomes active or is gone
-        if (!try_activate(p, views, min_matches, &*host)) continue;
+        if (!try_activate(p, sights, min_matches, &*host)) continue;
         ++here, ++active, ++activated;
       }
     }
@@ -219,9 +224,9 @@ void Window::add_photometric(const Keyframe& host, const MapPoint& point, int ta
   const SE3 T_target_host = relative_pose(target, host);
   Eigen::Vector2d px;
   if (!in_view(pinhole_, T_target_host, point.px, point.idepth, &px)) return;
-  const PhotometricResidual r = photometric_residual(
-      host.pyramid->finest().gradient_magnitude.view(), point.px, patch_warp(pinhole_, T_target_host, point.px, point.idepth),
-      target.pyramid->finest().gradient_magnitude.view(), px);
+  const PatchSource from = patch_source(*host.pyramid, point.px, patch_warp(pinhole_, T_target_host, point.px, point.idepth));
+  const PhotometricResidual r = photometric_residual(from.level->gradient_magnitude.view(), from.px, from.A_target_host,
+                                                     target.pyramid->finest().gradient_magnitude.view(), px);
   if (!r.usable) return;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(r.information);
   BaObservation o;

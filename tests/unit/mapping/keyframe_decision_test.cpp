@@ -68,6 +68,32 @@ TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
   EXPECT_TRUE(d.needed);
 }
 
+// Driving in, near things leave the view; backing away, as much comes into it that the cloud does not know.
+TEST_F(Decision, TheViewChangesAsMuchOnTheWayBack) {
+  for (const SE3& T : {move(0, 0, 0.8), move(0.1, -0.05, -0.4, 0.05), move(0.2, 0, 0.1, 0.3)}) {
+    const KeyframeDecision out = decide(T), back = decide(T.inverse());
+    EXPECT_NEAR(out.flow_px, back.flow_px, 1e-9);
+    EXPECT_EQ(out.view_share, back.view_share);
+  }
+  EXPECT_LT(decide(move(0, 0, 1.5)).view_share, 0.8) << "all that the cloud knows stays in view, but a fifth of the view is new";
+}
+
+// What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each step.
+TEST_F(Decision, BackingAwayMakesOneSooner) {
+  const auto flow_at_the_next = [&](const Eigen::Vector3d& direction) {
+    KeyframeDecision d;
+    for (double way = 0.02; way < 3 && !d.needed; way += 0.02) {
+      const Eigen::Vector3d t = way * direction;
+      d = decide(move(t.x(), t.y(), t.z()), kLong / 10);
+    }
+    return d.flow_px;
+  };
+  EXPECT_NEAR(flow_at_the_next(-Eigen::Vector3d::UnitZ()), params.flow_px, 2);
+  EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitX()), params.flow_px, 4);
+  EXPECT_LT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.8 * params.flow_px);
+  EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
+}
+
 // A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames goes on more slowly.
 TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
   const SE3 fast = move(0.33, 0, 0);

@@ -81,6 +81,18 @@ TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
   EXPECT_EQ(window.activate(2, 2), 0);
 }
 
+// Two keyframes show each point in one other view: it is not lost for want of a second one that has not been taken yet.
+TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
+  Window window = true_window(2, 0.02);
+  EXPECT_EQ(window.activate(2, 2), 0);
+  for (const Keyframe& k : window.keyframes())
+    EXPECT_TRUE(std::none_of(k.immature.begin(), k.immature.end(), [](const ImmaturePoint& p) { return p.dead; }));
+  Random random(17);
+  window.add(test::true_keyframe(2, 2 * kFramesApart, 0.02, &random));
+  window.newest().immature.clear();
+  EXPECT_GT(window.activate(2, 2), 150);
+}
+
 TEST(Window, ActivationStopsAtTheLimit) {
   WindowParams params = params_with();
   params.max_points = 120;

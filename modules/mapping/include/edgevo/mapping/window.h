@@ -74,6 +74,12 @@ class Window {
     SE3 T_target_host;
   };
   std::vector<View> views_from(const Keyframe& host) const;
+  /// A view in whose image a point lies.
+  struct Sight {
+    const View* view;
+    Eigen::Vector2d px;
+  };
+  std::vector<Sight> in_sight(const ImmaturePoint& candidate, const std::vector<View>& views) const;
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const View& view) const;
   /// The window as a problem, and how to find one's way back from it.
   struct Adjustment {
@@ -89,7 +95,7 @@ class Window {
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
-  bool try_activate(const ImmaturePoint& candidate, const std::vector<View>& views, int min_matches, Keyframe* host) const;
+  bool try_activate(const ImmaturePoint& candidate, const std::vector<Sight>& sights, int min_matches, Keyframe* host) const;
 
   Pinhole pinhole_;
   WindowParams params_;

@@ -1,0 +1,20 @@
+#pragma once
+// Where the patch of a point is cut: from the host level whose pixels are nearest in size to the target's.
+#include <Eigen/Core>
+
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+
+/// A level of the host, the point and its warp in that level's pixels.
+struct PatchSource {
+  const PyramidLevel* level = nullptr;
+  Eigen::Vector2d px;
+  Eigen::Matrix2d A_target_host;
+};
+
+/// The finest level, unless the target sees the patch at less than half its area (a camera that backs away): sampled so sparsely the
+/// finest image shows detail that the target's pixels average out. Levels without gradients are not taken.
+PatchSource patch_source(const FramePyramid& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host);
+
+}  // namespace edgevo
