@@ -77,7 +77,7 @@ void BenchInput::render() {
   const auto renderer = std::make_shared<const SceneRenderer>(load_scene(scene_));
   RenderedSource rendered(renderer, source_.first, source_.last.value_or(-1));
   const int begin = source_.first, end = begin + *rendered.size();
-  ground_truth_ = ground_truth_tum(*renderer, begin, end);
+  scene_truth_ = ground_truth_tum(*renderer, begin, end);
   Progress progress("rendering " + sequence_.name, rendered.size());
   clip_ = read_clip(rendered, [&](int done) {
     progress.update(done);
@@ -88,6 +88,14 @@ void BenchInput::render() {
 std::unique_ptr<ImageSource> BenchInput::open_scene() {
   if (!clip_) render();
   return std::make_unique<ClipSource>(clip_);
+}
+
+// The frames of `source` and their ground truth, the last first.
+std::unique_ptr<ImageSource> BenchInput::backward(ImageSource& source) {
+  const auto clip = read_clip(source, [](int) { return !interrupted(); });
+  if (clip->frames.empty()) throw InputError(sequence_.where, "no frame to play backward", "choose more frames");
+  if (!ground_truth_.empty()) ground_truth_ = played_backward(ground_truth_, clip->frames.front().time, clip->frames.back().time);
+  return std::make_unique<ClipSource>(played_backward(*clip));
 }
 
 std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint64_t seed) {
@@ -101,7 +109,9 @@ std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint6
     SourceOptions thinned;
     thinned.every = variant.every;
     source = subsample(open_scene(), thinned);
+    ground_truth_ = scene_truth_;
   }
+  if (variant.backward) source = backward(*source);
   if (variant.light.empty()) return source;
   return std::make_unique<RelitSource>(std::move(source), Relight(variant.light, seed));
 }

@@ -31,6 +31,7 @@ class BenchInput {
 
  private:
   std::unique_ptr<ImageSource> open_scene();
+  std::unique_ptr<ImageSource> backward(ImageSource& source);
   void render();
 
   BenchSequence sequence_;
@@ -39,7 +40,8 @@ class BenchInput {
   std::string camera_text_;
   RunParams params_;
   std::string ground_truth_;
-  std::shared_ptr<const Clip> clip_;
+  std::shared_ptr<const Clip> clip_;  ///< the scene, and its truth
+  std::string scene_truth_;
 };
 
 }  // namespace edgevo::app

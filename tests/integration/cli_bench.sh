@@ -4,7 +4,7 @@
 
 cat >list.yaml <<'EOF'
 seeds: 1 7
-variants: normal every2+glare
+variants: backward normal every2+glare
 sequences:
   desk:
     source: scene:desk
@@ -16,13 +16,14 @@ sequences:
 EOF
 run_code 0 "$edgevo" bench list.yaml -o out --data "$scenes"
 sed 's/^/      /' stdout
-check "jobs run" "$(grep -c '^6 jobs: 6 run, 0 had been run before' stdout)" -eq 1
-check "rows of table.csv" "$(grep -c '^desk,\|^recorded,' out/table.csv)" -eq 3
-check "rows of table.md" "$(grep -c '^| desk |\|^| recorded |' out/table.md)" -eq 3
+check "jobs run" "$(grep -c '^8 jobs: 8 run, 0 had been run before' stdout)" -eq 1
+check "rows of table.csv" "$(grep -c '^desk,\|^recorded,' out/table.csv)" -eq 4
+check "rows of table.md" "$(grep -c '^| desk |\|^| recorded |' out/table.md)" -eq 4
 check "header of table.csv" "$(grep -c '^# \(edgevo\|machine\|trials\|parameters\): .' out/table.csv)" -eq 4
 column() { awk -F, -v row="$1" -v name="$2" '/^sequence,/ { for (i = 1; i <= NF; ++i) if ($i == name) c = i }
   $1 "," $2 == row { print $c }' out/table.csv; }
 below "median ATE, % of the path" "$(column desk,normal ate_percent_median)" 2
+below "the same backward" "$(column desk,backward ate_percent_median)" 2
 check "every second frame" "$(rows out/desk/every2+glare/seed7)" -eq 15
 check "completion" "$(column recorded,normal completion_percent_median | cut -d. -f1)" -ge 80
 below "the worst seed is not better than the median" "$(column desk,normal ate_m_median)" "$(column desk,normal ate_m_worst)1"
@@ -36,14 +37,14 @@ below "ATE of eval and of bench, their difference" "$(awk -v a="$(ate single "$s
 cp out/table.csv first.csv
 cp out/table.md first.md
 run_code 0 "$edgevo" bench list.yaml -o out --data "$scenes"
-check "nothing is run the second time" "$(grep -c '^6 jobs: 0 run, 6 had been run before' stdout)" -eq 1
+check "nothing is run the second time" "$(grep -c '^8 jobs: 0 run, 8 had been run before' stdout)" -eq 1
 same "table.csv" first.csv out/table.csv
 same "table.md" first.md out/table.md
 
 rm out/recorded/normal/seed7/job.yaml  # as a job that was killed leaves it
 sed 's/    frames: 0:30/    frames: 0:20/; s/seeds: .*/seeds: 7/' list.yaml >changed.yaml
 run_code 0 "$edgevo" bench changed.yaml -o out --data "$scenes"
-check "what changed and what had not ended is run again" "$(grep -c '^3 jobs: 3 run' stdout)" -eq 1
+check "what changed and what had not ended is run again" "$(grep -c '^4 jobs: 4 run' stdout)" -eq 1
 
 # A broken sequence does not keep the others from being run; the table says what is missing.
 copy_sequence "$scenes/desk" broken

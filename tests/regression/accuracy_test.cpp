@@ -2,6 +2,7 @@
 // compiler passes and a fault does not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "drive.h"
@@ -61,6 +62,16 @@ void expect_accurate_and_consistent(const DriveFigures& figures, const Bounds& b
 }
 
 TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(street_drive(), {0.05, 0.015, 0.95, 8}); }
+
+// Backing away: nothing leaves the view, and what comes into it is near and new (modules/mapping/README.md, "Backwards").
+TEST(RenderedAccuracy, StreetDriveBackwards) {
+  constexpr int kFrames = 80;
+  Scene scene = load_scene("street");
+  std::reverse(scene.T_scene_cam.begin(), scene.T_scene_cam.begin() + kFrames);
+  const auto renderer = std::make_shared<SceneRenderer>(std::move(scene));
+  RenderedSource source(renderer, 0, kFrames);
+  expect_within(measure(drive(source), truth_of(renderer->scene(), 0, kFrames)), {0.05, 0.015, 0.95, 8});
+}
 
 TEST(RenderedAccuracy, HandHeldOverADesk) { expect_accurate_and_consistent(drive_scene("desk", 100), {0.5, 0.06, 0.95, 10}); }
 

@@ -1,6 +1,10 @@
 #include "edgevo/datasets/ground_truth.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
@@ -86,6 +90,23 @@ std::string ground_truth_tum(const SourceOptions& options, const ImageSource& so
   if (source.kind() == "EuRoC") return convert_euroc(options);
   if (source.kind().rfind("Virtual KITTI", 0) == 0) return convert_virtual_kitti(options);
   return {};
+}
+
+std::string played_backward(const std::string& tum, Timestamp first, Timestamp last) {
+  std::vector<std::string> poses;
+  std::istringstream lines(tum);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    const size_t end = line.find(' ');
+    Timestamp t;
+    if (!parse_seconds(std::string_view(line).substr(0, end), &t))
+      throw InputError("ground truth", "has no time in '" + line + "'", "write lines `t tx ty tz qx qy qz qw`");
+    t.ticks = first.ticks + last.ticks - t.ticks;
+    if (t.ticks >= 0) poses.push_back(to_string(t) + line.substr(std::min(end, line.size())) + '\n');
+  }
+  std::string text = "# played backward: t tx ty tz qx qy qz qw\n";
+  for (auto pose = poses.rbegin(); pose != poses.rend(); ++pose) text += *pose;
+  return text;
 }
 
 }  // namespace edgevo

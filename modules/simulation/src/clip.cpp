@@ -1,5 +1,7 @@
 #include "edgevo/simulation/clip.h"
 
+#include <algorithm>
+
 namespace edgevo {
 
 std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame) {
@@ -9,6 +11,16 @@ std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<b
     if (!on_frame(int(clip->frames.size()))) break;
   }
   return clip;
+}
+
+std::shared_ptr<const Clip> played_backward(const Clip& clip) {
+  auto mirrored = std::make_shared<Clip>(clip);
+  std::reverse(mirrored->frames.begin(), mirrored->frames.end());
+  for (Frame& frame : mirrored->frames) {
+    frame.index = clip.frames.front().index + clip.frames.back().index - frame.index;
+    frame.time.ticks = clip.frames.front().time.ticks + clip.frames.back().time.ticks - frame.time.ticks;
+  }
+  return mirrored;
 }
 
 std::vector<Timestamp> ClipSource::times() const {

@@ -46,6 +46,19 @@ TEST(Clip, PlaysTheSameAgainAndAgain) {
   }
 }
 
+TEST(Clip, BackwardTheTimesGrowToo) {
+  CountingSource source(4);
+  const auto clip = read_clip(source, [](int) { return true; });
+  const auto backward = played_backward(*clip);
+  ASSERT_EQ(backward->frames.size(), 4u);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(backward->frames[size_t(i)].index, 5 + i);
+    EXPECT_EQ(backward->frames[size_t(i)].time, Timestamp{1000 * i});
+    EXPECT_EQ(backward->frames[size_t(i)].image.pixels[0], 3 - i);
+  }
+  EXPECT_EQ(backward->camera.pinhole.width, 8);
+}
+
 TEST(Clip, ReadingCanBeEnded) {
   CountingSource source(100);
   const auto clip = read_clip(source, [](int done) { return done < 3; });

@@ -14,4 +14,8 @@ namespace edgevo {
 /// that is not readable.
 std::string ground_truth_tum(const SourceOptions& options, const ImageSource& source);
 
+/// The text of a TUM trajectory file for frames that are played backward: the times mirrored between the first and the last frame's, t to
+/// first + last - t, the last pose first. Poses that would come before time 0 are left out. Throws InputError for a line without a time.
+std::string played_backward(const std::string& tum, Timestamp first, Timestamp last);
+
 }  // namespace edgevo

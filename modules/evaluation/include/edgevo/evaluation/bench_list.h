@@ -11,7 +11,8 @@
 //       params: kitti.yaml
 //       variants: normal
 //
-// A variant is made of `normal` (nothing), `everyN` (only each N-th frame) and the name of a change of light.
+// A variant is made of `normal` (nothing), `everyN` (only each N-th frame), `backward` (the last frame first) and the name of a change of
+// light.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ namespace edgevo {
 struct BenchVariant {
   std::string name = "normal";
   int every = 1;
+  bool backward = false;
   std::string light;  ///< kind of `edgevo relight`; empty: as it is
 };
 

@@ -17,6 +17,9 @@ struct Clip {
 /// Reads a source to its end, calling `on_frame` with the number of frames so far; false from it ends the clip there. Memory: the images.
 std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame);
 
+/// The same frames, the last first; index and time are mirrored (first + last - own), so that both grow.
+std::shared_ptr<const Clip> played_backward(const Clip& clip);
+
 class ClipSource : public ImageSource {
  public:
   explicit ClipSource(std::shared_ptr<const Clip> clip) : clip_(std::move(clip)) {}
