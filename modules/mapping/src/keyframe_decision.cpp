@@ -118,7 +118,7 @@ KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& c
   if (!out) return d;
   const ViewChange back = view_change(pinhole, cloud.points, T_cam_ref.inverse()).value_or(*out);
   d.flow_px = std::max(out->flow_px, back.flow_px);
-  d.view_share = std::min(out->view_share, back.view_share);
+  d.view_share = out->view_share;
   const double scale = kReferenceWidth / pinhole.width;
   const double flow = d.flow_px * scale, reach = 1 - (1 - kReachOfOpeningView) * opening(*out, back);
   // Of the next frame, if the motion goes on.

@@ -19,8 +19,9 @@ TEST(PatchSource, TheLevelWhosePixelsAreNearestInSize) {
   ASSERT_FALSE(host->levels[1].gradient_magnitude.empty());
   EXPECT_EQ(level_of(*host, 2.0), 0);
   EXPECT_EQ(level_of(*host, 1.0), 0);
-  EXPECT_EQ(level_of(*host, 0.72), 0);
-  EXPECT_EQ(level_of(*host, 0.70), 1);
+  EXPECT_EQ(level_of(*host, 0.62), 0);
+  EXPECT_EQ(level_of(*host, 0.58), 1);
+  EXPECT_EQ(level_of(*host, 0.32), 1);
   const PatchSource half = patch_source(*host, {100, 60}, scaled(0.5));
   EXPECT_EQ(half.px, Eigen::Vector2d(50, 30));
   EXPECT_EQ(half.A_target_host, scaled(1.0));

@@ -13,7 +13,7 @@ struct PatchSource {
   Eigen::Matrix2d A_target_host;
 };
 
-/// The finest level, unless the target sees the patch at less than half its area (a camera that backs away): sampled so sparsely the
+/// The finest level, unless the target sees the patch at less than 0.6 of its size (a camera that backs away): sampled so sparsely the
 /// finest image shows detail that the target's pixels average out. Levels without gradients are not taken.
 PatchSource patch_source(const FramePyramid& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host);
 

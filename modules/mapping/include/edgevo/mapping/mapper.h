@@ -131,14 +131,14 @@ struct ReferenceFit {
   double best_inlier_share = 1;  ///< of all the frames
 };
 
-/// Should this frame become a keyframe? The view's change is that of the motion from the reference to here or of the motion back, which
-/// ever is the larger: going forward a scene leaves the view, going backward as much comes into it, that the cloud does not know yet.
+/// Should this frame become a keyframe? The flow is that of the motion from the reference to here or of the motion back, whichever is
+/// larger: going forward near things leave the view, going backward as near ones come into it, that the cloud does not know yet.
 struct KeyframeDecision {
   bool needed = false;
   double flow_px = 0;        ///< rms image motion of the cloud by the translation alone
   double view_share = 1;     ///< of the cloud, still in view
 };
-/// Where the view opens (backward motion among near things) a keyframe comes at down to half the flow. Cost: twice the cloud's projections.
+/// Where the view opens (backward motion among near things) a keyframe comes at down to half the flow. Cost: four projections a point.
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                                  int frames_since_keyframe, const ReferenceFit& fit, const KeyframeParams& params);
 
