@@ -39,7 +39,7 @@ struct DepthFilterParams {
 };
 
 struct KeyframeParams {
-  double flow_px = 40;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width
+  double flow_px = 40;              ///< rms flow by translation alone, at 1241 pixels width; scales with the width. Half of it where the view opens
   double max_flow_px = 70;          ///< a keyframe before the next frame goes beyond it: fast motion
   double min_flow_px = 4;           ///< below it no keyframe: standstill, or a rotation that keeps the map in view
   double min_view_share = 0.75;
