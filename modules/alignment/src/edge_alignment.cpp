@@ -1,6 +1,7 @@
 #include "edgevo/alignment/edge_alignment.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 #include "edge_match.h"
@@ -131,6 +132,32 @@ class EdgeCost {
   mutable MatchedEdges matched_;  // memory for one evaluation after another
 };
 
+// Any edge cost with a prior on the translation.
+class CostWithPrior {
+ public:
+  CostWithPrior(const EdgeCost& edges, const TranslationPrior& prior, size_t points)
+      : edges_(edges), T_expected_inverse_(prior.T_expected.inverse()), points_(double(std::max<size_t>(1, points))) {
+    // Residuals in pixels weigh 1 each, and points of one edge err together.
+    constexpr double kVarianceOfResidual = 4;  // px^2
+    weight_ = kVarianceOfResidual * prior.sigma.cwiseAbs2().cwiseInverse();
+  }
+
+  NormalEquations operator()(const SE3& T_cur_ref) const {
+    NormalEquations eq = edges_(T_cur_ref);
+    const Eigen::Vector3d v = (T_cur_ref * T_expected_inverse_).log().head<3>();
+    eq.H.diagonal().head<3>() += weight_;
+    eq.b.head<3>() += weight_.cwiseProduct(v);
+    eq.stats.cost += 0.5 * weight_.dot(v.cwiseAbs2()) / points_;  // a point, as the edges' own
+    return eq;
+  }
+
+ private:
+  const EdgeCost& edges_;
+  SE3 T_expected_inverse_;
+  double points_;
+  Eigen::Vector3d weight_;
+};
+
 class PatchCost {
  public:
   PatchCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
@@ -215,9 +242,12 @@ double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int l
 }
 
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
-                           const AlignmentParams& params, SE3* T_cur_ref) {
-  const EdgeCost cost(current, cloud, level, params);
-  return minimise(cost, params.edge_iterations, current.levels[level].pinhole.fx, 0.005, T_cur_ref).stats;
+                           const AlignmentParams& params, SE3* T_cur_ref, const TranslationPrior* prior) {
+  constexpr double kMinStepPx = 0.005;
+  const EdgeCost edges(current, cloud, level, params);
+  const double fx = current.levels[level].pinhole.fx;
+  if (!prior) return minimise(edges, params.edge_iterations, fx, kMinStepPx, T_cur_ref).stats;
+  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), params.edge_iterations, fx, kMinStepPx, T_cur_ref).stats;
 }
 
 }  // namespace edgevo

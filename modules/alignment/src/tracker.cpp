@@ -28,9 +28,10 @@ int coarsest_edge_level(const FramePyramid& pyramid) {
 }
 
 // The edges alone, from coarse to fine.
-void align_all_edges(const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params, TrackResult* result) {
+void align_all_edges(const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params, TrackResult* result,
+                     const TranslationPrior* prior = nullptr) {
   for (int level = coarsest_edge_level(current); level >= 0; --level)
-    result->stats = align_edges(current, cloud, level, params, &result->T_cur_ref);
+    result->stats = align_edges(current, cloud, level, params, &result->T_cur_ref, prior);
   if (result->T_cur_ref.is_finite()) result->evidence = weigh_evidence(current, cloud, result->T_cur_ref, params);
 }
 
@@ -123,6 +124,15 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
   best.starts_tried = tried;
   finish(current, cloud, params, &best);
   return best;
+}
+
+TrackResult track_near(const FramePyramid& current, const ReferenceCloud& cloud, const TranslationPrior& prior, const AlignmentParams& params) {
+  TrackResult result;
+  result.T_cur_ref = prior.T_expected;
+  result.starts_tried = 1;
+  align_all_edges(current, cloud, params, &result, &prior);
+  finish(current, cloud, params, &result);
+  return result;
 }
 
 TrackResult track_along(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params) {

@@ -26,8 +26,12 @@ Vector6d MotionModel::twist(Timestamp time, const SE3& T_cur_ref) const {
   return twist + 0.5 * (twist - *expected);
 }
 
-void MotionModel::follow(Timestamp time, const SE3& T_cur_ref) {
+void MotionModel::follow(Timestamp time, const SE3& T_cur_ref, bool held) {
   const SE3 motion = T_cur_ref * T_last_ref_.inverse();
+  if (missed_ == 0)
+    steady_.follow(motion.log().head<3>(), held);
+  else
+    steady_.interrupt();
   velocity_s_ = seconds_between(time_, time) / double(missed_ + 1);
   velocity_ = missed_ == 0 ? motion : SE3::exp(motion.log() / double(missed_ + 1));
   time_ = time;
@@ -37,6 +41,7 @@ void MotionModel::follow(Timestamp time, const SE3& T_cur_ref) {
 
 void MotionModel::restart(Timestamp time, const SE3& motion, double seconds) {
   T_last_ref_ = SE3();
+  steady_ = SteadyMotion();  // the unit of length is another
   velocity_ = motion;
   velocity_s_ = seconds;
   time_ = time;

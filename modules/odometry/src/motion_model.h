@@ -5,6 +5,7 @@
 
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
+#include "steady_motion.h"
 
 namespace edgevo {
 
@@ -12,6 +13,9 @@ class MotionModel {
  public:
   /// Of the last frame with a pose, against the present reference keyframe.
   const SE3& T_last_ref() const { return T_last_ref_; }
+  /// Motion from one frame to the next, as last seen, tangent.
+  Vector6d velocity() const { return velocity_.log(); }
+  const SteadyMotion& steady() const { return steady_; }
   /// Where the next frame is after one with a pose.
   SE3 predict() const { return velocity_ * T_last_ref_; }
   /// Where it is looked for, best first; after frames without a pose over the gap, too.
@@ -22,8 +26,8 @@ class MotionModel {
   /// its change comes on top. 0: not known.
   Vector6d twist(Timestamp time, const SE3& T_cur_ref) const;
 
-  /// A frame with a pose; after a gap the velocity is the mean over the gap.
-  void follow(Timestamp time, const SE3& T_cur_ref);
+  /// A frame with a pose; after a gap the velocity is the mean over the gap. `held`: hold_steady() chose it.
+  void follow(Timestamp time, const SE3& T_cur_ref, bool held = false);
   /// A frame without one.
   void miss() { ++missed_; }
   /// The gap is counted from here.
@@ -37,6 +41,7 @@ class MotionModel {
   static constexpr int kLongGap = 10;  // frames
 
   SE3 T_last_ref_, velocity_;
+  SteadyMotion steady_;
   double velocity_s_ = 0;  // that the motion `velocity_` takes; 0: not known
   Timestamp time_;         // of T_last_ref_
   int missed_ = 0;         // frames since

@@ -16,8 +16,7 @@ struct Odometry::Impl {
   Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
       : params(p), options(o), builder(camera, p.edges), bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
         random(Random::derive(o.seed, 3)), mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
-        records(camera.pinhole),
-        rebuilder(camera, p.edges),
+        records(camera.pinhole), rebuilder(camera, p.edges),
         mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }) {
     // In realtime the mapping must not stand still for long.
     mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
@@ -83,7 +82,9 @@ struct Odometry::Impl {
 
   void track_frame(const Frame& frame, const std::shared_ptr<const FramePyramid>& pyramid, FrameRecord* record) {
     const double start = thread_cpu_ms();
-    Tracked tracked = put_rows_right(frame, *pyramid, track(*pyramid, reference->cloud, motion.starts(), params.alignment));
+    TrackResult found = track(*pyramid, reference->cloud, motion.starts(), params.alignment);
+    const bool held = !lost && hold_steady(motion, *pyramid, reference->cloud, params.alignment, &found);
+    Tracked tracked = put_rows_right(frame, *pyramid, found);
     record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
     if (is_doubtful(tracked.result)) ask_corners(frame, *pyramid, &tracked, record);
     const TrackResult& result = tracked.result;
@@ -103,7 +104,7 @@ struct Odometry::Impl {
     record->covariance = reference->error_factor * result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     newest_pose.T_cam_map = result.T_cur_ref * reference->T_ref_world;
-    motion.follow(frame.time, result.T_cur_ref);
+    motion.follow(frame.time, result.T_cur_ref, held);
     submit(frame, pyramid, std::move(tracked), record);
   }
 

@@ -137,6 +137,21 @@ INSTANTIATE_TEST_SUITE_P(Motions, TrackTest,
                                            twist(0, 0, 0, 0, 0.04, 0), twist(0, 0, 0, 0, 0, 0.06),
                                            twist(0.1, -0.08, 0.15, 0.02, -0.03, 0.02)));
 
+// A tight prior keeps the translation where it is expected, a wide one leaves it to the image.
+TEST(Track, NearAnExpectedPlace) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)), T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto pyramid = scene.pyramid(T_cur_ref.inverse());
+  const auto error = [&](double sigma, const SE3& T) {
+    const TrackResult r = track_near(*pyramid, cloud, {T_expected, Eigen::Vector3d::Constant(sigma)}, AlignmentParams());
+    EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+    return (r.T_cur_ref.translation() - T.translation()).norm();
+  };
+  EXPECT_LT(error(1e-5, T_expected), 0.003);
+  EXPECT_LT(error(10, T_cur_ref), 0.01);
+}
+
 TEST(Track, HoldsUnderAnExposureJump) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.08, 0.02, 0.1, 0.01, -0.02, 0.01));

@@ -24,14 +24,22 @@ struct AlignmentStats {
   double matched_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
 };
 
+/// Where the camera is expected: of xi in T_cur_ref <- exp(xi) T_expected, the translation v has this standard deviation, axis by axis
+/// (camera axes, unit of the map; > 0).
+struct TranslationPrior {
+  SE3 T_expected;
+  Eigen::Vector3d sigma;
+};
+
 /// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per usable patch
 /// (mean square of normalised differences; above 1 means: no overlap).
 double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
                      const AlignmentParams& params, SE3* T_cur_ref);
 
-/// Improves T_cur_ref on one level by Eq. (edgeerror), with Eq. (photometricerror) added on level 0 if params ask for it.
-AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
-                           const AlignmentParams& params, SE3* T_cur_ref);
+/// Improves T_cur_ref on one level by Eq. (edgeerror), with Eq. (photometricerror) added on level 0 if params ask for it; with a `prior`,
+/// its cost and information are in the result's too.
+AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params,
+                           SE3* T_cur_ref, const TranslationPrior* prior = nullptr);
 
 /// What align_edges minimises, at one pose: truncated robust cost a point.
 double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params,

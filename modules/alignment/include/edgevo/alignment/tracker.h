@@ -28,6 +28,10 @@ TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, cons
 /// As track, from a pose that is nearly right: the finest edges alone, for a cloud whose points have moved a little. Cost: a third.
 TrackResult track_again(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref, const AlignmentParams& params);
 
+/// As track, near a place that is known: the edges alone, with a prior on the translation. Evidence and covariance are those of the image.
+/// Cost: one alignment of edges on two levels.
+TrackResult track_near(const FramePyramid& current, const ReferenceCloud& cloud, const TranslationPrior& prior, const AlignmentParams& params);
+
 /// As track, where the motion is known but for the length of its translation: rotation and direction are those of `T_cur_ref`, the length
 /// is sought from half to twice that of `T_cur_ref`. Then all is left to the edges. Cost: thirteen evaluations of the edge cost and one
 /// alignment of edges on two levels.

@@ -1,0 +1,127 @@
+// Private to the module, hence the paths.
+#include "../../../modules/odometry/src/steady_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "../../../modules/odometry/src/motion_model.h"
+#include "support/plane_scene.h"
+#include "support/twist.h"
+
+namespace edgevo {
+namespace {
+
+using test::twist;
+
+constexpr int kKnown = 29;  // frames until a usual step is known: nine in a row, then twenty
+
+// Steps along z of 0.1 that differ by 0.01 from it, alternately.
+Eigen::Vector3d swaying(int i) { return {0, 0, i % 2 == 0 ? 0.11 : 0.09}; }
+
+SteadyMotion after(int frames) {
+  SteadyMotion m;
+  for (int i = 0; i < frames; ++i) m.follow(swaying(i), false);
+  return m;
+}
+
+TEST(SteadyMotion, IsKnownAfterSomeFrames) {
+  EXPECT_FALSE(after(kKnown - 1).usual());
+  const auto usual = after(kKnown + 40).usual();
+  ASSERT_TRUE(usual);
+  EXPECT_NEAR(usual->translation.z(), 0.1, 0.011);
+  EXPECT_EQ(usual->translation.x(), 0);
+  EXPECT_GT(usual->deviation.z(), 0.005);
+  EXPECT_LT(usual->deviation.z(), 0.025);
+}
+
+TEST(SteadyMotion, OneJumpChangesLittle) {
+  SteadyMotion m = after(kKnown + 40);
+  const SteadyMotion::Step before = *m.usual();
+  m.follow({5, 5, 5}, false);
+  const SteadyMotion::Step now = *m.usual();
+  EXPECT_LT((now.translation - before.translation).norm(), 0.021);
+  EXPECT_LT(now.deviation.z(), 1.3 * before.deviation.z());
+}
+
+// Steps that the expectation itself decided on do not make the camera look ever steadier.
+TEST(SteadyMotion, HeldStepsSayNothingOfDeviations) {
+  SteadyMotion m = after(kKnown + 40);
+  const double before = m.usual()->deviation.z();
+  for (int i = 0; i < 100; ++i) m.follow(m.usual()->translation, true);
+  EXPECT_EQ(m.usual()->deviation.z(), before);
+}
+
+TEST(SteadyMotion, AGapInterrupts) {
+  SteadyMotion m = after(kKnown + 40);
+  m.interrupt();
+  EXPECT_FALSE(m.usual());
+  for (int i = 0; i < 9; ++i) m.follow(swaying(i), false);
+  EXPECT_TRUE(m.usual());  // the deviations have stayed
+}
+
+// A camera that has come towards the plane by 1 cm a frame, give or take 1 mm, and stands at the reference now.
+MotionModel approaching() {
+  MotionModel m;
+  std::vector<SE3> T{SE3()};
+  for (int i = 0; i < kKnown + 10; ++i) T.push_back(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.009 : 0.011, 0, 0, 0)) * T.back());
+  const SE3 last = T.back().inverse();
+  m.restart(Timestamp::from_seconds(0), SE3(), 0);
+  m.change_reference(T.front() * last);  // the reference is where the last frame is
+  for (size_t i = 1; i < T.size(); ++i) m.follow(Timestamp::from_seconds(0.1 * double(i)), T[i] * last);
+  return m;
+}
+
+TrackResult tracked_at(const SE3& T_cur_ref, const FramePyramid& pyramid, const ReferenceCloud& cloud) {
+  TrackResult r;
+  r.T_cur_ref = T_cur_ref;
+  r.verdict = TrackingState::kTracking;
+  r.evidence = weigh_evidence(pyramid, cloud, T_cur_ref, AlignmentParams());
+  return r;
+}
+
+TEST(HoldSteady, AJumpThatTheImageDoesNotSupportIsTakenBack) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const SE3 truth = SE3::exp(twist(0, 0, 0.01, 0, 0, 0));
+  const auto pyramid = scene.pyramid(truth.inverse());
+  TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
+  EXPECT_TRUE(hold_steady(approaching(), *pyramid, cloud, AlignmentParams(), &found));
+  EXPECT_LT((found.T_cur_ref.translation() - truth.translation()).norm(), 0.005);
+  EXPECT_GT(found.evidence.inlier_share, 0.8);
+}
+
+TEST(HoldSteady, AJumpThatTheImageShowsStays) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const SE3 truth = SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0));
+  const auto pyramid = scene.pyramid(truth.inverse());
+  TrackResult found = tracked_at(truth, *pyramid, cloud);
+  EXPECT_FALSE(hold_steady(approaching(), *pyramid, cloud, AlignmentParams(), &found));
+  EXPECT_EQ((found.T_cur_ref.translation() - truth.translation()).norm(), 0);
+}
+
+// Unusual for a camera so steady, but within a pixel of the usual step: both poses are the same to the image.
+TEST(HoldSteady, LeavesSmallDifferencesAlone) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const SE3 truth = SE3::exp(twist(0, 0, 0.016, 0, 0, 0));
+  const auto pyramid = scene.pyramid(truth.inverse());
+  TrackResult found = tracked_at(truth, *pyramid, cloud);
+  EXPECT_FALSE(hold_steady(approaching(), *pyramid, cloud, AlignmentParams(), &found));
+}
+
+// By hand the camera goes to and fro: no step is the usual one.
+TEST(HoldSteady, LeavesAnUnsteadyCameraAlone) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto pyramid = scene.pyramid(SE3::exp(twist(0, 0, 0.01, 0, 0, 0)).inverse());
+  MotionModel swaying;
+  swaying.restart(Timestamp::from_seconds(0), SE3(), 0);
+  for (int i = 0; i < kKnown + 10; ++i)
+    swaying.follow(Timestamp::from_seconds(0.1 * i), SE3::exp(twist(0, 0, i % 2 == 0 ? 0.01 : 0, 0, 0, 0)));
+  ASSERT_TRUE(swaying.steady().usual());
+  TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
+  EXPECT_FALSE(hold_steady(swaying, *pyramid, cloud, AlignmentParams(), &found));
+}
+
+}  // namespace
+}  // namespace edgevo
