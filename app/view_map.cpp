@@ -2,9 +2,9 @@
 
 #include <mrpt/opengl/CGridPlaneXY.h>
 
-#include <algorithm>
 #include <array>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/point_filter.h"
 
 namespace edgevo::app {
@@ -40,10 +40,7 @@ void append(const Eigen::Vector3d& a, const Eigen::Vector3d& b, mrpt::opengl::CS
 double median_depth_of(const std::vector<SeenPoint>& points) {
   std::vector<float> inverse;
   for (const SeenPoint& p : points) inverse.push_back(p.idepth);
-  if (inverse.empty()) return 0;
-  const auto middle = inverse.begin() + std::ptrdiff_t(inverse.size() / 2);
-  std::nth_element(inverse.begin(), middle, inverse.end());
-  return 1.0 / double(*middle);
+  return inverse.empty() ? 0 : 1.0 / double(median(std::move(inverse)));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <deque>
 #include <opencv2/core.hpp>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/simulation/relight.h"
 #include "edgevo/simulation/scene_renderer.h"
@@ -18,12 +19,6 @@ namespace {
 
 constexpr double kDegree = 180 / 3.14159265358979323846;
 constexpr double kHold_s = 1;  // at the goal for so long: converged
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // The camera: what it takes at a pose, with the light and the blackout of the moment.
 class SimulatedCamera {

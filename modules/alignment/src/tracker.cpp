@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "edgevo/alignment/rotation_search.h"
+#include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
@@ -15,9 +16,7 @@ double median_depth(const ReferenceCloud& cloud) {
   std::vector<double> depths;
   depths.reserve(cloud.points.size());
   for (const CloudPoint& p : cloud.points) depths.push_back(1.0 / p.idepth);
-  if (depths.empty()) return 1.0;
-  std::nth_element(depths.begin(), depths.begin() + depths.size() / 2, depths.end());
-  return depths[depths.size() / 2];
+  return depths.empty() ? 1.0 : median(std::move(depths));
 }
 
 // Edges are aligned on two levels, where the pyramid has so many with edges.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
@@ -69,14 +70,13 @@ void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
   if (times.size() < 2) return;
   std::vector<double> steps;
   for (size_t i = 1; i < times.size(); ++i) steps.push_back(seconds_between(times[i - 1], times[i]));
-  std::nth_element(steps.begin(), steps.begin() + long(steps.size() / 2), steps.end());
-  const double median = steps[steps.size() / 2];
+  const double usual = median(std::move(steps));
   lines->emplace_back("duration", fixed(seconds_between(times.front(), times.back()), 3) + " s, from " +
                                       to_string(times.front()) + " to " + to_string(times.back()));
-  if (median > 0)
+  if (usual > 0)
     lines->emplace_back("rate",
-                        fixed(1.0 / median, 2) + " Hz (median step " + fixed(1e3 * median, 2) + " ms)");
-  describe_gaps(times, median, lines);
+                        fixed(1.0 / usual, 2) + " Hz (median step " + fixed(1e3 * usual, 2) + " ms)");
+  describe_gaps(times, usual, lines);
 }
 
 std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "edgevo/core/order_statistics.h"
+
 namespace edgevo {
 
 std::vector<Timestamp> times_of(const Trajectory& trajectory) {
@@ -16,9 +18,7 @@ int64_t median_step_ticks(const std::vector<Timestamp>& times) {
   std::vector<int64_t> steps;
   steps.reserve(times.size() - 1);
   for (size_t i = 1; i < times.size(); ++i) steps.push_back(times[i].ticks - times[i - 1].ticks);
-  const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(std::move(steps));
 }
 
 int nearest_index(const std::vector<Timestamp>& times, Timestamp t) {

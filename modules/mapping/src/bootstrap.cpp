@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "corner_tracking.h"
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
 #include "two_view_motion.h"
 
@@ -108,8 +109,7 @@ struct Bootstrap::Impl {
     std::vector<double> motion;
     for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
     const size_t rank = std::min(std::max(motion.size(), first_corners) / 2, 3 * motion.size() / 4);
-    std::nth_element(motion.begin(), motion.begin() + long(rank), motion.end());
-    return motion[rank];
+    return of_rank(std::move(motion), rank);
   }
 
   BootstrapStatus try_two_views() {

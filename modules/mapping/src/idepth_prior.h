@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/mapping/depth_filter.h"
 
 namespace edgevo {
@@ -40,8 +41,7 @@ class IdepthPrior {
 
   double median() {
     if (!all_.empty()) {
-      std::nth_element(all_.begin(), all_.begin() + all_.size() / 2, all_.end());
-      median_ = all_[all_.size() / 2];
+      median_ = edgevo::median(std::move(all_));
       all_.clear();
     }
     return median_;

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "edgevo/core/order_statistics.h"
+
 namespace edgevo {
 namespace {
 
@@ -12,12 +14,6 @@ using ba::CameraEstimate;
 
 constexpr int kGaugeSpan = 8;      // keyframes over which the scale of a new prior is held
 constexpr size_t kNewestSpan = 8;  // the newest keyframes that an estimate knew: they tell its unit of length
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 bool is_fixed(const MapPoint& p) {
   return std::all_of(p.observations.begin(), p.observations.end(),

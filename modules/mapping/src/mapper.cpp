@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/thread_clock.h"
 #include "idepth_prior.h"
 
@@ -63,9 +64,8 @@ void find_motions(std::deque<Keyframe>* keyframes) {
     if (k.points.empty()) continue;
     std::vector<double> idepths;
     for (const MapPoint& p : k.points) idepths.push_back(p.idepth);
-    std::nth_element(idepths.begin(), idepths.begin() + idepths.size() / 2, idepths.end());
     k.motion.velocity = velocity;
-    k.motion.idepth.setConstant(idepths[idepths.size() / 2]);
+    k.motion.idepth.setConstant(median(std::move(idepths)));
   }
 }
 

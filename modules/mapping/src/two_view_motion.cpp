@@ -6,6 +6,7 @@
 #include <numeric>
 #include <opencv2/calib3d.hpp>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
 #include "epipolar_lines.h"
 
@@ -84,12 +85,6 @@ SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first, const 
 }  // namespace
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
-  return v[v.size() / 2];
-}
 
 SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
                   const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px) {

@@ -31,6 +31,5 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
 
 /// Angle between two rays, radians; exact for small ones.
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-double median(std::vector<double> values);
 
 }  // namespace edgevo

@@ -12,6 +12,7 @@
 #include <map>
 #include <vector>
 
+#include "edgevo/core/order_statistics.h"
 #include "object_file.h"
 
 namespace edgevo {
@@ -98,18 +99,10 @@ Cloud gather(const Run& run, const PointFilter& filter, int max_points) {
   return cloud;
 }
 
-/// Value at `share` of the sorted order; 0 for nothing.
-float percentile(std::vector<float> values, double share) {
-  if (values.empty()) return 0;
-  const auto nth = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
 void add_cloud(const Cloud& cloud, mrpt::opengl::COpenGLScene* scene) {
   std::vector<float> heights;
   for (const auto& p : cloud.points) heights.push_back(p.z());
-  const float low = percentile(heights, 0.05), high = percentile(heights, 0.95);
+  const float low = quantile(heights, 0.05), high = quantile(heights, 0.95);
   const float span = std::max(high - low, 1e-6f);
   auto object = mrpt::opengl::CPointCloudColoured::Create();
   object->setName("edges");
@@ -141,7 +134,7 @@ void write_scene(const Run& run, const PointFilter& filter, const std::string& p
   add_ground(&scene);
   add_cloud(cloud, &scene);
   add_trajectory(run, &scene);
-  const float depth = percentile(cloud.depth, 0.5);
+  const float depth = quantile(cloud.depth, 0.5);
   add_frusta(run, double(depth > 0 ? kFrustumShare * depth : kFrustumShare), &scene);
   ObjectFile out(path);
   out.write(scene);

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
 #include "segment_inserter.h"
@@ -25,10 +26,7 @@ double median_depth(const Run& run, const PointFilter& filter) {
   for (const KeyframeRecord& keyframe : run.keyframes)
     for (const EdgePoint& p : keyframe.points)
       if (filter.keeps(p)) depths.push_back(1.0 / double(p.idepth));
-  if (depths.empty()) return 0;
-  const auto middle = depths.begin() + std::ptrdiff_t(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return *middle;
+  return median(std::move(depths));
 }
 
 // Two significant digits, so that "auto" gives a length that one can read and type again.

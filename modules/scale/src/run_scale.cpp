@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/path.h"
 #include "edgevo/scale/sliding_scale.h"
@@ -125,12 +126,6 @@ void move_live(const std::vector<std::optional<ScaleEstimate>>& live, double oth
   }
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live, const Run& run) {
   ScaleRecord record;
   std::vector<double> factors, sigmas;
@@ -144,8 +139,8 @@ ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<Sca
     sigmas.push_back(e.sigma);
     record.frames_carried_over += e.samples == 0;
   }
-  record.factor = median(factors);
-  record.sigma = median(sigmas);
+  record.factor = median(std::move(factors));
+  record.sigma = median(std::move(sigmas));
   record.lowest = *std::min_element(factors.begin(), factors.end());
   record.highest = *std::max_element(factors.begin(), factors.end());
   return record;

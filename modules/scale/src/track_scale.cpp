@@ -1,8 +1,9 @@
 #include "edgevo/scale/track_scale.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
+
+#include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
@@ -42,10 +43,7 @@ std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::V
 }
 
 std::vector<TrackPair> without_outliers(const std::vector<TrackPair>& pairs, const std::vector<double>& residuals) {
-  std::vector<double> sorted = residuals;
-  const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double limit = kOutlierSigmas * *middle / 1.18 + 1e-12;  // the median of a 2-D normal distance is 1.18 sigma
+  const double limit = kOutlierSigmas * median(residuals) / 1.18 + 1e-12;  // the median of a 2-D normal distance is 1.18 sigma
   std::vector<TrackPair> kept;
   for (size_t i = 0; i < pairs.size(); ++i)
     if (residuals[i] <= limit) kept.push_back(pairs[i]);

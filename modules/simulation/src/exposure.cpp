@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/order_statistics.h"
 #include "image_pass.h"
 
 namespace edgevo {
@@ -49,9 +50,7 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
       if (moved.z() > 0) shifts.push_back((p.project(moved) - px).norm());
     }
   if (shifts.empty()) return kMost;
-  const auto most = shifts.begin() + std::ptrdiff_t(kShare * double(shifts.size() - 1));
-  std::nth_element(shifts.begin(), most, shifts.end());
-  return int(std::clamp(std::ceil(*most / kPixelsApart), 1.0, double(kMost)));
+  return int(std::clamp(std::ceil(quantile(std::move(shifts), kShare) / kPixelsApart), 1.0, double(kMost)));
 }
 
 std::vector<float> expose(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, int frame, int instants) {

@@ -1,19 +1,13 @@
 #include "edgevo/study/match_error.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 // How far the projection is off for this inverse depth, in pixels of the tracked pose.
 double depth_error_px(const Pinhole& camera, const SE3& T, const StudyPoint& point, double idepth) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/run_parallel.h"
 #include "edgevo/simulation/relight.h"
 #include "experiments.h"
@@ -205,9 +206,7 @@ class Study {
     std::vector<double> flow;
     for (size_t i = 0; i < host.points.size(); ++i)
       if (target.truth[i].visible) flow.push_back((target.truth[i].px - host.points[i].px).norm());
-    if (flow.empty()) return 0;
-    std::nth_element(flow.begin(), flow.begin() + long(flow.size() / 2), flow.end());
-    return flow[flow.size() / 2];
+    return median(std::move(flow));
   }
 
   const ExactFrames& frames_;
