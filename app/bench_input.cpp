@@ -90,12 +90,16 @@ std::unique_ptr<ImageSource> BenchInput::open_scene() {
   return std::make_unique<ClipSource>(clip_);
 }
 
-// The frames of `source` and their ground truth, the last first.
-std::unique_ptr<ImageSource> BenchInput::backward(ImageSource& source) {
-  const auto clip = read_clip(source, [](int) { return !interrupted(); });
-  if (clip->frames.empty()) throw InputError(sequence_.where, "no frame to play backward", "choose more frames");
-  if (!ground_truth_.empty()) ground_truth_ = played_backward(ground_truth_, clip->frames.front().time, clip->frames.back().time);
-  return std::make_unique<ClipSource>(played_backward(*clip));
+// The frames of `source` (and their ground truth) the last first, or with some of them missing.
+std::unique_ptr<ImageSource> BenchInput::edited(ImageSource& source, const BenchVariant& variant, uint64_t seed) {
+  std::shared_ptr<const Clip> clip = read_clip(source, [](int) { return !interrupted(); });
+  if (clip->frames.empty()) throw InputError(sequence_.where, "there is no frame", "choose more frames");
+  if (variant.backward) {
+    if (!ground_truth_.empty()) ground_truth_ = played_backward(ground_truth_, clip->frames.front().time, clip->frames.back().time);
+    clip = played_backward(*clip);
+  }
+  if (variant.gaps) clip = with_gaps(*clip, seed);
+  return std::make_unique<ClipSource>(clip);
 }
 
 std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint64_t seed) {
@@ -111,7 +115,7 @@ std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint6
     source = subsample(open_scene(), thinned);
     ground_truth_ = scene_truth_;
   }
-  if (variant.backward) source = backward(*source);
+  if (variant.backward || variant.gaps) source = edited(*source, variant, seed);
   if (variant.light.empty()) return source;
   return std::make_unique<RelitSource>(std::move(source), Relight(variant.light, seed));
 }

@@ -17,7 +17,7 @@ class BenchInput {
   /// Reads parameters and camera file and looks whether the source is there, not more. Throws InputError that opens with the list's line.
   BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list);
 
-  /// The sequence under a variant; light changes follow `seed`. A scene is rendered once, and kept while this lives. Throws InputError.
+  /// The sequence under a variant; light changes and gaps follow `seed`. A scene is rendered once, and kept while this lives. Throws InputError.
   std::unique_ptr<ImageSource> open(const BenchVariant& variant, uint64_t seed);
   /// Text of a TUM file; empty if there is none. After open().
   const std::string& ground_truth() const { return ground_truth_; }
@@ -31,7 +31,7 @@ class BenchInput {
 
  private:
   std::unique_ptr<ImageSource> open_scene();
-  std::unique_ptr<ImageSource> backward(ImageSource& source);
+  std::unique_ptr<ImageSource> edited(ImageSource& source, const BenchVariant& variant, uint64_t seed);
   void render();
 
   BenchSequence sequence_;

@@ -18,12 +18,15 @@ Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, c
   const Eigen::Vector2d rolling = remove_radial(correction.k1, x_file);
   if (correction.readout_s == 0 || !motion.is_known()) return rolling;
   Eigen::Vector2d x = rolling;
+  double at_first = -1, at_last = 0;
   for (int i = 0; i < 12; ++i) {
     const Eigen::Vector2d error = add_rolling(c, correction.readout_s, motion, x) - rolling;
     x -= error;
-    if (error.squaredNorm() < 1e-26) break;
+    at_last = error.squaredNorm();
+    if (at_first < 0) at_first = at_last;
+    if (at_last < 1e-26) break;
   }
-  return x;
+  return at_last <= at_first ? x : rolling;  // rolling: the rows overtake one another, no x is the one
 }
 
 Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {

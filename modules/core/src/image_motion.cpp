@@ -12,7 +12,7 @@ struct Between {
 };
 Between between_cells(double position, double size, int cells) {
   const double p = std::clamp((position + 0.5) / size * cells - 0.5, 0.0, double(cells - 1));
-  const int cell = std::min(int(p), cells - 2);
+  const int cell = p > 0 ? std::min(int(p), cells - 2) : 0;  // 0 where p is no number
   return {cell, p - cell};
 }
 

@@ -8,8 +8,22 @@
 #include "edgevo/edges/edge_extraction.h"
 #include "opencv_view.h"
 #include "undistortion.h"
+#include "unlit_surround.h"
 
 namespace edgevo {
+namespace {
+
+// Clears the pixels of level l that lie in `unlit`, a mask of level 0.
+void strike_out(const Plane<uint8_t>& unlit, int l, Plane<uint8_t>* mask) {
+  for (int y = 0; y < mask->height(); ++y) {
+    const uint8_t* from = unlit.row(std::min(y << l, unlit.height() - 1));
+    uint8_t* to = mask->row(y);
+    for (int x = 0; x < mask->width(); ++x)
+      if (from[std::min(x << l, unlit.width() - 1)]) to[x] = 0;
+  }
+}
+
+}  // namespace
 
 struct PyramidBuilder::Impl {
   Camera camera;
@@ -18,6 +32,7 @@ struct PyramidBuilder::Impl {
   std::unique_ptr<EdgeDetector> detector;
   std::optional<Undistortion> undistortion;  // none where the camera has no distortion
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
+  UnlitSurround surround;                      // of the images as they come
 
   bool has_area() const { return camera.pinhole.width > 1 && camera.pinhole.height > 1; }
 
@@ -27,15 +42,15 @@ struct PyramidBuilder::Impl {
     if (camera.has_distortion() && has_area()) undistortion.emplace(make_undistortion_maps(camera));
   }
 
-  Plane<uint8_t> undistort(const GrayImage& image, const ImageMotion& motion) {
+  Plane<uint8_t> undistort(const ImageView<uint8_t>& image, const ImageMotion& motion) {
     Plane<uint8_t> out(image.width, image.height);
     if (readout_s != 0 && motion.is_known() && has_area()) {
       if (!rolling) rolling.emplace(make_undistortion_maps(camera));
-      rolling->apply(rolling_shift(motion), image.view(), &out);
+      rolling->apply(rolling_shift(motion), image, &out);
     } else if (undistortion) {
-      undistortion->apply(image.view(), &out);
+      undistortion->apply(image, &out);
     } else {
-      std::copy(image.pixels.begin(), image.pixels.end(), out.row(0));
+      for (int y = 0; y < image.height; ++y) std::copy_n(image.data + y * image.stride, image.width, out.row(y));
     }
     return out;
   }
@@ -53,14 +68,23 @@ struct PyramidBuilder::Impl {
     return grid;
   }
 
-  void find_edges(PyramidLevel* level) const {
+  // `unlit`: of the finest level, or empty.
+  void find_edges(int l, const Plane<uint8_t>& unlit, PyramidLevel* level) const {
     Gradient gradient = compute_gradient(level->gray.view());
-    const Plane<uint8_t> mask = detector->detect(level->gray.view(), gradient);
+    Plane<uint8_t> mask = detector->detect(level->gray.view(), gradient);
+    if (!unlit.empty()) strike_out(unlit, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
     level->field = NearestField(level->edges, params.field_radius);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
+
+  std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion,
+                                            std::shared_ptr<const Plane<uint8_t>> unlit);
 };
+
+double FramePyramid::unlit_share() const {
+  return unlit ? double(cv::countNonZero(as_mat(*unlit))) / (double(unlit->width()) * unlit->height()) : 0;
+}
 
 PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params) : impl_(new Impl) {
   camera.check("camera");
@@ -88,21 +112,33 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image
     throw InputError("image", "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
                                   " but the camera is " + std::to_string(camera.width) + "x" +
                                   std::to_string(camera.height), "give the camera file of these images");
+  impl_->surround.add(image.view());
+  return impl_->build(image, motion, impl_->surround.mask());
+}
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old, const ImageMotion& motion) {
+  return impl_->build(old.source, motion, old.unlit);
+}
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image, const ImageMotion& motion,
+                                                                std::shared_ptr<const Plane<uint8_t>> unlit) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
-  pyramid->correction = correction();
-  pyramid->levels.resize(impl_->params.levels);
-  for (int l = 0; l < impl_->params.levels; ++l) {
-    PyramidLevel& level = pyramid->levels[l];
-    level.pinhole = camera.at_level(l);
+  pyramid->unlit = std::move(unlit);
+  pyramid->correction = {camera.residual_k1, readout_s};
+  pyramid->levels.resize(size_t(params.levels));
+  const Plane<uint8_t> unlit_here = pyramid->unlit ? undistort(pyramid->unlit->view(), motion) : Plane<uint8_t>();
+  for (int l = 0; l < params.levels; ++l) {
+    PyramidLevel& level = pyramid->levels[size_t(l)];
+    level.pinhole = camera.pinhole.at_level(l);
     if (l == 0) {
-      level.gray = impl_->undistort(image, motion);
+      level.gray = undistort(image.view(), motion);
     } else {
       level.gray = Plane<uint8_t>(level.pinhole.width, level.pinhole.height);
       cv::Mat to = as_mat(level.gray);
-      cv::pyrDown(as_mat(pyramid->levels[l - 1].gray), to, to.size());
+      cv::pyrDown(as_mat(pyramid->levels[size_t(l - 1)].gray), to, to.size());
     }
-    if (l < impl_->params.edge_levels) impl_->find_edges(&level);
+    if (l < params.edge_levels) find_edges(l, unlit_here, &level);
   }
   return pyramid;
 }

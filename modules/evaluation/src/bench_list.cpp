@@ -66,13 +66,13 @@ void add_effect(const std::string& word, const std::string& where, const std::ve
   const bool thins = word.compare(0, kEvery.size(), kEvery) == 0;
   if (thins && whole(word.substr(kEvery.size()), &variant->every) && variant->every >= 1) return;
   if (word == "normal") return;
-  if (word == "backward") {
-    variant->backward = true;
+  if (word == "backward" || word == "gaps") {
+    (word == "gaps" ? variant->gaps : variant->backward) = true;
     return;
   }
   if (std::find(lights.begin(), lights.end(), word) == lights.end()) {
     std::vector<std::string> known = lights;
-    known.insert(known.end(), {"normal", "every3", "backward"});
+    known.insert(known.end(), {"normal", "every3", "backward", "gaps"});
     throw InputError(where, "unknown variant '" + word + "'", "did you mean '" + nearest_name(word, known) + "'?");
   }
   if (!variant->light.empty()) throw InputError(where, "'" + variant->name + "' changes the light twice", "keep one");

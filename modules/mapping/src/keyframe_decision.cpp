@@ -107,8 +107,10 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 
 bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params) {
   constexpr double kBackShare = 0.5;
+  const double scale = kReferenceWidth / pinhole.width;
+  // Further on than a keyframe's distance it is no return: after a jump all keyframes are far, the reference only furthest.
   return nearest.id >= 0 && nearest.id != reference_id && nearest.flow_px < kBackShare * flow_px &&
-         flow_px * kReferenceWidth / pinhole.width > params.min_flow_px;
+         nearest.flow_px * scale < params.flow_px && flow_px * scale > params.min_flow_px;
 }
 
 KeyframeDecision decide_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,

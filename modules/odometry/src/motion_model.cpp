@@ -1,14 +1,20 @@
 #include "motion_model.h"
 
+#include <algorithm>
+
 #include "edgevo/alignment/tracker.h"
 
 namespace edgevo {
 
+SE3 MotionModel::predict() const {
+  return frames_since_ <= 1 ? velocity_ * T_last_ref_ : SE3::exp(velocity_.log() * double(frames_since_)) * T_last_ref_;
+}
+
 std::vector<SE3> MotionModel::starts() const {
-  if (missed_ == 0) return motion_hypotheses(T_last_ref_, velocity_);
-  const Vector6d drift = velocity_.log() * double(missed_ + 1);
+  if (frames_since_ <= 1) return motion_hypotheses(T_last_ref_, velocity_);
+  const Vector6d drift = velocity_.log() * double(frames_since_);
   const SE3 on = SE3::exp(drift) * T_last_ref_, half = SE3::exp(0.5 * drift) * T_last_ref_;
-  if (missed_ > kLongGap) return {T_last_ref_, half, on};  // nobody moves on as before for long
+  if (frames_since_ > kLongGap) return {T_last_ref_, half, on};  // nobody moves on as before for long
   return {on, T_last_ref_, half};
 }
 
@@ -17,35 +23,42 @@ std::optional<Vector6d> MotionModel::expected_twist() const {
   return Vector6d(velocity_.log() / velocity_s_);
 }
 
-Vector6d MotionModel::twist(Timestamp time, const SE3& T_cur_ref) const {
-  const double seconds = seconds_between(time_, time);
-  if (!(seconds > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
-  const Vector6d twist = (T_cur_ref * T_last_ref_.inverse()).log() / seconds;
+Vector6d MotionModel::twist(const SE3& T_cur_ref) const {
+  if (!(seconds_since_ > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
+  const Vector6d twist = (T_cur_ref * T_last_ref_.inverse()).log() / seconds_since_;
   const std::optional<Vector6d> expected = expected_twist();
-  if (missed_ > 0 || !expected) return twist;
+  if (frames_since_ > 1 || !expected) return twist;
   return twist + 0.5 * (twist - *expected);
 }
 
-void MotionModel::follow(Timestamp time, const SE3& T_cur_ref, bool held) {
+void MotionModel::begin_frame(Timestamp time) {
+  newest_ = clock_.tick(time);
+  const bool known = newest_.seconds > 0 && (frames_since_ == 0 || seconds_since_ > 0);
+  frames_since_ = std::min(frames_since_ + newest_.frames, FrameClock::kMostFrames);
+  seconds_since_ = known ? seconds_since_ + newest_.seconds : 0;
+}
+
+void MotionModel::follow(const SE3& T_cur_ref, bool held) {
   const SE3 motion = T_cur_ref * T_last_ref_.inverse();
-  if (missed_ == 0)
+  const bool is_next = frames_since_ <= 1;
+  if (is_next)
     steady_.follow(motion.log().head<3>(), held);
   else
     steady_.interrupt();
-  velocity_s_ = seconds_between(time_, time) / double(missed_ + 1);
-  velocity_ = missed_ == 0 ? motion : SE3::exp(motion.log() / double(missed_ + 1));
-  time_ = time;
+  velocity_ = is_next ? motion : SE3::exp(motion.log() / double(frames_since_));
+  velocity_s_ = seconds_since_ / std::max(frames_since_, 1);
   T_last_ref_ = T_cur_ref;
-  missed_ = 0;
+  frames_since_ = 0;
+  seconds_since_ = 0;
 }
 
-void MotionModel::restart(Timestamp time, const SE3& motion, double seconds) {
+void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
   steady_ = SteadyMotion();  // the unit of length is another
-  velocity_ = motion;
-  velocity_s_ = seconds;
-  time_ = time;
-  missed_ = 0;
+  velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3()) : SE3::exp(motion->log() / double(newest_.frames));
+  velocity_s_ = motion ? newest_.seconds / newest_.frames : 0;
+  frames_since_ = 0;
+  seconds_since_ = 0;
 }
 
 }  // namespace edgevo

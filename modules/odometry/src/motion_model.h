@@ -5,6 +5,7 @@
 
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
+#include "frame_clock.h"
 #include "steady_motion.h"
 
 namespace edgevo {
@@ -16,35 +17,37 @@ class MotionModel {
   /// Motion from one frame to the next, as last seen, tangent.
   Vector6d velocity() const { return velocity_.log(); }
   const SteadyMotion& steady() const { return steady_; }
-  /// Where the next frame is after one with a pose.
-  SE3 predict() const { return velocity_ * T_last_ref_; }
-  /// Where it is looked for, best first; after frames without a pose over the gap, too.
+  /// From the last frame with a pose to the one that began: 1 where none was lost or left out.
+  int frames_since() const { return frames_since_; }
+  /// Where the frame that began is, if the camera goes on as before.
+  SE3 predict() const;
+  /// Where it is looked for, best first.
   std::vector<SE3> starts() const;
   /// Motion a second of points in the camera frame, as foreseen; nothing where no time is known.
   std::optional<Vector6d> expected_twist() const;
   /// The same as measured, when the image of a new pose was taken: the motion since the last frame is that of half a frame ago, and half of
   /// its change comes on top. 0: not known.
-  Vector6d twist(Timestamp time, const SE3& T_cur_ref) const;
+  Vector6d twist(const SE3& T_cur_ref) const;
 
-  /// A frame with a pose; after a gap the velocity is the mean over the gap. `held`: hold_steady() chose it.
-  void follow(Timestamp time, const SE3& T_cur_ref, bool held = false);
-  /// A frame without one.
-  void miss() { ++missed_; }
-  /// The gap is counted from here.
-  void begin_gap() { missed_ = 0; }
-  /// A new map: the last frame is the reference, `motion` that since the frame before, which took `seconds` (0: not known).
-  void restart(Timestamp time, const SE3& motion, double seconds);
+  /// Each frame, before anything is asked about it.
+  void begin_frame(Timestamp time);
+  /// The frame has a pose; after a gap the velocity is the mean over the gap. `held`: hold_steady() chose it.
+  void follow(const SE3& T_cur_ref, bool held = false);
+  /// A new map: the frame is the reference, `motion` that since the frame before; nothing: not known.
+  void restart(const std::optional<SE3>& motion);
   /// Another keyframe is the reference; T_old_new is the motion from the new one to the old one.
   void change_reference(const SE3& T_old_new) { T_last_ref_ = T_last_ref_ * T_old_new; }
 
  private:
-  static constexpr int kLongGap = 10;  // frames
+  static constexpr int kLongGap = 11;  // frames
 
   SE3 T_last_ref_, velocity_;
   SteadyMotion steady_;
   double velocity_s_ = 0;  // that the motion `velocity_` takes; 0: not known
-  Timestamp time_;         // of T_last_ref_
-  int missed_ = 0;         // frames since
+  FrameClock clock_;
+  FrameClock::Step newest_;  // to the frame that began
+  int frames_since_ = 0;     // from the last frame with a pose to it
+  double seconds_since_ = 0; // 0: not known
 };
 
 }  // namespace edgevo

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "camera_changes.h"
+#include "camera_log.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/thread_clock.h"
 #include "mapping_thread.h"
@@ -21,7 +21,7 @@ struct Odometry::Impl {
     // In realtime the mapping must not stand still for long.
     mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
       rebuilder.set_correction(now);
-      return rebuilder.build(old.source, motion);
+      return rebuilder.rebuild(old, motion);
     }, o.realtime);
     builder.set_correction(mapper.camera().correction());
   }
@@ -32,18 +32,18 @@ struct Odometry::Impl {
     if (frames_ahead >= options.max_frames_ahead) mapping.wait_keyframe();
     if (has_map) change_reference(frame, mapping.reference());
     const double start = thread_cpu_ms();
+    motion.begin_frame(frame.time);
     expected_motion = expect_motion();
     const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image, expected_motion);  // throws for a wrong size: no record then
+    if (pyramid->unlit && !(newest_pyramid && newest_pyramid->unlit)) say(frame, describe_unlit(pyramid->unlit_share()));
     newest_pyramid = pyramid;
     FrameRecord& record = records.begin_frame(frame);
     record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
     record.edges = int(pyramid->finest().edges.pixels.size());
-    if (lost) motion.miss();
     newest_pose = {};
     if (has_map && (!lost || tries_old_map(record.edges))) track_frame(frame, pyramid, &record);
     if (!has_map || lost || is_out_of_map()) bootstrap_frame(frame, pyramid, &record);
     note_pose(record);
-    time_before = frame.time;
     return record;
   }
 
@@ -52,7 +52,7 @@ struct Odometry::Impl {
     FrameRecord& record = records.begin_frame(frame);
     record.state = ever_tracked ? TrackingState::kLost : TrackingState::kBootstrapping;
     record.note = why;
-    motion.miss();
+    motion.begin_frame(frame.time);
     return record;
   }
 
@@ -84,9 +84,9 @@ struct Odometry::Impl {
     const double start = thread_cpu_ms();
     TrackResult found = track(*pyramid, reference->cloud, motion.starts(), params.alignment);
     const bool held = !lost && hold_steady(motion, *pyramid, reference->cloud, params.alignment, &found);
-    Tracked tracked = put_rows_right(frame, *pyramid, found);
+    Tracked tracked = put_rows_right(*pyramid, found);
     record->stage_ms.emplace_back("alignment", thread_cpu_ms() - start);
-    if (is_doubtful(tracked.result)) ask_corners(frame, *pyramid, &tracked, record);
+    if (is_doubtful(tracked.result)) ask_corners(*pyramid, &tracked, record);
     const TrackResult& result = tracked.result;
     record->inlier_share = result.evidence.inlier_share;
     record->residual_px = result.stats.residual_px;
@@ -104,7 +104,7 @@ struct Odometry::Impl {
     record->covariance = reference->error_factor * result.covariance;
     records.place(record, segment, reference->keyframe_id, result.T_cur_ref, reference->T_ref_world);
     newest_pose.T_cam_map = result.T_cur_ref * reference->T_ref_world;
-    motion.follow(frame.time, result.T_cur_ref, held);
+    motion.follow(result.T_cur_ref, held);
     submit(frame, pyramid, std::move(tracked), record);
   }
 
@@ -128,14 +128,14 @@ struct Odometry::Impl {
   // A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the edges made of it: rotation and
   // direction from corners, the length from the edges. The pose that more speaks for is taken; at large motion the corners go with the
   // frame into the adjustment either way.
-  void ask_corners(const Frame& frame, const FramePyramid& pyramid, Tracked* tracked, FrameRecord* record) {
+  void ask_corners(const FramePyramid& pyramid, Tracked* tracked, FrameRecord* record) {
     const double start = thread_cpu_ms();
     const SE3 expected = motion.predict();
     std::optional<CornerMotion> found =
         find_corner_motion(builder.pinhole(), *reference->cloud.pyramid, pyramid, expected, params.mapping.corners, &random);
     if (found) {
       const SE3 T_cur_ref(found->T_to_from.rotation(), expected.translation().norm() * found->T_to_from.translation());
-      Tracked other = put_rows_right(frame, pyramid, track_along(pyramid, reference->cloud, T_cur_ref, params.alignment));
+      Tracked other = put_rows_right(pyramid, track_along(pyramid, reference->cloud, T_cur_ref, params.alignment));
       if (support(other.result.evidence, params.alignment) > support(tracked->result.evidence, params.alignment)) *tracked = std::move(other);
       if (follows_keyframe()) tracked->corners = std::move(found->pairs);
     }
@@ -158,8 +158,8 @@ struct Odometry::Impl {
     return image_motion(builder.pinhole(), reference->cloud, T_cur_ref, twist, reference->median_idepth);
   }
 
-  Tracked put_rows_right(const Frame& frame, const FramePyramid& pyramid, const TrackResult& result) const {
-    const Vector6d twist = motion.twist(frame.time, result.T_cur_ref);
+  Tracked put_rows_right(const FramePyramid& pyramid, const TrackResult& result) const {
+    const Vector6d twist = motion.twist(result.T_cur_ref);
     const bool again = is_rolling() && result.verdict != TrackingState::kLost;
     return {again ? track_rows(pyramid, twist, result) : result, twist, {}};
   }
@@ -202,16 +202,16 @@ struct Odometry::Impl {
     frames_ahead = decision.needed && pending ? frames_ahead + 1 : 0;
     tracked.make_keyframe = decision.needed && !back && !pending;
     if (tracked.make_keyframe) frames_since_keyframe = 0;
-    if (tracked.make_keyframe && params.camera.knows_rolling()) straighten_keyframe(frame, result.T_cur_ref, from.twist, &tracked, record);
+    if (tracked.make_keyframe && params.camera.knows_rolling()) straighten_keyframe(result.T_cur_ref, from.twist, &tracked, record);
     mapping.submit(std::move(tracked));
   }
 
   // What is measured in a keyframe stays: its rows are put where the motion that was found has taken them.
-  void straighten_keyframe(const Frame& frame, const SE3& T_cur_ref, const Vector6d& twist, TrackedFrame* tracked, FrameRecord* record) {
+  void straighten_keyframe(const SE3& T_cur_ref, const Vector6d& twist, TrackedFrame* tracked, FrameRecord* record) {
     const double start = thread_cpu_ms();
     tracked->motion = found_motion(twist, T_cur_ref);
     if (is_rolling()) {
-      tracked->pyramid = builder.build(frame.image, tracked->motion);
+      tracked->pyramid = builder.rebuild(*tracked->pyramid, tracked->motion);
       for (CornerPair& c : tracked->corners) c.to = shift_ray(builder.pinhole(), builder.correction().readout_s, expected_motion, tracked->motion, c.to);
     }
     record->stage_ms.front().second += thread_cpu_ms() - start;  // the edges
@@ -271,7 +271,7 @@ struct Odometry::Impl {
     const SE3& T_cur = reference->T_ref_world;
     newest_pose.T_cam_map = T_cur;
     const auto before = records.pose_before(frame.index, segment);
-    motion.restart(frame.time, before ? T_cur * before->inverse() : SE3(), before ? seconds_between(time_before, frame.time) : 0);
+    motion.restart(before ? std::optional<SE3>(T_cur * before->inverse()) : std::nullopt);
     frames_since_keyframe = 0;
     has_map = ever_tracked = true;
     lost = seeking = false;
@@ -308,7 +308,6 @@ struct Odometry::Impl {
   void lose(const Frame& frame, const std::string& reason) {
     lost = true;
     lost_at = frame.index;
-    motion.begin_gap();
     tries = 0;
     bootstrap.reset();
     say(frame, "LOST: " + reason);
@@ -376,7 +375,6 @@ struct Odometry::Impl {
   std::shared_ptr<const Reference> reference;
   NewestPose newest_pose;
   MotionModel motion;
-  Timestamp time_before;          // of the frame before this one
   ImageMotion expected_motion;    // that the newest image was made ready for
   int frames_since_keyframe = 0;
   ReferenceFit fit = kNoneTracked;  // of `reference`

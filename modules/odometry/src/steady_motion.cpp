@@ -1,10 +1,10 @@
 #include "steady_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/order_statistics.h"
 #include "motion_model.h"
 
 namespace edgevo {
@@ -44,10 +44,9 @@ double flow_px(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T
 Eigen::Vector3d SteadyMotion::median() const {
   Eigen::Vector3d median;
   for (int axis = 0; axis < 3; ++axis) {
-    std::array<double, kSteps> along;
-    std::transform(steps_.begin(), steps_.end(), along.begin(), [axis](const Eigen::Vector3d& step) { return step[axis]; });
-    std::nth_element(along.begin(), along.begin() + kSteps / 2, along.end());
-    median[axis] = along[kSteps / 2];
+    std::vector<double> along;
+    for (const Eigen::Vector3d& step : steps_) along.push_back(step[axis]);
+    median[axis] = edgevo::median(std::move(along));
   }
   return median;
 }
@@ -70,7 +69,7 @@ void SteadyMotion::follow(const Eigen::Vector3d& translation, bool held) {
 bool hold_steady(const MotionModel& motion, const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params,
                  TrackResult* found) {
   const std::optional<SteadyMotion::Step> usual = motion.steady().usual();
-  if (!usual || !is_steady(*usual) || found->verdict == TrackingState::kLost) return false;
+  if (!usual || motion.frames_since() > 1 || !is_steady(*usual) || found->verdict == TrackingState::kLost) return false;
   const SE3 T_ref_last = motion.T_last_ref().inverse();
   if (!is_unusual(found->T_cur_ref * T_ref_last, *usual)) return false;
   Vector6d step = motion.velocity();  // its rotation

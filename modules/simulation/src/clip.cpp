@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "edgevo/core/random.h"
+
 namespace edgevo {
 
 std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame) {
@@ -21,6 +23,19 @@ std::shared_ptr<const Clip> played_backward(const Clip& clip) {
     frame.time.ticks = clip.frames.front().time.ticks + clip.frames.back().time.ticks - frame.time.ticks;
   }
   return mirrored;
+}
+
+std::shared_ptr<const Clip> with_gaps(const Clip& clip, uint64_t seed) {
+  constexpr double kMissingShare = 0.3;
+  constexpr size_t kEvery = 60, kFirst = 50, kInARow = 4;
+  Random random = Random::derive(seed, 0x676170);
+  auto left = std::make_shared<Clip>(Clip{clip.camera, clip.kind, {}});
+  for (size_t i = 0; i < clip.frames.size(); ++i) {
+    const bool missing = random.uniform() < kMissingShare;
+    const bool in_a_row = i >= kFirst && (i - kFirst) % kEvery < kInARow;
+    if (i == 0 || (!missing && !in_a_row)) left->frames.push_back(clip.frames[i]);
+  }
+  return left;
 }
 
 std::vector<Timestamp> ClipSource::times() const {

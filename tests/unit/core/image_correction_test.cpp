@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "edgevo/core/radial.h"
 
 namespace edgevo {
@@ -53,6 +55,12 @@ TEST(ImageMotion, TakesTheDepthOfItsCell) {
     for (const double v : {-50.0, 0.0, 479.0, 600.0}) EXPECT_NEAR(idepth_at(u, v), 0.5, 1e-9) << u << " " << v;
 }
 
+TEST(ImageMotion, OfNoPointIsNoPlaceInMemory) {
+  const double none = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(motion_at(1).at(kCamera, {none, none}).allFinite());
+  EXPECT_FALSE(motion_at(1).at(kCamera, {far, -far}).allFinite());
+}
+
 TEST(ImageMotion, IsNotKnownAtFirst) {
   EXPECT_FALSE(ImageMotion().is_known());
   const Eigen::Vector2d x(0.3, -0.2);
@@ -80,6 +88,21 @@ TEST(ImageCorrection, TheWayBackIsExact) {
       const ImageMotion m = motion_at(0.8);
       for (const Eigen::Vector2d& x : points()) EXPECT_LT((from_file(kCamera, c, m, to_file(kCamera, c, m, x)) - x).norm(), 1e-11);
     }
+}
+
+// Rows that overtake one another have no way back.
+TEST(ImageCorrection, WhereTheImageFliesTheLensAloneIsTakenOut) {
+  for (const double factor : {30.0, 1e3, 1e150}) {
+    ImageMotion m = motion_at(0.8);
+    m.velocity *= factor;
+    int lens_alone = 0;
+    for (const Eigen::Vector2d& x : points()) {
+      const Eigen::Vector2d back = from_file(kCamera, {0.01, 0.1}, m, x);
+      EXPECT_TRUE(back.allFinite()) << factor;
+      lens_alone += back == remove_radial(0.01, x);
+    }
+    EXPECT_GT(lens_alone, 0) << factor;
+  }
 }
 
 TEST(ImageCorrection, WithoutAReadOutOnlyTheLensIsLeft) {

@@ -27,7 +27,7 @@ constexpr const char* kOne = "sequences:\n  a:\n    source: x\n";
 
 TEST(BenchList, IsReadInOrderWithItsDefaults) {
   const BenchList list = parse(
-      "seeds: 3 1..2, 9\nvariants: normal every3+glare+backward\nsequences:\n  b:\n    source: scene:desk\n    frames: 0:40\n"
+      "seeds: 3 1..2, 9\nvariants: normal every3+glare+backward gaps\nsequences:\n  b:\n    source: scene:desk\n    frames: 0:40\n"
       "  a:\n    source: folder/of it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n");
   EXPECT_THAT(list.seeds, ElementsAre(3, 1, 2, 9));
   ASSERT_EQ(list.sequences.size(), 2u);
@@ -36,7 +36,7 @@ TEST(BenchList, IsReadInOrderWithItsDefaults) {
   EXPECT_EQ(b.source, "scene:desk");
   EXPECT_EQ(b.frames, "0:40");
   EXPECT_EQ(b.where, "list:5");
-  ASSERT_EQ(b.variants.size(), 2u);
+  ASSERT_EQ(b.variants.size(), 3u);
   EXPECT_EQ(b.variants[0].name, "normal");
   EXPECT_EQ(b.variants[0].every, 1);
   EXPECT_EQ(b.variants[0].light, "");
@@ -45,12 +45,15 @@ TEST(BenchList, IsReadInOrderWithItsDefaults) {
   EXPECT_TRUE(b.variants[1].backward);
   EXPECT_EQ(b.variants[1].every, 3);
   EXPECT_EQ(b.variants[1].light, "glare");
+  EXPECT_FALSE(b.variants[1].gaps);
+  EXPECT_TRUE(b.variants[2].gaps);
+  EXPECT_FALSE(b.variants[2].backward);
   EXPECT_EQ(a.source, "folder/of it");
   EXPECT_EQ(a.camera, "c.yaml");
   EXPECT_EQ(a.params, "p.yaml");
   ASSERT_EQ(a.variants.size(), 1u);
   EXPECT_EQ(a.variants[0].light, "mixed");
-  EXPECT_EQ(list.jobs(), 12);
+  EXPECT_EQ(list.jobs(), 16);
 }
 
 TEST(BenchList, WithoutSeedsAndVariantsThereAreFiveNormalRuns) {
@@ -84,7 +87,7 @@ TEST(BenchList, WhatIsWrongIsToldWithItsLine) {
 
 TEST(BenchList, ThoseThatShipAreRead) {
   const std::vector<std::string> lights{"drift", "jumps", "gamma", "vignette", "glare", "eaten", "shadows", "blur", "noise", "dropped", "mixed"};
-  for (const auto& [name, jobs] : {std::pair("rendered", 75), {"real", 140}, {"lights", 300}}) {
+  for (const auto& [name, jobs] : {std::pair("rendered", 100), {"real", 170}, {"lights", 300}}) {
     const std::string path = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/" + name + ".yaml";
     EXPECT_EQ(parse_bench_list(read_file(path, ""), path, lights).jobs(), jobs);
   }

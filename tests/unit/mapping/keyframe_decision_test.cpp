@@ -210,6 +210,7 @@ TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
   EXPECT_FALSE(is_back(camera, near, 2, 10.0, params)) << "it is the reference";
   EXPECT_FALSE(is_back(camera, near, 4, 5.0, params)) << "hardly nearer";
   EXPECT_FALSE(is_back(camera, {2, 0.1}, 4, 1.0, params)) << "a standstill";
+  EXPECT_FALSE(is_back(camera, {2, 80.0}, 4, 12000.0, params)) << "a jump, away from all";
   EXPECT_FALSE(is_back(camera, NearestKeyframe{}, 4, 10.0, params)) << "there is none";
 }
 

@@ -18,14 +18,19 @@ const SE3 kStep = SE3::exp(twist(0.1, 0, 0.3, 0, 0.02, 0));
 // Frames 0.1 s apart, each `kStep` further than the one before.
 MotionModel after_steps(int n) {
   MotionModel m;
-  m.restart(at(0), SE3(), 0);
+  m.begin_frame(at(0));
+  m.restart(SE3());
   SE3 T;
-  for (int i = 1; i <= n; ++i) m.follow(at(0.1 * i), T = kStep * T);
+  for (int i = 1; i <= n; ++i) {
+    m.begin_frame(at(0.1 * i));
+    m.follow(T = kStep * T);
+  }
   return m;
 }
 
 TEST(MotionModel, GoesOnAsBefore) {
-  const MotionModel m = after_steps(3);
+  MotionModel m = after_steps(3);
+  m.begin_frame(at(0.4));
   EXPECT_LT(difference(m.predict(), kStep * kStep * kStep * kStep), 1e-12);
   EXPECT_LT(difference(m.starts().front(), m.predict()), 1e-12);
   ASSERT_TRUE(m.expected_twist());
@@ -34,33 +39,60 @@ TEST(MotionModel, GoesOnAsBefore) {
 
 TEST(MotionModel, BridgesAGapAndTakesItsMeanVelocity) {
   MotionModel m = after_steps(2);
-  m.begin_gap();
-  m.miss(), m.miss();
+  for (const double seconds : {0.3, 0.4, 0.5}) m.begin_frame(at(seconds));
+  EXPECT_EQ(m.frames_since(), 3);
   const SE3 expected = SE3::exp(3 * kStep.log()) * m.T_last_ref();
   EXPECT_LT(difference(m.starts().front(), expected), 1e-12);
-  m.follow(at(0.5), expected);
+  EXPECT_LT(difference(m.predict(), expected), 1e-12);
+  m.follow(expected);
+  m.begin_frame(at(0.6));
   EXPECT_LT(difference(m.predict(), kStep * expected), 1e-12);
+  EXPECT_LT((*m.expected_twist() - kStep.log() / 0.1).norm(), 1e-9);
+}
+
+// The source left four frames out: the same as if they had been lost.
+TEST(MotionModel, BridgesFramesThatTheSourceLeftOut) {
+  MotionModel m = after_steps(5);
+  m.begin_frame(at(1.0));
+  EXPECT_EQ(m.frames_since(), 5);
+  const SE3 expected = SE3::exp(5 * kStep.log()) * m.T_last_ref();
+  EXPECT_LT(difference(m.starts().front(), expected), 1e-12);
+  EXPECT_LT((m.twist(expected) - kStep.log() / 0.1).norm(), 1e-9);
+  m.follow(expected);
+  m.begin_frame(at(1.1));
+  EXPECT_LT(difference(m.predict(), kStep * expected), 1e-12);
+  EXPECT_LT((*m.expected_twist() - kStep.log() / 0.1).norm(), 1e-9);
+}
+
+TEST(MotionModel, ANewMapAfterAGapTakesTheMeanVelocity) {
+  MotionModel m = after_steps(5);
+  m.begin_frame(at(0.9));
+  m.restart(SE3::exp(4 * kStep.log()));
+  m.begin_frame(at(1.0));
+  EXPECT_LT(difference(m.predict(), kStep), 1e-12);
   EXPECT_LT((*m.expected_twist() - kStep.log() / 0.1).norm(), 1e-9);
 }
 
 TEST(MotionModel, AfterALongGapTheCameraIsSoughtWhereItWas) {
   MotionModel m = after_steps(2);
-  for (int i = 0; i < 11; ++i) m.miss();
+  for (int i = 0; i < 12; ++i) m.begin_frame(at(0.3 + 0.1 * i));
   EXPECT_LT(difference(m.starts().front(), m.T_last_ref()), 1e-12);
 }
 
 // Steady motion: the measured twist is the expected one. A faster step: half of the change comes on top.
 TEST(MotionModel, TwistOfTheMomentOfTheImage) {
-  const MotionModel m = after_steps(2);
+  MotionModel m = after_steps(2);
   const Vector6d steady = kStep.log() / 0.1;
-  EXPECT_LT((m.twist(at(0.3), kStep * m.T_last_ref()) - steady).norm(), 1e-9);
-  EXPECT_LT((m.twist(at(0.3), SE3::exp(2 * kStep.log()) * m.T_last_ref()) - 2.5 * steady).norm(), 1e-9);
-  EXPECT_EQ(m.twist(at(0.2), kStep * m.T_last_ref()), Vector6d::Zero());  // no time has passed
+  EXPECT_EQ(m.twist(kStep * m.T_last_ref()), Vector6d::Zero());  // no frame has begun
+  m.begin_frame(at(0.3));
+  EXPECT_LT((m.twist(kStep * m.T_last_ref()) - steady).norm(), 1e-9);
+  EXPECT_LT((m.twist(SE3::exp(2 * kStep.log()) * m.T_last_ref()) - 2.5 * steady).norm(), 1e-9);
 }
 
 TEST(MotionModel, WithoutTimesNothingIsExpected) {
   MotionModel m;
-  m.restart(at(1), kStep, 0);
+  m.begin_frame(at(1));  // the first of all
+  m.restart(kStep);
   EXPECT_FALSE(m.expected_twist());
   EXPECT_LT(difference(m.predict(), kStep), 1e-12);
 }

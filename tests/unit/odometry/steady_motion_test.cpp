@@ -58,15 +58,21 @@ TEST(SteadyMotion, AGapInterrupts) {
   EXPECT_TRUE(m.usual());  // the deviations have stayed
 }
 
+Timestamp at(double seconds) { return Timestamp::from_seconds(seconds); }
+
 // A camera that has come towards the plane by 1 cm a frame, give or take 1 mm, and stands at the reference now.
 MotionModel approaching() {
   MotionModel m;
   std::vector<SE3> T{SE3()};
   for (int i = 0; i < kKnown + 10; ++i) T.push_back(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.009 : 0.011, 0, 0, 0)) * T.back());
   const SE3 last = T.back().inverse();
-  m.restart(Timestamp::from_seconds(0), SE3(), 0);
+  m.begin_frame(at(0));
+  m.restart(SE3());
   m.change_reference(T.front() * last);  // the reference is where the last frame is
-  for (size_t i = 1; i < T.size(); ++i) m.follow(Timestamp::from_seconds(0.1 * double(i)), T[i] * last);
+  for (size_t i = 1; i < T.size(); ++i) {
+    m.begin_frame(at(0.1 * double(i)));
+    m.follow(T[i] * last);
+  }
   return m;
 }
 
@@ -99,6 +105,17 @@ TEST(HoldSteady, AJumpThatTheImageShowsStays) {
   EXPECT_EQ((found.T_cur_ref.translation() - truth.translation()).norm(), 0);
 }
 
+// The source left frames out: the usual step is that of one frame.
+TEST(HoldSteady, LeavesAStepOverAGapAlone) {
+  const test::PlaneScene scene;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto pyramid = scene.pyramid(SE3::exp(twist(0, 0, 0.01, 0, 0, 0)).inverse());
+  MotionModel m = approaching();
+  m.begin_frame(at(100));
+  TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
+  EXPECT_FALSE(hold_steady(m, *pyramid, cloud, AlignmentParams(), &found));
+}
+
 // Unusual for a camera so steady, but within a pixel of the usual step: both poses are the same to the image.
 TEST(HoldSteady, LeavesSmallDifferencesAlone) {
   const test::PlaneScene scene;
@@ -115,9 +132,11 @@ TEST(HoldSteady, LeavesAnUnsteadyCameraAlone) {
   const ReferenceCloud cloud = scene.cloud(SE3());
   const auto pyramid = scene.pyramid(SE3::exp(twist(0, 0, 0.01, 0, 0, 0)).inverse());
   MotionModel swaying;
-  swaying.restart(Timestamp::from_seconds(0), SE3(), 0);
-  for (int i = 0; i < kKnown + 10; ++i)
-    swaying.follow(Timestamp::from_seconds(0.1 * i), SE3::exp(twist(0, 0, i % 2 == 0 ? 0.01 : 0, 0, 0, 0)));
+  swaying.restart(SE3());
+  for (int i = 0; i < kKnown + 10; ++i) {
+    swaying.begin_frame(at(0.1 * i));
+    swaying.follow(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.01 : 0, 0, 0, 0)));
+  }
   ASSERT_TRUE(swaying.steady().usual());
   TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
   EXPECT_FALSE(hold_steady(swaying, *pyramid, cloud, AlignmentParams(), &found));

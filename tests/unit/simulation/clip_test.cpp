@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace edgevo {
 namespace {
 
@@ -57,6 +60,30 @@ TEST(Clip, BackwardTheTimesGrowToo) {
     EXPECT_EQ(backward->frames[size_t(i)].image.pixels[0], 3 - i);
   }
   EXPECT_EQ(backward->camera.pinhole.width, 8);
+}
+
+TEST(Clip, WithGapsFramesAreMissingAndTheOthersAreAsBefore) {
+  CountingSource source(200);
+  const auto clip = read_clip(source, [](int) { return true; });
+  const auto left = with_gaps(*clip, 3);
+  EXPECT_GT(left->frames.size(), 110u);
+  EXPECT_LT(left->frames.size(), 150u);
+  EXPECT_EQ(left->frames.front().index, 5);
+  int longest = 0;
+  for (size_t i = 0; i < left->frames.size(); ++i) {
+    const Frame& frame = left->frames[i];
+    EXPECT_EQ(frame.time, Timestamp{1000 * (frame.index - 5)});
+    EXPECT_EQ(frame.image.pixels[0], frame.index - 5);
+    if (i > 0) longest = std::max(longest, frame.index - left->frames[i - 1].index);
+  }
+  EXPECT_GE(longest, 5);
+  const auto indices = [](const Clip& c) {
+    std::vector<int> all;
+    for (const Frame& frame : c.frames) all.push_back(frame.index);
+    return all;
+  };
+  EXPECT_EQ(indices(*with_gaps(*clip, 3)), indices(*left));
+  EXPECT_NE(indices(*with_gaps(*clip, 4)), indices(*left));
 }
 
 TEST(Clip, ReadingCanBeEnded) {

@@ -30,7 +30,8 @@ inline double shutter_row(const Pinhole& c, const Eigen::Vector2d& x) {
 Eigen::Vector2d add_rolling(const Pinhole& pinhole, double readout_s, const ImageMotion& motion, const Eigen::Vector2d& x);
 /// x_file of a true x.
 Eigen::Vector2d to_file(const Pinhole& pinhole, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x);
-/// Inverse of to_file, to 1e-12 where the image moves by less than a fifth of its height while it is read; at most 12 steps.
+/// Inverse of to_file, to 1e-12 where the image moves by less than a fifth of its height while it is read; at most 12 steps. Where it
+/// moves so fast that the steps lead away, the lens alone is taken out.
 Eigen::Vector2d from_file(const Pinhole& pinhole, const ImageCorrection& correction, const ImageMotion& motion,
                           const Eigen::Vector2d& x_file);
 /// d x_file / d x; the rolling shutter's share by differences.

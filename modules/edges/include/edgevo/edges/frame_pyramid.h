@@ -26,8 +26,10 @@ struct PyramidLevel {
 struct FramePyramid {
   std::vector<PyramidLevel> levels;
   GrayImage source;            ///< as the camera took it: to build the pyramid anew when the camera is corrected
+  std::shared_ptr<const Plane<uint8_t>> unlit;  ///< 255 where no light reaches `source`: no edges are taken there; null where it does everywhere, and at first
   ImageCorrection correction;  ///< that was taken out of `levels`, beside what the camera file says
   const PyramidLevel& finest() const { return levels.front(); }
+  double unlit_share() const;  ///< of the pixels of `source`, 0 to 1
 };
 
 /// Turns frames into pyramids. Holds the detector and the undistortion maps; one object a thread.
@@ -45,7 +47,10 @@ class PyramidBuilder {
   void set_correction(const ImageCorrection& correction);
   /// `image` must have the camera's size (throws InputError). `motion`: of the image at that moment, for a rolling shutter; without it
   /// the rows stay where they are. Cost at 1241x376: see tests/bench/bench_edges.cpp.
+  /// Images of one camera in their order: what no image so far has lit (a black frame, a letterbox) gets no edges.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
+  /// The pyramid of the same image for the present correction and another motion.
+  std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
 
  private:
   struct Impl;

@@ -11,8 +11,8 @@
 //       params: kitti.yaml
 //       variants: normal
 //
-// A variant is made of `normal` (nothing), `everyN` (only each N-th frame), `backward` (the last frame first) and the name of a change of
-// light.
+// A variant is made of `normal` (nothing), `everyN` (only each N-th frame), `backward` (the last frame first), `gaps` (frames missing here
+// and there, drawn by the seed) and the name of a change of light.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,6 +23,7 @@ struct BenchVariant {
   std::string name = "normal";
   int every = 1;
   bool backward = false;
+  bool gaps = false;
   std::string light;  ///< kind of `edgevo relight`; empty: as it is
 };
 

@@ -120,8 +120,8 @@ struct NearestKeyframe {
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref,
                                       const KeyframeParams& params);
 
-/// Is the camera back at another keyframe than its reference? One that is nearer by half, and the reference is left by more than the
-/// smallest flow: at a standstill all are equally near.
+/// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than keyframes lie to one another; and the
+/// reference is left by more than the smallest flow: at a standstill all are equally near.
 bool is_back(const Pinhole& pinhole, const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params);
 
 /// How well a reference explains the frames tracked against it, shares in [0, 1].

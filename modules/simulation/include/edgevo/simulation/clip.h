@@ -1,5 +1,6 @@
 #pragma once
 // A source held in memory, to be played many times: rendering a frame costs more than tracking it.
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -19,6 +20,10 @@ std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<b
 
 /// The same frames, the last first; index and time are mirrored (first + last - own), so that both grow.
 std::shared_ptr<const Clip> played_backward(const Clip& clip);
+
+/// What a busy recorder leaves of it: nearly a third of the frames is missing, drawn by `seed`, and from the 50th on four in a row every 60.
+/// The others keep index and time.
+std::shared_ptr<const Clip> with_gaps(const Clip& clip, uint64_t seed);
 
 class ClipSource : public ImageSource {
  public:

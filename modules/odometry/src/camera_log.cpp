@@ -1,4 +1,4 @@
-#include "camera_changes.h"
+#include "camera_log.h"
 
 #include <cstdio>
 
@@ -17,6 +17,12 @@ std::vector<std::string> describe_changes(const ImageCorrection& before, const C
     lines.push_back(line);
   }
   return lines;
+}
+
+std::string describe_unlit(double share) {
+  char line[120];
+  std::snprintf(line, sizeof line, "no light reaches %.0f %% of the images: no edges are taken there, nor of its outline", 100 * share);
+  return line;
 }
 
 }  // namespace edgevo

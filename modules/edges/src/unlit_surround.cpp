@@ -1,0 +1,76 @@
+#include "unlit_surround.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "opencv_view.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kBlurPx = 9;                   // noise of a sensor, blocks of a JPEG
+constexpr double kDarkestShare = 0.001;      // of the pixels, as dark as an image gets
+constexpr int kAboveDarkest = 5;             // gray levels that noise leaves after the blur
+constexpr int kBlackest = 20;                // gray level of black at most: 16 in video, and an offset. A lighter ground is one of the scene.
+constexpr double kMinAreaShare = 0.04;       // of the image; smaller ones do little harm
+constexpr double kWorthLooking = 0.01;       // Areas are looked for anew where this share of the dark pixels was lit: noise lights one now and then.
+constexpr int kMarginPx = kBlurPx / 2 + 6;   // The outline is blurred here, by the lens, by the undistortion and by the gradient's filter.
+constexpr int kImagesNeeded = 20;            // One image cannot tell a black surround from a dark corner of the scene.
+
+// The gray level that `share` of the pixels do not exceed.
+int level_of_share(const cv::Mat& image, double share) {
+  int count[256] = {};
+  for (int y = 0; y < image.rows; ++y)
+    for (int x = 0; x < image.cols; ++x) ++count[image.at<uint8_t>(y, x)];
+  int level = 0, below = count[0];
+  while (level < 255 && below < share * double(image.total())) below += count[++level];
+  return level;
+}
+
+bool reaches_border(const cv::Rect& box, const cv::Size& image) {
+  return box.x == 0 || box.y == 0 || box.br().x == image.width || box.br().y == image.height;
+}
+
+}  // namespace
+
+void UnlitSurround::add(const ImageView<uint8_t>& image) {
+  if (is_gone_) return;
+  ++images_;
+  cv::Mat smooth;
+  cv::blur(as_mat(image), smooth, {kBlurPx, kBlurPx});
+  const cv::Mat dark = smooth <= std::min(level_of_share(smooth, kDarkestShare), kBlackest) + kAboveDarkest;
+  const bool is_first = dark_.empty();
+  if (is_first) dark_ = Plane<uint8_t>(image.width, image.height);
+  cv::Mat kept = as_mat(dark_);
+  if (is_first) dark.copyTo(kept);
+  else cv::bitwise_and(kept, dark, kept);
+  const int pixels = cv::countNonZero(kept);
+  if (!is_first && dark_pixels_ - pixels <= kWorthLooking * dark_pixels_) return;
+  dark_pixels_ = pixels;
+  find_areas();
+}
+
+void UnlitSurround::find_areas() {
+  const cv::Mat dark = as_mat(dark_);
+  cv::Mat labels, boxes, centres;
+  const int count = cv::connectedComponentsWithStats(dark, labels, boxes, centres, 4);
+  auto mask = std::make_shared<Plane<uint8_t>>(dark_.width(), dark_.height());
+  cv::Mat marked = as_mat(*mask);
+  marked.setTo(0);
+  is_gone_ = true;
+  for (int i = 1; i < count; ++i) {
+    const cv::Rect box(boxes.at<int>(i, cv::CC_STAT_LEFT), boxes.at<int>(i, cv::CC_STAT_TOP),
+                       boxes.at<int>(i, cv::CC_STAT_WIDTH), boxes.at<int>(i, cv::CC_STAT_HEIGHT));
+    if (boxes.at<int>(i, cv::CC_STAT_AREA) < kMinAreaShare * double(dark.total()) || !reaches_border(box, dark.size())) continue;
+    marked.setTo(255, labels == i);
+    is_gone_ = false;
+  }
+  areas_.reset();
+  if (is_gone_) return;
+  cv::dilate(marked, marked, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kMarginPx + 1, 2 * kMarginPx + 1}));
+  areas_ = std::move(mask);
+}
+
+std::shared_ptr<const Plane<uint8_t>> UnlitSurround::mask() const { return images_ >= kImagesNeeded ? areas_ : nullptr; }
+
+}  // namespace edgevo

@@ -1,0 +1,42 @@
+#include "frame_clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kShortest = 0.5, kLongest = 1.5;  // intervals a frame
+
+// Of those that no frame is missing from: the median of what lies about the lower quartile, then about that median.
+double usual_interval(const std::deque<double>& intervals) {
+  constexpr int kRounds = 3;
+  std::vector<double> some(intervals.begin(), intervals.end());
+  double usual = quantile(some, 0.25);
+  for (int round = 0; round < kRounds; ++round) {
+    some.clear();
+    for (const double s : intervals)
+      if (s >= kShortest * usual && s <= kLongest * usual) some.push_back(s);
+    usual = median(some);
+  }
+  return usual;
+}
+
+}  // namespace
+
+FrameClock::Step FrameClock::tick(Timestamp time) {
+  const double seconds = newest_ ? seconds_between(*newest_, time) : 0;
+  newest_ = time;
+  if (!(seconds > 0)) return {};
+  const bool few = intervals_.size() < kFewIntervals;
+  const double usual = few ? seconds : usual_interval(intervals_);
+  intervals_.push_back(seconds);
+  if (intervals_.size() > kIntervals) intervals_.pop_front();
+  const double frames = std::clamp(std::round(seconds / usual), 1.0, double(kMostFrames));
+  return {int(frames), std::clamp(seconds, kShortest * frames * usual, kLongest * frames * usual)};
+}
+
+}  // namespace edgevo
