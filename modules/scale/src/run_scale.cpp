@@ -139,10 +139,10 @@ ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<Sca
     sigmas.push_back(e.sigma);
     record.frames_carried_over += e.samples == 0;
   }
-  record.factor = median(std::move(factors));
-  record.sigma = median(std::move(sigmas));
   record.lowest = *std::min_element(factors.begin(), factors.end());
   record.highest = *std::max_element(factors.begin(), factors.end());
+  record.factor = median(std::move(factors));
+  record.sigma = median(std::move(sigmas));
   return record;
 }
 

@@ -25,7 +25,9 @@ T median(std::vector<T> values) {
 /// The value that `share` (0..1) of the others are not above; 0 of none. O(size).
 template <class T>
 T quantile(std::vector<T> values, double share) {
-  return values.empty() ? T(0) : of_rank(std::move(values), size_t(share * double(values.size() - 1)));
+  if (values.empty()) return T(0);
+  const auto rank = size_t(share * double(values.size() - 1));
+  return of_rank(std::move(values), rank);
 }
 
 }  // namespace edgevo
