@@ -1,12 +1,12 @@
 // The sums of alignment, four points at a time, against the same sums taken point by point.
-#include "../../../modules/alignment/src/edge_sums.h"
+#include "edge_sums.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "../../../modules/alignment/src/edge_match.h"
+#include "edge_match.h"
 #include "edgevo/alignment/edge_alignment.h"
 #include "edgevo/core/random.h"
 

@@ -1,5 +1,5 @@
 // Images put right: by the lens, and row by row for a rolling shutter. The class is private to the module, hence the path.
-#include "../../../modules/edges/src/undistortion.h"
+#include "undistortion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The black around what the lens lights. The class is private to the module, hence the path.
-#include "../../../modules/edges/src/unlit_surround.h"
+#include "unlit_surround.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Corners in the bundle adjustment: residual and derivatives, what they tell and what they leave alone, both solvers, the prior.
-#include "../../../modules/mapping/src/bundle_adjustment_corners.h"
+#include "bundle_adjustment_corners.h"
 
 #include <gtest/gtest.h>
 

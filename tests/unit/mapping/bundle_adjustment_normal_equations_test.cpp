@@ -1,5 +1,5 @@
 // The short pass over a window gives the bits of the whole one.
-#include "../../../modules/mapping/src/bundle_adjustment_normal_equations.h"
+#include "bundle_adjustment_normal_equations.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Derivatives of the profile cost against the cost itself: the adjustment solved anew at displaced values of the unknowns.
-#include "../../../modules/mapping/src/camera_problem.h"
+#include "camera_problem.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Symmetric systems: the band is found and used, and the answer is that of the whole matrix.
-#include "../../../modules/mapping/src/dense_solve.h"
+#include "dense_solve.h"
 
 #include <gtest/gtest.h>
 

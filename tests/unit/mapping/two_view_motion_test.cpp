@@ -1,5 +1,5 @@
 // The refinement behind the bootstrap is private to the module, hence the path.
-#include "../../../modules/mapping/src/two_view_motion.h"
+#include "two_view_motion.h"
 
 #include <gtest/gtest.h>
 

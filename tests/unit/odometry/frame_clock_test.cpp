@@ -1,5 +1,5 @@
 // The frame clock is private to the module, hence the path.
-#include "../../../modules/odometry/src/frame_clock.h"
+#include "frame_clock.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The motion model is private to the module, hence the path.
-#include "../../../modules/odometry/src/motion_model.h"
+#include "motion_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What the odometry expects of a rolling shutter. The functions are private to the module, hence the path.
-#include "../../../modules/odometry/src/rolling_shutter.h"
+#include "rolling_shutter.h"
 
 #include <gtest/gtest.h>
 

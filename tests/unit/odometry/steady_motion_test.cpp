@@ -1,9 +1,9 @@
 // Private to the module, hence the paths.
-#include "../../../modules/odometry/src/steady_motion.h"
+#include "steady_motion.h"
 
 #include <gtest/gtest.h>
 
-#include "../../../modules/odometry/src/motion_model.h"
+#include "motion_model.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
 
