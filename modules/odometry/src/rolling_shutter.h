@@ -7,6 +7,14 @@
 
 namespace edgevo {
 
+/// How the rows of a frame's image were rectified: for the motion that was expected of it.
+struct RowRectification {
+  double readout_s = 0;  ///< from the first row to the last; 0: a global shutter
+  ImageMotion expected;
+
+  bool is_rolling() const { return readout_s != 0; }
+};
+
 /// Of a camera that sees the cloud from T_cur_ref and moves by `twist` (of points in the camera frame, a second). Cells without points take
 /// the inverse depths of their neighbours, all of them `median_idepth` where next to nothing is in view.
 /// Cost: a projection a point, and some 20 microseconds.

@@ -3,41 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/alignment/projection.h"
 #include "edgevo/core/order_statistics.h"
 #include "motion_model.h"
+#include "view_change.h"
 
 namespace edgevo {
 
 namespace {
 
-constexpr double kSteady = 3, kUnusual = 5;  // deviations
-constexpr double kReferenceWidth = 1241, kLeastFlowPx = 2;  // less than this apart, at that width, two poses are one
-constexpr double kNearDeviations = 3;   // how far from the usual step the other pose is sought
-constexpr double kEnoughSupport = 0.85;  // of what the unusual step has
+constexpr double kSteady = 3;     // deviations: a longer translation is one of a camera that is under way
+constexpr double kUnusual = 5;    // deviations, on any axis: beyond what steps of such a camera do by chance
+constexpr double kLeastFlowPx = 2;  // at kReferenceWidth: two poses less than this apart are one to the image
+constexpr double kNearDeviations = 3;  // how far from the usual step the other pose is sought
+// Of an unusual step, beside the usual one: one that the image shows leaves the usual one less than 0.82 of its support (drives, by hand).
+constexpr double kUnusualLikelihood = 0.85;
 
-// On its way at an even speed. At a standstill, in a turn on the spot and of a camera moved about by hand no step is usual.
 bool is_steady(const SteadyMotion::Step& usual) { return usual.translation.norm() > kSteady * usual.deviation.norm(); }
-
-bool is_unusual(const SE3& T_cur_last, const SteadyMotion::Step& usual) {
-  const Eigen::Vector3d translation = T_cur_last.log().head<3>();
-  return ((translation - usual.translation).array().abs() > kUnusual * usual.deviation.array()).any();
-}
-
-// Rms image motion between two poses, pixels at kReferenceWidth.
-double flow_px(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_a_ref, const SE3& T_b_ref) {
-  const Eigen::Matrix3d R_a = T_a_ref.R(), R_b = T_b_ref.R();
-  double square = 0;
-  int counted = 0;
-  for (const CloudPoint& p : cloud.points) {
-    const Projection a = project(pinhole, R_a, T_a_ref.translation(), p.ray, p.idepth);
-    const Projection b = project(pinhole, R_b, T_b_ref.translation(), p.ray, p.idepth);
-    if (!a.valid || !b.valid || !pinhole.contains(a.px)) continue;
-    square += (a.px - b.px).squaredNorm();
-    ++counted;
-  }
-  return counted > 0 ? std::sqrt(square / counted) * kReferenceWidth / pinhole.width : 0;
-}
 
 }  // namespace
 
@@ -66,21 +47,31 @@ void SteadyMotion::follow(const Eigen::Vector3d& translation, bool held) {
   if (steps_.size() > kSteps) steps_.pop_front();
 }
 
-bool hold_steady(const MotionModel& motion, const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params,
-                 TrackResult* found) {
-  const std::optional<SteadyMotion::Step> usual = motion.steady().usual();
-  if (!usual || motion.frames_since() > 1 || !is_steady(*usual) || found->verdict == TrackingState::kLost) return false;
-  const SE3 T_ref_last = motion.T_last_ref().inverse();
-  if (!is_unusual(found->T_cur_ref * T_ref_last, *usual)) return false;
-  Vector6d step = motion.velocity();  // its rotation
-  step.head<3>() = usual->translation;
-  const SE3 T_usual_ref = SE3::exp(step) * motion.T_last_ref();
-  if (!(flow_px(current.finest().pinhole, cloud, T_usual_ref, found->T_cur_ref) > kLeastFlowPx)) return false;
-  TrackResult near = track_near(current, cloud, {T_usual_ref, kNearDeviations * usual->deviation}, params);
-  if (near.verdict == TrackingState::kLost || is_unusual(near.T_cur_ref * T_ref_last, *usual)) return false;  // the image will not have it
-  if (support(near.evidence, params) < kEnoughSupport * support(found->evidence, params)) return false;
-  *found = std::move(near);
-  return true;
+std::optional<UsualStep> UsualStep::of(const MotionModel& motion) {
+  const std::optional<SteadyMotion::Step> step = motion.steady().usual();
+  if (!step || motion.frames_since() > 1 || !is_steady(*step)) return std::nullopt;
+  UsualStep usual;
+  usual.step_ = *step;
+  usual.T_last_ref_ = motion.T_last_ref();
+  Vector6d xi = motion.velocity();  // its rotation
+  xi.head<3>() = step->translation;
+  usual.T_usual_ref_ = SE3::exp(xi) * usual.T_last_ref_;
+  return usual;
+}
+
+double UsualStep::likelihood(const SE3& T_cur_ref) const { return is_unusual(T_cur_ref) ? kUnusualLikelihood : 1.0; }
+
+bool UsualStep::is_unusual(const SE3& T_cur_ref) const {
+  const Eigen::Vector3d translation = (T_cur_ref * T_last_ref_.inverse()).log().head<3>();
+  return ((translation - step_.translation).array().abs() > kUnusual * step_.deviation.array()).any();
+}
+
+bool UsualStep::is_apart(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref) const {
+  return at_reference_width(pinhole, rms_flow_px(pinhole, cloud.points, T_usual_ref_, T_cur_ref)) > kLeastFlowPx;
+}
+
+PoseHypothesis UsualStep::hypothesis() const {
+  return {T_usual_ref_, PoseHypothesis::Refinement::kEdges, kNearDeviations * step_.deviation};
 }
 
 }  // namespace edgevo

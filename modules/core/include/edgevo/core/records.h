@@ -24,6 +24,9 @@ struct FrameRecord {
   TrackingState state = TrackingState::kBootstrapping;
   int segment = -1;             ///< number of the connected stretch of trajectory, from 0; -1: none
   bool is_keyframe = false;
+  /// The rule that called for a keyframe (odometry/src/keyframe_policy.cpp), "bootstrap", or "return": to an older keyframe. With
+  /// !is_keyframe it was called for while the mapping was busy with another. Empty: nothing called.
+  std::string keyframe_rule;
   int reference_keyframe = -1;  ///< Run::keyframes index that the final pose hangs on; -1: no pose
   double inlier_share = 0;      ///< share of the map points in view that speak for the pose (alignment/pose_evidence.h), [0, 1]
   double residual_px = 0;       ///< rms over the inliers along the edge normal

@@ -1,7 +1,7 @@
 // When a frame becomes a keyframe.
-#include <gtest/gtest.h>
+#include "keyframe_policy.h"
 
-#include "edgevo/mapping/mapper.h"
+#include <gmock/gmock.h>
 
 namespace edgevo {
 namespace {
@@ -24,10 +24,23 @@ ReferenceCloud grid_cloud(const Pinhole& camera) {
 
 constexpr int kLong = 1000;  // frames since the last keyframe
 
+using Action = KeyframeDecision::Action;
+
+// What the rules see, and which one fires; flows at the width of these images, which is the reference width.
+struct Seen : KeyframeView {
+  std::string rule;
+  bool needed = false;
+};
+
 class Decision : public ::testing::Test {
  protected:
-  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1, const ReferenceFit& fit = {}) const {
-    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, fit, params);
+  Seen decide(const SE3& T_cam_ref, int frames = 1, const ReferenceFit& fit = {}) const {
+    return decide(camera, grid_cloud(camera), T_cam_ref, frames, fit);
+  }
+  Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames, const ReferenceFit& fit) const {
+    Seen seen{look_at_keyframe(pinhole, cloud, T_cam_ref, frames, fit), "", false};
+    if (const char* rule = fired_rule(seen, params)) seen.rule = rule, seen.needed = true;
+    return seen;
   }
   static SE3 move(double x, double y, double z, double turn = 0) {
     return {Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY())), Eigen::Vector3d(x, y, z)};
@@ -38,7 +51,7 @@ class Decision : public ::testing::Test {
 };
 
 TEST_F(Decision, NoneAtAStandstill) {
-  const KeyframeDecision d = decide(SE3(), kLong);
+  const Seen d = decide(SE3(), kLong);
   EXPECT_FALSE(d.needed);
   EXPECT_EQ(d.flow_px, 0);
   EXPECT_EQ(d.view_share, 1);
@@ -46,8 +59,8 @@ TEST_F(Decision, NoneAtAStandstill) {
 
 TEST_F(Decision, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
   for (double turn : {0.02, 0.1, 0.3, 0.5, 0.8, 2.0}) {
-    const KeyframeDecision d = decide(move(0, 0, 0, turn), kLong);
-    EXPECT_EQ(d.needed, d.view_share < params.min_turn_share) << turn;
+    const Seen d = decide(move(0, 0, 0, turn), kLong);
+    EXPECT_EQ(d.rule, d.view_share < params.min_turn_share ? "rotation" : "") << turn;
     EXPECT_EQ(d.flow_px, 0);
   }
   EXPECT_GT(decide(move(0, 0, 0, 0.1)).view_share, params.min_turn_share);
@@ -55,7 +68,7 @@ TEST_F(Decision, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
 }
 
 TEST_F(Decision, NoneForAShakeBelowTheSmallestFlow) {
-  const KeyframeDecision d = decide(move(0.02, 0, 0), kLong);
+  const Seen d = decide(move(0.02, 0, 0), kLong);
   EXPECT_GT(d.flow_px, 0);
   EXPECT_LT(d.flow_px, params.min_flow_px);
   EXPECT_FALSE(d.needed);
@@ -63,15 +76,15 @@ TEST_F(Decision, NoneForAShakeBelowTheSmallestFlow) {
 
 TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
   EXPECT_FALSE(decide(move(0, 0, -0.2)).needed);
-  const KeyframeDecision d = decide(move(0, 0, -1.2));
+  const Seen d = decide(move(0, 0, -1.2));
   EXPECT_GT(d.flow_px, params.flow_px);
-  EXPECT_TRUE(d.needed);
+  EXPECT_EQ(d.rule, "parallax");
 }
 
 // Driving in, near things leave the view; backing away, as much comes into it that the cloud does not know.
 TEST_F(Decision, TheFlowIsTheSameOnTheWayBack) {
   for (const SE3& T : {move(0, 0, 0.8), move(0.1, -0.05, -0.4, 0.05), move(0.2, 0, 0.1, 0.3)}) {
-    const KeyframeDecision out = decide(T), back = decide(T.inverse());
+    const Seen out = decide(T), back = decide(T.inverse());
     EXPECT_NEAR(out.flow_px, back.flow_px, 1e-9);
   }
   EXPECT_EQ(decide(move(0, 0, 1.5)).view_share, 1) << "all that the cloud knows stays in view";
@@ -80,7 +93,7 @@ TEST_F(Decision, TheFlowIsTheSameOnTheWayBack) {
 // What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each step.
 TEST_F(Decision, BackingAwayMakesOneSooner) {
   const auto flow_at_the_next = [&](const Eigen::Vector3d& direction) {
-    KeyframeDecision d;
+    Seen d;
     for (double way = 0.02; way < 3 && !d.needed; way += 0.02) {
       const Eigen::Vector3d t = way * direction;
       d = decide(move(t.x(), t.y(), t.z()), kLong / 10);
@@ -96,10 +109,10 @@ TEST_F(Decision, BackingAwayMakesOneSooner) {
 // A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames goes on more slowly.
 TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
   const SE3 fast = move(0.33, 0, 0);
-  const KeyframeDecision d = decide(fast, 1);
+  const Seen d = decide(fast, 1);
   ASSERT_LT(d.flow_px, params.flow_px);
   ASSERT_GT(2 * d.flow_px, params.max_flow_px);
-  EXPECT_TRUE(d.needed);
+  EXPECT_EQ(d.rule, "fast motion");
   EXPECT_FALSE(decide(fast, 3).needed);
 }
 
@@ -114,11 +127,11 @@ TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
 TEST_F(Decision, SlowMotionMakesOneAfterSomeFrames) {
   const SE3 slow = move(0.06, 0, 0);
   EXPECT_FALSE(decide(slow, params.max_frames - 1).needed);
-  EXPECT_TRUE(decide(slow, params.max_frames).needed);
+  EXPECT_EQ(decide(slow, params.max_frames).rule, "long since");
 }
 
 TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
-  const KeyframeDecision away = decide(move(0.06, 0, 0, 0.5));
+  const Seen away = decide(move(0.06, 0, 0, 0.5));
   EXPECT_LT(away.view_share, params.min_view_share);
   EXPECT_TRUE(away.needed);
   EXPECT_FALSE(decide(move(0.06, 0, 0, 0.02)).needed);
@@ -127,10 +140,10 @@ TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
 // A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more slowly.
 TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   const SE3 turning = move(0.06, 0, 0, 0.25);
-  const KeyframeDecision d = decide(turning, 1);
+  const Seen d = decide(turning, 1);
   ASSERT_GT(d.view_share, params.min_view_share);
   ASSERT_LT(1 - 2 * (1 - d.view_share), params.min_view_share);
-  EXPECT_TRUE(d.needed);
+  EXPECT_EQ(d.rule, "view leaves");
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
@@ -138,10 +151,10 @@ TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
 TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
   params.min_view_share = 0.7;
   const SE3 turning = move(0.06, 0, 0, 0.12);
-  const KeyframeDecision d = decide(turning, 1);
+  const Seen d = decide(turning, 1);
   ASSERT_GT(1 - 2 * (1 - d.view_share), params.min_view_share) << "the next frame would see enough";
   ASSERT_GT(1 - d.view_share, params.max_view_loss);
-  EXPECT_TRUE(d.needed);
+  EXPECT_EQ(d.rule, "fast turn");
   EXPECT_FALSE(decide(turning, 2).needed) << "half as fast";
   params.max_view_loss = 1;
   EXPECT_FALSE(decide(turning, 1).needed);
@@ -151,7 +164,7 @@ TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
 TEST_F(Decision, AStaleMapMakesOne) {
   const SE3 moved = move(0.06, 0, 0);
   const double stale = 0.99 * params.min_inlier_ratio, fresh = 1.01 * params.min_inlier_ratio;
-  EXPECT_TRUE(decide(moved, 5, {0.9, 0.95 * stale, 0.95}).needed);
+  EXPECT_EQ(decide(moved, 5, {0.9, 0.95 * stale, 0.95}).rule, "stale map");
   EXPECT_FALSE(decide(moved, 5, {0.9, 0.95 * fresh, 0.95}).needed);
   EXPECT_FALSE(decide(SE3(), 5, {0.9, 0.95 * stale, 0.95}).needed) << "without motion";
   EXPECT_FALSE(decide(moved, 5, {0.7, 0.95 * stale, 0.95}).needed) << "edges are gone";
@@ -162,17 +175,17 @@ TEST_F(Decision, AStaleMapMakesOne) {
 TEST_F(Decision, FollowsTheWidthOfTheImage) {
   const Pinhole half{360, 360, 310, 93.75, 621, 188};
   for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
-    const KeyframeDecision at_half = decide_keyframe(half, grid_cloud(half), move(t, 0, 0), 1, {}, params);
+    const Seen at_half = decide(half, grid_cloud(half), move(t, 0, 0), 1, {});
     EXPECT_EQ(at_half.needed, decide(move(t, 0, 0)).needed) << t;
   }
 }
 
 TEST_F(Decision, NoneWithoutPoints) {
-  EXPECT_FALSE(decide_keyframe(camera, ReferenceCloud(), move(1, 0, 0), kLong, {}, params).needed);
+  EXPECT_FALSE(decide(camera, ReferenceCloud(), move(1, 0, 0), kLong, {}).needed);
 }
 
 TEST_F(Decision, NoneWhereEverythingIsBehind) {
-  const KeyframeDecision d = decide(move(0, 0, -50), kLong);
+  const Seen d = decide(move(0, 0, -50), kLong);
   EXPECT_FALSE(d.needed);
   EXPECT_EQ(d.flow_px, 0);
 }
@@ -206,12 +219,69 @@ TEST_F(Decision, AKeyframeThatLooksElsewhereIsNotNear) {
 
 TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
   const NearestKeyframe near{2, 3.0};
-  EXPECT_TRUE(is_back(camera, near, 4, 10.0, params));
-  EXPECT_FALSE(is_back(camera, near, 2, 10.0, params)) << "it is the reference";
-  EXPECT_FALSE(is_back(camera, near, 4, 5.0, params)) << "hardly nearer";
-  EXPECT_FALSE(is_back(camera, {2, 0.1}, 4, 1.0, params)) << "a standstill";
-  EXPECT_FALSE(is_back(camera, {2, 80.0}, 4, 12000.0, params)) << "a jump, away from all";
-  EXPECT_FALSE(is_back(camera, NearestKeyframe{}, 4, 10.0, params)) << "there is none";
+  EXPECT_TRUE(is_back(near, 4, 10.0, params));
+  EXPECT_FALSE(is_back(near, 2, 10.0, params)) << "it is the reference";
+  EXPECT_FALSE(is_back(near, 4, 5.0, params)) << "hardly nearer";
+  EXPECT_FALSE(is_back({2, 0.1}, 4, 1.0, params)) << "a standstill";
+  EXPECT_FALSE(is_back({2, 80.0}, 4, 12000.0, params)) << "a jump, away from all";
+  EXPECT_FALSE(is_back(NearestKeyframe{}, 4, 10.0, params)) << "there is none";
+}
+
+// ---- the policy over frames -----------------------------------------------------------------------------------------
+
+TrackResult tracked_at(const SE3& T_cam_ref, double inlier_share = 0.95) {
+  TrackResult r;
+  r.T_cur_ref = T_cam_ref;
+  r.stats.visible = 100;
+  r.stats.inliers = 90;
+  r.evidence.inlier_share = inlier_share;
+  return r;
+}
+
+class Policy : public Decision {
+ protected:
+  Reference reference() const {
+    Reference r;
+    r.cloud = grid_cloud(camera);
+    r.T_keyframe_world[0] = SE3();
+    return r;
+  }
+  KeyframePolicy policy{camera, params};
+};
+
+TEST_F(Policy, AnActionHasAReason) {
+  EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), false).action, Action::kNone);
+  EXPECT_FALSE(policy.follows_keyframe());
+  const KeyframeDecision made = policy.decide(tracked_at(move(0, 0, -1.2)), reference(), false);
+  EXPECT_EQ(made.action, Action::kMake);
+  EXPECT_EQ(made.rule, "parallax");
+  EXPECT_TRUE(policy.follows_keyframe());
+}
+
+TEST_F(Policy, WaitsForTheMappingAndCounts) {
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_EQ(policy.decide(tracked_at(move(0, 0, -1.2)), reference(), true).action, Action::kPostpone);
+    EXPECT_EQ(policy.postponed(), i);
+  }
+  EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), true).action, Action::kNone);
+  EXPECT_EQ(policy.postponed(), 0);
+}
+
+TEST_F(Policy, ComparesWithTheBestOfThisReference) {
+  const SE3 moved = move(0.06, 0, 0);
+  (void)policy.decide(tracked_at(moved, 0.95), reference(), false);
+  EXPECT_TRUE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()));
+  policy.begin_reference();
+  EXPECT_FALSE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference())) << "another reference starts anew";
+}
+
+TEST_F(Policy, ReturnsToAnOlderKeyframe) {
+  params.min_view_share = 0.3;
+  KeyframePolicy by_share(camera, params);
+  Reference row = row_of_keyframes(camera);
+  const KeyframeDecision d = by_share.decide(tracked_at(move(2, 0, 0)), row, false);
+  EXPECT_EQ(d.action, Action::kReturn);
+  EXPECT_EQ(d.return_to, 2);
 }
 
 }  // namespace

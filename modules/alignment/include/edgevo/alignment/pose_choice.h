@@ -1,0 +1,78 @@
+#pragma once
+// Which pose does a frame have? Hypotheses are proposed, each is aligned with the image, and one judge tells which wins.
+//
+// An alignment finds the minimum next to where it starts, and there are several: where edges repeat, where shadows move, after a turn that
+// nobody foresaw. So there are several starts, from the likeliest and cheapest to the dearest; the dear ones are asked for only where what
+// was found so far calls for them.
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "edgevo/alignment/edge_alignment.h"
+#include "edgevo/alignment/pose_evidence.h"
+
+namespace edgevo {
+
+/// Where the camera may be, and how it gets from there to where it is.
+struct PoseHypothesis {
+  enum class Refinement {
+    kPatchesThenEdges,  ///< from far: gray patches on the coarse levels, then edges on two
+    kEdges,             ///< from near: edges on two levels
+    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is sought from half to twice, then edges
+    kFinestEdges,       ///< nearly right already: edges on the finest level
+  };
+  SE3 T_cur_ref;
+  Refinement refinement = Refinement::kPatchesThenEdges;
+  /// Standard deviation of its translation, axis by axis (camera axes, unit of the map); nothing: no prior holds the alignment to it.
+  std::optional<Eigen::Vector3d> translation_sigma = std::nullopt;
+};
+
+/// Where a hypothesis led.
+struct PoseCandidate {
+  SE3 T_cur_ref;
+  AlignmentStats stats;
+  PoseEvidence evidence;  ///< of the image alone, whatever the prior
+};
+
+/// Cost: with patches some 3 ms for 1500 points at 1241x376, edges alone 1 ms; kLengthThenEdges 13 evaluations of the edge cost more.
+PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& hypothesis, const AlignmentParams& params);
+
+/// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the motion is.
+class PoseJudge {
+ public:
+  /// In (0, 1]: 1 for a motion that nothing speaks against.
+  using Likelihood = std::function<double(const SE3& T_cur_ref)>;
+
+  explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {}) : params_(params), likelihood_(std::move(likelihood)) {}
+
+  /// Explains the image well enough to look no further, as far as the image goes.
+  bool fits(const PoseCandidate& pose) const;
+  /// Explains so little that there is no pose.
+  bool is_lost(const PoseCandidate& pose) const;
+  /// Higher is better; below 0: lost.
+  double score(const PoseCandidate& pose) const;
+
+ private:
+  const AlignmentParams& params_;
+  Likelihood likelihood_;
+};
+
+/// One who knows where the camera may be.
+struct Proposer {
+  /// Asked before each of its hypotheses but the first of all: is it called for, after what was found so far?
+  std::function<bool(const PoseCandidate& best)> is_called_for;
+  /// Its hypotheses, likeliest first; made when the first of them is called for.
+  std::function<std::vector<PoseHypothesis>()> hypotheses;
+};
+
+struct PoseChoice {
+  PoseCandidate pose;
+  int proposer = -1;          ///< index of the one whose hypothesis won
+  int hypotheses_tried = 0;   ///< 1: the first was good
+};
+
+/// The best of all that is called for; of equals the first. The first proposer has a hypothesis.
+PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current, const ReferenceCloud& cloud, const PoseJudge& judge,
+                  const AlignmentParams& params);
+
+}  // namespace edgevo

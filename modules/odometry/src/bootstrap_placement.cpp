@@ -1,0 +1,41 @@
+#include "bootstrap_placement.h"
+
+#include "edgevo/alignment/tracker.h"
+
+namespace edgevo {
+namespace {
+
+// Where the map has a view: the two that made it are keyframes, the first and the newest.
+SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
+  if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
+  const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
+  return (is_first ? reference.T_keyframe_world.begin()->second : view.T_cam_first) * reference.T_ref_world.inverse();
+}
+
+bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
+  return view.frame_index == bootstrap.views.front().frame_index || view.frame_index == bootstrap.views.back().frame_index;
+}
+
+}  // namespace
+
+void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment, const AlignmentParams& params,
+                            RunRecords* records) {
+  for (const BootstrapView& view : bootstrap.views) {
+    FrameRecord* record = records->find(view.frame_index);
+    if (!record || !view.placed) continue;
+    SE3 T_cam_ref = pose_in_map(view, bootstrap, reference);
+    record->state = TrackingState::kTracking;
+    if (view.pyramid) {
+      const TrackResult r = track(*view.pyramid, reference.cloud, {T_cam_ref}, params);
+      if (r.verdict != TrackingState::kTracking) record->state = TrackingState::kDegraded;
+      if (r.verdict != TrackingState::kLost && !is_keyframe(view, bootstrap))
+        T_cam_ref = r.T_cur_ref, record->covariance = reference.error_factor * r.covariance;
+      record->inlier_share = r.evidence.inlier_share;
+      record->residual_px = r.stats.residual_px;
+    }
+    record->note.clear();
+    records->place(record, segment, reference.keyframe_id, T_cam_ref, reference.T_ref_world);
+  }
+}
+
+}  // namespace edgevo

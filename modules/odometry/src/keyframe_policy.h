@@ -1,0 +1,94 @@
+#pragma once
+// When a frame becomes a keyframe, and when the camera is back at an older one.
+//
+// A keyframe is needed before the map leaves the view or its depths are too poor for the way gone since, and not sooner: each costs an
+// adjustment. The rules stand in a list (keyframe_policy.cpp); the one that fired is written to frames.csv.
+#include <string>
+
+#include "edgevo/alignment/tracker.h"
+#include "edgevo/mapping/mapping_params.h"
+#include "edgevo/odometry/reference.h"
+
+namespace edgevo {
+
+/// How well a reference explains the frames tracked against it, shares in [0, 1].
+struct ReferenceFit {
+  double matched_share = 1;      ///< AlignmentStats::matched_share() of this frame
+  double inlier_share = 1;       ///< PoseEvidence::inlier_share of this frame
+  double best_inlier_share = 1;  ///< of all the frames
+};
+
+/// What the rules look at. Flows in pixels at kReferenceWidth (view_change.h).
+struct KeyframeView {
+  double flow_px = 0;          ///< by the motion from the reference to here or by the motion back, whichever is larger
+  double view_share = 1;       ///< of the cloud, still in view
+  double next_flow_px = 0;     ///< of the next frame, if the motion goes on
+  double next_view_share = 1;  ///< likewise
+  double view_loss = 0;        ///< share of the cloud that has left the view, a frame
+  double reach = 1;            ///< share of the usual flow that a keyframe may lie away: 0.5 where the view opens
+  int frames = 1;              ///< since the last keyframe, this one included
+  ReferenceFit fit;
+};
+
+/// Going forward near things leave the view; going backward near ones come into it that the cloud does not know yet: hence the motion both
+/// ways. Nothing is needed where no point can be projected. Cost: four projections a point.
+KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames, const ReferenceFit& fit);
+
+/// The name of the first rule that calls for a keyframe; nullptr: none does.
+const char* fired_rule(const KeyframeView& view, const KeyframeParams& params);
+
+/// Of the keyframes of the window, the one that the camera stands nearest to.
+struct NearestKeyframe {
+  int id = -1;                   ///< -1: none has enough of what is seen in view
+  double flow_px = 0;            ///< image motion by the translation from there to here, at kReferenceWidth
+};
+/// Among those that have `params.min_view_share` of the cloud's visible points in view. Cost: keyframes x 200 projections.
+NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref, const KeyframeParams& params);
+
+/// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than keyframes lie to one another; and
+/// the reference is left by more than the smallest flow: at a standstill all are equally near. Flows at kReferenceWidth.
+bool is_back(const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params);
+
+struct KeyframeDecision {
+  enum class Action {
+    kNone,
+    kMake,      ///< the frame becomes a keyframe
+    kPostpone,  ///< it would, but the mapping is still busy with another
+    kReturn,    ///< what follows is tracked against `return_to`
+  };
+  Action action = Action::kNone;
+  std::string rule;    ///< that called for it; empty for kNone
+  int return_to = -1;  ///< a keyframe of the window
+};
+
+/// Owns what the rules count.
+class KeyframePolicy {
+ public:
+  KeyframePolicy(const Pinhole& pinhole, const KeyframeParams& params) : pinhole_(pinhole), params_(params) {}
+
+  /// Of a frame with a pose. `is_mapping_busy`: another keyframe is not finished yet.
+  KeyframeDecision decide(const TrackResult& tracked, const Reference& reference, bool is_mapping_busy);
+  /// Would such a pose call for a keyframe? Changes nothing.
+  bool calls_for_keyframe(const PoseCandidate& pose, const Reference& reference) const;
+
+  /// The frame before was made a keyframe.
+  bool follows_keyframe() const { return frames_ == 0; }
+  /// Frames in a row, up to now, that would have been keyframes had the mapping not been busy.
+  int postponed() const { return postponed_; }
+
+  /// Another keyframe is the reference.
+  void begin_reference() { best_inlier_share_ = 0; }
+  /// A new map: its last view is a keyframe.
+  void restart() { frames_ = 0, best_inlier_share_ = 0; }
+
+ private:
+  KeyframeView look(const PoseCandidate& pose, const Reference& reference) const;
+
+  Pinhole pinhole_;
+  KeyframeParams params_;
+  int frames_ = 0;                // with a pose, since the last keyframe
+  double best_inlier_share_ = 0;  // of those tracked against the reference
+  int postponed_ = 0;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,24 @@
+#pragma once
+// Has the camera turned away from the map? A rotation can be followed with points of unknown depth, a translation only while what is left
+// of the map explains the images. Where it does not, a new map is worth more than the old one.
+#include <optional>
+
+#include "edgevo/alignment/tracker.h"
+#include "state_machine.h"
+
+namespace edgevo {
+
+struct Reference;
+
+class MapCoverage {
+ public:
+  /// After each frame with a pose: Event::kTurnedAway, Event::kInView, or nothing where neither is certain.
+  std::optional<Event> look(const Reference& reference, const TrackResult& tracked);
+  /// A new map.
+  void restart() { unexplained_frames_ = 0; }
+
+ private:
+  int unexplained_frames_ = 0;  ///< more frames of late that the map does not explain than others
+};
+
+}  // namespace edgevo

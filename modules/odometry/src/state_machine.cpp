@@ -1,0 +1,68 @@
+#include "state_machine.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kMinEdges = 200;  // pixels; an image with fewer shows nothing to follow (a bootstrap wants 80 corners alone)
+
+}  // namespace
+
+// README.md draws this table.
+Transition transition(Phase phase, Event event) {
+  switch (phase) {
+    case Phase::kBootstrapping:
+      if (event == Event::kMapMade) return {Phase::kTracking, Action::kNone};
+      break;
+    case Phase::kTracking:
+      if (event == Event::kUntracked) return {Phase::kLost, Action::kLose};
+      if (event == Event::kTurnedAway) return {Phase::kSeeking, Action::kBeginBootstrap};
+      break;
+    case Phase::kSeeking:
+      if (event == Event::kUntracked) return {Phase::kLost, Action::kLose};
+      if (event == Event::kInView) return {Phase::kTracking, Action::kDropBootstrap};
+      if (event == Event::kMapMade) return {Phase::kTracking, Action::kNone};
+      if (event == Event::kMapRefused) return {Phase::kBootstrapping, Action::kNone};
+      break;
+    case Phase::kLost:
+      // A DEGRADED pose is not enough to have found the old map again.
+      if (event == Event::kTracked) return {Phase::kTracking, Action::kResume};
+      if (event == Event::kMapMade) return {Phase::kTracking, Action::kNone};
+      if (event == Event::kMapRefused) return {Phase::kBootstrapping, Action::kNone};
+      break;
+  }
+  return {phase, Action::kNone};
+}
+
+bool OdometryState::tracks(int edges) {
+  if (phase_ != Phase::kLost) return has_map();
+  return edges >= kMinEdges && old_map_tries_++ < max_old_map_tries_;
+}
+
+Action OdometryState::after(Event event, int frame_index) {
+  const Transition t = transition(phase_, event);
+  phase_ = t.next;
+  if (t.action == Action::kLose) lost_at_ = frame_index, old_map_tries_ = 0;
+  if (event == Event::kMapMade) ++segment_;
+  return t.action;
+}
+
+TrackingState OdometryState::without_pose(int frame_index, int edges) const {
+  const bool nothing_to_follow = edges < kMinEdges;
+  return ever_tracked() && (nothing_to_follow || lost_at_ == frame_index) ? TrackingState::kLost : TrackingState::kBootstrapping;
+}
+
+TrackingState OdometryState::passed_over() const {
+  return ever_tracked() ? TrackingState::kLost : TrackingState::kBootstrapping;
+}
+
+const char* to_string(Phase phase) {
+  switch (phase) {
+    case Phase::kBootstrapping: return "BOOTSTRAPPING";
+    case Phase::kTracking: return "TRACKING";
+    case Phase::kSeeking: return "SEEKING";
+    case Phase::kLost: return "LOST";
+  }
+  return "";
+}
+
+}  // namespace edgevo

@@ -1,0 +1,94 @@
+#include "edgevo/alignment/pose_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "support/plane_scene.h"
+#include "support/twist.h"
+
+namespace edgevo {
+namespace {
+
+using test::twist;
+
+const SE3 kTruth = SE3::exp(twist(0.05, 0, 0, 0, 0.01, 0)), kWrong = SE3::exp(twist(0, 0, 0, 0, 0.9, 0));
+
+PoseCandidate candidate(double share, const SE3& T_cur_ref = SE3(), double weight = 1000) {
+  PoseCandidate c;
+  c.T_cur_ref = T_cur_ref;
+  c.stats.visible = 1000;
+  c.evidence = {weight, share};
+  return c;
+}
+
+TEST(PoseJudge, TheBetterSupportedPoseWins) {
+  const AlignmentParams params;
+  const PoseJudge judge(params);
+  EXPECT_GT(judge.score(candidate(0.9)), judge.score(candidate(0.8)));
+  EXPECT_LT(judge.score(candidate(0.5 * params.lost_share)), 0);
+  EXPECT_TRUE(judge.fits(candidate(params.degraded_share)));
+  EXPECT_FALSE(judge.fits(candidate(0.99 * params.degraded_share)));
+  EXPECT_TRUE(judge.is_lost(candidate(0.99 * params.lost_share)));
+}
+
+TEST(PoseJudge, AnUnlikelyMotionNeedsMoreSupport) {
+  const AlignmentParams params;
+  const PoseJudge judge(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
+  const SE3 far = SE3::exp(twist(1, 0, 0, 0, 0, 0));
+  EXPECT_LT(judge.score(candidate(0.9, far)), judge.score(candidate(0.8)));
+  EXPECT_GT(judge.score(candidate(0.9, far)), judge.score(candidate(0.4)));
+  EXPECT_EQ(judge.score(candidate(0.1, far)), judge.score(candidate(0.1))) << "below 0 it must not gain by being unlikely";
+}
+
+TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
+  const AlignmentParams params;
+  const SE3 broken(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));
+  EXPECT_LT(PoseJudge(params).score(candidate(0.9, broken)), PoseJudge(params).score(candidate(0, SE3())));
+  EXPECT_TRUE(PoseJudge(params).is_lost(candidate(0.9, broken)));
+}
+
+// Proposers that count how often they are asked.
+class Choice : public ::testing::Test {
+ protected:
+  Proposer proposer(const std::vector<SE3>& starts, bool called, int* made) {
+    return {[called](const PoseCandidate&) { return called; }, [starts, made] {
+              ++*made;
+              std::vector<PoseHypothesis> hypotheses;
+              for (const SE3& start : starts) hypotheses.push_back({start});
+              return hypotheses;
+            }};
+  }
+  PoseChoice among(const std::vector<Proposer>& proposers) {
+    return choose(proposers, *scene.pyramid(kTruth.inverse()), scene.cloud(SE3()), judge, params);
+  }
+
+  test::PlaneScene scene;
+  AlignmentParams params;
+  PoseJudge judge{params};
+  int first = 0, second = 0;
+};
+
+TEST_F(Choice, WhoIsNotCalledForIsNotAsked) {
+  const PoseChoice c = among({proposer({SE3(), kWrong}, false, &first), proposer({kWrong}, false, &second)});
+  EXPECT_EQ(c.hypotheses_tried, 1);
+  EXPECT_EQ(first, 1);
+  EXPECT_EQ(second, 0);
+  EXPECT_EQ(c.proposer, 0);
+  EXPECT_TRUE(judge.fits(c.pose));
+}
+
+TEST_F(Choice, ABetterHypothesisWins) {
+  const PoseChoice c = among({proposer({kWrong}, true, &first), proposer({kWrong, SE3()}, true, &second)});
+  EXPECT_EQ(c.hypotheses_tried, 3);
+  EXPECT_EQ(c.proposer, 1);
+  EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
+}
+
+TEST_F(Choice, AWorseOneDoesNot) {
+  const PoseChoice c = among({proposer({SE3()}, true, &first), proposer({kWrong}, true, &second)});
+  EXPECT_EQ(c.hypotheses_tried, 2);
+  EXPECT_EQ(c.proposer, 0);
+  EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
+}
+
+}  // namespace
+}  // namespace edgevo
