@@ -5,6 +5,7 @@
 #include "camera_log.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/thread_clock.h"
+#include "keyframe_decision.h"
 #include "mapping_thread.h"
 #include "motion_model.h"
 #include "rolling_shutter.h"

@@ -1,0 +1,218 @@
+// When a frame becomes a keyframe.
+#include "keyframe_decision.h"
+
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+// Points on a grid of pixels, at depths of 5 to 9.
+ReferenceCloud grid_cloud(const Pinhole& camera) {
+  ReferenceCloud cloud;
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 16; ++column) {
+      const Eigen::Vector2d px((column + 0.5) * camera.width / 16, (row + 0.5) * camera.height / 12);
+      CloudPoint p;
+      p.ray = camera.ray(px);
+      p.px = px.cast<float>();
+      p.normal = Eigen::Vector2f::UnitX();
+      p.idepth = 1.0 / (5 + (row + column) % 5);
+      cloud.points.push_back(p);
+    }
+  return cloud;
+}
+
+constexpr int kLong = 1000;  // frames since the last keyframe
+
+class Decision : public ::testing::Test {
+ protected:
+  KeyframeDecision decide(const SE3& T_cam_ref, int frames = 1, const ReferenceFit& fit = {}) const {
+    return decide_keyframe(camera, grid_cloud(camera), T_cam_ref, frames, fit, params);
+  }
+  static SE3 move(double x, double y, double z, double turn = 0) {
+    return {Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY())), Eigen::Vector3d(x, y, z)};
+  }
+
+  Pinhole camera{720, 720, 620, 187.5, 1241, 376};
+  KeyframeParams params;
+};
+
+TEST_F(Decision, NoneAtAStandstill) {
+  const KeyframeDecision d = decide(SE3(), kLong);
+  EXPECT_FALSE(d.needed);
+  EXPECT_EQ(d.flow_px, 0);
+  EXPECT_EQ(d.view_share, 1);
+}
+
+TEST_F(Decision, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
+  for (double turn : {0.02, 0.1, 0.3, 0.5, 0.8, 2.0}) {
+    const KeyframeDecision d = decide(move(0, 0, 0, turn), kLong);
+    EXPECT_EQ(d.needed, d.view_share < params.min_turn_share) << turn;
+    EXPECT_EQ(d.flow_px, 0);
+  }
+  EXPECT_GT(decide(move(0, 0, 0, 0.1)).view_share, params.min_turn_share);
+  EXPECT_LT(decide(move(0, 0, 0, 0.8)).view_share, params.min_turn_share);
+}
+
+TEST_F(Decision, NoneForAShakeBelowTheSmallestFlow) {
+  const KeyframeDecision d = decide(move(0.02, 0, 0), kLong);
+  EXPECT_GT(d.flow_px, 0);
+  EXPECT_LT(d.flow_px, params.min_flow_px);
+  EXPECT_FALSE(d.needed);
+}
+
+TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
+  EXPECT_FALSE(decide(move(0, 0, -0.2)).needed);
+  const KeyframeDecision d = decide(move(0, 0, -1.2));
+  EXPECT_GT(d.flow_px, params.flow_px);
+  EXPECT_TRUE(d.needed);
+}
+
+// Driving in, near things leave the view; backing away, as much comes into it that the cloud does not know.
+TEST_F(Decision, TheFlowIsTheSameOnTheWayBack) {
+  for (const SE3& T : {move(0, 0, 0.8), move(0.1, -0.05, -0.4, 0.05), move(0.2, 0, 0.1, 0.3)}) {
+    const KeyframeDecision out = decide(T), back = decide(T.inverse());
+    EXPECT_NEAR(out.flow_px, back.flow_px, 1e-9);
+  }
+  EXPECT_EQ(decide(move(0, 0, 1.5)).view_share, 1) << "all that the cloud knows stays in view";
+}
+
+// What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each step.
+TEST_F(Decision, BackingAwayMakesOneSooner) {
+  const auto flow_at_the_next = [&](const Eigen::Vector3d& direction) {
+    KeyframeDecision d;
+    for (double way = 0.02; way < 3 && !d.needed; way += 0.02) {
+      const Eigen::Vector3d t = way * direction;
+      d = decide(move(t.x(), t.y(), t.z()), kLong / 10);
+    }
+    return d.flow_px;
+  };
+  EXPECT_NEAR(flow_at_the_next(-Eigen::Vector3d::UnitZ()), params.flow_px, 2);
+  EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitX()), params.flow_px, 4);
+  EXPECT_LT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.8 * params.flow_px);
+  EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
+}
+
+// A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames goes on more slowly.
+TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
+  const SE3 fast = move(0.33, 0, 0);
+  const KeyframeDecision d = decide(fast, 1);
+  ASSERT_LT(d.flow_px, params.flow_px);
+  ASSERT_GT(2 * d.flow_px, params.max_flow_px);
+  EXPECT_TRUE(d.needed);
+  EXPECT_FALSE(decide(fast, 3).needed);
+}
+
+TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
+  // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
+  const ReferenceCloud cloud = grid_cloud(camera);
+  double square = 0;
+  for (const CloudPoint& p : cloud.points) square += std::pow(camera.fx * 0.1 * p.idepth, 2) / double(cloud.points.size());
+  EXPECT_NEAR(decide(move(0.1, 0, 0)).flow_px, std::sqrt(square), 1e-9);
+}
+
+TEST_F(Decision, SlowMotionMakesOneAfterSomeFrames) {
+  const SE3 slow = move(0.06, 0, 0);
+  EXPECT_FALSE(decide(slow, params.max_frames - 1).needed);
+  EXPECT_TRUE(decide(slow, params.max_frames).needed);
+}
+
+TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
+  const KeyframeDecision away = decide(move(0.06, 0, 0, 0.5));
+  EXPECT_LT(away.view_share, params.min_view_share);
+  EXPECT_TRUE(away.needed);
+  EXPECT_FALSE(decide(move(0.06, 0, 0, 0.02)).needed);
+}
+
+// A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more slowly.
+TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
+  const SE3 turning = move(0.06, 0, 0, 0.25);
+  const KeyframeDecision d = decide(turning, 1);
+  ASSERT_GT(d.view_share, params.min_view_share);
+  ASSERT_LT(1 - 2 * (1 - d.view_share), params.min_view_share);
+  EXPECT_TRUE(d.needed);
+  EXPECT_FALSE(decide(turning, 10).needed);
+}
+
+// A turn faster still leaves the map behind within a few frames: each is a keyframe.
+TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
+  params.min_view_share = 0.7;
+  const SE3 turning = move(0.06, 0, 0, 0.12);
+  const KeyframeDecision d = decide(turning, 1);
+  ASSERT_GT(1 - 2 * (1 - d.view_share), params.min_view_share) << "the next frame would see enough";
+  ASSERT_GT(1 - d.view_share, params.max_view_loss);
+  EXPECT_TRUE(d.needed);
+  EXPECT_FALSE(decide(turning, 2).needed) << "half as fast";
+  params.max_view_loss = 1;
+  EXPECT_FALSE(decide(turning, 1).needed);
+}
+
+// The map explained the first frames after the keyframe well and explains less and less, though the points find edges.
+TEST_F(Decision, AStaleMapMakesOne) {
+  const SE3 moved = move(0.06, 0, 0);
+  const double stale = 0.99 * params.min_inlier_ratio, fresh = 1.01 * params.min_inlier_ratio;
+  EXPECT_TRUE(decide(moved, 5, {0.9, 0.95 * stale, 0.95}).needed);
+  EXPECT_FALSE(decide(moved, 5, {0.9, 0.95 * fresh, 0.95}).needed);
+  EXPECT_FALSE(decide(SE3(), 5, {0.9, 0.95 * stale, 0.95}).needed) << "without motion";
+  EXPECT_FALSE(decide(moved, 5, {0.7, 0.95 * stale, 0.95}).needed) << "edges are gone";
+  for (double in_bad_light : {0.3, 0.6, 0.8})
+    EXPECT_FALSE(decide(moved, 5, {0.9, in_bad_light * stale, in_bad_light}).needed) << in_bad_light;
+}
+
+TEST_F(Decision, FollowsTheWidthOfTheImage) {
+  const Pinhole half{360, 360, 310, 93.75, 621, 188};
+  for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
+    const KeyframeDecision at_half = decide_keyframe(half, grid_cloud(half), move(t, 0, 0), 1, {}, params);
+    EXPECT_EQ(at_half.needed, decide(move(t, 0, 0)).needed) << t;
+  }
+}
+
+TEST_F(Decision, NoneWithoutPoints) {
+  EXPECT_FALSE(decide_keyframe(camera, ReferenceCloud(), move(1, 0, 0), kLong, {}, params).needed);
+}
+
+TEST_F(Decision, NoneWhereEverythingIsBehind) {
+  const KeyframeDecision d = decide(move(0, 0, -50), kLong);
+  EXPECT_FALSE(d.needed);
+  EXPECT_EQ(d.flow_px, 0);
+}
+
+// Keyframes 0 to 4, one metre apart to the right of each other; the reference is number 4.
+Reference row_of_keyframes(const Pinhole& camera) {
+  Reference reference;
+  reference.keyframe_id = 4;
+  for (int id = 0; id < 5; ++id) reference.T_keyframe_world[id] = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-id, 0, 0));
+  reference.T_ref_world = reference.T_keyframe_world[4];
+  reference.cloud = grid_cloud(camera);
+  return reference;
+}
+
+TEST_F(Decision, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
+  const Reference reference = row_of_keyframes(camera);
+  params.min_view_share = 0.3;
+  for (const double back : {0.0, 0.9, 1.1, 2.0}) {
+    const NearestKeyframe nearest = find_nearest_keyframe(camera, reference, move(back, 0, 0), params);
+    EXPECT_EQ(nearest.id, 4 - int(std::lround(back))) << back;
+    EXPECT_NEAR(nearest.flow_px, 720 * std::abs(back - std::round(back)) / 7, 15) << back;
+  }
+}
+
+TEST_F(Decision, AKeyframeThatLooksElsewhereIsNotNear) {
+  Reference reference = row_of_keyframes(camera);
+  reference.T_keyframe_world[2] = move(0, 0, 0, 2.0) * reference.T_keyframe_world[2];
+  params.min_view_share = 0.3;
+  EXPECT_NE(find_nearest_keyframe(camera, reference, move(2, 0, 0), params).id, 2);
+}
+
+TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
+  const NearestKeyframe near{2, 3.0};
+  EXPECT_TRUE(is_back(camera, near, 4, 10.0, params));
+  EXPECT_FALSE(is_back(camera, near, 2, 10.0, params)) << "it is the reference";
+  EXPECT_FALSE(is_back(camera, near, 4, 5.0, params)) << "hardly nearer";
+  EXPECT_FALSE(is_back(camera, {2, 0.1}, 4, 1.0, params)) << "a standstill";
+  EXPECT_FALSE(is_back(camera, {2, 80.0}, 4, 12000.0, params)) << "a jump, away from all";
+  EXPECT_FALSE(is_back(camera, NearestKeyframe{}, 4, 10.0, params)) << "there is none";
+}
+
+}  // namespace
+}  // namespace edgevo
