@@ -3,7 +3,7 @@
 // (set-up and results included).
 #include <benchmark/benchmark.h>
 
-#include "unit/mapping/bundle_adjustment_scene.h"
+#include "support/bundle_adjustment_scene.h"
 
 namespace {
 

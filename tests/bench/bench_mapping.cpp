@@ -6,7 +6,7 @@
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/association/associate.h"
 #include "edgevo/mapping/depth_filter.h"
-#include "edgevo/mapping/mapper.h"
+#include "edgevo/odometry/mapper.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <opencv2/calib3d.hpp>
 
+#include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
-#include "epipolar_lines.h"
 
 namespace edgevo {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "edgevo/core/image_correction.h"
-#include "edgevo/mapping/self_calibration.h"
+#include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "edgevo/mapping/mapper.h"
+#include "edgevo/odometry/mapper.h"
 
 namespace edgevo {
 

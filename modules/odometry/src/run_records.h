@@ -9,8 +9,8 @@
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
-#include "edgevo/mapping/mapper.h"
 #include "edgevo/odometry/live_view.h"
+#include "edgevo/odometry/mapper.h"
 
 namespace edgevo {
 

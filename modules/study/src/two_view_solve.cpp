@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/mapping/bundle_adjustment.h"
+#include "edgevo/bundle_adjustment/bundle_adjustment.h"
 
 namespace edgevo {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "unit/mapping/mapping_scene.h"
+#include "support/sweep_scene.h"
 
 namespace edgevo {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/mapping/mapping_scene.h"
+#include "support/sweep_scene.h"
 
 namespace edgevo {
 namespace {

@@ -1,8 +1,8 @@
 // Pixels and normals of a map, carried over to another correction of the images.
 #include <gtest/gtest.h>
 
-#include "bundle_adjustment_scene.h"
-#include "edgevo/mapping/self_calibration.h"
+#include "edgevo/mapping/map_revision.h"
+#include "support/bundle_adjustment_scene.h"
 
 namespace edgevo {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "edgevo/alignment/reference_cloud.h"
-#include "edgevo/mapping/bundle_adjustment.h"
+#include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/mapping/keyframe.h"
+#include "edgevo/mapping/map_revision.h"
 #include "edgevo/mapping/mapping_params.h"
-#include "edgevo/mapping/self_calibration.h"
 
 namespace edgevo {
 

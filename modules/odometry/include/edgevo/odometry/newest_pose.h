@@ -8,7 +8,7 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
-#include "edgevo/mapping/mapper.h"
+#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 

@@ -3,7 +3,7 @@
 #include "edgevo/association/association_params.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/mapping/mapping_params.h"
-#include "edgevo/mapping/self_calibration.h"
+#include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {
 

@@ -1,0 +1,180 @@
+// Marginalisation of a keyframe into a prior on the poses that stay.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/error.h"
+#include "normal_equations.h"
+#include "prior.h"
+#include "residuals/corner_residual.h"
+
+namespace edgevo {
+namespace {
+
+using namespace ba;
+
+// E(xi) = 1/2 xi^T H xi + b^T xi + constant over all poses of the problem, 6 rows a pose.
+struct Quadratic {
+  Eigen::MatrixXd H;
+  Eigen::VectorXd b;
+  double constant = 0;
+};
+
+std::vector<bool> points_to_drop(const BaProblem& problem, int pose) {
+  std::vector<bool> drop(problem.points.size());
+  for (std::size_t i = 0; i < drop.size(); ++i) drop[i] = problem.points[i].host == pose;
+  for (const BaObservation& o : problem.observations)
+    if (o.target == pose) drop[o.point] = true;
+  return drop;
+}
+
+// What the dropped points say, their depths eliminated, in perturbations delta of the current poses.
+Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
+                           const std::vector<bool>& drop) {
+  const State state = initial_state(problem, options.min_idepth);
+  std::vector<bool> keep(drop.size());
+  for (std::size_t i = 0; i < drop.size(); ++i) keep[i] = !drop[i];
+  const PackedProblem packed = pack_problem(problem, state, &keep);
+  NormalEquations equations;
+  NormalEquationsBuilder(packed, options.huber_width).build(state, &equations);
+  Quadratic q{equations.H - equations.S, equations.b - equations.s, equations.cost};
+  for (std::size_t i = 0; i < packed.points.size(); ++i) {
+    const double information = equations.idepth_information[i], gradient = equations.idepth_gradient[i];
+    if (!packed.points[i].fixed && information > kMinIdepthInformation)
+      q.constant -= 0.5 * gradient * gradient / information;
+  }
+  return q;
+}
+
+// What the corners that a pose shares with others say, in the same perturbations.
+void add_corners(const BaProblem& problem, int pose, const BaOptions& options, Quadratic* q) {
+  std::vector<BaCornerPair> shared;
+  for (const BaCornerPair& c : problem.corners)
+    if (c.from == pose || c.to == pose) shared.push_back(c);
+  std::vector<SE3> poses;
+  for (const BaPose& p : problem.poses) poses.push_back(p.T_cam_world);
+  q->constant += CornerTerm(problem.pinhole, shared, options.huber_width).add(poses, &q->H, &q->b);
+}
+
+// From perturbations delta of the current poses to xi = log(T linearization^-1):  delta = J_l(xi_now) (xi -
+// xi_now).
+void move_linearization(const PriorTerm& prior, const Eigen::VectorXd& xi_prior, Quadratic* q) {
+  Eigen::VectorXd xi_now = Eigen::VectorXd::Zero(q->b.size()), gradient = q->b;
+  for (std::size_t i = 0; i < prior.pose_index().size(); ++i) {
+    const int row = 6 * prior.pose_index()[i];
+    xi_now.segment<6>(row) = xi_prior.segment<6>(6 * i);
+    const Matrix6d J = left_jacobian(xi_prior.segment<6>(6 * i));  // J is block diagonal: J^T H J row by row, column by column
+    q->H.middleRows<6>(row) = (J.transpose() * q->H.middleRows<6>(row)).eval();
+    q->H.middleCols<6>(row) = (q->H.middleCols<6>(row) * J).eval();
+    gradient.segment<6>(row) = J.transpose() * q->b.segment<6>(row);
+  }
+  q->constant += 0.5 * xi_now.dot(q->H * xi_now) - gradient.dot(xi_now);
+  q->b = gradient - q->H * xi_now;
+}
+
+void add_prior(const BaPrior& prior, const std::vector<int>& pose_index, Quadratic* q) {
+  q->constant += prior.constant;
+  for (std::size_t i = 0; i < pose_index.size(); ++i) {
+    const int row = 6 * pose_index[i];
+    q->b.segment<6>(row) += prior.b.segment<6>(6 * i);
+    for (std::size_t j = 0; j < pose_index.size(); ++j)
+      q->H.block<6, 6>(row, 6 * pose_index[j]) += prior.H.block<6, 6>(6 * i, 6 * j);
+  }
+}
+
+// Pose `row / 6` is known: xi there has the value `xi`.
+void condition(const Vector6d& xi, int row, Quadratic* q) {
+  q->constant += 0.5 * xi.dot(q->H.block<6, 6>(row, row) * xi) + q->b.segment<6>(row).dot(xi);
+  q->b += q->H.middleCols<6>(row) * xi;
+}
+
+// Inverse on the range of a positive semidefinite 6x6 matrix. Translations and rotations differ in unit,
+// hence the scaling.
+Matrix6d pseudo_inverse(const Matrix6d& M) {
+  const Vector6d scale = M.diagonal().cwiseMax(0).cwiseSqrt().cwiseMax(1e-12).cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * M * scale.asDiagonal());
+  Vector6d inverse;
+  for (int i = 0; i < 6; ++i)
+    inverse[i] = eigen.eigenvalues()[i] > 1e-12 ? 1.0 / eigen.eigenvalues()[i] : 0.0;
+  return scale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() *
+         scale.asDiagonal();
+}
+
+// Minimises over pose `row / 6`; its rows and columns are meaningless afterwards.
+void eliminate_pose(int row, Quadratic* q) {
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> coupling = q->H.middleRows<6>(row);
+  const Vector6d b = q->b.segment<6>(row);
+  const Matrix6d inverse = pseudo_inverse(q->H.block<6, 6>(row, row));
+  q->H -= coupling.transpose() * inverse * coupling;
+  q->b -= coupling.transpose() * (inverse * b);
+  q->constant -= 0.5 * b.dot(inverse * b);
+}
+
+// Poses that the prior is to hold: free, not the one that leaves, and with something said about them.
+std::vector<int> poses_to_keep(const BaProblem& problem, int leaving, const Quadratic& q) {
+  std::vector<int> keep;
+  for (int i = 0; i < static_cast<int>(problem.poses.size()); ++i)
+    if (i != leaving && !problem.poses[i].fixed && !q.H.middleRows<6>(6 * i).isZero(0.0)) keep.push_back(i);
+  return keep;
+}
+
+BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const PriorTerm& old,
+                const Quadratic& q) {
+  const auto n = static_cast<Eigen::Index>(keep.size());
+  BaPrior prior;
+  prior.H.resize(6 * n, 6 * n);
+  prior.b.resize(6 * n);
+  prior.constant = q.constant;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int pose = keep[i];
+    const auto found = std::find(old.pose_index().begin(), old.pose_index().end(), pose);
+    const bool linearised = found != old.pose_index().end();
+    prior.pose_ids.push_back(problem.pose_ids[pose]);
+    prior.linearization.push_back(linearised ? problem.prior->linearization[found - old.pose_index().begin()]
+                                             : problem.poses[pose].T_cam_world);
+    prior.b.segment<6>(6 * i) = q.b.segment<6>(6 * pose);
+    for (Eigen::Index j = 0; j < n; ++j)
+      prior.H.block<6, 6>(6 * i, 6 * j) = q.H.block<6, 6>(6 * pose, 6 * keep[j]);
+  }
+  prior.H = (0.5 * (prior.H + prior.H.transpose())).eval();
+  return prior;
+}
+
+int find_pose(const BaProblem& problem, int pose_id) {
+  const auto found = std::find(problem.pose_ids.begin(), problem.pose_ids.end(), pose_id);
+  if (found == problem.pose_ids.end())
+    throw InputError("bundle adjustment", "no pose is named " + std::to_string(pose_id),
+                     "name poses in pose_ids");
+  return static_cast<int>(found - problem.pose_ids.begin());
+}
+
+}  // namespace
+
+BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options,
+                    std::vector<bool>* drop_points) {
+  check_problem(problem);
+  const int leaving = find_pose(problem, pose_id);
+  *drop_points = points_to_drop(problem, leaving);
+  if (!is_finite(problem)) return {};
+
+  const PriorTerm old(problem);
+  std::vector<SE3> poses;
+  for (const BaPose& pose : problem.poses) poses.push_back(pose.T_cam_world);
+  const Eigen::VectorXd xi_prior = old.displacement(poses);
+
+  Quadratic q = eliminate_points(problem, options, *drop_points);
+  add_corners(problem, leaving, options, &q);
+  move_linearization(old, xi_prior, &q);
+  if (!old.empty()) add_prior(*problem.prior, old.pose_index(), &q);
+  // A fixed pose that the old prior holds stays where it is now, which need not be where the prior was
+  // linearised.
+  for (std::size_t i = 0; i < old.pose_index().size(); ++i)
+    if (problem.poses[old.pose_index()[i]].fixed)
+      condition(xi_prior.segment<6>(6 * i), 6 * old.pose_index()[i], &q);
+
+  const std::vector<int> keep = poses_to_keep(problem, leaving, q);
+  if (!problem.poses[leaving].fixed) eliminate_pose(6 * leaving, &q);
+  return extract(problem, keep, old, q);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,277 @@
+#include "normal_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "edgevo/core/robust.h"
+#include "edgevo/core/simd.h"
+
+namespace edgevo::ba {
+namespace {
+
+inline Rows both(double x) { return Rows{x, x}; }
+// {a[0] + a[1], b[0] + b[1]}
+inline Rows sums(Rows a, Rows b) { return Rows{a[0], b[0]} + Rows{a[1], b[1]}; }
+
+inline void add_scaled(double k, const PackedVector6& v, PackedVector6* out) {
+  for (int i = 0; i < 3; ++i) out->x[i] += both(k) * v.x[i];
+}
+
+Vector6d to_vector(const PackedVector6& v) {
+  Vector6d out;
+  for (int i = 0; i < 6; ++i) out[i] = v.x[i / 2][i % 2];
+  return out;
+}
+
+}  // namespace
+
+// One observation: residual and derivatives of its two rows, and what the loss makes of them.
+struct NormalEquationsBuilder::Derivatives {
+  Rows r;
+  Rows J[6];  // by the target pose
+  Rows J_idepth;
+  double weight;
+  double cost;
+};
+
+Matrix6d NormalEquationsBuilder::to_matrix(const PairSums& pair) {
+  Matrix6d M;
+  int k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j, ++k) M(i, j) = M(j, i) = pair.H[k][0] + pair.H[k][1];
+  return M;
+}
+
+Matrix6d NormalEquationsBuilder::to_matrix(const SchurBlock& block) {
+  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> M;
+  static_assert(sizeof(block.quad) == sizeof(M));
+  std::memcpy(M.data(), block.quad, sizeof(M));
+  return M;
+}
+
+NormalEquationsBuilder::NormalEquationsBuilder(const PackedProblem& packed, double huber_width)
+    : packed_(packed),
+      huber_width_(huber_width),
+      n_(packed.pose_count),
+      relative_(n_ * n_),
+      pairs_(n_ * n_),
+      schur_(n_ * n_),
+      schur_b_(n_) {}
+
+void NormalEquationsBuilder::reset_cost_and_depths(const State& state, NormalEquations* out) {
+  for (int h = 0; h < n_; ++h)
+    for (int t = packed_.targets[h].first; t <= packed_.targets[h].last; ++t)
+      relative_[h * n_ + t] = relative_pose(state.poses[t], state.poses[h]);
+  out->cost = 0;
+  out->idepth_information.resize(packed_.points.size());
+  out->idepth_gradient.resize(packed_.points.size());
+}
+
+void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
+  reset_cost_and_depths(state, out);
+  out->adjoint.resize(n_ * n_);
+  for (int h = 0; h < n_; ++h)
+    for (int t = packed_.targets[h].first; t <= packed_.targets[h].last; ++t) {
+      const int pair = h * n_ + t;
+      out->adjoint[pair] = (state.poses[t] * state.poses[h].inverse()).adjoint();
+      pairs_[pair] = PairSums{};
+    }
+  out->H.setZero(6 * n_, 6 * n_);
+  out->S.setZero(6 * n_, 6 * n_);
+  out->b.setZero(6 * n_);
+  out->s.setZero(6 * n_);
+  out->coupling.resize(packed_.observations.size());
+}
+
+void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
+  reset(state, out);
+  for (int h = 0; h < n_; ++h) {
+    const auto [first, last] = packed_.targets[h];
+    for (int row = first; row <= last; ++row) {
+      schur_b_[row] = PackedVector6{};
+      std::fill(&schur_[row * n_ + first], &schur_[row * n_ + last] + 1, SchurBlock{});
+    }
+    for (int i = packed_.host_begin[h]; i < packed_.host_begin[h + 1]; ++i) {
+      const PackedPoint& point = packed_.points[i];
+      add_point<Sums::kAll>(point, h, i, state.idepth[point.index], out);
+      if (!point.fixed && out->idepth_information[i] > kMinIdepthInformation) eliminate(point, i, out);
+    }
+    scatter_pairs(h, out);
+    scatter_schur(h, out);
+  }
+}
+
+void NormalEquationsBuilder::build_cost_and_depths(const State& state, NormalEquations* out) {
+  reset_cost_and_depths(state, out);
+  for (int h = 0; h < n_; ++h)
+    for (int i = packed_.host_begin[h]; i < packed_.host_begin[h + 1]; ++i)
+      add_point<Sums::kCostAndDepths>(packed_.points[i], h, i, state.idepth[packed_.points[i].index], out);
+}
+
+// J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
+// = g . t / Y_z.
+inline bool NormalEquationsBuilder::differentiate(const RelativePose& T, const PackedPoint& point,
+                                                  double idepth, const PackedObservation& o,
+                                                  Derivatives* d) const {
+  const double x = point.ray[0], y = point.ray[1], z = point.ray[2];
+  const double* R = T.R;
+  const double* t = T.t;
+  const double Y_z = R[6] * x + R[7] * y + R[8] * z + idepth * t[2];
+  if (!(Y_z > kMinDepthRatio)) return false;
+  const double inv = 1.0 / Y_z;
+  const Rows u = both((R[0] * x + R[1] * y + R[2] * z + idepth * t[0]) * inv);
+  const Rows v = both((R[3] * x + R[4] * y + R[5] * z + idepth * t[1]) * inv);
+  const Rows s = both(idepth * inv);
+  const Rows f0 = o.f[0], f1 = o.f[1], projected = f0 * u + f1 * v;
+  d->r = projected + o.f[2];
+  d->J[0] = s * f0;
+  d->J[1] = s * f1;
+  d->J[2] = -s * projected;
+  d->J[3] = -v * projected - f1;
+  d->J[4] = u * projected + f0;
+  d->J[5] = u * f1 - v * f0;
+  d->J_idepth = (f0 * both(t[0]) + f1 * both(t[1]) - projected * both(t[2])) * both(inv);
+
+  const Rows rr = d->r * d->r;
+  const double squared = rr[0] + rr[1];
+  d->weight = 1;
+  d->cost = 0.5 * squared;
+  if (squared > huber_width_ * huber_width_) {
+    const double norm = std::sqrt(squared);
+    d->weight = huber_width_ / norm;
+    d->cost = huber_width_ * (norm - 0.5 * huber_width_);
+  }
+  return true;
+}
+
+inline void NormalEquationsBuilder::add_to_pair(const Derivatives& d, PairSums* sums) {
+  const Rows w = both(d.weight), w_r = w * d.r;
+  int entry = 0;
+  for (int i = 0; i < 6; ++i) {
+    sums->b[i] += w_r * d.J[i];
+    const Rows w_J = w * d.J[i];
+    for (int j = i; j < 6; ++j, ++entry) sums->H[entry] += w_J * d.J[j];
+  }
+}
+
+template <NormalEquationsBuilder::Sums wanted>
+void NormalEquationsBuilder::add_point(const PackedPoint& point, int host, int point_index, double idepth,
+                                       NormalEquations* out) {
+  constexpr bool kAll = wanted == Sums::kAll;
+  const RelativePose* relative = &relative_[host * n_];
+  PairSums* pairs = &pairs_[host * n_];
+  PackedVector6* coupling = out->coupling.data();
+  Rows depth = both(0);  // information, gradient
+  double cost = 0;
+  for (int k = point.begin; k < point.end; ++k) {
+    const PackedObservation& o = packed_.observations[k];
+    Derivatives d;
+    if (!differentiate(relative[o.target], point, idepth, o, &d)) {
+      cost += huber_cost(o.hidden_residual, huber_width_);
+      if (kAll) coupling[k] = PackedVector6{};
+      continue;
+    }
+    cost += d.cost;
+    const Rows w_idepth = both(d.weight) * d.J_idepth;
+    depth += sums(w_idepth * d.J_idepth, w_idepth * d.r);
+    if (!kAll) continue;
+    for (int i = 0; i < 3; ++i) coupling[k].x[i] = sums(w_idepth * d.J[2 * i], w_idepth * d.J[2 * i + 1]);
+    add_to_pair(d, &pairs[o.target]);
+  }
+  out->cost += cost;
+  out->idepth_information[point_index] = depth[0];
+  out->idepth_gradient[point_index] = depth[1];
+}
+
+// The quads of a row-major outer product q e^T are products of four numbers of q, repeated, by four of e.
+struct RepeatedRows {
+  Quad quad[9];
+};
+struct RepeatedColumns {
+  Quad quad[3];
+};
+
+inline RepeatedRows repeat_rows(const PackedVector6& q, double factor) {
+  double v[6];
+  std::memcpy(v, &q, sizeof(v));
+  for (double& x : v) x *= factor;
+  return {{Quad{v[0], v[0], v[0], v[0]}, Quad{v[0], v[0], v[1], v[1]}, Quad{v[1], v[1], v[1], v[1]},
+           Quad{v[2], v[2], v[2], v[2]}, Quad{v[2], v[2], v[3], v[3]}, Quad{v[3], v[3], v[3], v[3]},
+           Quad{v[4], v[4], v[4], v[4]}, Quad{v[4], v[4], v[5], v[5]}, Quad{v[5], v[5], v[5], v[5]}}};
+}
+
+inline RepeatedColumns repeat_columns(const PackedVector6& e) {
+  double v[6];
+  std::memcpy(v, &e, sizeof(v));
+  return {{Quad{v[0], v[1], v[2], v[3]}, Quad{v[4], v[5], v[0], v[1]}, Quad{v[2], v[3], v[4], v[5]}}};
+}
+
+// M(target i, target j) += inverse e_i e_j^T for the couplings e of one point. Targets ascend, so blocks on and below the diagonal are
+// filled; two matches in one target also meet crosswise.
+EDGEVO_WIDE_CLONES void add_outer_products(const PackedVector6* coupling, const PackedObservation* observations, int count, double inverse,
+                                           int n, SchurBlock* schur) {
+  for (int i = 0; i < count; ++i) {
+    const int row = observations[i].target;
+    const RepeatedRows rows = repeat_rows(coupling[i], inverse);
+    for (int j = 0; j < count && observations[j].target <= row; ++j) {
+      const RepeatedColumns columns = repeat_columns(coupling[j]);
+      Quad* block = schur[row * n + observations[j].target].quad;
+      for (int m = 0; m < 9; ++m) block[m] += rows.quad[m] * columns.quad[m % 3];
+    }
+  }
+}
+
+void NormalEquationsBuilder::eliminate(const PackedPoint& point, int point_index, NormalEquations* out) {
+  const double inverse = 1.0 / out->idepth_information[point_index];
+  const double step = out->idepth_gradient[point_index] * inverse;
+  const int count = point.end - point.begin;
+  for (int i = point.begin; i < point.end; ++i) add_scaled(step, out->coupling[i], &schur_b_[packed_.observations[i].target]);
+  add_outer_products(&out->coupling[point.begin], &packed_.observations[point.begin], count, inverse, n_, schur_.data());
+}
+
+void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
+  const int h = 6 * host;
+  for (int target = packed_.targets[host].first; target <= packed_.targets[host].last; ++target) {
+    if (target == host) continue;
+    const int t = 6 * target;
+    const PairSums& pair = pairs_[host * n_ + target];
+    const Matrix6d& Ad = out->adjoint[host * n_ + target];
+    const Matrix6d A = to_matrix(pair);
+    const Matrix6d A_Ad = A * Ad;
+    Vector6d b;
+    for (int i = 0; i < 6; ++i) b[i] = pair.b[i][0] + pair.b[i][1];
+    out->H.block<6, 6>(t, t) += A;
+    out->H.block<6, 6>(t, h) -= A_Ad;
+    out->H.block<6, 6>(h, t) -= A_Ad.transpose();
+    out->H.block<6, 6>(h, h) += Ad.transpose() * A_Ad;
+    out->b.segment<6>(t) += b;
+    out->b.segment<6>(h) -= Ad.transpose() * b;
+  }
+}
+
+void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
+  const int h = 6 * host;
+  const Matrix6d* Ad = &out->adjoint[host * n_];
+  const auto [first, last] = packed_.targets[host];
+  for (int col = first; col <= last; ++col) {
+    if (col == host) continue;
+    Matrix6d with_host = Matrix6d::Zero();  // sum over rows of Ad_row^T M(row, col)
+    for (int row = first; row <= last; ++row) {
+      if (row == host) continue;
+      const bool lower = row >= col;
+      Matrix6d M = to_matrix(schur_[lower ? row * n_ + col : col * n_ + row]);
+      if (!lower) M.transposeInPlace();
+      out->S.block<6, 6>(6 * row, 6 * col) += M;
+      with_host.noalias() += Ad[row].transpose() * M;
+    }
+    out->S.block<6, 6>(h, 6 * col) -= with_host;
+    out->S.block<6, 6>(6 * col, h) -= with_host.transpose();
+    out->S.block<6, 6>(h, h) += with_host * Ad[col];
+    const Vector6d b = to_vector(schur_b_[col]);
+    out->s.segment<6>(6 * col) += b;
+    out->s.segment<6>(h) -= Ad[col].transpose() * b;
+  }
+}
+
+}  // namespace edgevo::ba

@@ -1,0 +1,113 @@
+#include "packed_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo::ba {
+namespace {
+
+// Z of the point times its inverse depth in the target: the ratio of its depths in target and host.
+double depth_ratio(const RelativePose& T, const Eigen::Vector3d& ray, double idepth) {
+  return T.R[6] * ray.x() + T.R[7] * ray.y() + T.R[8] * ray.z() + idepth * T.t[2];
+}
+
+std::vector<RelativePose> all_relative_poses(const std::vector<SE3>& poses) {
+  std::vector<RelativePose> relative;
+  relative.reserve(poses.size() * poses.size());
+  for (const SE3& host : poses)
+    for (const SE3& target : poses) relative.push_back(relative_pose(target, host));
+  return relative;
+}
+
+PackedObservation reduce(const Pinhole& pinhole, const BaObservation& o, int index) {
+  const Eigen::Vector2d focal(pinhole.fx, pinhole.fy);
+  const Eigen::Vector2d centred = o.px - Eigen::Vector2d(pinhole.cx, pinhole.cy);
+  const Eigen::Vector2d n = o.inv_sigma_normal * o.normal;
+  const Eigen::Vector2d d = o.inv_sigma_tangent * Eigen::Vector2d(-o.normal.y(), o.normal.x());
+  return {{Rows{n.x(), d.x()} * focal.x(), Rows{n.y(), d.y()} * focal.y(),
+           Rows{-n.dot(centred), -d.dot(centred)}},
+          kHiddenResidualPx * o.inv_sigma_normal,
+          o.target,
+          index};
+}
+
+// Observation ranges of the points: first[i] .. first[i + 1].
+std::vector<int> observation_ranges(const BaProblem& problem) {
+  std::vector<int> first(problem.points.size() + 1, 0);
+  for (const BaObservation& o : problem.observations) ++first[o.point + 1];
+  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+  return first;
+}
+
+std::vector<int> points_by_host(const BaProblem& problem) {
+  std::vector<int> next(problem.poses.size() + 1, 0);
+  for (const BaPoint& p : problem.points) ++next[p.host + 1];
+  for (std::size_t h = 1; h < next.size(); ++h) next[h] += next[h - 1];
+  std::vector<int> order(problem.points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[next[problem.points[i].host]++] = static_cast<int>(i);
+  return order;
+}
+
+void find_targets(PackedProblem* packed) {
+  packed->targets.assign(packed->pose_count, {packed->pose_count, -1});
+  for (int h = 0; h < packed->pose_count; ++h)
+    for (int i = packed->host_begin[h]; i < packed->host_begin[h + 1]; ++i) {
+      TargetRange& range = packed->targets[h];
+      range.first = std::min(range.first, packed->observations[packed->points[i].begin].target);  // sorted by target
+      range.last = std::max(range.last, packed->observations[packed->points[i].end - 1].target);
+    }
+}
+
+}  // namespace
+
+RelativePose relative_pose(const SE3& T_target_world, const SE3& T_host_world) {
+  const SE3 T = T_target_world * T_host_world.inverse();
+  RelativePose relative;
+  Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(relative.R) = T.R();
+  Eigen::Map<Eigen::Vector3d>(relative.t) = T.translation();
+  return relative;
+}
+
+State initial_state(const BaProblem& problem, double min_idepth) {
+  State state;
+  for (const BaPose& pose : problem.poses) state.poses.push_back(pose.T_cam_world);
+  state.idepth.reserve(problem.points.size());
+  for (const BaPoint& p : problem.points)
+    state.idepth.push_back(p.fixed ? p.idepth : std::max(p.idepth, min_idepth));
+  return state;
+}
+
+PackedProblem pack_problem(const BaProblem& problem, const State& state, const std::vector<bool>* skip) {
+  const int n = static_cast<int>(problem.poses.size());
+  const std::vector<RelativePose> relative = all_relative_poses(state.poses);
+  const std::vector<int> first = observation_ranges(problem);
+  PackedProblem packed;
+  packed.pose_count = n;
+  packed.host_begin.assign(n + 1, 0);
+  packed.points.reserve(problem.points.size());
+  packed.observations.reserve(problem.observations.size());
+  for (const int i : points_by_host(problem)) {
+    if (skip && (*skip)[i]) continue;
+    const BaPoint& p = problem.points[i];
+    const int begin = static_cast<int>(packed.observations.size());
+    for (int k = first[i]; k < first[i + 1]; ++k) {
+      const BaObservation& o = problem.observations[k];
+      if (depth_ratio(relative[p.host * n + o.target], p.ray, state.idepth[i]) > kMinDepthRatio)
+        packed.observations.push_back(reduce(problem.pinhole, o, k));
+    }
+    const int end = static_cast<int>(packed.observations.size());
+    if (begin == end) continue;
+    // Ties by index keep the order, and with it every bit of the sums, a function of the problem alone.
+    std::sort(packed.observations.begin() + begin, packed.observations.end(),
+              [](const PackedObservation& a, const PackedObservation& b) {
+                return a.target != b.target ? a.target < b.target : a.index < b.index;
+              });
+    packed.points.push_back({{p.ray.x(), p.ray.y(), p.ray.z()}, begin, end, i, p.fixed});
+    ++packed.host_begin[p.host + 1];
+  }
+  for (int h = 0; h < n; ++h) packed.host_begin[h + 1] += packed.host_begin[h];
+  find_targets(&packed);
+  return packed;
+}
+
+}  // namespace edgevo::ba

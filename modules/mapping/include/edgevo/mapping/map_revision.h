@@ -1,0 +1,43 @@
+#pragma once
+// A map after its camera was corrected (core/image_correction.h): where keyframes, points and matches lie then. self_calibration makes
+// revisions; Window::apply moves the window by one.
+#include <Eigen/Core>
+#include <vector>
+
+#include "edgevo/bundle_adjustment/bundle_adjustment.h"
+#include "edgevo/core/camera.h"
+#include "edgevo/core/image_correction.h"
+#include "edgevo/core/image_motion.h"
+#include "edgevo/core/se3.h"
+
+namespace edgevo {
+
+/// What a keyframe became when the camera was corrected. Everything in map coordinates.
+struct RevisedKeyframe {
+  int id = 0;
+  SE3 T_cam_world;
+  ImageMotion motion;       ///< of its image: its pixels move with it
+  double length_ratio = 1;  ///< new length over old length near this keyframe
+  struct Point {
+    Eigen::Vector2d px;
+    double idepth = 0;
+  };
+  std::vector<Point> points;  ///< in the order of Keyframe::points
+};
+
+/// A correction of the camera and all that moves with it.
+struct MapRevision {
+  ImageCorrection before, now;
+  std::vector<RevisedKeyframe> keyframes;  ///< remembered ones and the window's, ascending id
+  BaPrior prior;                           ///< of the remembered ones on the window
+
+  const ImageMotion& motion_of(int keyframe_id) const;
+};
+
+/// Images corrected by `before` are corrected by `now` instead: where a pixel of one that moved with `motion` lies then, and its normal.
+Eigen::Vector2d correct_pixel(const Pinhole& pinhole, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+                              const Eigen::Vector2d& px);
+Eigen::Vector2d correct_normal(const Pinhole& pinhole, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+                               const Eigen::Vector2d& px, const Eigen::Vector2d& normal);
+
+}  // namespace edgevo

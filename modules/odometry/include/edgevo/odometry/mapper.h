@@ -1,0 +1,100 @@
+#pragma once
+// The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames, handing out the reference that
+// the next frames are tracked against. One thread at a time; reference() hands out immutable values.
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgevo/core/random.h"
+#include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/window.h"
+#include "edgevo/odometry/reference.h"
+#include "edgevo/odometry/tracking_check.h"
+#include "edgevo/self_calibration/self_calibration.h"
+
+namespace edgevo {
+
+struct TrackedFrame {
+  int frame_index = 0;
+  Timestamp time;
+  std::shared_ptr<const FramePyramid> pyramid;
+  ImageMotion motion;         ///< of its image
+  int reference_id = 0;       ///< keyframe that T_cam_ref refers to
+  SE3 T_cam_ref;
+  Matrix6d covariance = Matrix6d::Zero();
+  bool make_keyframe = false;
+  std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless asked for
+  int return_to = -1;         ///< keyframe of the window to track against from now on; -1: the present one
+};
+
+/// Milliseconds of CPU time by stage.
+using StageTimes = std::vector<std::pair<std::string, double>>;
+
+struct MapUpdate {
+  int keyframe_id = -1;       ///< of the keyframe made of this frame; -1 if none
+  WindowStats stats;          ///< of the adjustment, if there was one
+  StageTimes times;
+};
+
+class Mapper {
+ public:
+  Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
+         uint64_t seed);
+
+  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid anew from its source image, whose motion is given. In a
+  /// thread of its own the mapping goes on meanwhile, but when it ends, and with it the result, depends on the machine.
+  using RebuildPyramid =
+      std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
+  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread);
+
+  /// Builds the first window of a segment in the first view's frame, from the two views and up to three between them. Returns an
+  /// empty string, or why they make no map.
+  [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
+  /// One tracked frame: updates immature depths, and makes it a keyframe if asked for.
+  MapUpdate process(const TrackedFrame& frame);
+  /// Closes the segment: all keyframes retire, the window is empty.
+  void close();
+
+  std::shared_ptr<const Reference> reference() const { return reference_; }
+  const Window& window() const { return window_; }
+  int next_id() const { return next_id_; }
+  /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
+  std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }
+  /// Keyframes, retired or in the window, that a correction of the camera moved since the last call.
+  std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
+  const CameraRefinement& camera() const { return calibration_.state(); }
+
+ private:
+  std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
+  void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
+  int new_points_wanted() const;
+  void seed_points(Keyframe* keyframe);
+  void calibrate_on_the_way();
+  void calibrate(bool at_end);
+  std::vector<const Keyframe*> window_pointers() const;
+  BaOptions calibration_options() const;
+  std::shared_ptr<const FramePyramid> corrected(const TrackedFrame& tracked) const;
+  void check_tracking(const TrackedFrame& frame);
+  void publish(const Keyframe& keyframe);
+  void return_to(int keyframe_id);
+
+  Pinhole pinhole_;
+  MappingParams params_;
+  AssociationParams association_;
+  bool gradient_patches_;
+  Random random_;
+  Window window_;
+  std::shared_ptr<const Reference> reference_;
+  SelfCalibration calibration_;
+  RebuildPyramid rebuild_;
+  bool calibration_has_thread_ = false;
+  std::vector<Keyframe> retired_;
+  std::vector<RevisedKeyframe> revised_;
+  int next_id_ = 0;
+  TrackingCheck tracking_check_;
+  double median_idepth_ = 1;  ///< of the points seen in the newest keyframe
+};
+
+}  // namespace edgevo

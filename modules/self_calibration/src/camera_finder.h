@@ -1,0 +1,21 @@
+#pragma once
+// What all keyframes so far say about the camera, and what of it is applied.
+#include <optional>
+
+#include "camera_problem.h"
+#include "edgevo/core/records.h"
+#include "edgevo/self_calibration/self_calibration.h"
+
+namespace edgevo {
+
+struct CameraFinding {
+  CameraRefinement state;                      ///< what is known now; its values are those of `estimate`, else as before
+  std::optional<ba::CameraEstimate> estimate;  ///< where something is to be applied
+};
+
+/// Before `params.min_keyframes` only the read-out time is sought: k1 shows later. From then on k1, and the read-out time with it where it
+/// is known already or one more step makes the shutter look like a rolling one. `known`: what earlier estimates found.
+CameraFinding find_camera(const ba::CameraProblem& problem, const CameraRefinement& known, const SelfCalibrationParams& params,
+                          const BaOptions& options);
+
+}  // namespace edgevo

@@ -1,0 +1,210 @@
+// The mapper: from a bootstrap over a stretch of keyframes, fed with frames that it tracks itself.
+#include "edgevo/odometry/mapper.h"
+
+#include <gmock/gmock.h>
+
+#include <memory>
+
+#include "sweep_driver.h"
+
+namespace edgevo {
+namespace {
+
+using test::Sweep;
+using test::SweepDriver;
+using test::sweep_pose;
+
+MappingParams params_with(const std::string& gauge) {
+  MappingParams p;
+  p.window.gauge = gauge;
+  p.window.keyframes = 7;
+  return p;
+}
+
+// Length of the estimated step between two keyframes over that of the true one.
+double step_scale(const SweepDriver& driver, const Keyframe& a, const Keyframe& b) {
+  const double truth = (sweep_pose(driver.frame_of.at(b.id)).translation() - sweep_pose(driver.frame_of.at(a.id)).translation()).norm();
+  return relative_pose(b, a).translation().norm() / truth;
+}
+
+TEST(Mapper, BuildsAMapFromABootstrap) {
+  SweepDriver driver(params_with("fixed"));
+  ASSERT_EQ(driver.start(), "");
+  const auto reference = driver.mapper.reference();
+  ASSERT_TRUE(reference);
+  EXPECT_EQ(reference->keyframe_id, driver.mapper.window().newest().id);
+  EXPECT_EQ(driver.mapper.next_id(), reference->keyframe_id + 1);
+  EXPECT_EQ(driver.mapper.window().newest().frame_index, 8);
+  EXPECT_EQ(reference->T_keyframe_world.size(), driver.mapper.window().keyframes().size());
+  ASSERT_GT(reference->cloud.points.size(), 100u);
+  std::vector<double> relative;
+  for (const CloudPoint& p : reference->cloud.points)
+    relative.push_back(std::abs(p.idepth / Sweep::idepth(8, p.px.cast<double>()) - 1));
+  EXPECT_LT(test::median(relative), 0.05);
+}
+
+TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
+  BootstrapResult bootstrap = test::true_bootstrap(0, 8);
+  for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
+    bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
+  Mapper mapper(Sweep::pinhole(), params_with("fixed"), AssociationParams(), false, 1);
+  EXPECT_NE(mapper.initialise(bootstrap), "");
+  EXPECT_EQ(mapper.next_id(), 0);
+  EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // and is none the worse for it
+}
+
+class MapperGauge : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Both, MapperGauge, ::testing::Values("fixed", "prior"), [](const auto& info) { return std::string(info.param); });
+
+TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
+  SweepDriver driver(params_with(GetParam()));
+  ASSERT_EQ(driver.start(), "");
+  int last_id = driver.mapper.next_id() - 1;
+  std::vector<Keyframe> retired;
+  constexpr int kKeyframes = 15, kFramesApart = 4;
+  for (int k = 1; k <= kKeyframes; ++k)
+    for (int i = 1; i <= kFramesApart; ++i) {
+      const int f = 8 + kFramesApart * (k - 1) + i;
+      const MapUpdate update = driver.process(f, i == kFramesApart);
+      if (i != kFramesApart) {
+        EXPECT_EQ(update.keyframe_id, -1);
+        continue;
+      }
+      EXPECT_EQ(update.keyframe_id, ++last_id);
+      EXPECT_GT(update.stats.matched_in_newest, 100) << "keyframe " << k;
+      EXPECT_LT(update.stats.cost_per_observation, 1.5) << "keyframe " << k;
+      EXPECT_LE(driver.mapper.window().keyframes().size(), 7u);
+      for (Keyframe& gone : driver.mapper.take_retired()) retired.push_back(std::move(gone));
+    }
+  ASSERT_GE(retired.size(), 10u);
+  for (size_t i = 1; i < retired.size(); ++i) EXPECT_EQ(retired[i].id, retired[i - 1].id + 1);
+  const auto& window = driver.mapper.window().keyframes();
+  EXPECT_EQ(retired.back().id + 1, window.front().id);
+  for (size_t i = 2; i < window.size(); ++i) EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
+  // Where the run ends, after about 2.4 of way: within 5 %.
+  const SE3 T_first_last = window.back().T_cam_world.inverse(), truth = sweep_pose(window.back().frame_index);
+  EXPECT_LT((T_first_last.translation() - truth.translation()).norm(), 0.12);
+  EXPECT_LT((T_first_last.inverse() * truth).angle(), 0.02);
+}
+
+// The fewer points the window lacks, the fewer candidates it makes.
+TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
+  const auto candidates = [](int max_points) {
+    MappingParams params = params_with("prior");
+    params.window.max_points = max_points;
+    params.depth_filter.cell_px = 4;
+    SweepDriver driver(params);
+    EXPECT_EQ(driver.start(), "");
+    driver.process(12, true);
+    const Window& window = driver.mapper.window();
+    const int lacking = std::max(0, max_points - window.active_points()), made = int(window.newest().immature.size());
+    EXPECT_LE(made, std::max(300, int(params.depth_filter.candidates_per_point * lacking))) << max_points;
+    return made;
+  };
+  const int full = candidates(200), empty = candidates(4000);
+  EXPECT_GT(full, 100);
+  EXPECT_GT(empty, 2 * full);
+}
+
+// No point can be matched in as many keyframes as asked for: what keeps the map alive is that one match does where it thins out.
+TEST(Mapper, AMapThatThinsOutTakesPointsWithOneMatch) {
+  MappingParams params = params_with("prior");
+  params.window.min_matches = 10;
+  SweepDriver driver(params);
+  ASSERT_EQ(driver.start(), "");
+  for (int step = 1; step <= 15; ++step) driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
+  EXPECT_GT(driver.mapper.reference()->known_points, 60);
+}
+
+TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
+  SweepDriver driver(params_with("fixed"));
+  ASSERT_EQ(driver.start(), "");
+  const auto before = driver.mapper.reference();
+  const int id = before->keyframe_id;
+  const size_t points = before->cloud.points.size();
+  const double first = before->cloud.points.front().idepth;
+  driver.process(10, false);
+  EXPECT_EQ(driver.mapper.reference(), before);  // no keyframe, no new reference
+  driver.process(12, true);
+  EXPECT_NE(driver.mapper.reference(), before);
+  EXPECT_EQ(before->keyframe_id, id);
+  EXPECT_EQ(before->cloud.points.size(), points);
+  EXPECT_EQ(before->cloud.points.front().idepth, first);
+}
+
+TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
+  SweepDriver driver(params_with("fixed"));
+  ASSERT_EQ(driver.start(), "");
+  driver.note_keyframes();
+  TrackedFrame late = driver.align(10, true);
+  late.reference_id = 4711;
+  const auto before = driver.mapper.reference();
+  EXPECT_EQ(driver.mapper.process(late).keyframe_id, -1);
+  EXPECT_EQ(driver.mapper.reference(), before);
+}
+
+TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
+  SweepDriver driver(params_with("prior"));
+  ASSERT_EQ(driver.start(), "");
+  driver.note_keyframes();
+  TrackedFrame frame = driver.align(12, true);
+  frame.corners.assign(70, {Eigen::Vector3d(0.1, 0.2, 1), Eigen::Vector3d(0.15, 0.2, 1)});
+  driver.mapper.process(frame);
+  EXPECT_EQ(driver.mapper.window().newest().corners_from, frame.reference_id);
+  EXPECT_EQ(driver.mapper.window().newest().corners.size(), 70u);
+  driver.process(16, true);
+  EXPECT_EQ(driver.mapper.window().newest().corners_from, -1);
+}
+
+TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
+  SweepDriver driver(params_with("fixed"));
+  ASSERT_EQ(driver.start(), "");
+  driver.process(12, true);
+  const DepthFilterParams params;
+  const CellGrid grid(320, 240, params.cell_px);
+  std::vector<bool> known(size_t(grid.size()), false);
+  for (const CloudPoint& p : driver.mapper.window().cloud(driver.mapper.window().newest())) known[size_t(grid.index(p.px.x(), p.px.y()))] = true;
+  const Keyframe& newest = driver.mapper.window().newest();
+  EXPECT_GT(newest.immature.size(), 20u);
+  for (const ImmaturePoint& p : newest.immature) EXPECT_FALSE(known[size_t(grid.index(p.px.x(), p.px.y()))]);
+}
+
+TEST(Mapper, ClosingRetiresEverything) {
+  SweepDriver driver(params_with("fixed"));
+  ASSERT_EQ(driver.start(), "");
+  driver.process(12, true);
+  const size_t in_window = driver.mapper.window().keyframes().size();
+  driver.mapper.close();
+  EXPECT_EQ(driver.mapper.reference(), nullptr);
+  const auto retired = driver.mapper.take_retired();
+  EXPECT_EQ(retired.size(), in_window);
+  EXPECT_TRUE(driver.mapper.take_retired().empty());
+  EXPECT_EQ(retired.back().frame_index, 12);
+  const int next = driver.mapper.next_id();
+  ASSERT_EQ(driver.start(20, 28), "");  // the next segment counts on
+  EXPECT_EQ(driver.mapper.window().keyframes().front().id, next);
+}
+
+TEST(Mapper, TheUnitOfTheBootstrapStays) {
+  SweepDriver driver(params_with("fixed"));
+  ASSERT_EQ(driver.start(0, 8, 3.0), "");
+  for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
+  const auto& window = driver.mapper.window().keyframes();
+  EXPECT_NEAR(step_scale(driver, window.front(), window.back()), 3, 0.15);
+}
+
+TEST(Mapper, TheSameSeedGivesTheSameMap) {
+  const auto run = [](uint64_t seed) {
+    SweepDriver driver(params_with("fixed"), seed);
+    EXPECT_EQ(driver.start(), "");
+    for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
+    std::vector<double> values;
+    for (const CloudPoint& p : driver.mapper.reference()->cloud.points) values.push_back(p.idepth);
+    return values;
+  };
+  EXPECT_EQ(run(1), run(1));
+  EXPECT_NE(run(1), run(2));
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,56 @@
+#pragma once
+// A mapper that is driven along the sweep of the hollow scene.
+#include <map>
+#include <string>
+
+#include "edgevo/alignment/tracker.h"
+#include "edgevo/odometry/mapper.h"
+#include "support/sweep_scene.h"
+
+namespace edgevo::test {
+
+/// Feeds frames of the sweep to a mapper: aligned to its reference, as the odometry does.
+class SweepDriver {
+ public:
+  SweepDriver(const MappingParams& params, uint64_t seed = 1)
+      : mapper(Sweep::pinhole(), params, AssociationParams(), false, seed) {}
+
+  std::string start(int first = 0, int last = 8, double unit = 1.0) {
+    unit_ = unit;
+    return mapper.initialise(true_bootstrap(first, last, unit));
+  }
+
+  /// Aligns frame `f`, starting from the true motion between it and the reference.
+  TrackedFrame align(int f, bool make_keyframe) const {
+    const auto reference = mapper.reference();
+    const SE3 T = sweep_pose(f).inverse() * sweep_pose(frame_of.at(reference->keyframe_id));
+    const SE3 start(T.rotation(), unit_ * T.translation());
+    const TrackResult r = track(*Sweep::pyramid(f), reference->cloud, {start}, AlignmentParams());
+    TrackedFrame frame;
+    frame.frame_index = f;
+    frame.time = Sweep::time(f);
+    frame.pyramid = Sweep::pyramid(f);
+    frame.reference_id = reference->keyframe_id;
+    frame.T_cam_ref = r.T_cur_ref;
+    frame.covariance = r.covariance;
+    frame.make_keyframe = make_keyframe;
+    return frame;
+  }
+  MapUpdate process(int f, bool make_keyframe) {
+    note_keyframes();
+    const MapUpdate update = mapper.process(align(f, make_keyframe));
+    note_keyframes();
+    return update;
+  }
+  void note_keyframes() {
+    for (const Keyframe& k : mapper.window().keyframes()) frame_of[k.id] = k.frame_index;
+  }
+
+  Mapper mapper;
+  std::map<int, int> frame_of;  ///< keyframe id -> frame
+
+ private:
+  double unit_ = 1;
+};
+
+}  // namespace edgevo::test

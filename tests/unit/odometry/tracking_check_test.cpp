@@ -1,0 +1,78 @@
+// What adjusted keyframes say about the covariance that tracking told.
+#include "edgevo/odometry/tracking_check.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <limits>
+
+#include "edgevo/core/random.h"
+
+namespace edgevo {
+namespace {
+
+Matrix6d some_covariance() {
+  Vector6d sigma;
+  sigma << 0.02, 0.01, 0.03, 0.001, 0.002, 0.0015;
+  Matrix6d mix = Matrix6d::Identity();
+  mix(0, 4) = 0.5, mix(1, 3) = -0.4, mix(2, 0) = 0.2;
+  const Matrix6d root = sigma.asDiagonal() * mix;
+  return root * root.transpose();
+}
+
+const SE3 kAdjusted = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())), Eigen::Vector3d(0.1, 0.02, -0.9));
+
+// `keyframes` poses, as wrong as `sigmas` times what they are told to be; the mean factor after the first ten of them.
+double mean_factor(double sigmas, int keyframes) {
+  Random random(3);
+  const Matrix6d root = some_covariance().llt().matrixL();
+  TrackingCheck check;
+  double sum = 0;
+  for (int i = 0; i < keyframes; ++i) {
+    Vector6d noise;
+    for (double& x : noise) x = sigmas * random.normal();
+    check.add(SE3::exp(root * noise) * kAdjusted, kAdjusted, some_covariance());
+    if (i >= 10) sum += check.error_factor();
+  }
+  return sum / (keyframes - 10);
+}
+
+TEST(TrackingCheck, AYoungMapIsTrustedLess) {
+  TrackingCheck exact;
+  const double young = exact.error_factor();
+  EXPECT_GT(young, 1.5);
+  for (int i = 0; i < 20; ++i) exact.add(kAdjusted, kAdjusted, some_covariance());
+  EXPECT_LT(exact.error_factor(), 0.5 * young);
+  EXPECT_GT(exact.error_factor(), 0.5);  // agreement is no proof
+}
+
+TEST(TrackingCheck, FollowsTheVarianceThatIsThere) {
+  const double honest = mean_factor(1, 400);
+  EXPECT_GT(honest, 1.0);
+  EXPECT_LT(honest, 1.4);
+  EXPECT_NEAR(mean_factor(1.5, 400) / honest, 2.1, 0.4);  // 2.25, less what is cut off above
+}
+
+TEST(TrackingCheck, OneBlunderDoesNotDecide) {
+  TrackingCheck check;
+  for (int i = 0; i < 20; ++i) check.add(kAdjusted, kAdjusted, some_covariance());
+  check.add(SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(3, 0, 0)) * kAdjusted, kAdjusted, some_covariance());
+  EXPECT_LT(check.error_factor(), 3);
+  const double before = check.error_factor();
+  check.add(kAdjusted, kAdjusted, Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(check.error_factor(), before);  // what cannot be judged says nothing
+}
+
+// The unit of length of a monocular map is nobody's error.
+TEST(TrackingCheck, ALongerStepIsNoError) {
+  TrackingCheck same, longer;
+  const SE3 stretched(kAdjusted.rotation(), 1.05 * kAdjusted.translation());
+  for (int i = 0; i < 5; ++i) {
+    same.add(kAdjusted, kAdjusted, some_covariance());
+    longer.add(stretched, kAdjusted, some_covariance());
+  }
+  EXPECT_NEAR(longer.error_factor(), same.error_factor(), 0.05 * same.error_factor());
+}
+
+}  // namespace
+}  // namespace edgevo

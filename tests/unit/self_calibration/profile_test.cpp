@@ -1,0 +1,101 @@
+// Derivatives of the profile cost against the cost itself: the adjustment solved anew at displaced values of the unknowns.
+#include "camera_problem.h"
+
+#include <gtest/gtest.h>
+
+#include "support/bundle_adjustment_scene.h"
+
+namespace edgevo {
+namespace {
+
+ba::CameraProblem camera_scene(uint64_t seed) {
+  ba_scene::SceneOptions o;
+  o.noise_px = 0.1;
+  o.share_2d = 0.3;
+  o.fixed_point_share = 0.1;
+  o.seed = seed;
+  ba::CameraProblem problem;
+  problem.file = ba_scene::make_scene(o);
+  for (const BaPoint& p : problem.file.points) problem.px_host.push_back(problem.file.pinhole.project(p.ray));
+  Random random(seed + 100);
+  for (size_t i = 0; i < problem.file.poses.size(); ++i) {
+    ImageMotion motion;
+    motion.velocity = ba_scene::random_tangent(&random, 1, 0.3);
+    motion.idepth.setConstant(0.1);
+    problem.motion.push_back(motion);
+  }
+  return problem;
+}
+
+double profile_cost(const ba::CameraProblem& problem, const ba::Unknowns& k, BaProblem* solution) {
+  *solution = ba::corrected(problem, ba::correction(k));
+  return make_bundle_adjuster("schur")->solve(solution, ba_scene::to_the_end()).final_cost;
+}
+
+TEST(ProfileCost, GradientIsTheNumericOne) {
+  for (const uint64_t seed : {1, 2, 3}) {
+    const ba::CameraProblem problem = camera_scene(seed);
+    const ba::Unknowns k(0.004, 0.0008);
+    BaProblem solution, unused;
+    profile_cost(problem, k, &solution);
+    const ba::ProfileStep s = ba::profile_step(solution, ba::camera_derivative(problem, ba::correction(k)), ba_scene::to_the_end());
+    ASSERT_TRUE(s.usable);
+    for (int i = 0; i < ba::kUnknowns; ++i) {
+      const ba::Unknowns step = 1e-4 * ba::Unknowns::Unit(i);
+      const double numeric = (profile_cost(problem, k + step, &unused) - profile_cost(problem, k - step, &unused)) / 2e-4;
+      // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in the residual.
+      EXPECT_NEAR(s.gradient[i], numeric, 0.02 * std::abs(numeric)) << i;
+    }
+  }
+}
+
+TEST(ProfileCost, RatesPredictTheNextSolution) {
+  const ba::CameraProblem problem = camera_scene(4);
+  BaProblem here, there;
+  profile_cost(problem, {0, 0}, &here);
+  const ba::ProfileStep s = ba::profile_step(here, ba::camera_derivative(problem, {}), ba_scene::to_the_end());
+  for (const ba::Unknowns& change : {ba::Unknowns(1e-3, 0), ba::Unknowns(0, 1e-3), ba::Unknowns(1e-3, -1e-3)}) {
+    profile_cost(problem, change, &there);
+    BaProblem predicted = there;
+    const Eigen::VectorXd moved = s.pose_rate * change;
+    for (size_t i = 0; i < here.poses.size(); ++i)
+      predicted.poses[i].T_cam_world = SE3::exp(moved.segment<6>(6 * i)) * here.poses[i].T_cam_world;
+    EXPECT_LT(ba_scene::pose_difference(predicted, there), 0.1 * ba_scene::pose_difference(here, there)) << change.transpose();
+  }
+}
+
+ba::CameraEstimate estimate(const ba::CameraProblem& problem, bool k1, bool readout, const ImageCorrection& start = {}) {
+  ba::CameraSearch search;
+  search.start = start;
+  search.free << k1, readout;
+  search.prior_sigma << 1e3, 1e3;
+  search.limit << 0.1, 0.1;
+  return ba::estimate_camera(problem, search, ba_scene::to_the_end());
+}
+
+TEST(ProfileCost, NewtonFindsTheMinimum) {
+  const ba::CameraProblem problem = camera_scene(5);
+  const ba::CameraEstimate e = estimate(problem, true, true);
+  ASSERT_TRUE(e.usable);
+  BaProblem unused;
+  const ba::Unknowns found = ba::unknowns(e.value);
+  const double best = profile_cost(problem, found, &unused);
+  for (int i = 0; i < ba::kUnknowns; ++i)
+    for (const double side : {-3.0, 3.0})
+      EXPECT_LE(best, profile_cost(problem, found + side * e.sigma[i] * ba::Unknowns::Unit(i), &unused)) << i;
+}
+
+TEST(ProfileCost, WhatIsNotFreeStays) {
+  const ba::CameraProblem problem = camera_scene(6);
+  const ImageCorrection start{0.002, 0.005};
+  EXPECT_EQ(estimate(problem, true, false, start).value.readout_s, start.readout_s);
+  EXPECT_EQ(estimate(problem, false, true, start).value.k1, start.k1);
+  const ba::CameraEstimate none = estimate(problem, false, false, start);
+  EXPECT_EQ(none.value, start);
+  // One step with all free leads most of the way to where both searches end.
+  const ba::Unknowns both = ba::unknowns(estimate(problem, true, true).value), from = ba::unknowns(start);
+  EXPECT_LT((none.if_all_free - both).cwiseQuotient(none.sigma).norm(), 0.3 * (from - both).cwiseQuotient(none.sigma).norm());
+}
+
+}  // namespace
+}  // namespace edgevo

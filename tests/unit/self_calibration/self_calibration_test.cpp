@@ -1,0 +1,389 @@
+// Self-calibration on drives with exact truth: matches as a lens with a known residual distortion makes them.
+#include "edgevo/self_calibration/self_calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/bundle_adjustment_scene.h"
+
+namespace edgevo {
+namespace {
+
+struct DriveOptions {
+  int keyframes = 60;
+  double k1 = 0;          ///< of the images, unknown to the camera file
+  double readout_s = 0;   ///< of a rolling shutter
+  double noise_px = 0.15;
+  double step = 1.0;      ///< metres a keyframe; 0: a standstill
+  uint64_t seed = 1;
+};
+
+// A drive with gentle turns through points on both sides. Points are hosted by keyframes and matched, along random normals, in the
+// keyframes around. Estimates stand where a window would leave them: near the truth.
+std::vector<Keyframe> make_drive(const DriveOptions& o) {
+  const Pinhole camera = ba_scene::pinhole();
+  Random random(o.seed);
+  std::vector<SE3> T_world_cam(o.keyframes);
+  for (int i = 1; i < o.keyframes; ++i) {
+    Vector6d step = Vector6d::Zero();
+    step << 0.02 * random.normal() * o.step, 0.02 * random.normal() * o.step, o.step, 0.005 * random.normal() * o.step,
+        0.03 * std::sin(0.2 * i) * o.step, 0.005 * random.normal() * o.step;
+    T_world_cam[i] = T_world_cam[i - 1] * SE3::exp(step);
+  }
+  std::vector<Keyframe> drive(o.keyframes);
+  // The camera bobs and turns about its keyframes, five of them a second; all it sees is as far away as the middle of the points.
+  for (Keyframe& k : drive) {
+    k.motion.velocity << 0.3 * random.normal(), 0.5 * random.normal(), -5.0, 0.1 * random.normal(), 0.1 * random.normal(),
+        0.1 * random.normal();
+    k.motion.velocity *= o.step;
+    k.motion.idepth.setConstant(0.08);
+  }
+  const auto seen_at = [&](int keyframe, const Eigen::Vector2d& px) {  // true pixel -> pixel in the file's image
+    return correct_pixel(camera, {o.k1, o.readout_s}, {}, drive[size_t(keyframe)].motion, px);
+  };
+  for (int h = 0; h < o.keyframes; ++h) {
+    drive[h].id = 10 + h;
+    drive[h].T_cam_world = T_world_cam[h].inverse();
+    for (int n = 0; n < 120; ++n) {
+      const Eigen::Vector2d px(random.uniform(20, 1220), random.uniform(10, 366));
+      const double depth = random.uniform(5, 40);
+      MapPoint p;
+      p.px = seen_at(h, px);
+      p.normal = Eigen::Vector2d::UnitX();
+      p.idepth = 1.0 / depth;
+      for (int t = std::max(0, h - 2); t < std::min(o.keyframes, h + 9); ++t) {
+        const Eigen::Vector3d p_target = T_world_cam[t].inverse() * (T_world_cam[h] * Eigen::Vector3d(camera.ray(px) * depth));
+        if (t == h || p_target.z() < 1 || !camera.contains(camera.project(p_target), 8)) continue;
+        const double angle = random.uniform(0, 2 * M_PI);
+        Observation seen;
+        seen.keyframe_id = 10 + t;
+        seen.match.kind = MatchKind::kEdge;
+        seen.match.normal = {std::cos(angle), std::sin(angle)};
+        seen.match.px = seen_at(t, camera.project(p_target)) + o.noise_px * Eigen::Vector2d(random.normal(), random.normal());
+        seen.match.inv_sigma_normal = 1.0 / 0.3;
+        p.observations.push_back(seen);
+      }
+      if (!p.observations.empty()) drive[h].points.push_back(std::move(p));
+    }
+  }
+  return drive;
+}
+
+// Feeds a drive through as the mapper does; the last 12 keyframes are the window.
+struct Outcome {
+  CameraRefinement state;
+  std::optional<MapRevision> revision;
+  std::vector<Keyframe> drive;
+};
+
+Outcome calibrate(const DriveOptions& o, const SelfCalibrationParams& params = {}) {
+  Outcome out;
+  out.drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), params);
+  const size_t first_of_window = out.drive.size() - 12;
+  for (size_t i = 0; i < first_of_window; ++i) calibration.remember(out.drive[i]);
+  std::vector<const Keyframe*> window;
+  for (size_t i = first_of_window; i < out.drive.size(); ++i) window.push_back(&out.drive[i]);
+  out.revision = calibration.estimate(window, BaOptions(), true);
+  out.state = calibration.state();
+  return out;
+}
+
+std::vector<const Keyframe*> range(const std::vector<Keyframe>& drive, size_t begin, size_t end) {
+  std::vector<const Keyframe*> keyframes;
+  for (size_t i = begin; i < end; ++i) keyframes.push_back(&drive[i]);
+  return keyframes;
+}
+
+TEST(SelfCalibration, FindsTheDistortion) {
+  for (const double k1 : {0.01, -0.008, 0.02})
+    for (const uint64_t seed : {1, 2, 3}) {
+      DriveOptions o;
+      o.k1 = k1, o.seed = seed;
+      const Outcome out = calibrate(o);
+      EXPECT_EQ(out.state.state, CameraRefinement::State::kApplied);
+      EXPECT_NEAR(out.state.k1, k1, 0.001);
+      ASSERT_TRUE(out.revision);
+      EXPECT_EQ(out.revision->now.k1, out.state.k1);
+      EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kInsignificant);
+      EXPECT_EQ(out.state.shutter.readout_s, 0);
+    }
+}
+
+TEST(SelfCalibration, FindsARollingShutter) {
+  for (const double readout_s : {0.02, -0.015, 0.03})
+    for (const double k1 : {0.0, 0.012}) {
+      DriveOptions o;
+      o.k1 = k1, o.readout_s = readout_s;
+      const Outcome out = calibrate(o);
+      EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied) << readout_s << " " << k1;
+      EXPECT_NEAR(out.state.shutter.estimate, readout_s, 0.001);
+      EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013) << "a step further: matches of crooked rows hold on to them";
+      EXPECT_EQ(out.state.state, k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
+      EXPECT_NEAR(out.state.estimate, k1, 0.002);
+      ASSERT_TRUE(out.revision);
+      EXPECT_EQ(out.revision->now, out.state.correction());
+    }
+}
+
+// From few keyframes, long before k1 is looked for.
+TEST(SelfCalibration, ARollingShutterShowsEarly) {
+  DriveOptions o;
+  o.keyframes = 14;
+  o.readout_s = 0.02;
+  const Outcome out = calibrate(o);
+  EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied);
+  EXPECT_NEAR(out.state.shutter.estimate, 0.02, 0.002);
+  EXPECT_EQ(out.state.state, CameraRefinement::State::kTooEarly);
+  EXPECT_EQ(out.state.k1, 0);
+}
+
+TEST(SelfCalibration, SeeksOnlyWhatItIsAskedFor) {
+  DriveOptions o;
+  o.k1 = 0.012, o.readout_s = 0.02;
+  SelfCalibrationParams params;
+  params.refine = "k1";
+  const CameraRefinement lens = calibrate(o, params).state;
+  EXPECT_EQ(lens.shutter.state, CameraRefinement::State::kOff);
+  EXPECT_EQ(lens.shutter.readout_s, 0);
+  params.refine = "readout";
+  const CameraRefinement shutter = calibrate(o, params).state;
+  EXPECT_EQ(shutter.state, CameraRefinement::State::kOff);
+  EXPECT_EQ(shutter.k1, 0);
+  EXPECT_EQ(shutter.shutter.state, CameraRefinement::State::kApplied);
+  params.refine = "none";
+  params.readout_s = 0.02;  // known: taken as it is
+  EXPECT_EQ(calibrate(o, params).state.correction(), (ImageCorrection{0, 0.02}));
+}
+
+// Bad light may show a rolling shutter where there is none: later keyframes take it back, and what is already applied with it.
+TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
+  DriveOptions rolling, still;
+  rolling.keyframes = 14, rolling.readout_s = 0.02;
+  still.keyframes = 60;
+  const std::vector<Keyframe> mistaken = make_drive(rolling);
+  SelfCalibration calibration(ba_scene::pinhole(), {});
+  ASSERT_TRUE(calibration.estimate(range(mistaken, 0, mistaken.size()), BaOptions(), true));
+  const ImageCorrection mistake = calibration.state().correction();
+  ASSERT_GT(mistake.readout_s, 0.015);
+  calibration.forget();
+  std::vector<Keyframe> drive = make_drive(still);
+  for (Keyframe& k : drive)
+    for (MapPoint& p : k.points) {
+      p.px = correct_pixel(ba_scene::pinhole(), {}, mistake, k.motion, p.px);
+      for (Observation& seen : p.observations)
+        seen.match.px = correct_pixel(ba_scene::pinhole(), {}, mistake, drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+    }
+  const auto revision = calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
+  EXPECT_EQ(calibration.state().shutter.state, CameraRefinement::State::kInsignificant);
+  EXPECT_EQ(calibration.state().shutter.readout_s, 0);
+  ASSERT_TRUE(revision);
+  EXPECT_EQ(revision->before, mistake);
+  EXPECT_EQ(revision->now, ImageCorrection());
+}
+
+// Images that were corrected already: the estimate is of the whole, not of what is left.
+TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
+  DriveOptions o;
+  o.readout_s = 0.02;
+  std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibrationParams params;
+  params.readout_s = 0.015;
+  const ImageCorrection none, applied{0, params.readout_s};
+  for (Keyframe& k : drive)
+    for (MapPoint& p : k.points) {
+      p.px = correct_pixel(ba_scene::pinhole(), none, applied, k.motion, p.px);
+      for (Observation& seen : p.observations)
+        seen.match.px = correct_pixel(ba_scene::pinhole(), none, applied, drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+    }
+  SelfCalibration calibration(ba_scene::pinhole(), params);
+  calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
+  EXPECT_NEAR(calibration.state().shutter.estimate, 0.02, 0.001);
+}
+
+TEST(SelfCalibration, LeavesAGoodCameraAlone) {
+  for (const uint64_t seed : {1, 2, 3, 4}) {
+    DriveOptions o;
+    o.seed = seed;
+    const Outcome out = calibrate(o);
+    EXPECT_EQ(out.state.state, CameraRefinement::State::kInsignificant);
+    EXPECT_LT(std::abs(out.state.estimate), 0.001);
+    EXPECT_EQ(out.state.k1, 0);
+    EXPECT_FALSE(out.revision);
+  }
+}
+
+TEST(SelfCalibration, SaysWhenItCannotTell) {
+  DriveOptions still;
+  still.step = 0.002;
+  still.k1 = 0.01;
+  const Outcome out = calibrate(still);
+  EXPECT_EQ(out.state.state, CameraRefinement::State::kNotObservable);
+  EXPECT_FALSE(out.revision);
+
+  DriveOptions brief;
+  brief.keyframes = 20;
+  brief.k1 = 0.01;
+  EXPECT_EQ(calibrate(brief).state.state, CameraRefinement::State::kTooEarly);
+}
+
+TEST(SelfCalibration, OffMeansOff) {
+  DriveOptions o;
+  o.k1 = 0.02;
+  SelfCalibrationParams params;
+  params.refine = "none";
+  const Outcome out = calibrate(o, params);
+  EXPECT_EQ(out.state.state, CameraRefinement::State::kOff);
+  EXPECT_FALSE(out.revision);
+}
+
+TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const Outcome out = calibrate(o);
+  ASSERT_TRUE(out.revision);
+  const RevisedKeyframe& newest = out.revision->keyframes.back();
+  EXPECT_LT((newest.T_cam_world * out.drive.back().T_cam_world.inverse()).log().norm(), 1e-12);
+  EXPECT_NEAR(newest.length_ratio, 1.0, 0.05);
+  ASSERT_EQ(out.revision->keyframes.size(), out.drive.size());
+  for (size_t i = 0; i < out.drive.size(); ++i) {
+    EXPECT_EQ(out.revision->keyframes[i].id, out.drive[i].id);
+    EXPECT_EQ(out.revision->keyframes[i].points.size(), out.drive[i].points.size());
+  }
+}
+
+// The drive is the truth: after a correction the shape of the way is the true one again.
+void expect_true_shape(const MapRevision& revision, const std::vector<Keyframe>& drive) {
+  ASSERT_EQ(revision.keyframes.size(), drive.size());
+  const auto step = [](const SE3& a, const SE3& b) { return (b * a.inverse()).translation().norm(); };
+  const auto ratio = [&](size_t i) {
+    return step(revision.keyframes[i - 1].T_cam_world, revision.keyframes[i].T_cam_world) /
+           step(drive[i - 1].T_cam_world, drive[i].T_cam_world);
+  };
+  for (size_t i = 1; i < drive.size(); ++i) EXPECT_NEAR(ratio(i) / ratio(drive.size() - 1), 1.0, 0.02) << i;
+}
+
+TEST(SelfCalibration, TheRevisedWayHasTheTrueShape) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const Outcome out = calibrate(o);
+  ASSERT_TRUE(out.revision);
+  expect_true_shape(*out.revision, out.drive);
+}
+
+// In a thread of its own: keyframes come, and points go, while the estimate runs.
+TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const std::vector<Keyframe> drive = make_drive(o);
+  constexpr size_t kKnown = 45, kWindow = 12;
+  SelfCalibration beside(ba_scene::pinhole(), {}), at_once(ba_scene::pinhole(), {});
+  for (size_t i = 0; i < kKnown - kWindow; ++i) beside.remember(drive[i]), at_once.remember(drive[i]);
+  ASSERT_TRUE(at_once.estimate(range(drive, kKnown - kWindow, kKnown), BaOptions(), true));
+
+  std::vector<Keyframe> now = drive;
+  beside.begin(range(now, kKnown - kWindow, kKnown), BaOptions());
+  EXPECT_TRUE(beside.is_running());
+  EXPECT_FALSE(beside.is_due(int(kWindow))) << "one at a time";
+  std::vector<Keyframe>(now).swap(now);  // the copy that it works on is its own
+  now[kKnown - 1].points.erase(now[kKnown - 1].points.begin(), now[kKnown - 1].points.begin() + 20);
+  for (size_t i = kKnown - kWindow; i < now.size() - kWindow; ++i) beside.remember(now[i]);
+  const auto revision = beside.estimate(range(now, now.size() - kWindow, now.size()), BaOptions(), false);
+  EXPECT_FALSE(beside.is_running());
+  ASSERT_TRUE(revision);
+  EXPECT_EQ(revision->now, at_once.state().correction()) << "the same estimate";
+  EXPECT_EQ(beside.state().keyframes, int(kKnown));
+  expect_true_shape(*revision, now);
+  const RevisedKeyframe& newest = revision->keyframes.back();
+  EXPECT_LT((newest.T_cam_world * now.back().T_cam_world.inverse()).log().norm(), 1e-12);
+  ASSERT_EQ(revision->keyframes[kKnown - 1].points.size(), now[kKnown - 1].points.size());
+  // Depths, too: new and old points alike stand at the true depth in the unit of the newest keyframe.
+  for (const size_t k : {kKnown - 1, kKnown + 4})
+    for (size_t i = 0; i < now[k].points.size(); ++i)
+      EXPECT_NEAR(revision->keyframes[k].points[i].idepth * revision->keyframes[k].length_ratio / now[k].points[i].idepth, 1.0, 0.25) << k;
+}
+
+TEST(SelfCalibration, AnEstimateThatNobodyTakesDoesNoHarm) {
+  DriveOptions o;
+  o.keyframes = 30;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), {});
+  calibration.begin(range(drive, 0, 30), BaOptions());
+  calibration.forget();
+  EXPECT_FALSE(calibration.is_running());
+  EXPECT_EQ(calibration.state().state, CameraRefinement::State::kTooEarly);
+  calibration.begin(range(drive, 0, 30), BaOptions());  // and is destroyed
+}
+
+// A window adjusted with the revision's prior stays where the whole adjustment put it.
+TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
+  DriveOptions o;
+  o.k1 = 0.01;
+  const Outcome out = calibrate(o);
+  ASSERT_TRUE(out.revision);
+  const MapRevision& r = *out.revision;
+  BaProblem window;
+  window.pinhole = ba_scene::pinhole();
+  window.prior = r.prior;
+  const int first = int(out.drive.size()) - 12;
+  for (size_t i = first; i < out.drive.size(); ++i) {
+    window.poses.push_back({r.keyframes[i].T_cam_world, false});
+    window.pose_ids.push_back(r.keyframes[i].id);
+  }
+  for (size_t h = first; h < out.drive.size(); ++h)
+    for (size_t n = 0; n < out.drive[h].points.size(); ++n) {
+      const MapPoint& p = out.drive[h].points[n];
+      const int index = int(window.points.size());
+      for (const Observation& seen : p.observations) {
+        const int target = seen.keyframe_id - 10 - first;
+        if (target < 0) continue;
+        window.observations.push_back({index, target, correct_pixel(window.pinhole, {}, r.now, {}, seen.match.px),
+                                       correct_normal(window.pinhole, {}, r.now, {}, seen.match.px, seen.match.normal),
+                                       seen.match.inv_sigma_normal, 0.0});
+      }
+      if (!window.observations.empty() && window.observations.back().point == index)
+        window.points.push_back({int(h) - first, window.pinhole.ray(r.keyframes[h].points[n].px), r.keyframes[h].points[n].idepth, false});
+    }
+  const BaProblem before = window;
+  const BaResult result = make_bundle_adjuster("schur")->solve(&window, BaOptions());
+  ASSERT_TRUE(result.usable);
+  EXPECT_LT(ba_scene::pose_difference(before, window), 0.01);  // of steps of one metre
+}
+
+TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
+  SelfCalibrationParams params;
+  params.refine = "k1";
+  params.min_keyframes = 15;  // checkpoints at 15, 30 and 60
+  DriveOptions o;
+  o.keyframes = 72;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), params);
+  int estimates = 0;
+  for (size_t i = 0; i + 12 < drive.size(); ++i) {
+    calibration.remember(drive[i]);
+    std::vector<const Keyframe*> window;
+    for (size_t k = i + 1; k <= i + 12; ++k) window.push_back(&drive[k]);
+    if (!calibration.is_due(12)) continue;
+    ++estimates;
+    calibration.estimate(window, BaOptions(), false);
+  }
+  EXPECT_EQ(estimates, 3);
+  EXPECT_EQ(calibration.state().keyframes, 60);
+}
+
+TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
+  DriveOptions o;
+  o.k1 = 0.015;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(ba_scene::pinhole(), {});
+  ASSERT_TRUE(calibration.estimate(range(drive, 0, 60), BaOptions(), true));
+  const CameraRefinement found = calibration.state();
+  calibration.forget();
+  EXPECT_FALSE(calibration.estimate(range(drive, 0, 35), BaOptions(), true));
+  EXPECT_EQ(calibration.state().k1, found.k1);
+  EXPECT_EQ(calibration.state().keyframes, found.keyframes);
+}
+
+}  // namespace
+}  // namespace edgevo
