@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "drive.h"
 #include "edgevo/core/block_yaml.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
@@ -14,6 +13,7 @@
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "progress.h"
+#include "signals.h"
 
 namespace edgevo::app {
 namespace {

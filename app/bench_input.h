@@ -6,8 +6,8 @@
 #include "edgevo/core/image_source.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/evaluation/bench_list.h"
+#include "edgevo/results/run_params.h"
 #include "edgevo/simulation/clip.h"
-#include "run_params.h"
 
 namespace edgevo::app {
 

@@ -2,13 +2,14 @@
 
 #include <filesystem>
 
-#include "drive.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/drive/drive.h"
 #include "edgevo/evaluation/evaluate.h"
+#include "edgevo/results/run_text.h"
 #include "progress.h"
-#include "run_outputs_text.h"
+#include "signals.h"
 
 namespace edgevo::app {
 namespace {
@@ -70,8 +71,9 @@ std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::
   begin_folder(job);
   const std::unique_ptr<ImageSource> source = input.open(job.variant, job.seed);
   if (interrupted()) return std::nullopt;  // while a scene was rendered
-  OdometryOptions options;
-  options.seed = job.seed;
+  DriveOptions options;
+  options.odometry.seed = job.seed;
+  options.stop = interrupted;
   Progress progress(title, source->size());
   const Drive driven = drive(*source, input.params().odometry, options, [&, done = 0](const DrivenFrame&) mutable {
     progress.update(++done);

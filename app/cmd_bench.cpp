@@ -5,7 +5,6 @@
 
 #include "bench_job.h"
 #include "commands.h"
-#include "drive.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
@@ -13,6 +12,7 @@
 #include "edgevo/simulation/relight.h"
 #include "edgevo_build_info.h"
 #include "option_checks.h"
+#include "signals.h"
 
 namespace edgevo::app {
 namespace {

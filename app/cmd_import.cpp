@@ -6,8 +6,8 @@
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
+#include "edgevo/results/rawlog_output.h"
 #include "progress.h"
-#include "rawlog_output.h"
 #include "source_options.h"
 
 namespace edgevo::app {

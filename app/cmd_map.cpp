@@ -6,9 +6,9 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
+#include "edgevo/results/run_maps.h"
+#include "edgevo/results/run_params.h"
 #include "option_checks.h"
-#include "run_outputs_map.h"
-#include "run_params.h"
 
 namespace edgevo::app {
 namespace {

@@ -5,11 +5,11 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/ground_truth.h"
+#include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/relit_source.h"
 #include "option_checks.h"
 #include "progress.h"
-#include "rawlog_output.h"
 #include "source_options.h"
 
 namespace edgevo::app {

@@ -2,17 +2,17 @@
 #include <memory>
 
 #include "commands.h"
-#include "drive.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/open_source.h"
-#include "edgevo/datasets/pace.h"
+#include "edgevo/drive/drive.h"
+#include "edgevo/report/latency_figures.h"
+#include "edgevo/results/run_outputs.h"
+#include "edgevo/results/run_params.h"
+#include "edgevo/scale/run_scaling.h"
+#include "edgevo/viewer/run_view.h"
 #include "option_checks.h"
 #include "progress.h"
-#include "run_outputs.h"
-#include "run_outputs_latency.h"
-#include "run_params.h"
-#include "run_scale.h"
-#include "run_view.h"
+#include "signals.h"
 #include "source_options.h"
 
 namespace edgevo::app {
@@ -58,7 +58,7 @@ std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, Ru
     if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
     scaling.add_frame(driven.record, driven.odometry);
     if (progress) progress->update(++done);
-    return !view || view->show(driven);
+    return !view || view->show(driven, interrupted);
   };
 }
 
@@ -72,14 +72,16 @@ std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSour
 
 Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params, RunScaling& scaling,
                      RunOutputs& outputs) {
-  OdometryOptions options;
-  options.seed = args.seed;
-  options.realtime = args.realtime;
-  if (!args.quiet) options.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  DriveOptions options;
+  options.odometry.seed = args.seed;
+  options.odometry.realtime = args.realtime;
+  options.pace = args.pace;
+  options.stop = interrupted;
+  if (!args.quiet) options.odometry.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   const auto view = view_as_asked(args, source);
-  return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress), args.pace);
+  return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
 }
 
 void print_summary(const Run& run, const std::string& out) {

@@ -5,13 +5,13 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/correspondence_export.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene.h"
 #include "option_checks.h"
 #include "progress.h"
-#include "rawlog_output.h"
 
 namespace edgevo::app {
 namespace {

@@ -1,7 +1,7 @@
 # Install rules: the exported CMake package, parameters and what else stands beside the binaries.
 include(CMakePackageConfigHelpers)
 set(EDGEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
-set(EDGEVO_MRPT_COMPONENTS containers obs maps opengl poses img io)  # of all modules together
+set(EDGEVO_MRPT_COMPONENTS containers obs maps opengl poses img io gui)  # of all modules together
 install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cmake.in
   ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR})

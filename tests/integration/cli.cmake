@@ -31,7 +31,7 @@ function(edgevo_add_scene_test name)
 endfunction()
 
 # Where the camera sits, from the observation to the poses of the vehicle.
-edgevo_add_scene_test(mount LINKS edgevo_run_outputs edgevo::odometry edgevo::evaluation)
+edgevo_add_scene_test(mount LINKS edgevo::results edgevo::evaluation)
 # The plug-in for MRPT's programs, loaded as they do.
 find_package(MRPT REQUIRED COMPONENTS hwdrivers maps)
 find_package(octomap REQUIRED)

@@ -1,7 +1,7 @@
 // make_outputs OUT: writes the outputs of a synthetic run, for stock_tools.sh.
 #include <cstdio>
 
-#include "run_outputs.h"
+#include "edgevo/results/run_outputs.h"
 #include "synthetic_run.h"
 
 int main(int argc, char** argv) {
@@ -11,10 +11,10 @@ int main(int argc, char** argv) {
   }
   try {
     const auto made = edgevo::testing::synthetic_run();
-    edgevo::app::RunOutputs outputs(argv[1], made.camera, {});
+    edgevo::RunOutputs outputs(argv[1], made.camera, {});
     for (const auto& frame : made.run.frames)
       if (!outputs.add_frame(edgevo::testing::synthetic_frame(made.camera, frame))) break;
-    edgevo::app::RunInfo info;
+    edgevo::RunInfo info;
     info.command_line = {"make_outputs", argv[1]};
     info.camera = made.camera;
     outputs.finish(made.run, info);

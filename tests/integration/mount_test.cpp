@@ -5,7 +5,6 @@
 
 #include <map>
 
-#include "edgevo/core/scale_run.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/evaluation/trajectory.h"
 #include "edgevo/mrpt_bridge/conversions.h"
@@ -14,7 +13,8 @@
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "edgevo/odometry/odometry.h"
-#include "run_outputs_text.h"
+#include "edgevo/results/run_text.h"
+#include "edgevo/scale/given_scale.h"
 #include "support/temp_folder.h"
 
 namespace edgevo {

@@ -1,4 +1,4 @@
-#include "run_outputs.h"
+#include "edgevo/results/run_outputs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,15 +14,16 @@
 #include <fstream>
 #include <sstream>
 
-#include "run_outputs_latency.h"
-#include "run_outputs_summary.h"
-#include "run_outputs_text.h"
-#include "run_report.h"
-#include "run_report_chart.h"
+#include "edgevo/drive/keeping_up.h"
+#include "edgevo/report/chart.h"
+#include "edgevo/report/latency_figures.h"
+#include "edgevo/report/run_report.h"
+#include "edgevo/results/run_text.h"
+#include "edgevo/results/yaml_writer.h"
 #include "support/temp_folder.h"
 #include "synthetic_run.h"
 
-namespace edgevo::app {
+namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
@@ -369,4 +370,4 @@ TEST(YamlQuoted, SurvivesAnyText) {
 }
 
 }  // namespace
-}  // namespace edgevo::app
+}  // namespace edgevo

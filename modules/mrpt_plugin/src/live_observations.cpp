@@ -4,11 +4,11 @@
 #include <filesystem>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/scale_run.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/edge_scan.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "edgevo/mrpt_bridge/vehicle_observations.h"
+#include "edgevo/scale/given_scale.h"
 
 namespace edgevo {
 namespace {

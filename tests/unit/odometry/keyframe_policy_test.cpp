@@ -1,13 +1,7 @@
 // When a frame becomes a keyframe.
-<<<<<<<< HEAD:tests/unit/odometry/keyframe_policy_test.cpp
 #include "keyframe_policy.h"
 
 #include <gmock/gmock.h>
-========
-#include "keyframe_decision.h"
-
-#include <gtest/gtest.h>
->>>>>>>> h1:tests/unit/odometry/keyframe_decision_test.cpp
 
 namespace edgevo {
 namespace {

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace edgevo::app {
-
-/// An X display answers. GTK, below MRPT's windows, would end the program where it does not.
-bool has_display();
-
-}  // namespace edgevo::app

@@ -1,0 +1,29 @@
+#pragma once
+// report.html: a run on one page that needs nothing but a browser: no network, no script, no other file.
+//
+// It holds what happened (states, inlier share, residual), where the camera went (from above and over time,
+// with ground truth where that is known), what it saw (edges coloured by inverse depth), what it cost (CPU
+// time by stage), what the map holds, in which unit and how certain that is, with which parameters, and
+// what the user can do next. A pure function of its input: the same run gives the same bytes but for the
+// stage times.
+#include <string>
+#include <vector>
+
+#include "edgevo/report/edge_pictures.h"
+#include "edgevo/report/map_report.h"
+#include "edgevo/report/run_info.h"
+
+namespace edgevo {
+
+struct ReportInput {
+  const Run& run;
+  const RunInfo& info;
+  PointFilter points;  ///< which edge points are drawn
+  EdgePictures pictures;
+  std::vector<std::string> not_written;  ///< files of the run that could not be
+  MapReport map = {};                    ///< what the map files hold
+};
+
+std::string report_html(const ReportInput& input);
+
+}  // namespace edgevo

@@ -1,0 +1,125 @@
+#include "advice.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo/report/stage_times.h"
+
+namespace edgevo {
+namespace {
+
+int frames_in(const Run& run, TrackingState state) {
+  return int(
+      std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == state; }));
+}
+
+int posed(const Run& run) {
+  return int(std::count_if(run.frames.begin(), run.frames.end(),
+                           [](const auto& f) { return f.T_world_cam.has_value(); }));
+}
+
+// The note that most frames of a state carry, numbers and all.
+std::string commonest_note(const Run& run, TrackingState state) {
+  std::map<std::string, int> count;
+  for (const FrameRecord& f : run.frames)
+    if (f.state == state && !f.note.empty()) ++count[f.note];
+  const auto most = std::max_element(count.begin(), count.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == count.end() ? "" : most->first;
+}
+
+// Commands are read in the folder of the report, not where the run was started. What is no path (camera:0)
+// stays.
+std::string from_anywhere(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error)
+             ? std::filesystem::absolute(path, error).lexically_normal().string()
+             : path;
+}
+
+std::string because(const std::string& note) { return note.empty() ? "" : " (\"" + note + "\")"; }
+
+void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
+  const int frames = int(run.frames.size()), lost = frames_in(run, TrackingState::kLost),
+            degraded = frames_in(run, TrackingState::kDegraded);
+  if (info.interrupted) list->push_back({"The run ended early: this is the part up to there.", ""});
+  if (posed(run) == 0)
+    list->push_back({"No frame has a pose" + because(commonest_note(run, TrackingState::kBootstrapping)) +
+                         ". The camera must move sideways or forward, not only turn, past things with edges; "
+                         "check also that the "
+                         "calibration is that of these images.",
+                     ""});
+  else if (2 * posed(run) < frames)
+    list->push_back(
+        {"Less than half of the frames have a pose: see the states below and the notes in frames.csv.", ""});
+  if (posed(run) > 0 && lost > 0)
+    list->push_back({std::to_string(lost) + " frames are lost" +
+                         because(commonest_note(run, TrackingState::kLost)) +
+                         ". Where a segment begins anew its place and scale are a guess. Images at a higher "
+                         "rate or with a shorter exposure "
+                         "help most; look at the images of the red stretches.",
+                     ""});
+  if (10 * degraded > frames)
+    list->push_back({std::to_string(degraded) + " frames are degraded" +
+                         because(commonest_note(run, TrackingState::kDegraded)) +
+                         ": use their poses with the covariance in playback.rawlog.",
+                     ""});
+}
+
+void add_camera(const Run& run, std::vector<Advice>* list) {
+  if (run.camera.state == CameraRefinement::State::kApplied)
+    list->push_back(
+        {"The camera file does not name all of the lens distortion; what was found can be folded into a "
+         "corrected camera file:",
+         "edgevo calibrate . -o camera.yaml"});
+}
+
+void add_scale(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
+  if (run.is_metric() || posed(run) == 0) return;
+  list->push_back(
+      {"Lengths are in an arbitrary unit. For metres give a source of scale (edgevo run --help lists them), "
+       "for example",
+       "edgevo run " + from_anywhere(info.source_path) + " -o OUT --scale factor=METRES_PER_UNIT"});
+}
+
+// Slower than the camera: on average over the run.
+void add_speed(const Run& run, std::vector<Advice>* list) {
+  if (run.frames.size() < 10) return;
+  double busy_ms = 0;
+  for (const auto& stage : stage_times(run))
+    for (double ms : stage.second) busy_ms += ms;
+  const double span_ms = 1000 * seconds_between(run.frames.front().time, run.frames.back().time);
+  if (busy_ms <= span_ms) return;
+  list->push_back(
+      {"The odometry takes " + fixed(busy_ms / double(run.frames.size()), 0) +
+           " ms a frame, the images come every " + fixed(span_ms / double(run.frames.size() - 1), 0) +
+           " ms: for live use take two threads (--realtime), smaller images or every second one (--every 2).",
+       ""});
+}
+
+void add_uses(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
+  if (posed(run) == 0) return;
+  if (!info.ground_truth_path.empty())
+    list->push_back({"All error figures against the ground truth:",
+                     "edgevo eval trajectory_tum.txt " + from_anywhere(info.ground_truth_path)});
+  list->push_back({"The path and the edges in 3D:", "SceneViewer3D scene.3Dscene"});
+  list->push_back(
+      {"Images, poses and points frame by frame (start it in this folder):", "RawLogViewer playback.rawlog"});
+  list->push_back({"The map for planners (octomap_server, MoveIt, FCL):", "octovis edges.bt"});
+}
+
+}  // namespace
+
+std::vector<Advice> advise(const Run& run, const RunInfo& info) {
+  std::vector<Advice> list;
+  add_troubles(run, info, &list);
+  add_camera(run, &list);
+  add_scale(run, info, &list);
+  add_speed(run, &list);
+  add_uses(run, info, &list);
+  return list;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,143 @@
+#include "edgevo/report/edge_pictures.h"
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace edgevo {
+namespace {
+
+constexpr int kMaxWidth = 900;           // pixels of a picture
+constexpr size_t kKeyframesBefore = 15;  // with whose points a picture is drawn
+
+struct SeenPoint {
+  Eigen::Vector2d px;  // in the undistorted image of the picture
+  double idepth;       // there
+};
+
+// Keyframes of the run, by position, that host points.
+std::vector<size_t> choose_keyframes(const Run& run, const PointFilter& filter, int count) {
+  std::vector<size_t> with_points, chosen;
+  for (size_t k = 0; k < run.keyframes.size(); ++k) {
+    const auto& points = run.keyframes[k].points;
+    if (std::any_of(points.begin(), points.end(), [&](const EdgePoint& p) { return filter.keeps(p); }))
+      with_points.push_back(k);
+  }
+  const size_t n = std::min(size_t(count), with_points.size());
+  for (size_t i = 0; i < n; ++i) chosen.push_back(with_points[(2 * i + 1) * with_points.size() / (2 * n)]);
+  return chosen;
+}
+
+void add_seen(const Run& run, const KeyframeRecord& host, const SE3& T_cam_world, const PointFilter& filter,
+              std::vector<SeenPoint>* seen) {
+  const SE3 T_cam_host = T_cam_world * host.T_world_cam;
+  for (const EdgePoint& p : host.points) {
+    if (!filter.keeps(p)) continue;
+    const Eigen::Vector3d p_cam = T_cam_host * point_in_camera(run.pinhole, p);
+    if (p_cam.z() > 0 && run.pinhole.contains(run.pinhole.project(p_cam)))
+      seen->push_back({run.pinhole.project(p_cam), 1 / p_cam.z()});
+  }
+}
+
+// Far to near, so that near points are drawn over far ones.
+std::vector<SeenPoint> points_seen(const Run& run, size_t keyframe, const PointFilter& filter) {
+  std::vector<SeenPoint> seen;
+  const KeyframeRecord& from = run.keyframes[keyframe];
+  const SE3 T_cam_world = from.T_world_cam.inverse();
+  for (size_t k = keyframe - std::min(keyframe, kKeyframesBefore); k <= keyframe; ++k)
+    if (run.keyframes[k].segment == from.segment) add_seen(run, run.keyframes[k], T_cam_world, filter, &seen);
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const auto& a, const auto& b) { return a.idepth < b.idepth; });
+  return seen;
+}
+
+// Ends of the colours: all but the nearest and farthest fiftieth of the points.
+void set_range(const std::vector<std::vector<SeenPoint>>& seen, EdgePictures* pictures) {
+  std::vector<double> idepths;
+  for (const auto& points : seen)
+    for (const SeenPoint& p : points) idepths.push_back(p.idepth);
+  if (idepths.empty()) return;
+  std::sort(idepths.begin(), idepths.end());
+  pictures->idepth_low = idepths[idepths.size() / 50];
+  pictures->idepth_high = idepths[idepths.size() - 1 - idepths.size() / 50];
+}
+
+// The image with what the points refer to: distortion and residual distortion taken out. Empty if it cannot
+// be read.
+cv::Mat undistorted(const std::string& path, const UndistortionMaps& maps) {
+  const cv::Mat image = path.empty() ? cv::Mat() : cv::imread(path, cv::IMREAD_GRAYSCALE);
+  if (image.cols != maps.width || image.rows != maps.height) return {};
+  const cv::Mat x(maps.height, maps.width, CV_32F, const_cast<float*>(maps.x.data()));
+  const cv::Mat y(maps.height, maps.width, CV_32F, const_cast<float*>(maps.y.data()));
+  cv::Mat out;
+  cv::remap(image, out, x, y, cv::INTER_LINEAR);
+  return out;
+}
+
+// Colours of 0 to 255, from far to near.
+const cv::Mat& color_table() {
+  static const cv::Mat table = [] {
+    cv::Mat ramp(1, 256, CV_8U), colors;
+    for (int i = 0; i < 256; ++i) ramp.at<uchar>(0, i) = uchar(i);
+    cv::applyColorMap(ramp, colors, cv::COLORMAP_TURBO);
+    return colors;
+  }();
+  return table;
+}
+
+cv::Scalar color_of(double idepth, const EdgePictures& range) {
+  const double span = std::max(range.idepth_high - range.idepth_low, 1e-12);
+  const double share = std::clamp((idepth - range.idepth_low) / span, 0.0, 1.0);
+  const cv::Vec3b c = color_table().at<cv::Vec3b>(0, int(255 * share));
+  return {double(c[0]), double(c[1]), double(c[2])};
+}
+
+cv::Mat paint(const cv::Mat& gray, const std::vector<SeenPoint>& points, const EdgePictures& range) {
+  const double scale = std::min(1.0, double(kMaxWidth) / gray.cols);
+  cv::Mat small, picture;
+  cv::resize(gray, small, {}, scale, scale, cv::INTER_AREA);
+  small.convertTo(small, CV_8U, 0.6, 40);  // paler, so that the colours stand out
+  cv::cvtColor(small, picture, cv::COLOR_GRAY2BGR);
+  constexpr int kShift = 4;
+  for (const SeenPoint& p : points) {
+    const cv::Point centre(int(scale * p.px.x() * (1 << kShift)), int(scale * p.px.y() * (1 << kShift)));
+    cv::circle(picture, centre, int(1.8 * (1 << kShift)), color_of(p.idepth, range), cv::FILLED, cv::LINE_AA,
+               kShift);
+  }
+  return picture;
+}
+
+}  // namespace
+
+EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
+                                const std::function<std::string(int)>& image_path, int count) {
+  EdgePictures result;
+  const std::vector<size_t> chosen = choose_keyframes(run, filter, count);
+  if (chosen.empty()) return result;
+  std::vector<std::vector<SeenPoint>> seen;
+  for (size_t k : chosen) seen.push_back(points_seen(run, k, filter));
+  set_range(seen, &result);
+  Camera refined = camera;
+  refined.residual_k1 = run.camera.k1;
+  const UndistortionMaps maps = make_undistortion_maps(refined);
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    const KeyframeRecord& keyframe = run.keyframes[chosen[i]];
+    const cv::Mat gray = undistorted(image_path(keyframe.frame_index), maps);
+    if (gray.empty()) continue;
+    std::vector<uint8_t> jpeg;
+    cv::imencode(".jpg", paint(gray, seen[i], result), jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
+    result.pictures.push_back({keyframe.frame_index, keyframe.time, int(seen[i].size()), std::move(jpeg)});
+  }
+  return result;
+}
+
+std::string idepth_gradient_css() {
+  std::string css = "linear-gradient(to right";
+  for (int i = 0; i < 256; i += 15) {
+    const cv::Vec3b c = color_table().at<cv::Vec3b>(0, i);
+    css += ",rgb(" + std::to_string(c[2]) + ',' + std::to_string(c[1]) + ',' + std::to_string(c[0]) + ')';
+  }
+  return css + ')';
+}
+
+}  // namespace edgevo

@@ -1,0 +1,98 @@
+#include "scale_section.h"
+
+#include <limits>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo/report/chart.h"
+#include "edgevo/report/page.h"
+#include "edgevo/scale/scale_source.h"
+
+namespace edgevo {
+namespace {
+
+std::string percent(double share) { return fixed(100 * share, 2) + " %"; }
+
+std::string how_it_was_found(const ScaleSource& source) {
+  switch (source.kind) {
+    case ScaleSource::Kind::kNone:
+      return "Nothing tells the metre: one camera alone cannot.";
+    case ScaleSource::Kind::kFactor:
+      return "The factor was given; nobody measured how certain it is.";
+    case ScaleSource::Kind::kCameraHeight:
+      return "The camera is " + fixed(source.value, 3) +
+             " m over the ground; its height in units was measured over the edges of the ground under its "
+             "way.";
+    case ScaleSource::Kind::kOdometry:
+      return "The path was compared with the odometry of the vehicle.";
+    case ScaleSource::Kind::kGps:
+      return "The path was compared with GPS.";
+    case ScaleSource::Kind::kRobotPose:
+      return "The path was compared with the recorded poses of the robot.";
+  }
+  return "";
+}
+
+std::string estimate_text(const Run& run) {
+  const ScaleRecord& s = run.scale;
+  std::string text = " One unit of the odometry is " + fixed(s.factor, 4) + " m";
+  if (s.sigma > 0) text += " ± " + percent(s.sigma) + " (one standard deviation)";
+  text += ", median over the frames";
+  if (s.lowest < s.highest)
+    text += "; from " + fixed(s.lowest, 4) + " to " + fixed(s.highest, 4) +
+            " m along the way, a drift that has been taken out";
+  text += ".";
+  if (s.frames_carried_over > 0)
+    text += " It was not measured on " + std::to_string(s.frames_carried_over) + " of " +
+            std::to_string(s.frames.size()) + " frames, which have that of the nearest.";
+  return text;
+}
+
+TimeChart scale_chart(const Run& run) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  TimeChart chart;
+  chart.y_name = "metres per unit";
+  Series upper{"one deviation more", "#c3d3ec", {}}, lower{"one less", "#c3d3ec", {}},
+      live{"known when the frame came", "#e0a100", {}}, all{"measured", "#1f5fbf", {}};
+  for (size_t i = 0; i < run.frames.size(); ++i) {
+    const FrameScale& f = run.scale.frames[i];
+    chart.x.push_back(seconds_between(run.frames.front().time, run.frames[i].time));
+    upper.y.push_back(f.factor * (1 + f.sigma)), lower.y.push_back(f.factor * (1 - f.sigma));
+    live.y.push_back(f.live_factor > 0 ? f.live_factor : kNone);
+    all.y.push_back(f.factor);
+  }
+  chart.series = {upper, lower, live, all};
+  return chart;
+}
+
+std::string shutter_text(const CameraRefinement::Shutter& shutter) {
+  std::string html = " Rolling shutter: <b>" + html_escaped(to_string(shutter.state)) + "</b>";
+  if (shutter.sigma > 0)
+    html += ", read-out " + fixed(shutter.estimate, 4) + " ± " + fixed(shutter.sigma, 4) + " s from " +
+            std::to_string(shutter.keyframes) + " keyframes";
+  if (shutter.readout_s != 0) html += ", " + fixed(shutter.readout_s, 4) + " s applied";
+  return html + ".";
+}
+
+std::string lens_text(const CameraRefinement& camera) {
+  std::string html = "<p>Self-calibration of the lens: <b>" + html_escaped(to_string(camera.state)) + "</b>";
+  if (camera.sigma > 0)
+    html += ", residual k1 " + fixed(camera.estimate, 5) + " ± " + fixed(camera.sigma, 5) + " from " +
+            std::to_string(camera.keyframes) + " keyframes";
+  return html + "." + shutter_text(camera.shutter) + "</p>\n";
+}
+
+}  // namespace
+
+std::string scale_section(const Run& run) {
+  std::string body = "<p>Unit: <b>" + html_escaped(unit_statement(run)) + "</b>. Source of scale: <b>" +
+                     html_escaped(run.scale_source) + "</b>. " +
+                     html_escaped(how_it_was_found(parse_scale_source(run.scale_source)) +
+                                  (run.is_metric() ? estimate_text(run) : "")) +
+                     "</p>\n";
+  if (!run.scale.problem.empty()) body += "<p class=\"bad\">" + html_escaped(run.scale.problem) + "</p>\n";
+  if (!run.scale.frames.empty() && run.scale.frames.size() == run.frames.size())
+    body += draw(scale_chart(run));
+  return section_html("scale", "Scale and camera", body + lens_text(run.camera));
+}
+
+}  // namespace edgevo

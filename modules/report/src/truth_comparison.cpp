@@ -1,0 +1,55 @@
+#include "truth_comparison.h"
+
+#include "edgevo/core/error.h"
+
+namespace edgevo {
+namespace {
+
+Trajectory estimate_of(const Run& run) {
+  Trajectory estimate{"this run", TrajectoryFormat::kTum, {}};
+  for (const FrameRecord& frame : run.frames)
+    if (frame.T_world_cam && frame.T_world_cam->is_finite())
+      estimate.poses.push_back({frame.time, *frame.T_world_cam});
+  return estimate;
+}
+
+InputFrames input_of(const Run& run) {
+  InputFrames input{{}, "this run"};
+  for (const FrameRecord& frame : run.frames) input.times.push_back(frame.time);
+  return input;
+}
+
+std::optional<TruthComparison> compare(const Run& run, const Trajectory& truth) {
+  const Association association = associate(estimate_of(run), truth, input_of(run));
+  const Points estimated = estimate_points(association.matches),
+               true_points = truth_points(association.matches);
+  const std::optional<Sim3> T_truth_run =
+      run.is_metric() ? fit_se3(estimated, true_points) : fit_sim3(estimated, true_points);
+  const std::optional<AbsoluteError> error =
+      run.is_metric() ? ate_se3(association.matches) : ate_sim3(association.matches);
+  if (!T_truth_run || !error) return std::nullopt;
+  TruthComparison comparison{T_truth_run->scale, *error, {}};
+  for (const EvaluatedFrame& frame : association.frames)
+    comparison.p_world.push_back(
+        frame.T_gt ? std::optional<Eigen::Vector3d>(T_truth_run->rigid.inverse() * frame.T_gt->translation())
+                   : std::nullopt);
+  return comparison;
+}
+
+}  // namespace
+
+std::optional<TruthComparison> compare_with_truth(const Run& run, const std::string& path,
+                                                  std::string* why_not) {
+  why_not->clear();
+  if (path.empty()) return std::nullopt;
+  try {
+    std::optional<TruthComparison> comparison = compare(run, read_trajectory(path));
+    if (!comparison) *why_not = path + ": cannot be aligned with the run: one of the two does not move";
+    return comparison;
+  } catch (const InputError& e) {
+    *why_not = e.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace edgevo

@@ -1,0 +1,27 @@
+#include "edgevo/results/rawlog_output.h"
+
+#include <filesystem>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo/mrpt_bridge/rawlog_import.h"
+#include "edgevo/mrpt_bridge/rawlog_writer.h"
+
+namespace edgevo {
+
+namespace fs = std::filesystem;
+
+bool names_rawlog(const std::string& path) { return fs::path(path).extension() == ".rawlog"; }
+
+int write_rawlog(ImageSource& source, const std::string& rawlog, const std::string& ground_truth_tum,
+                 const std::function<void(int)>& on_frame_done) {
+  if (fs::path(rawlog).has_parent_path()) make_output_folder(fs::path(rawlog).parent_path().string());
+  if (!ground_truth_tum.empty()) write_file(rawlog_stem(rawlog) + "_groundtruth_tum.txt", ground_truth_tum);
+  return import_rawlog(source, rawlog, on_frame_done);
+}
+
+std::string describe_rawlog(const std::string& rawlog, int frames, bool has_ground_truth) {
+  return rawlog + ": " + std::to_string(frames) + " frames, images in " + rawlog_stem(rawlog) + "_Images" +
+         (has_ground_truth ? ", ground truth beside it" : "");
+}
+
+}  // namespace edgevo

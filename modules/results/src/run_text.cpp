@@ -1,0 +1,130 @@
+#include "edgevo/results/run_text.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo/mrpt_bridge/playback_pose.h"
+#include "edgevo/report/stage_times.h"
+
+namespace edgevo {
+namespace {
+
+// A nanometre of a position in metres, a nanoradian of a rotation.
+constexpr int kDecimals = 9;
+
+const std::optional<SE3>& pose_of(const FrameRecord& frame, PoseKind kind) {
+  return kind == PoseKind::kFinal ? frame.T_world_cam : frame.T_world_cam_live;
+}
+
+bool is_usable(const std::optional<SE3>& T) { return T && T->is_finite(); }
+
+void append_tum_line(const FrameRecord& frame, const SE3& T, std::string* text) {
+  *text += to_string(frame.time);
+  for (int i = 0; i < 3; ++i) append_fixed(&(*text += ' '), T.translation()[i], kDecimals);
+  const Eigen::Vector4d q = T.rotation().coeffs() * (T.rotation().w() < 0 ? -1 : 1);
+  for (int i = 0; i < 4; ++i) append_fixed(&(*text += ' '), q[i], kDecimals);
+  *text += '\n';
+}
+
+std::string one_cell(std::string note) {
+  std::replace(note.begin(), note.end(), ',', ';');
+  std::replace(note.begin(), note.end(), '"', '\'');
+  std::replace_if(
+      note.begin(), note.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return note;
+}
+
+void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages, std::string* text) {
+  *text += std::to_string(frame.index) + ',' + to_string(frame.time) + ',' +
+           std::string(to_string(frame.state)) + ',' + std::to_string(frame.segment) + ',' +
+           (frame.is_keyframe ? '1' : '0') + ',';
+  append_fixed(text, frame.inlier_share, 4);
+  append_fixed(&(*text += ','), frame.residual_px, 4);
+  *text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',';
+  if (frame.latency_ms) append_fixed(text, *frame.latency_ms, 3);
+  for (const std::string& stage : stages) {
+    *text += ',';
+    const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
+                                  [&](const auto& s) { return s.first == stage; });
+    if (ran != frame.stage_ms.end()) append_fixed(text, ran->second, 3);
+  }
+  *text += '\n';
+}
+
+}  // namespace
+
+std::string trajectory_tum(const Run& run, PoseKind kind) {
+  std::string text =
+      kind == PoseKind::kFinal
+          ? "# edgevo: T_world_cam of each frame that has a pose, re-expressed from the final keyframe "
+            "poses\n"
+          : "# edgevo: T_world_cam of each frame that had a pose, as it was known when the frame came\n";
+  text +=
+      "# axes: camera x right, y down, z forward; world: those of the first camera\n"
+      "# unit: " +
+      unit_statement(run) +
+      "\n"
+      "# t tx ty tz qx qy qz qw\n";
+  for (const FrameRecord& frame : run.frames)
+    if (const auto& T = pose_of(frame, kind); is_usable(T)) append_tum_line(frame, *T, &text);
+  return text;
+}
+
+std::string trajectory_vehicle_tum(const Run& run) {
+  std::string text =
+      "# edgevo: pose of the vehicle at each frame that has a pose, re-expressed from the final keyframe poses\n"
+      "# axes: x forward, y left, z up; world: those of the vehicle at the first pose\n"
+      "# unit: " +
+      unit_statement(run) + (run.is_metric() ? "" : "; without it the distance of the camera from the vehicle's origin is left out") +
+      "\n"
+      "# t tx ty tz qx qy qz qw\n";
+  for (const FrameRecord& frame : run.frames)
+    if (is_usable(frame.T_world_cam)) append_tum_line(frame, T_map_vehicle(run, *frame.T_world_cam), &text);
+  return text;
+}
+
+std::string trajectory_kitti(const Run& run) {
+  std::string text;
+  SE3 T;
+  for (const FrameRecord& frame : run.frames) {
+    if (is_usable(frame.T_world_cam)) T = *frame.T_world_cam;
+    const Eigen::Matrix4d m = T.matrix();
+    for (int i = 0; i < 12; ++i) {
+      if (i > 0) text += ' ';
+      append_fixed(&text, m(i / 4, i % 4), kDecimals);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string frames_csv(const Run& run) {
+  const std::vector<std::string> stages = stages_of(run);
+  std::string text = "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,latency_ms";
+  for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
+  text += '\n';
+  for (const FrameRecord& frame : run.frames) append_csv_row(frame, stages, &text);
+  return text;
+}
+
+std::string scale_csv(const Run& run) {
+  std::string text = "index,time,factor,sigma,samples,live_factor,live_sigma\n";
+  for (size_t i = 0; i < run.scale.frames.size(); ++i) {
+    const FrameScale& s = run.scale.frames[i];
+    text += std::to_string(run.frames[i].index) + ',' + to_string(run.frames[i].time) + ',';
+    append_fixed(&text, s.factor, 6);
+    append_fixed(&(text += ','), s.sigma, 5);
+    text += ',' + std::to_string(s.samples) + ',';
+    if (s.live_factor > 0) {
+      append_fixed(&text, s.live_factor, 6);
+      append_fixed(&(text += ','), s.live_sigma, 5);
+    } else {
+      text += ',';
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace edgevo

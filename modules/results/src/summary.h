@@ -1,0 +1,22 @@
+#pragma once
+// summary.yaml: what was run, with what, how well and how fast.
+#include <string>
+#include <vector>
+
+#include "edgevo/occupancy/octree_map.h"
+#include "edgevo/results/run_outputs.h"
+
+namespace edgevo {
+
+struct SummaryInput {
+  const Run& run;
+  const RunInfo& info;
+  ResourceUse use;               ///< of the run, images for the playback included
+  ResourceUse use_with_outputs;  ///< the same with the writing of the outputs
+  MapReport map;
+  std::vector<std::string> not_written;
+};
+
+std::string summary_yaml(const SummaryInput& input);
+
+}  // namespace edgevo

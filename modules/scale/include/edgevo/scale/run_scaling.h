@@ -1,0 +1,31 @@
+#pragma once
+// The metric scale of a run, as --scale asks for it: what is to be fed with each frame, and what is done with the finished run.
+#include <string>
+
+#include "edgevo/core/image_source.h"
+#include "edgevo/odometry/odometry.h"
+#include "edgevo/scale/live_scale.h"
+#include "edgevo/scale/run_scale.h"
+
+namespace edgevo {
+
+class RunScaling {
+ public:
+  /// `option` as --scale gives it, checked before `source` is asked for its tracks. Throws InputError: not a scale source; the source of images recorded no
+  /// such sensor, or not while its images were taken.
+  RunScaling(const ScaleSource& asked, const ImageSource& source, const ScaleParams& params);
+
+  /// After each frame.
+  void add_frame(const FrameRecord& frame, const Odometry& odometry);
+  /// Puts the finished run into metres, if that was asked for and can be done; else Run::scale.problem says why not.
+  void apply(Run* run) const;
+
+ private:
+  ScaleSource asked_;
+  ScaleParams params_;
+  VehicleTrack track_;
+  LiveScale live_;
+  size_t settled_ = 0;  ///< keyframes fed so far
+};
+
+}  // namespace edgevo
