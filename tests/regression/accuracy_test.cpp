@@ -50,7 +50,7 @@ const DriveFigures& street_drive() {
   return figures;
 }
 
-// The covariance holds on each scene (alignment/pose_covariance.h, mapping/tracking_check.h). The desk is the worst, whose first map is
+// The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h). The desk is the worst, whose first map is
 // poor: 1.18, 73 % of the frames inside; the others 0.74 to 0.99, 88 to 95 %.
 void expect_consistent(const Consistency& c) {
   EXPECT_GE(c.frames, 10);  // on a drive most frames become keyframes
@@ -106,7 +106,7 @@ TEST(RenderedAccuracy, TurnOnTheSpot) {
 }
 
 // Where all edges run along the motion, glare and shadows outvote the few points that tell how far the camera has gone
-// (modules/odometry/README.md, "A step out of the ordinary"): without what is told there 14 to 18 % of the path, seeds 1 and 2; with it 0.2 to 0.4 %.
+// (share/lab/odometry.md, "A step out of the ordinary"): without what is told there 14 to 18 % of the path, seeds 1 and 2; with it 0.2 to 0.4 %.
 TEST(RenderedAccuracy, ACorridorInBadLight) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("corridor"));
   SourceOptions some;
