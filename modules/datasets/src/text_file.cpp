@@ -91,4 +91,13 @@ std::vector<double> parse_numbers(const TextLine& line, size_t count, const std:
   return values;
 }
 
+Timestamp parse_nanoseconds(const std::string& text, const std::string& where) {
+  int64_t ns = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), ns);
+  constexpr int64_t kLargest = INT64_MAX - 100;
+  if (error != std::errc() || stop != text.data() + text.size() || ns < 0 || ns > kLargest)
+    throw InputError(where, "does not begin with a time in whole nanoseconds", "restore the file");
+  return Timestamp::from_nanoseconds(ns);
+}
+
 }  // namespace edgevo

@@ -1,4 +1,4 @@
-#include "edgevo/core/image_correction.h"
+#include "edgevo/edges/image_correction.h"
 
 #include "edgevo/core/radial.h"
 
