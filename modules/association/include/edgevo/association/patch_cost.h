@@ -1,6 +1,6 @@
 #pragma once
 // Illumination-robust template cost: gradient-magnitude patches, each divided by its own mean, compared by the mean absolute
-// difference. Without the division exposure jumps are fatal (LESSONS.md section 2.8). 0 is equal; unrelated edges cost 0.5 or more.
+// difference. Without the division exposure jumps are fatal. 0 is equal; unrelated edges cost 0.5 or more.
 #include "edgevo/association/warp.h"
 
 namespace edgevo {
