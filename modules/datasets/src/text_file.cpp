@@ -11,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kBlanks = " \t\r\f\v";
+constexpr const char* kBlanks = " \t\r\f\v";  // std::isspace less the end of a line
 
 std::string_view trim(std::string_view text) {
   const size_t begin = text.find_first_not_of(kBlanks);
@@ -94,7 +94,7 @@ std::vector<double> parse_numbers(const TextLine& line, size_t count, const std:
 Timestamp parse_nanoseconds(const std::string& text, const std::string& where) {
   int64_t ns = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), ns);
-  constexpr int64_t kLargest = INT64_MAX - 100;
+  constexpr int64_t kLargest = INT64_MAX - 100;  // rounding to a tick of 100 ns must not overflow
   if (error != std::errc() || stop != text.data() + text.size() || ns < 0 || ns > kLargest)
     throw InputError(where, "does not begin with a time in whole nanoseconds", "restore the file");
   return Timestamp::from_nanoseconds(ns);

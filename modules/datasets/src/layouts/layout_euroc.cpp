@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kRotationError = 1e-3;    // of R R^T from the identity: a file with few digits is within it
+constexpr double kQuaternionError = 0.01;  // of a length from 1: likewise
+
 // The user may name the sequence or its mav0/.
 fs::path mav_folder(const std::string& folder) {
   std::error_code ignored;
@@ -44,7 +47,7 @@ SE3 read_euroc_T_body_cam(const std::string& camera_folder) {
   if (T.size() != 16) throw InputError(path, "T_BS is not a 4x4 matrix", "restore the file");
   Eigen::Matrix3d R;
   R << T[0], T[1], T[2], T[4], T[5], T[6], T[8], T[9], T[10];
-  if ((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 || R.determinant() < 0)
+  if ((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() > kRotationError || R.determinant() < 0)
     throw InputError(path, "T_BS is not a rigid motion", "restore the file");
   return {R, Eigen::Vector3d(T[3], T[7], T[11])};
 }
@@ -87,7 +90,7 @@ std::string euroc_ground_truth(const SourceOptions& options) {
     double v[7];
     for (int i = 0; i < 7; ++i) v[i] = parse_number(fields[size_t(i) + 1], line.where);
     const Eigen::Quaterniond q(v[3], v[4], v[5], v[6]);
-    if (!(std::abs(q.norm() - 1) < 0.01))
+    if (!(std::abs(q.norm() - 1) < kQuaternionError))
       throw InputError(line.where, "the quaternion is not of unit length", "restore the file");
     append_pose(&text, parse_nanoseconds(fields[0], line.where),
                 SE3(q, Eigen::Vector3d(v[0], v[1], v[2])) * T_body_cam);

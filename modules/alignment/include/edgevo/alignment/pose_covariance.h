@@ -44,6 +44,6 @@ Matrix6d pose_covariance(const std::vector<PoseEquation>& equations);
 /// translation, which a wrong unit of length makes: it is taken out with the covariance as metric. Follows
 /// chi^2 with kNormalisedErrorFreedom degrees of freedom where the covariance is right.
 double normalised_error_square(const SE3& T_estimate, const SE3& T_true, const Matrix6d& covariance);
-constexpr int kNormalisedErrorFreedom = 5;
+constexpr int kNormalisedErrorFreedom = 5;  ///< six of a pose, less the length
 
 }  // namespace edgevo
