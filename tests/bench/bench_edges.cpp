@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/bench_scene.h"
+#include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/edge_extraction.h"
 
 namespace {

@@ -12,6 +12,16 @@
 namespace edgevo {
 namespace {
 
+// Levenberg-Marquardt. The damping is relative to the diagonal of the information, and goes up and down tenfold.
+constexpr double kFirstDamping = 1e-4;     // the start is nearly right
+constexpr double kLeastDamping = 1e-6;     // below it a step is Gauss-Newton's
+constexpr double kRefusedDamping = 1e-2;   // at least, after a step that did not help: less would propose the same again
+constexpr double kMostDamping = 1e3;       // a step is then a thousandth of the undamped one: there is no way down
+constexpr double kRidge = 1e-9;            // px^-2, on the information, so that it can be solved where no edge fixes a direction
+constexpr double kLeastTurnPx = 1e-3;      // a refused step that turns the image by less is the last
+constexpr double kPatchStepPx = 0.02;      // a step of the coarse start that moves points by less is the last: the edges follow
+constexpr double kEdgeStepPx = 0.005;      // the same of edges, on each level; edges repeat to some 0.05 px
+
 // Normal equations of one Gauss-Newton step, with the cost at their linearisation point.
 struct NormalEquations {
   Matrix6d H = Matrix6d::Zero();
@@ -23,7 +33,7 @@ struct NormalEquations {
 bool solve_step(const NormalEquations& eq, double lambda, Vector6d* xi) {
   Matrix6d H = eq.H;
   H.diagonal() *= 1.0 + lambda;
-  H.diagonal().array() += 1e-9;
+  H.diagonal().array() += kRidge;
   const Eigen::LDLT<Matrix6d> ldlt(H);
   if (ldlt.info() != Eigen::Success || !ldlt.isPositive()) return false;
   *xi = -ldlt.solve(eq.b);
@@ -35,7 +45,7 @@ template <class Linearise>
 NormalEquations minimise(const Linearise& linearise, int max_iterations, double pixels_per_radian, double min_step_px,
                          SE3* T) {
   NormalEquations current = linearise(*T);
-  double lambda = 1e-4;
+  double lambda = kFirstDamping;
   int iteration = 0;
   for (; iteration < max_iterations; ++iteration) {
     Vector6d xi;
@@ -46,11 +56,11 @@ NormalEquations minimise(const Linearise& linearise, int max_iterations, double 
     if (next.stats.cost <= current.stats.cost) {
       *T = candidate;
       current = std::move(next);
-      lambda = std::max(1e-6, lambda * 0.1);
+      lambda = std::max(kLeastDamping, lambda * 0.1);
       if (predicted_px < min_step_px) break;
     } else {
-      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < 1e-3 || lambda > 1e3) break;
-      lambda = std::max(1e-2, lambda * 10);
+      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < kLeastTurnPx || lambda > kMostDamping) break;
+      lambda = std::max(kRefusedDamping, lambda * 10);
     }
   }
   current.stats.iterations = iteration;
@@ -75,7 +85,7 @@ class EdgeCost {
     for (size_t i = 0; i < cloud_.points.size(); ++i) {
       const CloudPoint& point = cloud_.points[i];
       const Projection p = project(level_.pinhole, R, t, point.ray, point.idepth);
-      if (!p.valid || !level_.pinhole.contains(p.px, 2)) continue;
+      if (!p.valid || !level_.pinhole.contains(p.px, kEdgelessBorder)) continue;
       ++eq.stats.visible;
       match(point, p);
       if (photometric_) cost += add_photometric(cloud_.gradient_patches[i], point, p, &eq);
@@ -97,8 +107,7 @@ class EdgeCost {
 
   double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
   double robust_cost(double r) const {
-    return huber_ ? huber_cost(r, params_.huber_px)
-                  : 3.0 * std::log1p(r * r / (5.0 * params_.huber_px * params_.huber_px));
+    return huber_ ? huber_cost(r, params_.huber_px) : student_t_cost(r, params_.huber_px);
   }
   double robust_weight(double r) const {
     return huber_ ? huber_weight(r, params_.huber_px) : student_t_weight(r, params_.huber_px);
@@ -167,7 +176,7 @@ class PatchCost {
     NormalEquations eq;
     const Eigen::Matrix3d R = T_cur_ref.R();
     const Eigen::Vector3d t = T_cur_ref.translation();
-    const double miss = huber_cost(std::sqrt(2.0), params_.patch_huber);  // as an unrelated patch
+    const double miss = huber_cost(std::sqrt(kUnrelatedMeanSquare), params_.patch_huber);
     double cost = 0;
     int usable = 0;
     for (size_t i = 0; i < patches_.size(); ++i) {
@@ -228,10 +237,10 @@ EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Ei
 
 double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
                      const AlignmentParams& params, SE3* T_cur_ref) {
-  double cost = 2.0;
+  double cost = kUnrelatedMeanSquare;
   for (int level = coarsest; level >= finest; --level) {
     const PatchCost patch_cost(current, cloud, level, params);
-    cost = minimise(patch_cost, params.patch_iterations, current.levels[level].pinhole.fx, 0.02, T_cur_ref).stats.cost;
+    cost = minimise(patch_cost, params.patch_iterations, current.levels[level].pinhole.fx, kPatchStepPx, T_cur_ref).stats.cost;
   }
   return cost;
 }
@@ -243,11 +252,10 @@ double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int l
 
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
                            const AlignmentParams& params, SE3* T_cur_ref, const TranslationPrior* prior) {
-  constexpr double kMinStepPx = 0.005;
   const EdgeCost edges(current, cloud, level, params);
   const double fx = current.levels[level].pinhole.fx;
-  if (!prior) return minimise(edges, params.edge_iterations, fx, kMinStepPx, T_cur_ref).stats;
-  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), params.edge_iterations, fx, kMinStepPx, T_cur_ref).stats;
+  if (!prior) return minimise(edges, params.edge_iterations, fx, kEdgeStepPx, T_cur_ref).stats;
+  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), params.edge_iterations, fx, kEdgeStepPx, T_cur_ref).stats;
 }
 
 }  // namespace edgevo

@@ -9,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kLanes = MatchedEdges::kLanes;
+constexpr int kLanes = MatchedEdges::kLanes;  // points at a time
 // Where each of EdgeSums stands.
 enum { kH = 0, kB = kH + 21, kCostSum = kB + 6, kSquare, kSums };
 
@@ -64,7 +64,7 @@ void EdgeSums::add_to(Matrix6d* H_out, Vector6d* b_out) const {
 
 EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen::Vector3d& t, double miss_cost) {
   const Constants constants{camera.fx, camera.fy, t.x(), t.y(), t.z(), miss_cost};
-  constexpr int kBlock = MatchedEdges::kNumbers * kLanes;
+  constexpr int kBlock = MatchedEdges::kNumbers * kLanes;  // numbers
   const int whole = edges.size() / kLanes, rest = edges.size() % kLanes;
   std::array<double, kSums * kLanes> lanes{}, last{};
   sum_blocks(edges.block(0), whole, constants, lanes.data());

@@ -10,7 +10,7 @@ namespace edgevo {
 /// Points that have found their edge, number by number: what the sums read stands side by side.
 class MatchedEdges {
  public:
-  static constexpr int kLanes = 4;
+  static constexpr int kLanes = 4;  ///< doubles of a register of AVX2
   enum Number { kX, kY, kInverseZ, kIdepth, kSigma, kNormalX, kNormalY, kResidual, kWeight, kCost, kNumbers };
 
   void reserve(size_t points);

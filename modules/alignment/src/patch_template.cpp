@@ -9,14 +9,14 @@
 namespace edgevo {
 namespace {
 
-constexpr int kWideSide = kPatchSide + 2;
+constexpr int kWideSide = kPatchSide + 2;  // pixels: one more on each side, for central differences
 using Patch = std::array<float, kPatchPixels>;
 constexpr float kMinDeviation = 1.0f;  // gray levels (or gradient units): flatter patches say nothing
 
 // Samples a square of kSide pixels around (x, y); false if it does not lie in the image.
 template <int kSide, class T>
 bool sample(const ImageView<T>& image, float x, float y, std::array<float, kSide * kSide>* out) {
-  constexpr int kRadius = kSide / 2;
+  constexpr int kRadius = kSide / 2;  // pixels
   const float xf = std::floor(x), yf = std::floor(y);
   if (!(xf >= kRadius && yf >= kRadius && xf < float(image.width - kRadius - 1) && yf < float(image.height - kRadius - 1))) return false;
   const T* corner = image.data + (int(yf) - kRadius) * image.stride + int(xf) - kRadius;
@@ -41,7 +41,7 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
   for (size_t k = 0; k < positions.size(); ++k) {
     PatchTemplate& p = patches[k];
     const float x = positions[k].x(), y = positions[k].y();
-    std::array<float, kWideSide * kWideSide> wide;  // one pixel more on each side, for central differences
+    std::array<float, kWideSide * kWideSide> wide;
     if (!sample<kWideSide>(image, x, y, &wide)) continue;
     const auto centre = [&wide](int i) { return &wide[(i / kPatchSide + 1) * kWideSide + i % kPatchSide + 1]; };
     for (int i = 0; i < kPatchPixels; ++i) p.value[i] = *centre(i);

@@ -7,9 +7,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMinResidualVariance =
-    0.01;                        // px^2: matches without any residual are a coincidence, not a certainty
-constexpr double kRidge = 1e-9;  // on the information, so that it can be inverted
+constexpr double kMinResidualVariance = 0.01;  // px^2: matches without any residual are a coincidence, not a certainty
+constexpr double kRidge = 1e-9;                // px^-2, on the information, so that it can be inverted
+constexpr double kPoseFreedom = 6.0;           // unknowns of a pose
 
 // Sum of the scores of each edge, one after another in the order of the edges' numbers.
 std::vector<Vector6d> sum_scores(const std::vector<PoseEquation>& equations) {
@@ -42,7 +42,7 @@ Matrix6d pose_covariance(const std::vector<PoseEquation>& equations) {
   Matrix6d M = Matrix6d::Zero();
   for (const Vector6d& g : scores) M.noalias() += g * g.transpose();
   const double n = double(scores.size());
-  M *= n / std::max(1.0, n - 6.0);
+  M *= n / std::max(1.0, n - kPoseFreedom);
   // In the axes where A is the identity (A = L L^T), M is the variance of a residual with what its edge adds.
   const Matrix6d L_inverse = A.llt().matrixL().solve(Matrix6d::Identity());
   const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(L_inverse * M * L_inverse.transpose());

@@ -13,7 +13,7 @@ void for_visible(const PyramidLevel& level, const ReferenceCloud& cloud, const S
   const Eigen::Vector3d t = T_cur_ref.translation();
   for (const CloudPoint& point : cloud.points) {
     const Projection p = project(level.pinhole, R, t, point.ray, point.idepth);
-    if (p.valid && level.pinhole.contains(p.px, 2)) f(point, p);
+    if (p.valid && level.pinhole.contains(p.px, kEdgelessBorder)) f(point, p);
   }
 }
 

@@ -9,11 +9,11 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStepPx = 2.0;  // of the coarsest level: neighbours on the grid meet in the basin of a patch
-constexpr int kYawSteps = 9, kPitchSteps = 5;  // to either side
-constexpr size_t kPatches = 200;
-constexpr size_t kBest = 3;     // rotations handed on
-constexpr int kApartSteps = 2;  // and they are so many steps apart
+constexpr double kStepPx = 2.0;                // of the coarsest level: neighbours on the grid meet in the basin of a patch
+constexpr int kYawSteps = 9, kPitchSteps = 5;  // to either side: a robot and a hand turn rather than nod
+constexpr size_t kPatches = 200;               // that are compared, of some 1500: enough for a mean
+constexpr size_t kBest = 3;                    // rotations handed on: so coarse an image may mistake the best
+constexpr int kApartSteps = 2;                 // and they are so many steps apart: nearer ones lead to the same pose
 
 struct Candidate {
   double score = 0;
@@ -25,7 +25,7 @@ double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, c
                        size_t step, const SE3& T_cur_ref, const AlignmentParams& params) {
   const Eigen::Matrix3d R = T_cur_ref.R();
   const Eigen::Vector3d t = T_cur_ref.translation();
-  const double unrelated = huber_cost(std::sqrt(2.0), params.patch_huber);
+  const double unrelated = huber_cost(std::sqrt(kUnrelatedMeanSquare), params.patch_huber);
   double sum = 0;
   int count = 0;
   for (size_t i = 0; i < patches.size(); i += step) {

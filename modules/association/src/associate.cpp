@@ -12,7 +12,10 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMaxCandidates = 64;
+constexpr int kMaxCandidates = 64;        // pixels of an edge: the largest max_search_px to each side, 30, and the middle
+constexpr double kBorderPx = 3;           // a first patch of 5x5, and the pixel beyond it that interpolation reads
+constexpr double kLeastCurvature = 1e-9;  // of the cost over the candidates; a flatter one has no lowest place between two of them
+constexpr double kReachPerNormal = 2.0;   // an edge that is found lies within so many times max_normal_px, along itself included
 
 // Edge pixels along the edge on both sides of `centre`, with arc length from it.
 struct Walk {
@@ -63,7 +66,7 @@ TemplateMatch match_template(const PatchComparison& comparison, const Patch& pat
   m.found = m.cost < kWorstPatchCost;
   if (m.best > 0 && m.best + 1 < walk.count) {
     const double a = cost[m.best - 1], b = cost[m.best + 1], curvature = a - 2 * m.cost + b;
-    if (curvature > 1e-9 && a < kWorstPatchCost && b < kWorstPatchCost) m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
+    if (curvature > kLeastCurvature && a < kWorstPatchCost && b < kWorstPatchCost) m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
   }
   return m;
 }
@@ -86,7 +89,7 @@ int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen:
   const Eigen::Vector2d g = e.normal().cast<double>();
   if (g.dot(predicted_normal) < params.min_normal_cosine) return -1;
   const Eigen::Vector2d d = e.position().cast<double>() - p;
-  return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= 2.0 * params.max_normal_px ? n : -1;
+  return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= kReachPerNormal * params.max_normal_px ? n : -1;
 }
 
 // Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was found.
@@ -172,7 +175,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params, cons
   const Pinhole& camera = target.pinhole;
   const Eigen::Vector3d ray = camera.ray(q.px_host);
   const Projection p = project(camera, q.T_target_host.R(), q.T_target_host.translation(), ray, q.idepth);
-  if (!p.valid || !camera.contains(p.px, 3)) return match;
+  if (!p.valid || !camera.contains(p.px, kBorderPx)) return match;
   const Eigen::Matrix2d A = patch_warp(camera, q.T_target_host, q.px_host, q.idepth);
   const int centre = find_edge(target, p.px, warp_normal(A, q.normal_host), params);
   if (centre < 0) return match;
@@ -201,7 +204,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params, cons
 
 bool needs_update(const Match& match, double residual_normal_px, double residual_tangent_px,
                   const AssociationParams& params) {
-  constexpr double kMaxSigmas = 3.5;
+  constexpr double kMaxSigmas = 3.5;  // along the normal: one in two thousand of right matches
   if (std::abs(residual_normal_px) * match.inv_sigma_normal > kMaxSigmas) return true;
   return std::abs(residual_tangent_px) > params.k_m * std::max(match.search_px, params.min_search_px);  // Eq. (distancecheck)
 }

@@ -6,8 +6,10 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStopPx = 0.02;
-constexpr float kMinDeviation = 1.5f;  // gray levels
+constexpr double kStopPx = 0.02;         // a shorter step is the last: a match is good to 0.3 px
+constexpr double kMostStepPx = 1.0;      // what is linear about the patch ends there
+constexpr float kMinDeviation = 1.5f;    // gray levels: below it a patch is noise
+constexpr double kLeastSlope = 1e-3;     // mean square of the slope, deviations a pixel: along the normal the patch does not change
 
 // How the image at a trial position, brought to zero mean and unit deviation, compares with the template.
 struct Comparison {
@@ -62,7 +64,7 @@ bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d&
   double square = 0;
   for (int i = 0; i < n; ++i) square += double(out->slope.value[i]) * out->slope.value[i];
   out->slope_square = square;
-  return square > 1e-3 * n;
+  return square > kLeastSlope * n;
 }
 
 NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
@@ -82,7 +84,7 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
     result.zncc_loss = 1.0 - double(c.correlation) / n;
     if (std::abs(step) < kStopPx) break;
     if (iteration == params.refine_iterations) return result;
-    move += std::clamp(step, -1.0, 1.0);
+    move += std::clamp(step, -kMostStepPx, kMostStepPx);
     if (std::abs(move) > params.refine_max_move_px) return result;
   }
   result.accepted = result.zncc_loss < params.refine_max_zncc_loss;

@@ -3,6 +3,11 @@
 #include <cmath>
 
 namespace edgevo {
+namespace {
+
+constexpr float kFlat = 1.0f;  // Sobel units, an eighth of a gray level per pixel: a patch of that mean holds noise
+
+}  // namespace
 
 bool divide_by_mean(Patch* patch) {
   float sum = 0;
@@ -10,7 +15,7 @@ bool divide_by_mean(Patch* patch) {
 #pragma omp simd reduction(+ : sum)
   for (int i = 0; i < n; ++i) sum += patch->value[i];
   const float mean = sum / float(n);
-  if (!(mean > 1.0f)) return false;
+  if (!(mean > kFlat)) return false;
   const float scale = 1.0f / mean;
   for (int i = 0; i < n; ++i) patch->value[i] *= scale;
   return true;
@@ -18,7 +23,7 @@ bool divide_by_mean(Patch* patch) {
 
 double patch_cost(const Patch& prepared, const ImageView<float>& gradient_magnitude, double x, double y) {
   Patch target;
-  if (!sample_patch(gradient_magnitude, x, y, prepared.radius, &target) || !divide_by_mean(&target)) return 2.0;
+  if (!sample_patch(gradient_magnitude, x, y, prepared.radius, &target) || !divide_by_mean(&target)) return kWorstPatchCost;
   float sum = 0;
   const int n = prepared.size();
 #pragma omp simd reduction(+ : sum)

@@ -6,10 +6,11 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRadius = 2;
-constexpr double kMaxShiftPx = 1.5;     // beyond it the linearisation says nothing
-constexpr double kMaxMeanSquare = 1.0;  // half way to unrelated patches (2)
-constexpr float kMinDeviation = 4.0f;   // Sobel units: half a gray level per pixel
+constexpr int kRadius = 2;                  // pixels: the paper's patch of 5x5
+constexpr double kMaxShiftPx = 1.5;         // beyond it the linearisation says nothing
+constexpr double kMaxMeanSquare = 1.0;      // half way to unrelated patches (2)
+constexpr float kMinDeviation = 4.0f;       // Sobel units: half a gray level per pixel
+constexpr double kLeastInformation = 1e-8;  // determinant, px^-4: a patch that is the same along some direction fixes no shift
 
 }  // namespace
 
@@ -45,7 +46,7 @@ PhotometricResidual photometric_residual(const ImageView<float>& host, const Eig
     b += g * r / n;
     result.mean_square += r * r / n;
   }
-  if (!(A.determinant() > 1e-8) || result.mean_square > kMaxMeanSquare) return result;
+  if (!(A.determinant() > kLeastInformation) || result.mean_square > kMaxMeanSquare) return result;
   result.information = A;
   result.shift = -A.inverse() * b;
   result.usable = result.shift.norm() < kMaxShiftPx;

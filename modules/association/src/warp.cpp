@@ -26,7 +26,8 @@ Eigen::Vector2d warp_normal(const Eigen::Matrix2d& A, const Eigen::Vector2d& nor
   const Eigen::Vector2d n(A(1, 1) * normal_host.x() - A(1, 0) * normal_host.y(),
                           -A(0, 1) * normal_host.x() + A(0, 0) * normal_host.y());
   const double length = n.norm();
-  return length > 1e-12 ? Eigen::Vector2d(n / length) : normal_host;
+  constexpr double kNoLength = 1e-12;  // the warp squeezes the normal away: it keeps its direction
+  return length > kNoLength ? Eigen::Vector2d(n / length) : normal_host;
 }
 
 float normalise(Patch* patch, float min_deviation) {
@@ -88,8 +89,10 @@ EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid,
 template <class T>
 bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host, int radius,
                    Patch* patch) {
+  // Area in the target over that in the host: beyond these the patch is a streak, or a few pixels drawn large.
+  constexpr double kLeastArea = 0.05, kMostArea = 20.0;
   const double det = A_target_host.determinant();
-  if (!(det > 0.05 && det < 20.0)) return false;
+  if (!(det > kLeastArea && det < kMostArea)) return false;
   const Eigen::Matrix2f B = A_target_host.inverse().cast<float>();
   const float reach_x = (std::abs(B(0, 0)) + std::abs(B(0, 1))) * float(radius);
   const float reach_y = (std::abs(B(1, 0)) + std::abs(B(1, 1))) * float(radius);

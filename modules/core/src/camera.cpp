@@ -7,6 +7,15 @@
 #include "edgevo/core/radial.h"
 
 namespace edgevo {
+namespace {
+
+// Newton's method on the lens model, normalised coordinates.
+constexpr int kMostSteps = 30;          // more than any point within the model's range takes
+constexpr double kErrorSquare = 1e-26;  // at which it has converged: the 1e-12 that are promised, with a margin
+constexpr double kFoldedOver = 1e-6;    // determinant of the derivative, 1 on the axis: the point is beyond the model's range
+constexpr double kInverseError = 1e-9;  // what an inverse may be wrong by: a millionth of a pixel at 1000 px of focal length
+
+}  // namespace
 
 Pinhole Pinhole::at_level(int level) const {
   Pinhole p = *this;
@@ -33,9 +42,9 @@ bool Camera::undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) c
   const Distortion& d = distortion;
   const Camera by_file{pinhole, distortion, 0.0};
   Eigen::Vector2d p = x_distorted;
-  for (int iteration = 0; iteration < 30; ++iteration) {
+  for (int iteration = 0; iteration < kMostSteps; ++iteration) {
     const Eigen::Vector2d error = by_file.distort(p) - x_distorted;
-    if (error.squaredNorm() < 1e-26) break;
+    if (error.squaredNorm() < kErrorSquare) break;
     const double r2 = p.squaredNorm();
     const double radial = 1.0 + r2 * (d.k1 + r2 * (d.k2 + r2 * d.k3));
     const double dradial = 2.0 * (d.k1 + r2 * (2.0 * d.k2 + r2 * 3.0 * d.k3));  // d radial / d (r2/2)
@@ -45,11 +54,11 @@ bool Camera::undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) c
     J(1, 0) = J(0, 1);
     J(1, 1) = radial + p.y() * p.y() * dradial + 6.0 * d.p1 * p.y() + 2.0 * d.p2 * p.x();
     const double det = J.determinant();
-    if (!(det > 1e-6)) return false;  // folded over: beyond the model's range
+    if (!(det > kFoldedOver)) return false;
     p -= J.inverse() * error;
   }
   *x = remove_radial(residual_k1, p);
-  return (distort(*x) - x_distorted).norm() < 1e-9;
+  return (distort(*x) - x_distorted).norm() < kInverseError;
 }
 
 void Camera::check(const std::string& where) const {

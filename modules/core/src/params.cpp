@@ -215,7 +215,7 @@ void set_param(const std::string& assignment, const VisitParams& visit) {
   const std::string where = "--set " + one_line(assignment);
   const size_t eq = assignment.find('=');
   if (eq == std::string::npos || eq == 0)
-    throw InputError(where, "is not KEY=VALUE", "write for example --set mapping.window=9");
+    throw InputError(where, "is not KEY=VALUE", "write for example --set mapping.window.keyframes=9");
   assign({{assignment.substr(0, eq), assignment.substr(eq + 1), true, 0}}, where, visit);
 }
 

@@ -6,7 +6,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kSmallAngle = 1e-5;
+constexpr double kSmallAngle = 1e-5;   // rad: below it the third term of each series is under the rounding
+constexpr double kSeriesAngle = 1e-2;  // rad: below it the closed form of C loses digits long before the series does
 
 // V(w) of exp([v, w]) = (exp(w), V v):  V = I + B [w]x + C [w]x^2.
 Eigen::Matrix3d left_jacobian(const Eigen::Vector3d& w) {
@@ -19,8 +20,7 @@ Eigen::Matrix3d left_jacobian(const Eigen::Vector3d& w) {
     B = 2.0 * std::pow(std::sin(0.5 * theta), 2) / theta2;  // (1 - cos) / theta^2 without cancellation
     C = (theta - std::sin(theta)) / (theta2 * theta);
   }
-  // For small angles the closed form of C loses digits long before the series does.
-  if (theta < 1e-2) C = 1.0 / 6.0 - theta2 / 120.0 + theta2 * theta2 / 5040.0;
+  if (theta < kSeriesAngle) C = 1.0 / 6.0 - theta2 / 120.0 + theta2 * theta2 / 5040.0;
   return Eigen::Matrix3d::Identity() + B * W + C * W * W;
 }
 

@@ -10,7 +10,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kTickDigits = 7;
+constexpr int kTickDigits = 7;                // decimals of a second that a tick has
+constexpr int64_t kNanosecondsPerTick = 100;  // timestamp.h
+constexpr double kMostSeconds = 9e11;         // ticks of more do not fit 64 bits
 
 // "-12.345" without exponent: whole digits, then at most seven decimals, the eighth rounds.
 bool parse_plain(std::string_view text, Timestamp* t) {
@@ -48,8 +50,8 @@ bool parse_plain(std::string_view text, Timestamp* t) {
 Timestamp Timestamp::from_seconds(double s) { return {std::llround(s * double(kTicksPerSecond))}; }
 
 Timestamp Timestamp::from_nanoseconds(int64_t ns) {
-  const int64_t half = ns >= 0 ? 50 : -50;
-  return {(ns + half) / 100};
+  const int64_t half = ns >= 0 ? kNanosecondsPerTick / 2 : -kNanosecondsPerTick / 2;
+  return {(ns + half) / kNanosecondsPerTick};
 }
 
 std::string to_string(Timestamp t) {
@@ -66,7 +68,7 @@ bool parse_seconds(std::string_view text, Timestamp* t) {
   double seconds = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(seconds)) return false;
-  if (std::abs(seconds) > 9e11) return false;
+  if (std::abs(seconds) > kMostSeconds) return false;
   *t = Timestamp::from_seconds(seconds);
   return true;
 }

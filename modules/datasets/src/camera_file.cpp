@@ -10,6 +10,7 @@
 namespace edgevo {
 namespace {
 
+// Of camera.txt, for messages.
 constexpr const char* kNumbersFormat = "fx fy cx cy k1 k2 p1 p2 width height [k3]";
 
 Camera parse_camera_numbers(const std::string& text, const std::string& where) {
@@ -29,9 +30,8 @@ Camera parse_camera_numbers(const std::string& text, const std::string& where) {
 }  // namespace
 
 int image_side(double value, const std::string& where) {
-  constexpr double kLargest = 65535;
-  if (!(value >= 1 && value <= kLargest) || value != std::floor(value))
-    throw InputError(where, "the image size is not a whole number of pixels from 1 to 65535",
+  if (!(value >= 1 && value <= kLargestSide) || value != std::floor(value))
+    throw InputError(where, "the image size is not a whole number of pixels from 1 to " + std::to_string(kLargestSide),
                      "give width and height in pixels");
   return int(value);
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
-constexpr double kDegrees = 180.0 / M_PI;
+constexpr double kDegrees = 180.0 / M_PI;  // of a radian
 
 // Six significant digits, as calibrations are read by people.
 std::string number(double value) {
@@ -45,7 +45,7 @@ void describe_camera(const Camera& camera, Lines* lines) {
 }
 
 void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* lines) {
-  constexpr double kGap = 2.5;  // median steps
+  constexpr double kGap = 2.5;  // median steps: one frame that is missing is no gap
   int gaps = 0, backwards = 0;
   double longest = 0;
   size_t where = 0, first_backwards = 0;

@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kAskForStopS = 0.05;
+constexpr double kAskForStopS = 0.05;  // seconds: Ctrl-C is answered at once, and asking costs nothing
 
 class SteadyClock : public FeedClock {
  public:

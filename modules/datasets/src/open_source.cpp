@@ -1,16 +1,13 @@
 #include "edgevo/datasets/open_source.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <limits>
 
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/subsample.h"
-#include "edgevo/datasets/virtual_kitti.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
-#include "sequence.h"
+#include "layouts/layout.h"
 #include "text_file.h"
 #include "video_source.h"
 
@@ -26,30 +23,10 @@ void refuse_label(const SourceOptions& options) {
                    "leave --sensor out");
 }
 
-struct Layout {
-  bool (*recognises)(const std::string& folder);
-  Sequence (*read)(const SourceOptions& options);
-  bool has_labels;  // its cameras have names to choose by
-};
-
-constexpr Layout kLayouts[] = {
-    {is_edgevo_layout, read_edgevo_layout, false},
-    {is_kitti_layout, read_kitti_layout, true},
-    {is_tum_layout, read_tum_layout, false},
-    {is_euroc_layout, read_euroc_layout, true},
-    {is_virtual_kitti, read_virtual_kitti_layout, true},
-};
-
-bool is_anything(const std::string&) { return true; }
-
-constexpr Layout kPlainFolder = {is_anything, read_image_folder, false};
-
 std::unique_ptr<ImageSource> open_folder(const SourceOptions& options) {
-  const auto known = std::find_if(std::begin(kLayouts), std::end(kLayouts),
-                                  [&](const Layout& layout) { return layout.recognises(options.path); });
-  const Layout& layout = known == std::end(kLayouts) ? kPlainFolder : *known;
-  if (!layout.has_labels) refuse_label(options);
-  return play(layout.read(options));
+  const Layout* layout = layout_of(options.path);
+  if (!layout || !layout->has_labels) refuse_label(options);
+  return play(layout ? layout->read(options) : read_image_folder(options));
 }
 
 std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {

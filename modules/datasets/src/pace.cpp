@@ -4,12 +4,10 @@
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "rate.h"
 
 namespace edgevo {
 namespace {
-
-// Slower and faster than any camera; the times of a run stay finite.
-constexpr double kLeast = 1e-3, kMost = 1e5;
 
 std::string short_number(double value) {
   std::ostringstream text;
@@ -29,7 +27,7 @@ Pace parse_pace(const std::string& text) {
   pace.kind = by_times ? Pace::Kind::kTimes : Pace::Kind::kRate;
   const char* const end = text.data() + text.size() - (by_times ? 1 : 0);
   const auto read = std::from_chars(text.data(), end, pace.value);
-  if (read.ec != std::errc() || read.ptr != end || !(pace.value >= kLeast && pace.value <= kMost))
+  if (read.ec != std::errc() || read.ptr != end || !(pace.value >= kSlowestRate && pace.value <= kFastestRate))
     throw InputError(
         "--pace '" + text + "'", "is no pace",
         "give frames a second such as 30, or 1x for the source's own times (0.5x: half as fast)");

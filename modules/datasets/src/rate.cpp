@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-bool is_plausible(double fps) { return std::isfinite(fps) && fps >= 1e-3 && fps <= 1e5; }
+bool is_plausible(double fps) { return std::isfinite(fps) && fps >= kSlowestRate && fps <= kFastestRate; }
 
 }  // namespace
 
@@ -19,7 +19,7 @@ Rate choose_rate(double given, double own) {
     return {given, fixed(given, 3) + " frames a second, as given by --fps"};
   }
   if (is_plausible(own)) return {own, fixed(own, 3) + " frames a second, as the file says"};
-  return {30, "30 frames a second assumed; give --fps if that is wrong"};
+  return {kUsualRate, "30 frames a second assumed; give --fps if that is wrong"};
 }
 
 }  // namespace edgevo

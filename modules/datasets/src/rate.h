@@ -7,8 +7,12 @@
 
 namespace edgevo {
 
+/// Frames a second: slower and faster than any camera; the times of a run stay finite.
+constexpr double kSlowestRate = 1e-3, kFastestRate = 1e5;
+constexpr double kUsualRate = 30;  ///< frames a second, of a source that says nothing: most cameras
+
 struct Rate {
-  double fps = 30;
+  double fps = kUsualRate;
   std::string says;  ///< for details(): where the rate comes from
 
   Timestamp time(int64_t index) const { return Timestamp::from_seconds(double(index) / fps); }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "camera_numbers.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/params.h"
@@ -14,6 +15,7 @@ namespace {
 
 using State = CameraRefinement::State;
 
+// Of every complaint about the folder.
 constexpr const char* kRemedy = "give the folder that a finished `edgevo run` of this version has written";
 
 // The text with all lines blank that do not belong to one of the two groups: the others keep their numbers.
@@ -35,7 +37,6 @@ struct Numbers {
 
 void visit_camera(ParamVisitor& v, Camera* camera) {
   const auto g = v.group("camera");
-  constexpr int kLargestSide = 65535;
   Pinhole& p = camera->pinhole;
   Distortion& d = camera->distortion;
   v.integer("width", p.width, 1, kLargestSide, "");

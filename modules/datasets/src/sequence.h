@@ -39,16 +39,4 @@ Camera choose_camera(const SourceOptions& options, const std::string& own);
 /// `path` if such a file exists, else empty.
 std::string existing(const std::string& path);
 
-bool is_edgevo_layout(const std::string& folder);
-bool is_kitti_layout(const std::string& folder);
-bool is_tum_layout(const std::string& folder);
-bool is_euroc_layout(const std::string& folder);
-
-Sequence read_edgevo_layout(const SourceOptions& options);
-Sequence read_kitti_layout(const SourceOptions& options);
-Sequence read_tum_layout(const SourceOptions& options);
-Sequence read_euroc_layout(const SourceOptions& options);
-Sequence read_virtual_kitti_layout(const SourceOptions& options);
-Sequence read_image_folder(const SourceOptions& options);
-
 }  // namespace edgevo

@@ -11,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kBlanks = " \t\r\f\v";
+constexpr const char* kBlanks = " \t\r\f\v";  // std::isspace less the end of a line
 
 std::string_view trim(std::string_view text) {
   const size_t begin = text.find_first_not_of(kBlanks);
@@ -89,6 +89,15 @@ std::vector<double> parse_numbers(const TextLine& line, size_t count, const std:
   std::vector<double> values;
   for (const std::string& field : fields) values.push_back(parse_number(field, line.where));
   return values;
+}
+
+Timestamp parse_nanoseconds(const std::string& text, const std::string& where) {
+  int64_t ns = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), ns);
+  constexpr int64_t kLargest = INT64_MAX - 100;  // rounding to a tick of 100 ns must not overflow
+  if (error != std::errc() || stop != text.data() + text.size() || ns < 0 || ns > kLargest)
+    throw InputError(where, "does not begin with a time in whole nanoseconds", "restore the file");
+  return Timestamp::from_nanoseconds(ns);
 }
 
 }  // namespace edgevo

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "edgevo/core/timestamp.h"
+
 namespace edgevo {
 
 struct TextLine {
@@ -29,5 +31,8 @@ double parse_number(const std::string& text, const std::string& where);
 
 /// All fields of a line as numbers. Throws InputError unless there are exactly `count`.
 std::vector<double> parse_numbers(const TextLine& line, size_t count, const std::string& meaning);
+
+/// A time in whole nanoseconds. Throws InputError opened by `where`.
+Timestamp parse_nanoseconds(const std::string& text, const std::string& where);
 
 }  // namespace edgevo

@@ -18,9 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFps = 10;              // KITTI's rate; there are no times
+constexpr double kFps = 10;              // frames a second, KITTI's rate; there are no times
 constexpr double kMetresPerUnit = 0.01;  // depth images hold centimetres
-constexpr unsigned kSky = 65535;
+constexpr double kRotationError = 0.01;  // of R R^T from the identity: the files have few digits
+constexpr unsigned kSky = 65535;         // centimetres in depth images: no depth
 
 // Absolute, without a slash at its end.
 fs::path sequence_folder(const std::string& folder) {
@@ -92,7 +93,7 @@ SE3 pose_from(const std::vector<double>& numbers, size_t first, const std::strin
   Eigen::Matrix4d M;
   for (int i = 0; i < 16; ++i) M(i / 4, i % 4) = numbers[first + size_t(i)];
   const Eigen::Matrix3d R = M.topLeftCorner<3, 3>();
-  const bool is_rotation = (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 0.01 && R.determinant() > 0;
+  const bool is_rotation = (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kRotationError && R.determinant() > 0;
   if (!is_rotation || M.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     throw InputError(where, "the matrix is no rigid motion", "restore the file");
   return SE3(R, Eigen::Vector3d(M.topRightCorner<3, 1>())).inverse();  // the file maps world to camera

@@ -10,8 +10,6 @@
 namespace edgevo {
 namespace {
 
-constexpr int kBorder = 2;
-
 struct Pixel {
   int x, y;
 };
@@ -41,11 +39,12 @@ class Walker {
     std::copy_n(mask.row(0), size_t(width) * height, open_.row(0));
     for (int y = 0; y < height; ++y) {
       uint8_t* row = open_.row(y);
-      if (y < kBorder || y >= height - kBorder) {
+      if (y < kEdgelessBorder || y >= height - kEdgelessBorder) {
         std::fill_n(row, width, uint8_t(0));
         continue;
       }
-      row[0] = row[1] = row[width - 2] = row[width - 1] = 0;
+      std::fill_n(row, kEdgelessBorder, uint8_t(0));
+      std::fill_n(row + width - kEdgelessBorder, kEdgelessBorder, uint8_t(0));
       list_edges(row, y, width);
     }
     for (int d = 0; d < 8; ++d) offset_[d] = kStep[d].y * width + kStep[d].x;
@@ -93,7 +92,7 @@ class Walker {
 
   // Side neighbours before corner ones at equal turn, smaller turns first; never more than 90 degrees. -1: the edge ends here.
   int next_direction(const uint8_t* at, int heading) const {
-    static constexpr std::array<int, 5> kTurns{0, 1, -1, 2, -2};
+    static constexpr std::array<int, 5> kTurns{0, 1, -1, 2, -2};  // of 45 degrees
     if (heading >= 0) {
       for (int turn : kTurns)
         if (at[offset_[(heading + turn) & 7]]) return (heading + turn) & 7;
@@ -114,8 +113,10 @@ class Walker {
   std::vector<Pixel> pixels_;
 };
 
-constexpr int kRun = 256;  // pixels that are gathered, then placed, at a time
+constexpr int kRun = 256;                 // pixels that are gathered, then placed, at a time: they stay in the nearest cache
 constexpr float kLeastCurvature = 1e-3f;  // Sobel units; a flatter parabola has no top to speak of
+constexpr float kLeastMagnitude = 1e-3f;  // Sobel units; keeps the division by it finite
+constexpr float kFlat = 1.0f;             // Sobel units, an eighth of a gray level per pixel: no normal to speak of
 using Floats = std::array<float, kRun>;
 
 // Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in both, and at those behind.
@@ -130,7 +131,7 @@ struct Places {
 // The maximum of a parabola through the magnitudes at the pixel and one pixel along the normal on both sides, at most half a pixel away.
 EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, Places* __restrict out) {
   for (int i = 0; i < count; ++i) {
-    const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, 1e-3f));
+    const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, kLeastMagnitude));
     const float nx = s.dx[i] * scale, ny = s.dy[i] * scale, ax = std::abs(nx), ay = std::abs(ny);
     const float ahead_row = m + ax * (s.ahead_x[i] - m), ahead_next = s.ahead_y[i] + ax * (s.ahead_xy[i] - s.ahead_y[i]);
     const float behind_row = m + ax * (s.behind_x[i] - m), behind_next = s.behind_y[i] + ax * (s.behind_xy[i] - s.behind_y[i]);
@@ -180,7 +181,7 @@ struct Chains {
   void append(const std::vector<Pixel>& path, const Gradient& gradient) {
     const int begin = int(pixels.size());
     for (const Pixel& p : path)
-      if (gradient.magnitude.at(p.x, p.y) >= 1.0f) pixels.push_back(p);  // a detector other than Canny may mark flat pixels
+      if (gradient.magnitude.at(p.x, p.y) >= kFlat) pixels.push_back(p);  // a detector other than Canny may mark flat pixels
     chains.push_back({begin, int(pixels.size())});
   }
 };
@@ -202,7 +203,7 @@ EdgeMap place_all(Chains chains, const Gradient& gradient) {
 }  // namespace
 
 EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain) {
-  if (mask.width() <= 2 * kBorder || mask.height() <= 2 * kBorder) {
+  if (mask.width() <= 2 * kEdgelessBorder || mask.height() <= 2 * kEdgelessBorder) {
     EdgeMap empty;
     empty.width = mask.width();
     empty.height = mask.height();

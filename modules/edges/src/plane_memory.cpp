@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kSmallest = 64 << 10;  // below it the heap does well by itself
+constexpr size_t kSmallest = 64 << 10;  // bytes; below it the heap does well by itself
 constexpr size_t kKeptOfASize = 8;      // of a frame and the next; more are freed
 
 class Store {

@@ -11,7 +11,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kOne = 128;        // a pixel in the units of the fractions: products of two and a gray level fit 32 bits
-constexpr int kRunLength = 256;  // pixels gathered, then blended, at a time
+constexpr int kRunLength = 256;  // pixels gathered, then blended, at a time: they stay in the nearest cache
 
 // Two neighbours in a row, the left one first.
 struct Pair {
@@ -71,7 +71,7 @@ std::vector<float> between_rows(const float* above, const float* below, float sh
 
 // position + shift, the shift linear between the nodes `x` / kCell and the next one.
 void add_shift(const float* position, const std::vector<float>& shift, int x, int count, float* out) {
-  constexpr int kCell = ShiftGrid::kCell;
+  constexpr int kCell = ShiftGrid::kCell;  // pixels
   for (int first = 0; first < count; first += kCell) {
     const int node = (x + first) / kCell, n = std::min(kCell, count - first);
     const float from = shift[node], slope = (shift[node + 1] - from) / kCell;

@@ -26,7 +26,7 @@ class Undistortion {
 /// A smooth shift of an image of width x height, given at nodes kCell pixels apart that reach over its border.
 class ShiftGrid {
  public:
-  static constexpr int kCell = 16;
+  static constexpr int kCell = 16;  ///< pixels: over so few the shift by a smooth motion is nearly linear
   ShiftGrid(int width, int height)
       : columns_((width - 1) / kCell + 2), rows_((height - 1) / kCell + 2), x_(size_t(columns_) * rows_), y_(x_.size()) {}
 

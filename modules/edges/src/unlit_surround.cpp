@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kBlurPx = 9;                   // noise of a sensor, blocks of a JPEG
+constexpr int kBlurPx = 9;                   // side of the mean: noise of a sensor, blocks of a JPEG
 constexpr double kDarkestShare = 0.001;      // of the pixels, as dark as an image gets
 constexpr int kAboveDarkest = 5;             // gray levels that noise leaves after the blur
 constexpr int kBlackest = 20;                // gray level of black at most: 16 in video, and an offset. A lighter ground is one of the scene.

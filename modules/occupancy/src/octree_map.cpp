@@ -18,8 +18,7 @@ namespace {
 
 using octomap::OcTree;
 
-// Voxels of an empty map: nothing tells a size.
-constexpr double kResolutionWithoutPoints = 0.1;
+constexpr double kResolutionWithoutPoints = 0.1;  // unit of the run: voxels of an empty map, of which nothing tells a size
 
 double median_depth(const Run& run, const PointFilter& filter) {
   std::vector<double> depths;
@@ -74,7 +73,7 @@ std::map<int, Keyframes> keyframes_by_segment(const Run& run) {
 // Merges equal children whenever the tree has grown to twice its size: memory stays near that of the finished map, and all the passes
 // over the tree together cost no more than two over the finished one, however long the run.
 void merge_when_doubled(OcTree* tree, size_t* size_after_merging) {
-  constexpr size_t kSmall = 200000;
+  constexpr size_t kSmall = 200000;  // nodes: a few MB, not worth a pass
   if (tree->size() < std::max(kSmall, 2 * *size_after_merging)) return;
   tree->prune();
   *size_after_merging = tree->size();

@@ -12,6 +12,8 @@ double relative_sigma(const EdgePoint& p) { return double(p.idepth_sigma) / doub
 // neighbours as if they were here.
 constexpr double kFarthest = 2;
 
+const double kDiagonal = std::sqrt(3.0);  // of a voxel over its edge: the ray ends outside that of the point
+
 octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
 
 }  // namespace
@@ -82,7 +84,7 @@ void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, 
   const double range = p_cam.norm();
   // To first order, sigma of depth over depth equals sigma of inverse depth over inverse depth.
   const double margin =
-      std::max(limits_.carve_stop_sigmas * relative_sigma * range, std::sqrt(3.0) * tree_->getResolution());
+      std::max(limits_.carve_stop_sigmas * relative_sigma * range, kDiagonal * tree_->getResolution());
   const double length = std::min(range - margin, limits_.max_range);
   if (length <= 0) return;
   const octomap::point3d origin = to_octomap(T_map_cam.translation());

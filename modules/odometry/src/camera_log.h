@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "edgevo/core/image_correction.h"
+#include "edgevo/core/records.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {

@@ -1,9 +1,9 @@
 #pragma once
 // The motion of the image while a rolling shutter reads it: what the odometry expects of the next frame, and what tracking makes of it.
 #include "edgevo/alignment/reference_cloud.h"
-#include "edgevo/core/image_correction.h"
-#include "edgevo/core/image_motion.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/edges/image_correction.h"
+#include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
 

@@ -1,6 +1,7 @@
 #pragma once
 // Collects what a run leaves behind. Poses are kept relative to keyframes until the end, so that every frame profits from the final
-// keyframe poses. The mapping thread may call note_mapping and retire; everything else belongs to the tracking thread.
+// keyframe poses. The mapping thread may call note_mapping, retire and revise; everything else belongs to the
+// tracking thread.
 #include <deque>
 #include <map>
 #include <mutex>

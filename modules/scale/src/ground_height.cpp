@@ -9,10 +9,13 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxAhead = 3;         // camera heights: beyond the end of a path the pitch would count
-constexpr double kMaxWayPerDistance = 2;  // a point not passed on twice the way to it never will be
+constexpr double kMaxAhead = 3;            // camera heights: beyond the end of a path the pitch would count
+constexpr double kMaxWayPerDistance = 2;   // a point not passed on twice the way to it never will be
 constexpr double kDirectionHeights = 0.5;  // the direction of the way is taken over this many heights to each side, at least
 constexpr int kDirectionFrames = 2;        // and over so many frames
+constexpr double kLeastChord = 0.5;        // of that reach: with less it stands, or turns on the spot
+constexpr double kLeastLevel = 0.5;        // sine of the angle between way and camera's y axis: with less it looks up, down or rises
+constexpr double kNearHeights = 4;         // a point further away is not passed yet
 
 // Axes of the way at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y axis).
 struct WayAxes {
@@ -27,11 +30,11 @@ std::optional<WayAxes> way_axes(const Path& path, size_t j, double reach) {
   while (a > 0 && !far_enough(a)) --a;
   while (b + 1 < path.size() && !far_enough(b)) ++b;
   const Eigen::Vector3d chord = path[b].T_world_cam.translation() - path[a].T_world_cam.translation();
-  if (chord.norm() < 0.5 * reach) return std::nullopt;  // it stands, or turns on the spot
+  if (chord.norm() < kLeastChord * reach) return std::nullopt;
   const Eigen::Vector3d forward = chord.normalized();
   const Eigen::Vector3d y = path[j].T_world_cam.R().col(1);
   const Eigen::Vector3d down = y - y.dot(forward) * forward;
-  if (down.norm() < 0.5) return std::nullopt;  // the camera looks up, down or rises: this is no drive
+  if (down.norm() < kLeastLevel) return std::nullopt;  // this is no drive
   return WayAxes{forward, down.normalized()};
 }
 
@@ -41,7 +44,7 @@ std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::V
   for (size_t j = host; j < path.size(); ++j) {
     if (path[j].way - path[host].way > kMaxWayPerDistance * distance) return std::nullopt;
     const Eigen::Vector3d d = p_world - path[j].T_world_cam.translation();
-    if (d.squaredNorm() > 16 * height_guess * height_guess) continue;  // far from below the camera still
+    if (d.squaredNorm() > kNearHeights * kNearHeights * height_guess * height_guess) continue;
     const auto axes = way_axes(path, j, kDirectionHeights * height_guess);
     if (axes && d.dot(axes->forward) <= 0) return j;
   }
@@ -66,12 +69,15 @@ std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::
 
 // ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its peak ----
 
-constexpr double kBin = 0.01, kSmoothing = 0.03, kWidth = 0.04;  // of log height
+constexpr double kBin = 0.01, kSmoothing = 0.03;  // of log height: bins of 1 %, smoothed to about the spread of a ground, which makes one peak
+constexpr double kWidth = 0.04;                   // of log height: three of it hold 97 % of the points under a drive
+constexpr double kReachSigmas = 3;                // beyond it a normal weight is nothing
+constexpr int kMeanShifts = 20;                   // more than the mean takes to stand still
 constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly up to the largest 0.3 to 0.4
 
 double histogram_peak(const std::vector<double>& logs) {
   const auto [low, high] = std::minmax_element(logs.begin(), logs.end());
-  const int reach = int(std::ceil(3 * kSmoothing / kBin));
+  const int reach = int(std::ceil(kReachSigmas * kSmoothing / kBin));
   std::vector<double> bins(size_t((*high - *low) / kBin) + 1 + 2 * size_t(reach), 0.0);
   for (const double x : logs) {
     const double at = (x - *low) / kBin + reach;
@@ -87,7 +93,7 @@ double histogram_peak(const std::vector<double>& logs) {
 double weight(double x, double mode) { return std::exp(-0.5 * (x - mode) * (x - mode) / (kWidth * kWidth)); }
 
 double mean_shift(const std::vector<double>& logs, double mode) {
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < kMeanShifts; ++i) {
     double sum = 0, weights = 0;
     for (const double x : logs) sum += weight(x, mode) * x, weights += weight(x, mode);
     mode = sum / weights;
@@ -119,7 +125,7 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   const double mode = mean_shift(logs, histogram_peak(logs));
   std::vector<double> residuals;  // of those near the mode, in the order of the way
   for (const double x : logs)
-    if (std::abs(x - mode) < 3 * kWidth) residuals.push_back(x - mode);
+    if (std::abs(x - mode) < kReachSigmas * kWidth) residuals.push_back(x - mode);
   if (double(residuals.size()) < kLeastShare * double(logs.size()) || int(residuals.size()) < params.min_ground_points) return std::nullopt;
   double squares = 0;
   for (const double r : residuals) squares += r * r;

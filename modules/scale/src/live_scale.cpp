@@ -5,8 +5,8 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFramesBetweenFits = 5;
-constexpr double kRememberedStretches = 3;
+constexpr int kFramesBetweenFits = 5;       // the scale changes over stretches, not frames
+constexpr double kRememberedStretches = 3;  // points that one stretch needs hang on keyframes up to another one before it
 
 }  // namespace
 

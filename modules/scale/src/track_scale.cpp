@@ -8,9 +8,12 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxFrameGap_s = 0.5;
-constexpr size_t kMinPairs = 8;
-constexpr double kOutlierSigmas = 3.5;
+constexpr double kMaxFrameGap_s = 0.5;    // between poses further apart the path is no straight line
+constexpr double kOutlierSigmas = 3.5;    // one in two thousand of right positions
+constexpr double kMedianPerSigma = 1.18;  // median of a 2-D normal distance: a vehicle moves in a plane
+constexpr double kNoLength = 1e-12;       // metres: where all residuals are 0 none is an outlier
+constexpr double kNoSpread = 1e-9;        // units or metres: positions that are all the same fit any scale
+constexpr int kRounds = 3;                // fits: all pairs, then without those far off the first, then the second
 
 SE3 interpolate(const SE3& a, const SE3& b, double share) {
   return {a.rotation().slerp(share, b.rotation()), (1 - share) * a.translation() + share * b.translation()};
@@ -31,7 +34,7 @@ std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::V
   }
   const double spread = (source.colwise() - source.rowwise().mean()).norm();
   const double target_spread = (target.colwise() - target.rowwise().mean()).norm();
-  if (!(spread > 1e-9) || !(target_spread > 1e-9)) return std::nullopt;
+  if (!(spread > kNoSpread) || !(target_spread > kNoSpread)) return std::nullopt;
   const Eigen::Matrix4d T = Eigen::umeyama(source, target, true);
   Fit fit;
   fit.spread = spread;
@@ -43,7 +46,7 @@ std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::V
 }
 
 std::vector<TrackPair> without_outliers(const std::vector<TrackPair>& pairs, const std::vector<double>& residuals) {
-  const double limit = kOutlierSigmas * median(residuals) / 1.18 + 1e-12;  // the median of a 2-D normal distance is 1.18 sigma
+  const double limit = kOutlierSigmas * median(residuals) / kMedianPerSigma + kNoLength;
   std::vector<TrackPair> kept;
   for (size_t i = 0; i < pairs.size(); ++i)
     if (residuals[i] <= limit) kept.push_back(pairs[i]);
@@ -71,11 +74,11 @@ std::optional<ScaleEstimate> fit_track(const std::vector<TrackPair>& all, const 
                                        const ScaleParams& params) {
   std::vector<TrackPair> pairs = all;
   std::optional<Fit> fit;
-  for (int round = 0; round < 3; ++round) {
-    if (pairs.size() < kMinPairs) return std::nullopt;
+  for (int round = 0; round < kRounds; ++round) {
+    if (pairs.size() < kMinTrackPairs) return std::nullopt;
     fit = fit_pairs(pairs, sensor_in_camera, fit ? fit->scale : 0);
     if (!fit) return std::nullopt;
-    if (round < 2) pairs = without_outliers(pairs, fit->residuals);
+    if (round + 1 < kRounds) pairs = without_outliers(pairs, fit->residuals);
   }
   double squares = 0;
   for (const double r : fit->residuals) squares += r * r;

@@ -1,11 +1,11 @@
 #pragma once
 // A bundle adjustment whose images carry what the camera file does not say, a residual radial distortion and a rolling shutter
-// (core/image_correction.h), and the search for both.
+// (edges/image_correction.h), and the search for both.
 #include <Eigen/Core>
 #include <vector>
 
 #include "edgevo/bundle_adjustment/profile.h"
-#include "edgevo/core/image_correction.h"
+#include "edgevo/edges/image_correction.h"
 
 namespace edgevo::ba {
 

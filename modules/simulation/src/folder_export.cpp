@@ -7,7 +7,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/image_names.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_parallel.h"
+#include "edgevo/simulation/run_parallel.h"
 
 namespace edgevo {
 namespace {

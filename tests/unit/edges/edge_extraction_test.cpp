@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "support/test_images.h"
 

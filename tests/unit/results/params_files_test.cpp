@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
+#include "edgevo/core/block_yaml.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
 #include "edgevo/results/run_params.h"
 
 namespace edgevo {
@@ -11,18 +13,43 @@ namespace {
 
 const std::string kFolder = std::string(EDGEVO_SOURCE_DIR) + "/params/";
 
+std::vector<std::string> files() {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(kFolder))
+    if (entry.path().extension() == ".yaml") found.push_back(entry.path().string());
+  return found;
+}
+
 std::string written(RunParams params) {
   return write_params([&](ParamVisitor& v) { params.visit(v); });
 }
 
 TEST(ParamsFiles, EachIsReadable) {
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
+  for (const std::string& file : files()) {
     RunParams params;
-    EXPECT_NO_THROW(read_params_file(entry.path().string(), [&](ParamVisitor& v) { params.visit(v); })) << entry.path();
-    ++files;
+    EXPECT_NO_THROW(read_params_file(file, [&](ParamVisitor& v) { params.visit(v); })) << file;
   }
-  EXPECT_EQ(files, 7);
+  EXPECT_EQ(files().size(), 6u);
+}
+
+TEST(ParamsFiles, APresetSetsNoDefault) {
+  for (const std::string& file : files()) {
+    if (file == kFolder + "default.yaml") continue;
+    for (const YamlEntry& entry : parse_block_yaml(read_file(file, ""), file)) {
+      if (!entry.has_value) continue;
+      RunParams params;
+      set_param(entry.key + "=" + entry.value, [&](ParamVisitor& v) { params.visit(v); });
+      EXPECT_NE(written(params), written(RunParams())) << file << ": " << entry.key << " is the default";
+    }
+  }
+}
+
+TEST(ParamsFiles, TheReadmeTellsOfEach) {
+  const std::string readme = read_file(kFolder + "README.md", "");
+  for (const std::string& file : files()) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    EXPECT_NE(readme.find("`" + name + "`"), std::string::npos) << name;
+  }
 }
 
 TEST(ParamsFiles, DefaultYamlListsEveryParameterWithItsDefault) {
@@ -53,6 +80,22 @@ TEST(ParamsFiles, UnknownKeyOffersTheNearest) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("mapping.window.keyframes"), std::string::npos) << e.what();
+  }
+}
+
+TEST(ParamsFiles, TheHintOfSetIsAccepted) {
+  const auto set = [](const std::string& assignment) {
+    RunParams params;
+    set_param(assignment, [&](ParamVisitor& v) { params.visit(v); });
+  };
+  try {
+    set("mapping");
+    FAIL();
+  } catch (const InputError& e) {
+    const std::string text = e.what(), before = "for example --set ";
+    const size_t at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << text;
+    EXPECT_NO_THROW(set(text.substr(at + before.size()))) << text;
   }
 }
 

@@ -9,9 +9,10 @@
 
 namespace edgevo {
 
-constexpr int kPatchRadius = 2;
-constexpr int kPatchSide = 2 * kPatchRadius + 1;
-constexpr int kPatchPixels = kPatchSide * kPatchSide;
+constexpr int kPatchRadius = 2;  ///< pixels: 25 values tell a patch from others, and between two frames so few need no warp
+constexpr int kPatchSide = 2 * kPatchRadius + 1;       ///< pixels
+constexpr int kPatchPixels = kPatchSide * kPatchSide;  ///< 25
+constexpr double kUnrelatedMeanSquare = 2.0;           ///< of the difference of two patches of unit deviation that have nothing in common
 
 struct PatchTemplate {
   bool usable = false;                       ///< inside the image and not flat
@@ -27,7 +28,7 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
 
 struct PatchDifference {
   bool usable = false;        ///< inside the image and not flat
-  float mean_square = 0;      ///< of the normalised difference; 0 equal, 2 unrelated
+  float mean_square = 0;      ///< of the normalised difference; 0 equal, kUnrelatedMeanSquare unrelated
   Eigen::Vector2d gradient;   ///< d (mean_square / 2) / d shift
 };
 

@@ -2,10 +2,10 @@
 // How well an alignment knows its pose: the covariance of xi in T_cur_ref <- exp(xi) T_cur_ref, tangent [v,
 // w], unit of the map and radians.
 //
-// Paper, Eq. (poseuncertainty) with the inverse that its print lacks (DESIGN.md section 4): Sigma = A^-1
-// sigma_r^2, A = sum w J^T J. That takes residuals as independent. Points on one edge share the error of that
-// edge, so the sum of their scores g = w r J^T varies more than their number says. The sandwich estimator
-// measures by how much, with the edges as clusters:
+// Paper, Eq. (poseuncertainty) with the inverse that its print lacks: Sigma = A^-1 sigma_r^2, A = sum w J^T J.
+// That takes residuals as independent. Points on one edge share the error of that edge, so the sum of their
+// scores g = w r J^T varies more than their number says. The sandwich estimator measures by how much, with the
+// edges as clusters:
 //
 //   Sigma = A^-1 M A^-1,   M = n/(n - 6) sum_e (sum_{p in e} g_p) (sum_{p in e} g_p)^T   over n edges e,
 //
@@ -44,6 +44,6 @@ Matrix6d pose_covariance(const std::vector<PoseEquation>& equations);
 /// translation, which a wrong unit of length makes: it is taken out with the covariance as metric. Follows
 /// chi^2 with kNormalisedErrorFreedom degrees of freedom where the covariance is right.
 double normalised_error_square(const SE3& T_estimate, const SE3& T_true, const Matrix6d& covariance);
-constexpr int kNormalisedErrorFreedom = 5;
+constexpr int kNormalisedErrorFreedom = 5;  ///< six of a pose, less the length
 
 }  // namespace edgevo

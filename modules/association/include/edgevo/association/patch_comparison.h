@@ -10,12 +10,11 @@
 // (max_cost, sigma_c) serves all three.
 #include <Eigen/Core>
 
+#include "edgevo/association/patch_cost.h"
 #include "edgevo/association/warp.h"
 #include "edgevo/edges/frame_pyramid.h"
 
 namespace edgevo {
-
-constexpr double kWorstPatchCost = 2.0;  ///< of a patch that leaves the image or says nothing
 
 class PatchComparison {
  public:

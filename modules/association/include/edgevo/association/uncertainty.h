@@ -2,7 +2,7 @@
 // Point-to-edge uncertainty (paper, section IV-A), as numbers for one point and one edge.
 //
 // The point projects to p; its match lies on an edge with unit gradient g (the normal) and direction g_perp; l is the epipolar
-// direction in the image, theta the angle between g and l (the paper's text swaps these names; DESIGN.md section 4, point 3).
+// direction in the image, theta the angle between g and l (the paper's text swaps these names).
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"

@@ -61,7 +61,7 @@ void read_params(const std::string& yaml_text, const std::string& where, const V
 /// As read_params, from a file. Throws InputError if it cannot be read.
 void read_params_file(const std::string& path, const VisitParams& visit);
 
-/// Sets one dotted key ("mapping.window=9"), as the command line gives it; same errors.
+/// Sets one dotted key ("mapping.window.keyframes=9"), as the command line gives it; same errors.
 void set_param(const std::string& assignment, const VisitParams& visit);
 
 /// The effective values as YAML, in the order of visit(); each line indented by `indent` spaces. With `comments`, each

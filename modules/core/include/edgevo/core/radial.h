@@ -24,10 +24,12 @@ inline Eigen::Vector2d radial_derivative(const Eigen::Vector2d& x) { return x * 
 inline Eigen::Vector2d remove_radial(double k1, const Eigen::Vector2d& x_file) {
   const double r_file = x_file.norm();
   if (k1 == 0 || r_file == 0) return x_file;
+  constexpr int kSteps = 8;             // each doubles the digits: more than it takes
+  constexpr double kLeastSlope = 1e-3;  // of r_file over r, 1 on the axis: beyond it the lens folds over
   double r = r_file;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < kSteps; ++i) {
     const double slope = 1.0 + 3.0 * k1 * r * r;
-    if (!(slope > 1e-3)) break;
+    if (!(slope > kLeastSlope)) break;
     r -= (r * (1.0 + k1 * r * r) - r_file) / slope;
   }
   return x_file * (r / r_file);

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
-#include "edgevo/core/image_correction.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
@@ -60,8 +59,8 @@ struct KeyframeRecord {
   std::vector<EdgePoint> points;
 };
 
-/// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h), and read row by row
-/// (image_correction.h).
+/// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h), and read row by row in
+/// readout_s (ImageCorrection).
 struct CameraRefinement {
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied };
   State state = State::kOff;

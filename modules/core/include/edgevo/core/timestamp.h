@@ -10,7 +10,7 @@ namespace edgevo {
 struct Timestamp {
   int64_t ticks = 0;  ///< 100 ns each
 
-  static constexpr int64_t kTicksPerSecond = 10'000'000;
+  static constexpr int64_t kTicksPerSecond = 10'000'000;  ///< MRPT's clock
   double seconds() const { return double(ticks) / double(kTicksPerSecond); }
   /// Rounds to the nearest tick.
   static Timestamp from_seconds(double s);

@@ -2,8 +2,8 @@
 // The camera that a finished `edgevo run` has found, from the summary.yaml in its folder.
 #include <string>
 
-#include "edgevo/core/fold_residual.h"
 #include "edgevo/core/records.h"
+#include "edgevo/datasets/fold_residual.h"
 
 namespace edgevo {
 

@@ -1,27 +1,14 @@
 #pragma once
 // Edge detectors behind one interface: each marks edge pixels in a mask; thinning, sub-pixel positions and linking are common to
-// all (edge_extraction.h).
+// all (edge_extraction.h). A new one is a file in src/detectors/ and a line in its detector_list.cpp.
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "edgevo/core/params.h"
+#include "edgevo/edges/edge_params.h"
 #include "edgevo/edges/gradient.h"
 
 namespace edgevo {
-
-struct EdgeParams {
-  std::string detector = "canny";
-  int levels = 4;                ///< pyramid levels of the image
-  int edge_levels = 2;           ///< finest levels that get edges and a nearest-neighbour field
-  double canny_percentile = 0.90;
-  double canny_low_ratio = 0.4;
-  double min_gradient = 3.0;     ///< gray levels per pixel
-  int min_chain = 6;             ///< pixels
-  int field_radius = 12;         ///< pixels
-
-  void visit(ParamVisitor& v);
-};
 
 class EdgeDetector {
  public:
@@ -30,10 +17,18 @@ class EdgeDetector {
   virtual Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) = 0;
 };
 
-/// "canny": hysteresis thresholds follow the image (percentile of the gradient magnitude), so that the number of edge pixels stays
-/// steady when exposure moves. "edge_drawing": OpenCV's EdgeDrawing with the same adaptive threshold.
-/// Throws InputError for an unknown name.
-std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params);
+/// A detector that there is.
+struct EdgeDetectorKind {
+  const char* name;  ///< as edges.detector and --detector give it
+  const char* what;  ///< in a few words, for --help
+  std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);
+};
+
+/// All of them, the default first. What edges.detector may be, and what --help says of it, comes from here.
+const std::vector<EdgeDetectorKind>& edge_detector_kinds();
 std::vector<std::string> edge_detector_names();
+
+/// The one that params.detector names. Throws InputError for an unknown name.
+std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params);
 
 }  // namespace edgevo

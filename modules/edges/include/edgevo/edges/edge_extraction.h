@@ -1,7 +1,7 @@
 #pragma once
 // From a mask of edge pixels to an EdgeMap: thin to one pixel, link along the edge, place each pixel to sub-pixel.
-#include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/edge_map.h"
+#include "edgevo/edges/gradient.h"
 
 namespace edgevo {
 

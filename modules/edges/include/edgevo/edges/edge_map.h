@@ -8,6 +8,9 @@
 
 namespace edgevo {
 
+/// Pixels. Nearer to the border no edges are taken: their gradient rests on pixels that the image does not have.
+constexpr int kEdgelessBorder = 2;
+
 struct EdgePixel {
   float x = 0, y = 0;    ///< sub-pixel position, (0,0) = centre of the top-left pixel
   float nx = 0, ny = 0;  ///< unit gradient g: the edge normal, pointing from dark to bright

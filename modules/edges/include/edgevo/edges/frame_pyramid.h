@@ -6,9 +6,9 @@
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
-#include "edgevo/core/image_correction.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/edge_map.h"
+#include "edgevo/edges/image_correction.h"
 #include "edgevo/edges/nearest_field.h"
 #include "edgevo/edges/plane.h"
 

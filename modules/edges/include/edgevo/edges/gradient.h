@@ -13,7 +13,7 @@ struct Gradient {
   Plane<int16_t> dx, dy;   ///< kGradientSteps steps a Sobel unit
   Plane<float> magnitude;  ///< Sobel units
 };
-constexpr float kGradientSteps = 32.0f;
+constexpr float kGradientSteps = 32.0f;     ///< the finest that 16 bits hold: 4 * 255 * 32 = 32640
 constexpr float kSobelPerGrayLevel = 8.0f;  ///< Sobel 3x3 response to a ramp of one gray level per pixel
 
 /// The image goes on beyond its border as its last row and column. Cost: 0.6 ms at 1241x376.
@@ -27,7 +27,7 @@ class GradientHistogram {
   float percentile(double percentile) const;
 
  private:
-  static constexpr int kBins = 1536;  // Sobel magnitudes stay below 4 * 255 * sqrt(2) = 1443
+  static constexpr int kBins = 1536;  // of one Sobel unit: magnitudes stay below 4 * 255 * sqrt(2) = 1443
   std::array<int, kBins> count_{};
   int total_ = 0;
 };

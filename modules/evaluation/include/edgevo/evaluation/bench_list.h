@@ -8,7 +8,7 @@
 //       source: scene:street        # a scene of the simulator, or any SOURCE of `edgevo run`
 //       frames: 0:200               # this and all below may be left out
 //       camera: camera.yaml
-//       params: kitti.yaml
+//       params: published_camera.yaml
 //       variants: normal
 //
 // A variant is made of `normal` (nothing), `everyN` (only each N-th frame), `backward` (the last frame first), `gaps` (frames missing here

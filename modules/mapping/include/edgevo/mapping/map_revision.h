@@ -6,8 +6,8 @@
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/core/camera.h"
-#include "edgevo/core/image_correction.h"
-#include "edgevo/core/image_motion.h"
+#include "edgevo/edges/image_correction.h"
+#include "edgevo/edges/image_motion.h"
 #include "edgevo/core/se3.h"
 
 namespace edgevo {

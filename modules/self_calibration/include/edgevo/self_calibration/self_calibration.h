@@ -1,5 +1,5 @@
 #pragma once
-// Self-calibration: what the camera file does not know (core/image_correction.h), the residual radial distortion k1 and the read-out time
+// Self-calibration: what the camera file does not know (edges/image_correction.h), the residual radial distortion k1 and the read-out time
 // of a rolling shutter, estimated from the window's own matches while the odometry runs.
 //
 // Not from the paper. A monocular map's scale grows or shrinks along a drive when the lens model is wrong, however good the matches: depth

@@ -1,18 +1,21 @@
 // EuRoC (ASL): mav0/camN/{data.csv, data/, sensor.yaml}, mav0/state_groundtruth_estimate0/data.csv; times in
 // ns.
-#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "camera_yaml.h"
 #include "edgevo/core/error.h"
-#include "euroc.h"
-#include "sequence.h"
+#include "layout.h"
 #include "text_file.h"
+#include "tum_text.h"
 
 namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kRotationError = 1e-3;    // of R R^T from the identity: a file with few digits is within it
+constexpr double kQuaternionError = 0.01;  // of a length from 1: likewise
 
 // The user may name the sequence or its mav0/.
 fs::path mav_folder(const std::string& folder) {
@@ -21,22 +24,12 @@ fs::path mav_folder(const std::string& folder) {
   return fs::is_directory(inside, ignored) ? inside : fs::path(folder);
 }
 
-}  // namespace
-
 bool is_euroc_layout(const std::string& folder) {
   std::error_code ignored;
   return fs::is_directory(mav_folder(folder) / "cam0", ignored);
 }
 
-Timestamp parse_nanoseconds(const std::string& text, const std::string& where) {
-  int64_t ns = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), ns);
-  constexpr int64_t kLargest = INT64_MAX - 100;
-  if (error != std::errc() || stop != text.data() + text.size() || ns < 0 || ns > kLargest)
-    throw InputError(where, "does not begin with a time in whole nanoseconds", "restore the file");
-  return Timestamp::from_nanoseconds(ns);
-}
-
+// ".../mav0/cam0" of the chosen camera.
 std::string euroc_camera_folder(const SourceOptions& options) {
   const std::string name = options.sensor_label.empty() ? "cam0" : options.sensor_label;
   const fs::path folder = mav_folder(options.path) / name;
@@ -47,17 +40,19 @@ std::string euroc_camera_folder(const SourceOptions& options) {
   return folder.string();
 }
 
+// Mount of the camera in the body frame (the IMU's; not x forward, z up): T_BS of its sensor.yaml.
 SE3 read_euroc_T_body_cam(const std::string& camera_folder) {
   const std::string path = (fs::path(camera_folder) / "sensor.yaml").string();
   const auto T = yaml_numbers(parse_flat_yaml(read_text_file(path), path), {"t_bs.data", "t_bs"}, path);
   if (T.size() != 16) throw InputError(path, "T_BS is not a 4x4 matrix", "restore the file");
   Eigen::Matrix3d R;
   R << T[0], T[1], T[2], T[4], T[5], T[6], T[8], T[9], T[10];
-  if ((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() > 1e-3 || R.determinant() < 0)
+  if ((R * R.transpose() - Eigen::Matrix3d::Identity()).norm() > kRotationError || R.determinant() < 0)
     throw InputError(path, "T_BS is not a rigid motion", "restore the file");
   return {R, Eigen::Vector3d(T[3], T[7], T[11])};
 }
 
+// ".../mav0/state_groundtruth_estimate0/data.csv"; empty if there is none.
 std::string euroc_ground_truth_path(const std::string& folder) {
   return existing((mav_folder(folder) / "state_groundtruth_estimate0" / "data.csv").string());
 }
@@ -81,5 +76,30 @@ Sequence read_euroc_layout(const SourceOptions& options) {
     sequence.details.emplace_back("ground truth", truth + " (EuRoC format)");
   return sequence;
 }
+
+// `ns, px, py, pz, qw, qx, qy, qz, ...` of the body a line.
+std::string euroc_ground_truth(const SourceOptions& options) {
+  const std::string path = euroc_ground_truth_path(options.path);
+  if (path.empty()) return {};
+  const SE3 T_body_cam = read_euroc_T_body_cam(euroc_camera_folder(options));
+  std::string text = "# EuRoC ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
+  for (const TextLine& line : split_lines(read_text_file(path), path)) {
+    const auto fields = split_fields(line.text, ',');
+    if (fields.size() < 8)
+      throw InputError(line.where, "is not a time, a position and a quaternion", "restore the file");
+    double v[7];
+    for (int i = 0; i < 7; ++i) v[i] = parse_number(fields[size_t(i) + 1], line.where);
+    const Eigen::Quaterniond q(v[3], v[4], v[5], v[6]);
+    if (!(std::abs(q.norm() - 1) < kQuaternionError))
+      throw InputError(line.where, "the quaternion is not of unit length", "restore the file");
+    append_pose(&text, parse_nanoseconds(fields[0], line.where),
+                SE3(q, Eigen::Vector3d(v[0], v[1], v[2])) * T_body_cam);
+  }
+  return text;
+}
+
+}  // namespace
+
+Layout euroc_layout() { return {is_euroc_layout, read_euroc_layout, true, euroc_ground_truth}; }
 
 }  // namespace edgevo

@@ -10,13 +10,13 @@
 namespace edgevo {
 namespace {
 
-constexpr uint8_t kWeak = 1, kEdge = 255;
+constexpr uint8_t kWeak = 1, kEdge = 255;  // in the mask: over `low`, over `high`
 
 // One row of maxima across the edge: kEdge over `high`, kWeak over `low`, 0 for all else. The gradient's direction, to the next 45 degrees,
 // says which two neighbours to beat. All four pairs are compared for every pixel: without branches eight pixels go at a time.
 EDGEVO_WIDE_CLONES void mark_maxima(const float* above, const float* m, const float* below, const int16_t* dx, const int16_t* dy,
                                     float low, float high, uint8_t* __restrict mask, int width) {
-  constexpr float kTan22 = 0.41421356f;
+  constexpr float kTan22 = 0.41421356f;  // tan 22.5 degrees: where the next of the 45 degree directions begins
   for (int x = 1; x < width - 1; ++x) {
     const float gx = dx[x], gy = dy[x], ax = std::abs(gx), ay = std::abs(gy), at = m[x];
     const int across = int(at > m[x - 1]) & int(at >= m[x + 1]);

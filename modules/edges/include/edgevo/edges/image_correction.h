@@ -1,6 +1,6 @@
 #pragma once
-// What the camera file does not say about the images, and how an image point moves when it is taken out:
-//   1. a residual radial distortion k1 (radial.h),
+// How an image point moves when what the camera file does not say (ImageCorrection, core/camera.h) is taken out:
+//   1. a residual radial distortion k1 (core/radial.h),
 //   2. a rolling shutter: row v is taken readout_s (v / (height - 1) - 1/2) seconds after the row in the middle, whose moment is the
 //      frame's. An image point x that moves with dx/dt (image_motion.h) is found at
 //          x + readout_s row(x) dx/dt,   row(x) = v / (height - 1) - 1/2.
@@ -9,17 +9,9 @@
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"
-#include "edgevo/core/image_motion.h"
+#include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
-
-struct ImageCorrection {
-  double k1 = 0;         ///< residual radial distortion, see radial.h
-  double readout_s = 0;  ///< the last row is taken this much later than the first; negative: from the bottom to the top
-
-  bool operator==(const ImageCorrection& o) const { return k1 == o.k1 && readout_s == o.readout_s; }
-  bool operator!=(const ImageCorrection& o) const { return !(*this == o); }
-};
 
 /// Row of a normalised image point as a share of the height, -1/2 at the top and 1/2 at the bottom.
 inline double shutter_row(const Pinhole& c, const Eigen::Vector2d& x) {

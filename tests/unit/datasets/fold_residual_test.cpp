@@ -1,4 +1,4 @@
-#include "edgevo/core/fold_residual.h"
+#include "edgevo/datasets/fold_residual.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,10 @@
 // Virtual KITTI as a sequence of images; depth and poses are for the study (edgevo/datasets/virtual_kitti.h).
 #include "edgevo/datasets/virtual_kitti.h"
-#include "sequence.h"
+#include "layout.h"
+#include "tum_text.h"
 
 namespace edgevo {
+namespace {
 
 Sequence read_virtual_kitti_layout(const SourceOptions& options) {
   VirtualKitti v = read_virtual_kitti(options);
@@ -15,5 +17,17 @@ Sequence read_virtual_kitti_layout(const SourceOptions& options) {
   if (!v.poses_path.empty()) sequence.details.emplace_back("ground truth", v.poses_path + " (Virtual KITTI format)");
   return sequence;
 }
+
+std::string virtual_kitti_ground_truth(const SourceOptions& options) {
+  const VirtualKitti sequence = read_virtual_kitti(options);
+  if (sequence.T_world_cam.empty()) return {};
+  std::string text = "# Virtual KITTI ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
+  for (size_t i = 0; i < sequence.T_world_cam.size(); ++i) append_pose(&text, sequence.times[i], sequence.T_world_cam[i]);
+  return text;
+}
+
+}  // namespace
+
+Layout virtual_kitti_layout() { return {is_virtual_kitti, read_virtual_kitti_layout, true, virtual_kitti_ground_truth}; }
 
 }  // namespace edgevo

@@ -1,4 +1,4 @@
-#include "edgevo/core/run_parallel.h"
+#include "edgevo/simulation/run_parallel.h"
 
 #include <atomic>
 #include <exception>

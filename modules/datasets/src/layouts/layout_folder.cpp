@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "euroc.h"
+#include "layout.h"
 #include "rate.h"
-#include "sequence.h"
+#include "text_file.h"
 
 namespace edgevo {
 namespace {

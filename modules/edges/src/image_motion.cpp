@@ -1,4 +1,4 @@
-#include "edgevo/core/image_motion.h"
+#include "edgevo/edges/image_motion.h"
 
 #include <algorithm>
 

@@ -14,7 +14,7 @@
 namespace edgevo {
 
 struct ImageMotion {
-  static constexpr int kRows = 8, kColumns = 10;  ///< cells of the image
+  static constexpr int kRows = 8, kColumns = 10;  ///< cells of the image: a coarse picture of the depths will do
 
   Vector6d velocity = Vector6d::Zero();  ///< (v, w) of points in the camera frame, units and radians a second; 0: not known
   Eigen::Matrix<double, kRows, kColumns> idepth = Eigen::Matrix<double, kRows, kColumns>::Zero();  ///< at the cells' centres

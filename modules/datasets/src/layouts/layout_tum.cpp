@@ -4,7 +4,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
-#include "sequence.h"
+#include "layout.h"
 #include "text_file.h"
 
 namespace edgevo {
@@ -40,8 +40,6 @@ Camera tum_camera(const SourceOptions& options, Sequence* sequence) {
                    "give the camera's file with --camera");
 }
 
-}  // namespace
-
 bool is_tum_layout(const std::string& folder) {
   return !existing((fs::path(folder) / "rgb.txt").string()).empty();
 }
@@ -64,5 +62,9 @@ Sequence read_tum_layout(const SourceOptions& options) {
   sequence.ground_truth_path = existing((root / "groundtruth.txt").string());
   return sequence;
 }
+
+}  // namespace
+
+Layout tum_layout() { return {is_tum_layout, read_tum_layout, false, nullptr}; }
 
 }  // namespace edgevo

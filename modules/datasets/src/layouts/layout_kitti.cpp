@@ -1,13 +1,14 @@
 // KITTI odometry: sequences/NN/{image_0..3, calib.txt, times.txt}, poses/NN.txt.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
-#include "kitti.h"
-#include "sequence.h"
+#include "layout.h"
 #include "text_file.h"
+#include "tum_text.h"
 
 namespace edgevo {
 namespace {
@@ -32,12 +33,11 @@ Camera camera_from_projection(const std::array<double, 12>& P, const std::string
   return camera;
 }
 
-}  // namespace
-
 bool is_kitti_layout(const std::string& folder) {
   return !camera_folders(folder).empty() && !existing((fs::path(folder) / "calib.txt").string()).empty();
 }
 
+// "image_0": the label the user gave, else the first of image_0 .. image_3 that is there.
 std::string kitti_camera_folder(const SourceOptions& options) {
   const auto found = camera_folders(options.path);
   if (options.sensor_label.empty()) return found.front();
@@ -48,6 +48,7 @@ std::string kitti_camera_folder(const SourceOptions& options) {
                    "did you mean --sensor " + nearest_name(options.sensor_label, found) + "?");
 }
 
+// The 3x4 projection matrix of that camera, row by row, from calib.txt.
 std::array<double, 12> read_kitti_projection(const SourceOptions& options, const std::string& camera_folder) {
   const std::string path = (fs::path(options.path) / "calib.txt").string();
   const std::string key = std::string("P") + camera_folder.back() + ":";
@@ -62,6 +63,7 @@ std::array<double, 12> read_kitti_projection(const SourceOptions& options, const
   throw InputError(path, "no line '" + key + "'", "give the calibration with --camera, or restore calib.txt");
 }
 
+// ../../poses/NN.txt beside sequences/NN; empty if there is none.
 std::string kitti_poses_path(const std::string& folder) {
   const fs::path root = fs::path(folder + "/").parent_path();  // without trailing slashes
   return existing((root / ".." / ".." / "poses" / (root.filename().string() + ".txt")).string());
@@ -85,5 +87,34 @@ Sequence read_kitti_layout(const SourceOptions& options) {
     sequence.details.emplace_back("ground truth", poses + " (KITTI format)");
   return sequence;
 }
+
+// One pose of camera 0 a line, 3x4, row by row. The rectified cameras differ by a shift along x: P[3] = -fx x_cam.
+std::string kitti_ground_truth(const SourceOptions& options) {
+  const std::string poses = kitti_poses_path(options.path);
+  if (poses.empty()) return {};
+  const std::string times_path = (fs::path(options.path) / "times.txt").string();
+  const auto times = read_times(times_path);
+  const auto lines = split_lines(read_text_file(poses), poses);
+  if (lines.size() != times.size())
+    throw InputError(poses,
+                     std::to_string(lines.size()) + " poses for " + std::to_string(times.size()) + " times",
+                     "restore the file");
+  const auto P = read_kitti_projection(options, kitti_camera_folder(options));
+  if (!(P[0] > 0))
+    throw InputError(options.path, "the focal length in calib.txt is not positive", "restore the file");
+  const SE3 T_cam0_cam(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-P[3] / P[0], 0, 0));
+  std::string text = "# KITTI ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const auto m = parse_numbers(lines[i], 12, "a 3x4 matrix, row by row");
+    Eigen::Matrix3d R;
+    R << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
+    append_pose(&text, times[i], SE3(R, Eigen::Vector3d(m[3], m[7], m[11])) * T_cam0_cam);
+  }
+  return text;
+}
+
+}  // namespace
+
+Layout kitti_layout() { return {is_kitti_layout, read_kitti_layout, true, kitti_ground_truth}; }
 
 }  // namespace edgevo

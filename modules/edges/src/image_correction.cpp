@@ -1,8 +1,16 @@
-#include "edgevo/core/image_correction.h"
+#include "edgevo/edges/image_correction.h"
 
 #include "edgevo/core/radial.h"
 
 namespace edgevo {
+namespace {
+
+// Normalised coordinates.
+constexpr int kMostSteps = 12;          // each shortens the error to about the share of its height that the image moves while it is read
+constexpr double kErrorSquare = 1e-26;  // at which it has converged: the 1e-12 that are promised, with a margin
+constexpr double kStep = 1e-5;          // of differences: a hundredth of a pixel, much less than the cells of the motion
+
+}  // namespace
 
 Eigen::Vector2d add_rolling(const Pinhole& c, double readout_s, const ImageMotion& motion, const Eigen::Vector2d& x) {
   if (readout_s == 0 || !motion.is_known()) return x;
@@ -19,12 +27,12 @@ Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, c
   if (correction.readout_s == 0 || !motion.is_known()) return rolling;
   Eigen::Vector2d x = rolling;
   double at_first = -1, at_last = 0;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < kMostSteps; ++i) {
     const Eigen::Vector2d error = add_rolling(c, correction.readout_s, motion, x) - rolling;
     x -= error;
     at_last = error.squaredNorm();
     if (at_first < 0) at_first = at_last;
-    if (at_last < 1e-26) break;
+    if (at_last < kErrorSquare) break;
   }
   return at_last <= at_first ? x : rolling;  // rolling: the rows overtake one another, no x is the one
 }
@@ -32,7 +40,6 @@ Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, c
 Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
   const Eigen::Matrix2d radial = radial_jacobian(correction.k1, add_rolling(c, correction.readout_s, motion, x));
   if (correction.readout_s == 0 || !motion.is_known()) return radial;
-  constexpr double kStep = 1e-5;
   Eigen::Matrix2d rolling;
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);

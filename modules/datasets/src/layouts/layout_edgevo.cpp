@@ -2,9 +2,10 @@
 #include <filesystem>
 
 #include "edgevo/core/error.h"
-#include "sequence.h"
+#include "layout.h"
 
 namespace edgevo {
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -28,5 +29,9 @@ Sequence read_edgevo_layout(const SourceOptions& options) {
   sequence.ground_truth_path = existing((root / "groundtruth_tum.txt").string());
   return sequence;
 }
+
+}  // namespace
+
+Layout edgevo_layout() { return {is_edgevo_layout, read_edgevo_layout, false, nullptr}; }
 
 }  // namespace edgevo

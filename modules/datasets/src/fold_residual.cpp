@@ -1,4 +1,4 @@
-#include "edgevo/core/fold_residual.h"
+#include "edgevo/datasets/fold_residual.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -8,6 +8,8 @@
 
 namespace edgevo {
 namespace {
+
+constexpr double kLines = 50;  // over the shorter side of the image: many more than the lens has bends
 
 using Row = Eigen::Matrix<double, 1, 5>;
 using Rays = std::vector<Eigen::Vector2d>;
@@ -23,7 +25,7 @@ std::vector<double> positions(int last, double step) {
 // True rays of a grid of pixels of the distorted image; pixels without one are left out.
 Rays image_rays(const Camera& camera, const std::string& where) {
   const Pinhole& p = camera.pinhole;
-  const double step = std::max(1.0, std::min(p.width, p.height) / 50.0);
+  const double step = std::max(1.0, std::min(p.width, p.height) / kLines);
   Rays rays;
   size_t pixels = 0;
   for (const double v : positions(p.height - 1, step))

@@ -1,7 +1,7 @@
 #pragma once
 // One plumb-bob lens for a camera whose residual distortion was found by self-calibration, so that any program can use it.
 //
-// Camera::distort first applies residual_k1 (radial.h), then the file's plumb-bob coefficients; other programs know only the latter.
+// Camera::distort first applies residual_k1 (core/radial.h), then the file's plumb-bob coefficients; other programs know only the latter.
 // Their product is a polynomial of three times the degree, and the five coefficients that follow it best are a LINEAR least-squares
 // problem over the true rays x of the image:
 //     x_d - x = x (k1 r^2 + k2 r^4 + k3 r^6) + tangential(p1, p2),   in pixels

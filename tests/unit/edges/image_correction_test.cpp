@@ -1,5 +1,5 @@
 // Rolling shutter: the motion of the image, where the rows show a point, and the way back.
-#include "edgevo/core/image_correction.h"
+#include "edgevo/edges/image_correction.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "edgevo/core/params.h"
+
+namespace edgevo {
+
+struct EdgeParams {
+  std::string detector = "canny";  ///< a name of edge_detector_kinds()
+  int levels = 4;                  ///< pyramid levels of the image
+  int edge_levels = 2;             ///< finest levels that get edges and a nearest-neighbour field
+  double canny_percentile = 0.90;  ///< high threshold: this share of the pixels has a smaller gradient
+  double canny_low_ratio = 0.4;    ///< low threshold over high threshold
+  double min_gradient = 3.0;       ///< floor of the high threshold, gray levels per pixel
+  int min_chain = 6;               ///< pixels
+  int field_radius = 12;           ///< pixels
+
+  void visit(ParamVisitor& v);
+};
+
+}  // namespace edgevo

@@ -1,0 +1,26 @@
+// Canny with thresholds that follow the image, so that the number of edge pixels stays steady when exposure moves.
+#include "adaptive_threshold.h"
+#include "canny.h"
+#include "detector_list.h"
+
+namespace edgevo {
+namespace {
+
+class CannyDetector : public EdgeDetector {
+ public:
+  explicit CannyDetector(const EdgeParams& params) : params_(params) {}
+
+  Plane<uint8_t> detect(const ImageView<uint8_t>&, const Gradient& gradient) override {
+    const double high = high_threshold(gradient.magnitude, params_);
+    return canny(gradient, float(params_.canny_low_ratio * high), float(high));
+  }
+
+ private:
+  EdgeParams params_;
+};
+
+}  // namespace
+
+std::unique_ptr<EdgeDetector> make_canny_detector(const EdgeParams& params) { return std::make_unique<CannyDetector>(params); }
+
+}  // namespace edgevo
