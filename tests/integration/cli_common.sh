@@ -71,7 +71,7 @@ rows() { awk 'END { print NR - 1 }' "$1/frames.csv"; }
 # in_state OUT STATE [FIRST LAST]: how many of the rows (of frames FIRST to LAST) are in that state.
 in_state() { awk -F, -v s="$2" -v a="${3:-0}" -v b="${4:-999999999}" 'NR > 1 && $1 >= a && $1 <= b && $3 == s' "$1/frames.csv" | wc -l; }
 # untimed OUT: frames.csv without the columns of times, which come last.
-untimed() { cut -d, -f1-9 "$1/frames.csv" >"$1/frames_untimed.csv"; }
+untimed() { cut -d, -f1-10 "$1/frames.csv" >"$1/frames_untimed.csv"; }
 # ate OUT SEQUENCE: RMSE in metres after a Sim(3) alignment.
 ate() {
   "$edgevo" eval "$1/trajectory_tum.txt" "$2/groundtruth_tum.txt" --json >eval.json 2>eval.err

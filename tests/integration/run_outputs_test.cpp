@@ -145,13 +145,13 @@ TEST_F(RunOutputsTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
   ASSERT_EQ(rows.size(), 46u);
   EXPECT_EQ(
       rows[0],
-      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,latency_ms,ms_edges,ms_alignment,ms_ba");
-  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,4.100,2.000,");
+      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,ms_edges,ms_alignment,ms_ba");
+  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,4.100,2.000,");
   EXPECT_EQ(rows[21],
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
-            "needed,,6.000,2.000,");
-  EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,,8.200,2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 13u) << row;
+            "needed,,,6.000,2.000,");
+  EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,fast motion,,8.200,2.000,20.000");
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 14u) << row;
 }
 
 // Of 45 frames, the one with index i has its pose 10 + i ms after it was due; every tenth is handed over 2 ms late, and frame 20 never.
@@ -185,9 +185,9 @@ TEST_F(RunOutputsTest, LatencyOfARealtimeRun) {
   EXPECT_NEAR(s["realtime"]["latency_ms"]["p99"].as<double>(), 54, 1e-6);  // the 44th
   EXPECT_NEAR(s["realtime"]["latency_ms"]["max"].as<double>(), 54, 1e-6);
   const auto rows = lines_of(frames_csv(run));
-  EXPECT_EQ(cells_of(rows[0])[9], "latency_ms");
-  EXPECT_EQ(cells_of(rows[1 + 3])[9], "13.000");
-  EXPECT_EQ(cells_of(rows[1 + 20])[9], "");
+  EXPECT_EQ(cells_of(rows[0])[10], "latency_ms");
+  EXPECT_EQ(cells_of(rows[1 + 3])[10], "13.000");
+  EXPECT_EQ(cells_of(rows[1 + 20])[10], "");
   EXPECT_THAT(content(folder_ / "report.html"), HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames handed over late, 1 dropped"));
 }
 

@@ -19,10 +19,11 @@ class FrameClock {
   /// The frame of this time came. Times that do not grow tell nothing: one frame, 0 s.
   Step tick(Timestamp time);
 
-  static constexpr int kMostFrames = 100;  // further on nothing can be foreseen
+  static constexpr int kMostFrames = 100;  // left out in a row: further on nothing can be foreseen, and a sum of steps stays finite
 
  private:
-  static constexpr size_t kIntervals = 15, kFewIntervals = 3;
+  static constexpr size_t kIntervals = 15;    // of late: where a third of the frames is missing, their lower quartile is still one frame's
+  static constexpr size_t kFewIntervals = 3;  // with fewer no interval is the usual one
 
   std::optional<Timestamp> newest_;
   std::deque<double> intervals_;  // the latest, seconds

@@ -48,7 +48,7 @@ Proposer propose_by_corners(const TrackingTask& task, const PoseJudge& judge, Tr
   return {[&](const PoseCandidate& best) { return is_doubtful(task, best, judge); }, [&task, track] { return ask_corners(task, track); }};
 }
 
-// ---- rolling shutter: core/image_correction.h -------------------------------------------------------------------------
+// ---- rolling shutter: edges/image_correction.h -------------------------------------------------------------------------
 
 // The pose once more, with the cloud moved to where the rows of this image show it.
 TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist, const PoseJudge& judge) {
@@ -79,13 +79,13 @@ Track track_frame(const TrackingTask& task) {
   const std::vector<SE3> starts = task.motion.starts();
   const std::optional<UsualStep> usual = UsualStep::of(task.motion);
   const PoseJudge judge(params, [&](const SE3& T_cur_ref) { return usual ? usual->likelihood(T_cur_ref) : 1.0; });
+  enum { kStarts, kRotations, kUsualStep, kCorners };  // in this order
   const std::vector<Proposer> proposers{
       propose_starts(starts, judge),
       propose_rotations(task.pyramid, cloud, starts.front(), judge, params),
       propose_usual_step(task, usual, judge),
       propose_by_corners(task, judge, &track),
   };
-  constexpr int kUsualStep = 2;  // in this list
   const PoseChoice choice = choose(proposers, task.pyramid, cloud, judge, params);
   track.took_usual_step = choice.proposer == kUsualStep;
   track.twist = task.motion.twist(choice.pose.T_cur_ref);

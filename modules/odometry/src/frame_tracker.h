@@ -30,7 +30,7 @@ struct TrackingTask {
 /// A frame as it was tracked.
 struct Track {
   TrackResult result;
-  Vector6d twist = Vector6d::Zero();  ///< how the camera moved when the image was taken (core/image_motion.h)
+  Vector6d twist = Vector6d::Zero();  ///< how the camera moved when the image was taken (edges/image_motion.h)
   std::vector<CornerPair> corners;    ///< seen in the reference and here; empty unless asked for, and the motion is large
   bool took_usual_step = false;       ///< the pose is near the usual step because that was expected
   double corner_ms = 0;               ///< CPU time of asking the corners, 0: they were not

@@ -78,18 +78,20 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
   NearestKeyframe nearest;
   for (const auto& [id, T_keyframe_world] : reference.T_keyframe_world) {
     const auto change = view_change(pinhole, seen, T_keyframe_world * T_world_cam);
-    if (!change || change->view_share < params.min_view_share) continue;
+    if (!change) continue;
     const double flow_px = at_reference_width(pinhole, change->flow_px);
-    if (nearest.id < 0 || flow_px < nearest.flow_px) nearest = {id, flow_px};
+    if (id == reference.keyframe_id) nearest.reference_flow_px = flow_px;
+    if (change->view_share < params.min_view_share) continue;
+    if (nearest.id < 0 || flow_px < nearest.flow_px) nearest.id = id, nearest.flow_px = flow_px;
   }
   return nearest;
 }
 
-bool is_back(const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params) {
+bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params) {
   constexpr double kBackShare = 0.5;  // of the flow to the reference: nearer by half is nearer whatever the noise
   // Further on than a keyframe's distance it is no return: after a jump all keyframes are far, the reference only furthest.
-  return nearest.id >= 0 && nearest.id != reference_id && nearest.flow_px < kBackShare * flow_px && nearest.flow_px < params.flow_px &&
-         flow_px > params.min_flow_px;
+  return nearest.id >= 0 && nearest.id != reference_id && nearest.flow_px < kBackShare * nearest.reference_flow_px &&
+         nearest.flow_px < params.flow_px && nearest.reference_flow_px > params.min_flow_px;
 }
 
 KeyframeView KeyframePolicy::look(const PoseCandidate& pose, const Reference& reference) const {
@@ -110,7 +112,7 @@ KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Refere
   best_inlier_share_ = view.fit.best_inlier_share;
   ++frames_;
   postponed_ = rule && is_mapping_busy ? postponed_ + 1 : 0;
-  if (is_back(nearest, reference.keyframe_id, view.flow_px, params_)) return {Action::kReturn, "return", nearest.id};
+  if (is_back(nearest, reference.keyframe_id, params_)) return {Action::kReturn, "return", nearest.id};
   if (!rule) return {};
   if (is_mapping_busy) return {Action::kPostpone, rule};
   frames_ = 0;

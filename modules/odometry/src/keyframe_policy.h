@@ -41,13 +41,14 @@ const char* fired_rule(const KeyframeView& view, const KeyframeParams& params);
 struct NearestKeyframe {
   int id = -1;                   ///< -1: none has enough of what is seen in view
   double flow_px = 0;            ///< image motion by the translation from there to here, at kReferenceWidth
+  double reference_flow_px = 0;  ///< the same from the reference; 0: none of what is seen lies before it
 };
 /// Among those that have `params.min_view_share` of the cloud's visible points in view. Cost: keyframes x 200 projections.
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref, const KeyframeParams& params);
 
 /// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than keyframes lie to one another; and
-/// the reference is left by more than the smallest flow: at a standstill all are equally near. Flows at kReferenceWidth.
-bool is_back(const NearestKeyframe& nearest, int reference_id, double flow_px, const KeyframeParams& params);
+/// the reference is left by more than the smallest flow: at a standstill all are equally near.
+bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params);
 
 struct KeyframeDecision {
   enum class Action {

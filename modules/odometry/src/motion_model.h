@@ -39,7 +39,7 @@ class MotionModel {
   void change_reference(const SE3& T_old_new) { T_last_ref_ = T_last_ref_ * T_old_new; }
 
  private:
-  static constexpr int kLongGap = 11;  // frames
+  static constexpr int kLongGap = 11;  // frames, a third of a second and more: nobody moves on as before for longer
 
   SE3 T_last_ref_, velocity_;
   SteadyMotion steady_;

@@ -7,9 +7,9 @@ namespace {
 
 using Cells = Eigen::Matrix<double, ImageMotion::kRows, ImageMotion::kColumns>;
 
-constexpr double kSmoothness = 10;  // a neighbouring cell counts as so many points
-constexpr double kFaint = 0.5;      // the mean of all points counts as so many in each cell
-constexpr int kMinPoints = 50;
+constexpr double kSmoothness = 10;  // a neighbouring cell counts as so many points: some 1500 points fall into 80 cells
+constexpr double kFaint = 0.5;      // the mean of all points counts as so many in each cell: it decides where there is none
+constexpr int kMinPoints = 50;      // in view; the mean of fewer says less than the map's median
 constexpr int kSweeps = 60;         // of Gauss and Seidel's method: the picture of depths is smooth by then
 
 // The point times its inverse depth, in the current camera.

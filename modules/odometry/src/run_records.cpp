@@ -6,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kVelocityFrames = 6;  // the join of two segments takes the mean velocity over so many frames
+constexpr size_t kVelocityFrames = 6;  // the join of two segments takes the mean velocity over so many: one bad step matters less
 
 KeyframeRecord to_record(const Keyframe& k, int segment) {
   KeyframeRecord record;

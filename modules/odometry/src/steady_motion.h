@@ -30,8 +30,8 @@ class SteadyMotion {
   void interrupt() { steps_.clear(); }
 
  private:
-  static constexpr size_t kSteps = 9;
-  static constexpr int kFrames = 20;  // that deviations are averaged over
+  static constexpr size_t kSteps = 9;  // frames of the median: four bad ones in a row leave it alone
+  static constexpr int kFrames = 20;   // that deviations are averaged over: as many as tell a deviation to a sixth
 
   Eigen::Vector3d median() const;
 

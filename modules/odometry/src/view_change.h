@@ -24,7 +24,7 @@ std::optional<ViewChange> view_change(const Pinhole& pinhole, const std::vector<
 std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, size_t count);
 
 /// Thresholds of image motion are stated at this width, and follow the width of the images.
-constexpr double kReferenceWidth = 1241;  // pixels, KITTI's
+constexpr double kReferenceWidth = 1241;  // pixels, that of KITTI's images, on which they were stated first
 
 /// Image motion as it would be in images of kReferenceWidth.
 inline double at_reference_width(const Pinhole& pinhole, double px) { return px * (kReferenceWidth / pinhole.width); }

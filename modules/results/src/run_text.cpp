@@ -41,7 +41,7 @@ void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& st
            (frame.is_keyframe ? '1' : '0') + ',';
   append_fixed(text, frame.inlier_share, 4);
   append_fixed(&(*text += ','), frame.residual_px, 4);
-  *text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',';
+  *text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',' + one_cell(frame.keyframe_rule) + ',';
   if (frame.latency_ms) append_fixed(text, *frame.latency_ms, 3);
   for (const std::string& stage : stages) {
     *text += ',';
@@ -101,7 +101,7 @@ std::string trajectory_kitti(const Run& run) {
 
 std::string frames_csv(const Run& run) {
   const std::vector<std::string> stages = stages_of(run);
-  std::string text = "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,latency_ms";
+  std::string text = "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) append_csv_row(frame, stages, &text);

@@ -218,13 +218,20 @@ TEST_F(Decision, AKeyframeThatLooksElsewhereIsNotNear) {
 }
 
 TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
-  const NearestKeyframe near{2, 3.0};
-  EXPECT_TRUE(is_back(near, 4, 10.0, params));
-  EXPECT_FALSE(is_back(near, 2, 10.0, params)) << "it is the reference";
-  EXPECT_FALSE(is_back(near, 4, 5.0, params)) << "hardly nearer";
-  EXPECT_FALSE(is_back({2, 0.1}, 4, 1.0, params)) << "a standstill";
-  EXPECT_FALSE(is_back({2, 80.0}, 4, 12000.0, params)) << "a jump, away from all";
-  EXPECT_FALSE(is_back(NearestKeyframe{}, 4, 10.0, params)) << "there is none";
+  EXPECT_TRUE(is_back({2, 3.0, 10.0}, 4, params));
+  EXPECT_FALSE(is_back({2, 3.0, 10.0}, 2, params)) << "it is the reference";
+  EXPECT_FALSE(is_back({2, 3.0, 5.0}, 4, params)) << "hardly nearer";
+  EXPECT_FALSE(is_back({2, 0.1, 1.0}, 4, params)) << "a standstill";
+  EXPECT_FALSE(is_back({2, 80.0, 12000.0}, 4, params)) << "a jump, away from all";
+  EXPECT_FALSE(is_back(NearestKeyframe{-1, 0, 10.0}, 4, params)) << "there is none";
+}
+
+// Nearest and reference are measured alike: standing at the reference, it is the nearest, and its flow is that of the nearest.
+TEST_F(Decision, TheFlowOfTheReferenceIsMeasuredAsThatOfTheNearest) {
+  params.min_view_share = 0.3;
+  const NearestKeyframe nearest = find_nearest_keyframe(camera, row_of_keyframes(camera), move(0.2, 0, 0), params);
+  EXPECT_EQ(nearest.id, 4);
+  EXPECT_EQ(nearest.flow_px, nearest.reference_flow_px);
 }
 
 // ---- the policy over frames -----------------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 #pragma once
-// A map after its camera was corrected (core/image_correction.h): where keyframes, points and matches lie then. self_calibration makes
+// A map after its camera was corrected (edges/image_correction.h): where keyframes, points and matches lie then. self_calibration makes
 // revisions; Window::apply moves the window by one.
 #include <Eigen/Core>
 #include <vector>

@@ -14,7 +14,7 @@
 
 namespace edgevo {
 
-/// Health of the window after an adjustment; see LESSONS.md section 6 for what is normal.
+/// Health of the window after an adjustment.
 struct WindowStats {
   int observations = 0;
   int points = 0;

@@ -1,0 +1,95 @@
+#include "frame_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include "support/plane_scene.h"
+#include "support/twist.h"
+
+namespace edgevo {
+namespace {
+
+using test::twist;
+
+const SE3 kStep = SE3::exp(twist(0.02, 0, 0.04, 0, 0.01, 0));
+
+// A camera before a plane that takes kStep a frame; its reference is where it stood two frames ago.
+class FrameTracker : public ::testing::Test {
+ protected:
+  FrameTracker() {
+    reference.cloud = scene.cloud(SE3());
+    reference.T_keyframe_world[0] = SE3();
+    for (int i = 0; i < 3; ++i) {
+      motion.begin_frame(Timestamp::from_seconds(0.1 * i));
+      if (i == 0) motion.restart(SE3());
+      if (i > 0) motion.follow(i == 1 ? kStep : kStep * kStep);
+    }
+    motion.begin_frame(Timestamp::from_seconds(0.3));
+  }
+
+  Track track(const FramePyramid& pyramid, bool was_lost = false, const RowRectification& rows = {}) {
+    return track_frame({pyramid, reference, motion, keyframes, params, rows, was_lost, &random});
+  }
+
+  test::PlaneScene scene;
+  Reference reference;
+  MotionModel motion;
+  OdometryParams params;
+  Random random{1};
+  KeyframePolicy keyframes{scene.pyramid(SE3())->finest().pinhole, params.mapping.keyframe};
+  const SE3 truth = kStep * kStep * kStep;
+};
+
+TEST_F(FrameTracker, FindsTheFrameWhereTheCameraGoesOn) {
+  const Track t = track(*scene.pyramid(truth.inverse()));
+  EXPECT_EQ(t.result.verdict, TrackingState::kTracking) << t.result.reason;
+  EXPECT_LT((t.result.T_cur_ref.translation() - truth.translation()).norm(), 0.01);
+  EXPECT_FALSE(t.took_usual_step);
+  EXPECT_EQ(t.corner_ms, 0) << "nothing was in doubt";
+  EXPECT_LT((t.twist - kStep.log() / 0.1).norm(), 0.15);
+}
+
+TEST_F(FrameTracker, CornersAreAskedBeforeAFrameIsLostButNotAfter) {
+  const auto black = scene.pyramid(SE3(), 0.0, 0.0);
+  const Track about_to_be_lost = track(*black), lost_before = track(*black, true);
+  EXPECT_EQ(about_to_be_lost.result.verdict, TrackingState::kLost);
+  EXPECT_GT(about_to_be_lost.corner_ms, 0);
+  EXPECT_EQ(lost_before.result.verdict, TrackingState::kLost);
+  EXPECT_EQ(lost_before.corner_ms, 0);
+}
+
+TEST_F(FrameTracker, ANewPlaceIsFoundByRotationSearch) {
+  const SE3 turned = SE3::exp(twist(0, 0, 0, 0, 0.25, 0)) * kStep * kStep;
+  const Track t = track(*scene.pyramid(turned.inverse()));
+  EXPECT_NE(t.result.verdict, TrackingState::kLost) << t.result.reason;
+  EXPECT_LT((t.result.T_cur_ref * turned.inverse()).angle(), 0.02);
+}
+
+// The image was rectified for no motion, and a shutter that takes no time to speak of shifts nothing.
+TEST_F(FrameTracker, AQuickShutterChangesNothing) {
+  const auto pyramid = scene.pyramid(truth.inverse());
+  const Track global = track(*pyramid), rolling = track(*pyramid, false, {1e-7, {}});
+  EXPECT_LT((global.result.T_cur_ref.translation() - rolling.result.T_cur_ref.translation()).norm(), 1e-3);
+  EXPECT_EQ(rolling.result.verdict, TrackingState::kTracking);
+}
+
+// The points are moved to where the rows show them: a shutter that nobody's image was taken with moves the pose.
+TEST_F(FrameTracker, ASlowShutterMovesThePose) {
+  const auto pyramid = scene.pyramid(truth.inverse());
+  const Track global = track(*pyramid), rolling = track(*pyramid, false, {0.05, {}});
+  EXPECT_GT((global.result.T_cur_ref.translation() - rolling.result.T_cur_ref.translation()).norm(), 2e-3);
+}
+
+TEST_F(FrameTracker, TheMeasuredMotionKeepsTheDepthsThatWereExpected) {
+  const Pinhole pinhole = scene.pyramid(SE3())->finest().pinhole;
+  const Vector6d t = twist(0.1, 0, 0.2, 0, 0, 0);
+  RowRectification rows{0.02, {}};
+  EXPECT_EQ(measured_motion(pinhole, reference, rows, SE3(), t).velocity, t);
+  rows.expected.velocity = 2 * t;
+  rows.expected.idepth.setConstant(0.7);
+  const ImageMotion measured = measured_motion(pinhole, reference, rows, SE3(), t);
+  EXPECT_EQ(measured.velocity, t);
+  EXPECT_EQ(measured.idepth, rows.expected.idepth);
+}
+
+}  // namespace
+}  // namespace edgevo
