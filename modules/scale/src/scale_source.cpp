@@ -25,7 +25,8 @@ const std::vector<Known> kKnown{
     {"odometry", Kind::kOdometry, VehicleSensor::kOdometry, "", ""},
     {"gps", Kind::kGps, VehicleSensor::kGps, "", ""},
     {"robot_pose", Kind::kRobotPose, VehicleSensor::kRobotPose, "", ""},
-    {"camera_height", Kind::kCameraHeight, std::nullopt, "METRES", "camera_height=1.65 (metres over the ground)"},
+    {"camera_height", Kind::kCameraHeight, std::nullopt, "METRES",
+     "camera_height=1.65 (metres over the ground)"},
 };
 
 // "none, factor=F, ... or camera_height=METRES".
@@ -44,7 +45,8 @@ const Known& known_source(const std::string& option, const std::string& name) {
     if (name == k.name) return k;
     names.emplace_back(k.name);
   }
-  throw InputError("--scale " + option, "is no source of scale; did you mean " + nearest_name(name, names) + "?",
+  throw InputError("--scale " + option,
+                   "is no source of scale; did you mean " + nearest_name(name, names) + "?",
                    "give " + all_sources());
 }
 

@@ -1,5 +1,5 @@
-// The detectors that there are. A new one: a file beside this one with a class that derives from EdgeDetector and a function that
-// makes it, declared in detector_list.h and named here.
+// The detectors that there are. A new one: a file beside this one with a class that derives from EdgeDetector
+// and a function that makes it, declared in detector_list.h and named here.
 #include "detector_list.h"
 
 #include "edgevo/core/error.h"

@@ -1,6 +1,7 @@
 #pragma once
-// Edge detectors behind one interface: each marks edge pixels in a mask; thinning, sub-pixel positions and linking are common to
-// all (edge_extraction.h). A new one is a file in src/detectors/ and its lines in detector_list.* there.
+// Edge detectors behind one interface: each marks edge pixels in a mask; thinning, sub-pixel positions and
+// linking are common to all (edge_extraction.h). A new one is a file in src/detectors/ and its lines in
+// detector_list.* there.
 #include <memory>
 #include <string>
 #include <vector>
