@@ -139,7 +139,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")->required()->check(path_given());
   command->add_option("--params", args->params_file, "YAML file of parameters; what it does not name keeps its default");
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")->take_all();
-  command->add_option("--detector", args->detector, "edge detector: canny or edge_drawing");
+  command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
   command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--scale", args->scale, "where the metre comes from: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps, robot_pose "

@@ -12,15 +12,20 @@
 namespace edgevo {
 namespace {
 
-// Levenberg-Marquardt. The damping is relative to the diagonal of the information, and goes up and down tenfold.
-constexpr double kFirstDamping = 1e-4;     // the start is nearly right
-constexpr double kLeastDamping = 1e-6;     // below it a step is Gauss-Newton's
-constexpr double kRefusedDamping = 1e-2;   // at least, after a step that did not help: less would propose the same again
-constexpr double kMostDamping = 1e3;       // a step is then a thousandth of the undamped one: there is no way down
-constexpr double kRidge = 1e-9;            // px^-2, on the information, so that it can be solved where no edge fixes a direction
-constexpr double kLeastTurnPx = 1e-3;      // a refused step that turns the image by less is the last
-constexpr double kPatchStepPx = 0.02;      // a step of the coarse start that moves points by less is the last: the edges follow
-constexpr double kEdgeStepPx = 0.005;      // the same of edges, on each level; edges repeat to some 0.05 px
+// Levenberg-Marquardt. The damping is relative to the diagonal of the information, and goes up and down
+// tenfold.
+constexpr double kFirstDamping = 1e-4;  // the start is nearly right
+constexpr double kLeastDamping = 1e-6;  // below it a step is Gauss-Newton's
+// At least, after a step that did not help: less would propose the same again.
+constexpr double kRefusedDamping = 1e-2;
+// A step is then a thousandth of the undamped one: there is no way down.
+constexpr double kMostDamping = 1e3;
+// px^-2, on the information, so that it can be solved where no edge fixes a direction.
+constexpr double kRidge = 1e-9;
+constexpr double kLeastTurnPx = 1e-3;  // a refused step that turns the image by less is the last
+// A step of the coarse start that moves points by less is the last: the edges follow.
+constexpr double kPatchStepPx = 0.02;
+constexpr double kEdgeStepPx = 0.005;  // the same of edges, on each level; edges repeat to some 0.05 px
 
 // Normal equations of one Gauss-Newton step, with the cost at their linearisation point.
 struct NormalEquations {
@@ -59,7 +64,9 @@ NormalEquations minimise(const Linearise& linearise, int max_iterations, double 
       lambda = std::max(kLeastDamping, lambda * 0.1);
       if (predicted_px < min_step_px) break;
     } else {
-      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < kLeastTurnPx || lambda > kMostDamping) break;
+      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < kLeastTurnPx ||
+          lambda > kMostDamping)
+        break;
       lambda = std::max(kRefusedDamping, lambda * 10);
     }
   }
@@ -240,7 +247,9 @@ double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, i
   double cost = kUnrelatedMeanSquare;
   for (int level = coarsest; level >= finest; --level) {
     const PatchCost patch_cost(current, cloud, level, params);
-    cost = minimise(patch_cost, params.patch_iterations, current.levels[level].pinhole.fx, kPatchStepPx, T_cur_ref).stats.cost;
+    cost = minimise(patch_cost, params.patch_iterations, current.levels[level].pinhole.fx, kPatchStepPx,
+                    T_cur_ref)
+               .stats.cost;
   }
   return cost;
 }
@@ -255,7 +264,9 @@ AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cl
   const EdgeCost edges(current, cloud, level, params);
   const double fx = current.levels[level].pinhole.fx;
   if (!prior) return minimise(edges, params.edge_iterations, fx, kEdgeStepPx, T_cur_ref).stats;
-  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), params.edge_iterations, fx, kEdgeStepPx, T_cur_ref).stats;
+  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), params.edge_iterations, fx, kEdgeStepPx,
+                  T_cur_ref)
+      .stats;
 }
 
 }  // namespace edgevo

@@ -7,9 +7,10 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMinResidualVariance = 0.01;  // px^2: matches without any residual are a coincidence, not a certainty
-constexpr double kRidge = 1e-9;                // px^-2, on the information, so that it can be inverted
-constexpr double kPoseFreedom = 6.0;           // unknowns of a pose
+// px^2: matches without any residual are a coincidence, not a certainty.
+constexpr double kMinResidualVariance = 0.01;
+constexpr double kRidge = 1e-9;       // px^-2, on the information, so that it can be inverted
+constexpr double kPoseFreedom = 6.0;  // unknowns of a pose
 
 // Sum of the scores of each edge, one after another in the order of the edges' numbers.
 std::vector<Vector6d> sum_scores(const std::vector<PoseEquation>& equations) {

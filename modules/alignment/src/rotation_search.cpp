@@ -9,11 +9,13 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStepPx = 2.0;                // of the coarsest level: neighbours on the grid meet in the basin of a patch
+// Of the coarsest level: neighbours on the grid meet in the basin of a patch.
+constexpr double kStepPx = 2.0;
 constexpr int kYawSteps = 9, kPitchSteps = 5;  // to either side: a robot and a hand turn rather than nod
 constexpr size_t kPatches = 200;               // that are compared, of some 1500: enough for a mean
 constexpr size_t kBest = 3;                    // rotations handed on: so coarse an image may mistake the best
-constexpr int kApartSteps = 2;                 // and they are so many steps apart: nearer ones lead to the same pose
+// And they are so many steps apart: nearer ones lead to the same pose.
+constexpr int kApartSteps = 2;
 
 struct Candidate {
   double score = 0;

@@ -12,10 +12,14 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMaxCandidates = 64;        // pixels of an edge: the largest max_search_px to each side, 30, and the middle
-constexpr double kBorderPx = 3;           // a first patch of 5x5, and the pixel beyond it that interpolation reads
-constexpr double kLeastCurvature = 1e-9;  // of the cost over the candidates; a flatter one has no lowest place between two of them
-constexpr double kReachPerNormal = 2.0;   // an edge that is found lies within so many times max_normal_px, along itself included
+// Pixels of an edge: the largest max_search_px to each side, 30, and the middle.
+constexpr int kMaxCandidates = 64;
+// A first patch of 5x5, and the pixel beyond it that interpolation reads.
+constexpr double kBorderPx = 3;
+// Of the cost over the candidates; a flatter one has no lowest place between two of them.
+constexpr double kLeastCurvature = 1e-9;
+// An edge that is found lies within so many times max_normal_px, along itself included.
+constexpr double kReachPerNormal = 2.0;
 
 // Edge pixels along the edge on both sides of `centre`, with arc length from it.
 struct Walk {
@@ -66,7 +70,8 @@ TemplateMatch match_template(const PatchComparison& comparison, const Patch& pat
   m.found = m.cost < kWorstPatchCost;
   if (m.best > 0 && m.best + 1 < walk.count) {
     const double a = cost[m.best - 1], b = cost[m.best + 1], curvature = a - 2 * m.cost + b;
-    if (curvature > kLeastCurvature && a < kWorstPatchCost && b < kWorstPatchCost) m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
+    if (curvature > kLeastCurvature && a < kWorstPatchCost && b < kWorstPatchCost)
+      m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
   }
   return m;
 }
@@ -89,7 +94,9 @@ int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen:
   const Eigen::Vector2d g = e.normal().cast<double>();
   if (g.dot(predicted_normal) < params.min_normal_cosine) return -1;
   const Eigen::Vector2d d = e.position().cast<double>() - p;
-  return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= kReachPerNormal * params.max_normal_px ? n : -1;
+  return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= kReachPerNormal * params.max_normal_px
+             ? n
+             : -1;
 }
 
 // Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was found.

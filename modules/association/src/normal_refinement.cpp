@@ -6,10 +6,11 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStopPx = 0.02;         // a shorter step is the last: a match is good to 0.3 px
-constexpr double kMostStepPx = 1.0;      // what is linear about the patch ends there
-constexpr float kMinDeviation = 1.5f;    // gray levels: below it a patch is noise
-constexpr double kLeastSlope = 1e-3;     // mean square of the slope, deviations a pixel: along the normal the patch does not change
+constexpr double kStopPx = 0.02;       // a shorter step is the last: a match is good to 0.3 px
+constexpr double kMostStepPx = 1.0;    // what is linear about the patch ends there
+constexpr float kMinDeviation = 1.5f;  // gray levels: below it a patch is noise
+// Mean square of the slope, deviations a pixel: along the normal the patch does not change.
+constexpr double kLeastSlope = 1e-3;
 
 // How the image at a trial position, brought to zero mean and unit deviation, compares with the template.
 struct Comparison {

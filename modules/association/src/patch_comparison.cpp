@@ -6,7 +6,8 @@
 namespace edgevo {
 namespace {
 
-constexpr float kGrayLevelsOfOne = 80.0f;  // intensity: a mean difference that costs 1, about that of unrelated edges
+// Intensity: a mean difference that costs 1, about that of unrelated edges.
+constexpr float kGrayLevelsOfOne = 80.0f;
 
 float mean_difference(const Patch& a, const Patch& b) {
   float sum = 0;

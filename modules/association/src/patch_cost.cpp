@@ -5,7 +5,8 @@
 namespace edgevo {
 namespace {
 
-constexpr float kFlat = 1.0f;  // Sobel units, an eighth of a gray level per pixel: a patch of that mean holds noise
+// Sobel units, an eighth of a gray level per pixel: a patch of that mean holds noise.
+constexpr float kFlat = 1.0f;
 
 }  // namespace
 
@@ -23,7 +24,8 @@ bool divide_by_mean(Patch* patch) {
 
 double patch_cost(const Patch& prepared, const ImageView<float>& gradient_magnitude, double x, double y) {
   Patch target;
-  if (!sample_patch(gradient_magnitude, x, y, prepared.radius, &target) || !divide_by_mean(&target)) return kWorstPatchCost;
+  if (!sample_patch(gradient_magnitude, x, y, prepared.radius, &target) || !divide_by_mean(&target))
+    return kWorstPatchCost;
   float sum = 0;
   const int n = prepared.size();
 #pragma omp simd reduction(+ : sum)

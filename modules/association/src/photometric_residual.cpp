@@ -6,11 +6,12 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRadius = 2;                  // pixels: the paper's patch of 5x5
-constexpr double kMaxShiftPx = 1.5;         // beyond it the linearisation says nothing
-constexpr double kMaxMeanSquare = 1.0;      // half way to unrelated patches (2)
-constexpr float kMinDeviation = 4.0f;       // Sobel units: half a gray level per pixel
-constexpr double kLeastInformation = 1e-8;  // determinant, px^-4: a patch that is the same along some direction fixes no shift
+constexpr int kRadius = 2;              // pixels: the paper's patch of 5x5
+constexpr double kMaxShiftPx = 1.5;     // beyond it the linearisation says nothing
+constexpr double kMaxMeanSquare = 1.0;  // half way to unrelated patches (2)
+constexpr float kMinDeviation = 4.0f;   // Sobel units: half a gray level per pixel
+// Determinant, px^-4: a patch that is the same along some direction fixes no shift.
+constexpr double kLeastInformation = 1e-8;
 
 }  // namespace
 

@@ -14,7 +14,8 @@ DepthMotion depth_motion(const Pinhole& camera, const SE3& T_target_host, const 
   const Eigen::Vector3d t = T_target_host.translation();
   const Projection at = project(camera, R, t, ray, idepth);
   if (!at.valid) return motion;
-  constexpr double kLeastIdepth = 1e-9;  // 1 / unit of the map: practically at infinity, in front of the camera still
+  // 1 / unit of the map: practically at infinity, in front of the camera still.
+  constexpr double kLeastIdepth = 1e-9;
   for (double sign : {1.0, -1.0}) {
     const Projection moved = project(camera, R, t, ray, std::max(idepth + sign * idepth_sigma, kLeastIdepth));
     if (!moved.valid) continue;

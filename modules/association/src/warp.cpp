@@ -89,7 +89,8 @@ EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid,
 template <class T>
 bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host, int radius,
                    Patch* patch) {
-  // Area in the target over that in the host: beyond these the patch is a streak, or a few pixels drawn large.
+  // Area in the target over that in the host: beyond these the patch is a streak, or a few pixels drawn
+  // large.
   constexpr double kLeastArea = 0.05, kMostArea = 20.0;
   const double det = A_target_host.determinant();
   if (!(det > kLeastArea && det < kMostArea)) return false;

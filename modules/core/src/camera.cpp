@@ -10,10 +10,13 @@ namespace edgevo {
 namespace {
 
 // Newton's method on the lens model, normalised coordinates.
-constexpr int kMostSteps = 30;          // more than any point within the model's range takes
-constexpr double kErrorSquare = 1e-26;  // at which it has converged: the 1e-12 that are promised, with a margin
-constexpr double kFoldedOver = 1e-6;    // determinant of the derivative, 1 on the axis: the point is beyond the model's range
-constexpr double kInverseError = 1e-9;  // what an inverse may be wrong by: a millionth of a pixel at 1000 px of focal length
+constexpr int kMostSteps = 30;  // more than any point within the model's range takes
+// At which it has converged: the 1e-12 that are promised, with a margin.
+constexpr double kErrorSquare = 1e-26;
+// Determinant of the derivative, 1 on the axis: the point is beyond the model's range.
+constexpr double kFoldedOver = 1e-6;
+// What an inverse may be wrong by: a millionth of a pixel at 1000 px of focal length.
+constexpr double kInverseError = 1e-9;
 
 }  // namespace
 

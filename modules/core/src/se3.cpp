@@ -6,8 +6,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kSmallAngle = 1e-5;   // rad: below it the third term of each series is under the rounding
-constexpr double kSeriesAngle = 1e-2;  // rad: below it the closed form of C loses digits long before the series does
+constexpr double kSmallAngle = 1e-5;  // rad: below it the third term of each series is under the rounding
+// rad: below it the closed form of C loses digits long before the series does.
+constexpr double kSeriesAngle = 1e-2;
 
 // V(w) of exp([v, w]) = (exp(w), V v):  V = I + B [w]x + C [w]x^2.
 Eigen::Matrix3d left_jacobian(const Eigen::Vector3d& w) {

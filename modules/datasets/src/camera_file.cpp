@@ -31,8 +31,9 @@ Camera parse_camera_numbers(const std::string& text, const std::string& where) {
 
 int image_side(double value, const std::string& where) {
   if (!(value >= 1 && value <= kLargestSide) || value != std::floor(value))
-    throw InputError(where, "the image size is not a whole number of pixels from 1 to " + std::to_string(kLargestSide),
-                     "give width and height in pixels");
+    throw InputError(
+        where, "the image size is not a whole number of pixels from 1 to " + std::to_string(kLargestSide),
+        "give width and height in pixels");
   return int(value);
 }
 

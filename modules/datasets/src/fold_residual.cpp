@@ -35,7 +35,8 @@ Rays image_rays(const Camera& camera, const std::string& where) {
       if (camera.undistort(p.ray({u, v}).head<2>(), &x)) rays.push_back(x);
     }
   if (2 * rays.size() < pixels)
-    throw InputError(where, "the lens model cannot be inverted over most of the image", "check its distortion coefficients");
+    throw InputError(where, "the lens model cannot be inverted over most of the image",
+                     "check its distortion coefficients");
   return rays;
 }
 
@@ -59,7 +60,8 @@ Eigen::ArrayXd differences(const Camera& a, const Camera& b, const Rays& rays) {
   return d;
 }
 
-// What must be added to the file's coefficients; the smallest change where a narrow lens leaves some of them open.
+// What must be added to the file's coefficients; the smallest change where a narrow lens leaves some of them
+// open.
 Eigen::Matrix<double, 5, 1> fit_change(const Camera& camera, const Camera& by_file, const Rays& rays) {
   Eigen::Matrix<double, Eigen::Dynamic, 5> A(2 * rays.size(), 5);
   Eigen::VectorXd b(2 * rays.size());

@@ -27,7 +27,8 @@ Pace parse_pace(const std::string& text) {
   pace.kind = by_times ? Pace::Kind::kTimes : Pace::Kind::kRate;
   const char* const end = text.data() + text.size() - (by_times ? 1 : 0);
   const auto read = std::from_chars(text.data(), end, pace.value);
-  if (read.ec != std::errc() || read.ptr != end || !(pace.value >= kSlowestRate && pace.value <= kFastestRate))
+  if (read.ec != std::errc() || read.ptr != end ||
+      !(pace.value >= kSlowestRate && pace.value <= kFastestRate))
     throw InputError(
         "--pace '" + text + "'", "is no pace",
         "give frames a second such as 30, or 1x for the source's own times (0.5x: half as fast)");

@@ -15,6 +15,11 @@
 namespace edgevo {
 namespace {
 
+constexpr double kMostFrames = 1e9;  // of a file's own count: more is no count, and no int
+// Counts are estimates: a video is damaged where more than two frames, and more than one in 50, are missing.
+constexpr int kMissingFrames = 2, kMissingShare = 50;
+constexpr int kLastCamera = 255;  // N of /dev/videoN
+
 // OpenCV's back ends announce on stderr each format that they do not know.
 class QuietOpenCv {
  public:
@@ -47,7 +52,7 @@ class VideoSource : public ImageSource {
         capture_(std::move(capture)),
         rate_(choose_rate(options.fps, capture_.get(cv::CAP_PROP_FPS))) {
     const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
-    if (count >= 1 && count < 1e9) count_ = int(count);
+    if (count >= 1 && count < kMostFrames) count_ = int(count);
   }
 
   const Camera& camera() const override { return camera_; }
@@ -77,7 +82,7 @@ class VideoSource : public ImageSource {
       return true;
     }
     done_ = true;
-    if (count_ && index_ < *count_ - std::max(2, *count_ / 50))
+    if (count_ && index_ < *count_ - std::max(kMissingFrames, *count_ / kMissingShare))
       throw InputError(path_,
                        "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
                        "the video is damaged; convert it again");
@@ -154,7 +159,7 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const QuietOpenCv quiet;
   const std::string number = options.path.substr(options.path.find(':') + 1);
   const double index = parse_number(number, options.path);
-  if (index < 0 || index > 255 || index != std::floor(index))
+  if (index < 0 || index > kLastCamera || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
   const Camera camera = choose_camera(options, "");
   const auto capture = std::make_shared<cv::VideoCapture>();

@@ -93,7 +93,8 @@ SE3 pose_from(const std::vector<double>& numbers, size_t first, const std::strin
   Eigen::Matrix4d M;
   for (int i = 0; i < 16; ++i) M(i / 4, i % 4) = numbers[first + size_t(i)];
   const Eigen::Matrix3d R = M.topLeftCorner<3, 3>();
-  const bool is_rotation = (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kRotationError && R.determinant() > 0;
+  const bool is_rotation =
+      (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kRotationError && R.determinant() > 0;
   if (!is_rotation || M.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
     throw InputError(where, "the matrix is no rigid motion", "restore the file");
   return SE3(R, Eigen::Vector3d(M.topRightCorner<3, 1>())).inverse();  // the file maps world to camera

@@ -113,10 +113,12 @@ class Walker {
   std::vector<Pixel> pixels_;
 };
 
-constexpr int kRun = 256;                 // pixels that are gathered, then placed, at a time: they stay in the nearest cache
+// Pixels that are gathered, then placed, at a time: they stay in the nearest cache.
+constexpr int kRun = 256;
 constexpr float kLeastCurvature = 1e-3f;  // Sobel units; a flatter parabola has no top to speak of
 constexpr float kLeastMagnitude = 1e-3f;  // Sobel units; keeps the division by it finite
-constexpr float kFlat = 1.0f;             // Sobel units, an eighth of a gray level per pixel: no normal to speak of
+// Sobel units, an eighth of a gray level per pixel: no normal to speak of.
+constexpr float kFlat = 1.0f;
 using Floats = std::array<float, kRun>;
 
 // Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in both, and at those behind.
@@ -181,7 +183,8 @@ struct Chains {
   void append(const std::vector<Pixel>& path, const Gradient& gradient) {
     const int begin = int(pixels.size());
     for (const Pixel& p : path)
-      if (gradient.magnitude.at(p.x, p.y) >= kFlat) pixels.push_back(p);  // a detector other than Canny may mark flat pixels
+      if (gradient.magnitude.at(p.x, p.y) >= kFlat)
+        pixels.push_back(p);  // a detector other than Canny may mark flat pixels
     chains.push_back({begin, int(pixels.size())});
   }
 };

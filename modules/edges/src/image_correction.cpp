@@ -6,18 +6,23 @@ namespace edgevo {
 namespace {
 
 // Normalised coordinates.
-constexpr int kMostSteps = 12;          // each shortens the error to about the share of its height that the image moves while it is read
-constexpr double kErrorSquare = 1e-26;  // at which it has converged: the 1e-12 that are promised, with a margin
-constexpr double kStep = 1e-5;          // of differences: a hundredth of a pixel, much less than the cells of the motion
+// Each shortens the error to about the share of its height that the image moves while it is read.
+constexpr int kMostSteps = 12;
+// At which it has converged: the 1e-12 that are promised, with a margin.
+constexpr double kErrorSquare = 1e-26;
+// Of differences: a hundredth of a pixel, much less than the cells of the motion.
+constexpr double kStep = 1e-5;
 
 }  // namespace
 
-Eigen::Vector2d add_rolling(const Pinhole& c, double readout_s, const ImageMotion& motion, const Eigen::Vector2d& x) {
+Eigen::Vector2d add_rolling(const Pinhole& c, double readout_s, const ImageMotion& motion,
+                            const Eigen::Vector2d& x) {
   if (readout_s == 0 || !motion.is_known()) return x;
   return x + readout_s * shutter_row(c, x) * motion.at(c, x);
 }
 
-Eigen::Vector2d to_file(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+Eigen::Vector2d to_file(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+                        const Eigen::Vector2d& x) {
   return add_radial(correction.k1, add_rolling(c, correction.readout_s, motion, x));
 }
 
@@ -37,14 +42,17 @@ Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, c
   return at_last <= at_first ? x : rolling;  // rolling: the rows overtake one another, no x is the one
 }
 
-Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
-  const Eigen::Matrix2d radial = radial_jacobian(correction.k1, add_rolling(c, correction.readout_s, motion, x));
+Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+                              const Eigen::Vector2d& x) {
+  const Eigen::Matrix2d radial =
+      radial_jacobian(correction.k1, add_rolling(c, correction.readout_s, motion, x));
   if (correction.readout_s == 0 || !motion.is_known()) return radial;
   Eigen::Matrix2d rolling;
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
     rolling.col(axis) = (add_rolling(c, correction.readout_s, motion, x + step) -
-                         add_rolling(c, correction.readout_s, motion, x - step)) / (2 * kStep);
+                         add_rolling(c, correction.readout_s, motion, x - step)) /
+                        (2 * kStep);
   }
   return radial * rolling;
 }

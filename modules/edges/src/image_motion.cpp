@@ -5,7 +5,8 @@
 namespace edgevo {
 namespace {
 
-// Where `position` in [0, size) lies between the centres of `cells` cells: the one before it, and the share of the next one.
+// Where `position` in [0, size) lies between the centres of `cells` cells: the one before it, and the share
+// of the next one.
 struct Between {
   int cell;
   double share;
@@ -19,7 +20,8 @@ Between between_cells(double position, double size, int cells) {
 }  // namespace
 
 Eigen::Vector2d ImageMotion::at(const Pinhole& c, const Eigen::Vector2d& x) const {
-  const Between u = between_cells(c.fx * x.x() + c.cx, c.width, kColumns), v = between_cells(c.fy * x.y() + c.cy, c.height, kRows);
+  const Between u = between_cells(c.fx * x.x() + c.cx, c.width, kColumns),
+                v = between_cells(c.fy * x.y() + c.cy, c.height, kRows);
   const Eigen::RowVector2d across(1 - u.share, u.share);
   const Eigen::Vector2d down(1 - v.share, v.share);
   const double rho = down.dot(idepth.block<2, 2>(v.cell, u.cell) * across.transpose());

@@ -10,7 +10,8 @@ namespace edgevo {
 namespace {
 
 constexpr int kShift = NearestField::kShift;  // bits below the squared distance in a key
-constexpr int16_t kFar = 0x3FFF;              // a key beyond every distance; adding a row's share does not overflow
+// A key beyond every distance; adding a row's share does not overflow.
+constexpr int16_t kFar = 0x3FFF;
 
 // Keys around one edge pixel of a row, from `radius` columns before it to as many after it.
 std::vector<int16_t> make_ramp(int radius) {
@@ -54,7 +55,8 @@ constexpr int kBlock = 64;  // columns that stay in registers while the rows go 
 
 // best[x] = min over rows of rows[k][x] + share[k]; `width` is a multiple of kBlock.
 EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* share, int count, int16_t* best, int width) {
-  constexpr int kLanes = sizeof(Keys) / sizeof(int16_t), kParts = kBlock / kLanes;  // columns of a register, registers of a block
+  constexpr int kLanes = sizeof(Keys) / sizeof(int16_t),
+                kParts = kBlock / kLanes;  // columns of a register, registers of a block
   for (int x = 0; x < width; x += kBlock) {
     Keys least[kParts], candidate;
     for (Keys& part : least) part = Keys{} + int16_t(0x7FFF);

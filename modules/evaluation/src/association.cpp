@@ -8,9 +8,11 @@
 namespace edgevo {
 namespace {
 
+// 0.1 ms: times that were written with few digits.
 constexpr int64_t kEndToleranceTicks = Timestamp::kTicksPerSecond / 10'000;
+// Median steps of the ground truth; over a longer gap nobody knows the way.
 constexpr int kLongestGapSteps = 10;
-constexpr size_t kFewestMatches = 3;
+constexpr size_t kFewestMatches = 3;  // a similarity fits two points whatever they are
 
 SE3 interpolate(const StampedPose& a, const StampedPose& b, Timestamp time) {
   const double u = double(time.ticks - a.time.ticks) / double(b.time.ticks - a.time.ticks);

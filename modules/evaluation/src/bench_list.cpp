@@ -47,7 +47,7 @@ bool whole(const std::string& text, T* value) {
 }
 
 void add_seeds(const std::string& word, const std::string& where, std::vector<uint64_t>* seeds) {
-  constexpr uint64_t kMost = 1000;
+  constexpr uint64_t kMost = 1000;  // seeds of a range: more is a slip of the pen
   const size_t dots = word.find("..");
   uint64_t first = 0, last = 0;
   const bool good = dots == std::string::npos ? whole(word, &first) && whole(word, &last)

@@ -8,6 +8,7 @@
 namespace edgevo {
 namespace {
 
+// Of a run without a value: the worst there is.
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 using Format = std::string (*)(double value);

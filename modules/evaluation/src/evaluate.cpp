@@ -7,7 +7,10 @@
 namespace edgevo {
 namespace {
 
-constexpr int kScaleWindowsAtLeast = 6, kShortestScaleWindow = 10, kLongestScaleWindow = 50;
+// The curve of the scale: some six windows make a curve, ten frames a scale; over more than fifty its drift
+// is averaged away.
+constexpr int kScaleWindowsAtLeast = 6;
+constexpr int kShortestScaleWindow = 10, kLongestScaleWindow = 50;  // input frames
 
 TrajectoryFacts facts_of(const Trajectory& t) {
   return {t.path, std::string(to_string(t.format)), int(t.poses.size())};
@@ -33,8 +36,7 @@ void reconcile_times(Trajectory* estimate, Trajectory* ground_truth) {
 }
 
 void require_motion(const Points& points, const std::string& path) {
-  const double reach = points.cwiseAbs().maxCoeff();
-  if (!(spread(points) > 1e-9 * reach))
+  if (coincide(points))
     throw InputError(path, "all its positions are equal", "nothing can be aligned; give a trajectory that moves");
 }
 

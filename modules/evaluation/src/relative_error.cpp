@@ -10,7 +10,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kShortPath = 400;  // m
-constexpr int kKittiFirstFrameStep = 10;
+constexpr int kKittiFirstFrameStep = 10;  // frames, as KITTI's own program steps
 
 // The input frames with ground truth, and how far along the true path each lies.
 struct Path {
@@ -140,7 +140,7 @@ std::vector<ScalePoint> scale_curve(const std::vector<MatchedPose>& matches, int
   for (int start = 0; start == 0 || start + window_frames <= last + 1; start += stride) {
     const std::vector<MatchedPose> window(at_frame(start), at_frame(start + window_frames));
     if (window.size() < 3) continue;
-    constexpr double kUnknown = -1;
+    constexpr double kUnknown = -1;  // no scale is negative
     const double scale = stretch_scale(window, spread_est, spread_gt, kUnknown);
     if (scale > 0) curve.push_back({window.front().frame, window.back().frame, whole_scale / scale});
   }

@@ -7,15 +7,15 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFewestPoints = 3;
-constexpr double kCoincide = 1e-9;
+constexpr int kFewestPoints = 3;    // a similarity fits two points whatever they are
+constexpr double kCoincide = 1e-9;  // of the distance from the origin: nearer points differ by rounding
+
+}  // namespace
 
 bool coincide(const Points& points) {
   const double reach = points.cwiseAbs().maxCoeff();
   return !(spread(points) > kCoincide * reach);
 }
-
-}  // namespace
 
 double spread(const Points& points) {
   if (points.cols() == 0) return 0;

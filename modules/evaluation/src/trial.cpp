@@ -5,6 +5,7 @@
 namespace edgevo {
 
 void Trial::visit(ParamVisitor& v) {
+  // No limits: they were written by us.
   constexpr int kMany = std::numeric_limits<int>::max();
   constexpr double kLarge = std::numeric_limits<double>::max();
   v.integer("frames", frames, 0, kMany, "put in");

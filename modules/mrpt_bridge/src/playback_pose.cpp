@@ -7,6 +7,7 @@
 namespace edgevo {
 namespace {
 
+// Within 0.06 degrees of the vertical yaw and roll are one: keeps their covariance finite.
 constexpr double kMinCosPitch = 1e-3;
 
 // d(yaw pitch roll) / d w for R exp(w).

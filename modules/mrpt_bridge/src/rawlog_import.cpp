@@ -14,7 +14,7 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kDefaultLabel = "CAM0";
+constexpr const char* kDefaultLabel = "CAM0";  // of a source whose camera has no name
 
 // The image's own name; when a second folder of the source has one of that name, too, with the frame's number.
 std::string unused_name(const Frame& frame, std::set<std::string>* used) {

@@ -18,7 +18,8 @@ namespace {
 
 using namespace mrpt::obs;
 
-// From the centre of the earth, metres: WGS84's ellipsoid.
+// From the centre of the earth, metres: WGS84's ellipsoid, by its radius at the equator (metres) and its
+// flattening.
 Eigen::Vector3d earth_centred(double latitude_deg, double longitude_deg, double height_m) {
   constexpr double kEquator = 6378137.0, kFlattening = 1 / 298.257223563, kRadian = M_PI / 180;
   constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);

@@ -14,8 +14,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int64_t kMostCells = int64_t(1) << 28;              // 256 MB
-constexpr uint8_t kGrayFree = 254, kGrayUnknown = 205;        // of an image, as ROS map_saver writes them; occupied is 0
+constexpr int64_t kMostCells = int64_t(1) << 28;  // 256 MB
+// Of an image, as ROS map_saver writes them; occupied is 0.
+constexpr uint8_t kGrayFree = 254, kGrayUnknown = 205;
 
 struct Band {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
@@ -94,8 +95,10 @@ std::string statement_of(const Run& run, double camera_height, const GridParams&
 uint8_t gray(GridCell cell) {
   switch (cell) {
     case GridCell::kOccupied: return 0;
-    case GridCell::kFree: return kGrayFree;
-    case GridCell::kUnknown: return kGrayUnknown;
+    case GridCell::kFree:
+      return kGrayFree;
+    case GridCell::kUnknown:
+      return kGrayUnknown;
   }
   return kGrayUnknown;
 }

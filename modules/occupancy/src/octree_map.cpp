@@ -18,7 +18,8 @@ namespace {
 
 using octomap::OcTree;
 
-constexpr double kResolutionWithoutPoints = 0.1;  // unit of the run: voxels of an empty map, of which nothing tells a size
+// Unit of the run: voxels of an empty map, of which nothing tells a size.
+constexpr double kResolutionWithoutPoints = 0.1;
 
 double median_depth(const Run& run, const PointFilter& filter) {
   std::vector<double> depths;

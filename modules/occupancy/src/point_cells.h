@@ -22,6 +22,7 @@ class PointCells {
  private:
   using Cell = std::array<int64_t, 3>;
   struct CellHash {
+    // Primes of the usual hash of cells (Teschner et al. 2003).
     size_t operator()(const Cell& c) const {
       return size_t(c[0] * 73856093 ^ c[1] * 19349663 ^ c[2] * 83492791);
     }

@@ -14,8 +14,9 @@ constexpr double kMaxWayPerDistance = 2;   // a point not passed on twice the wa
 constexpr double kDirectionHeights = 0.5;  // the direction of the way is taken over this many heights to each side, at least
 constexpr int kDirectionFrames = 2;        // and over so many frames
 constexpr double kLeastChord = 0.5;        // of that reach: with less it stands, or turns on the spot
-constexpr double kLeastLevel = 0.5;        // sine of the angle between way and camera's y axis: with less it looks up, down or rises
-constexpr double kNearHeights = 4;         // a point further away is not passed yet
+// Sine of the angle between way and camera's y axis: with less it looks up, down or rises.
+constexpr double kLeastLevel = 0.5;
+constexpr double kNearHeights = 4;  // a point further away is not passed yet
 
 // Axes of the way at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y axis).
 struct WayAxes {
@@ -69,10 +70,12 @@ std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::
 
 // ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its peak ----
 
-constexpr double kBin = 0.01, kSmoothing = 0.03;  // of log height: bins of 1 %, smoothed to about the spread of a ground, which makes one peak
-constexpr double kWidth = 0.04;                   // of log height: three of it hold 97 % of the points under a drive
-constexpr double kReachSigmas = 3;                // beyond it a normal weight is nothing
-constexpr int kMeanShifts = 20;                   // more than the mean takes to stand still
+// Of log height: bins of 1 %, smoothed to about the spread of a ground, which makes one peak.
+constexpr double kBin = 0.01, kSmoothing = 0.03;
+// Of log height: three of it hold 97 % of the points under a drive.
+constexpr double kWidth = 0.04;
+constexpr double kReachSigmas = 3;   // beyond it a normal weight is nothing
+constexpr int kMeanShifts = 20;      // more than the mean takes to stand still
 constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly up to the largest 0.3 to 0.4
 
 double histogram_peak(const std::vector<double>& logs) {

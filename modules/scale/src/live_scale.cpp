@@ -5,8 +5,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFramesBetweenFits = 5;       // the scale changes over stretches, not frames
-constexpr double kRememberedStretches = 3;  // points that one stretch needs hang on keyframes up to another one before it
+constexpr int kFramesBetweenFits = 5;  // the scale changes over stretches, not frames
+// Points that one stretch needs hang on keyframes up to another one before it.
+constexpr double kRememberedStretches = 3;
 
 }  // namespace
 

@@ -5,7 +5,8 @@
 namespace edgevo {
 
 double effective_count(const std::vector<double>& residuals) {
-  constexpr double kMaxCorrelation = 0.98;  // a hundredth of the values count then; a short series cannot tell it from 1
+  // A hundredth of the values count then; a short series cannot tell it from 1.
+  constexpr double kMaxCorrelation = 0.98;
   double squares = 0, products = 0;
   for (size_t i = 0; i < residuals.size(); ++i) {
     squares += residuals[i] * residuals[i];

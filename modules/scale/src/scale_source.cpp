@@ -11,17 +11,33 @@ namespace {
 
 using Kind = ScaleSource::Kind;
 
+// The list of scale sources. A new one begins with its line here.
 struct Known {
   const char* name;
   Kind kind;
-  const char* example;  ///< with its value, if it takes one
+  std::optional<VehicleSensor> sensor;  // of the vehicle that it needs
+  const char* value;                    // that it takes, in a word; empty: none
+  const char* example;                  // with its value, if it takes one
 };
-const std::vector<Known> kKnown{{"none", Kind::kNone, ""},
-                                {"factor", Kind::kFactor, "factor=2.5 (metres per unit)"},
-                                {"odometry", Kind::kOdometry, ""},
-                                {"gps", Kind::kGps, ""},
-                                {"robot_pose", Kind::kRobotPose, ""},
-                                {"camera_height", Kind::kCameraHeight, "camera_height=1.65 (metres over the ground)"}};
+const std::vector<Known> kKnown{
+    {"none", Kind::kNone, std::nullopt, "", ""},
+    {"factor", Kind::kFactor, std::nullopt, "F", "factor=2.5 (metres per unit)"},
+    {"odometry", Kind::kOdometry, VehicleSensor::kOdometry, "", ""},
+    {"gps", Kind::kGps, VehicleSensor::kGps, "", ""},
+    {"robot_pose", Kind::kRobotPose, VehicleSensor::kRobotPose, "", ""},
+    {"camera_height", Kind::kCameraHeight, std::nullopt, "METRES",
+     "camera_height=1.65 (metres over the ground)"},
+};
+
+// "none, factor=F, ... or camera_height=METRES".
+std::string all_sources() {
+  std::string list;
+  for (const Known& k : kKnown) {
+    const char* const before = list.empty() ? "" : &k == &kKnown.back() ? " or " : ", ";
+    list += before + std::string(k.name) + (k.value[0] ? "=" : "") + k.value;
+  }
+  return list;
+}
 
 const Known& known_source(const std::string& option, const std::string& name) {
   std::vector<std::string> names;
@@ -29,8 +45,9 @@ const Known& known_source(const std::string& option, const std::string& name) {
     if (name == k.name) return k;
     names.emplace_back(k.name);
   }
-  throw InputError("--scale " + option, "is no source of scale; did you mean " + nearest_name(name, names) + "?",
-                   "give none, factor=F, odometry, gps, robot_pose or camera_height=METRES");
+  throw InputError("--scale " + option,
+                   "is no source of scale; did you mean " + nearest_name(name, names) + "?",
+                   "give " + all_sources());
 }
 
 double positive(const std::string& option, const std::string& text, const Known& known) {
@@ -45,18 +62,15 @@ double positive(const std::string& option, const std::string& text, const Known&
 }  // namespace
 
 std::optional<VehicleSensor> ScaleSource::sensor() const {
-  switch (kind) {
-    case Kind::kOdometry: return VehicleSensor::kOdometry;
-    case Kind::kGps: return VehicleSensor::kGps;
-    case Kind::kRobotPose: return VehicleSensor::kRobotPose;
-    default: return std::nullopt;
-  }
+  for (const Known& k : kKnown)
+    if (k.kind == kind) return k.sensor;
+  return std::nullopt;
 }
 
 ScaleSource parse_scale_source(const std::string& option) {
   const size_t equals = option.find('=');
   const Known& known = known_source(option, option.substr(0, equals));
-  const bool takes_value = known.example[0] != '\0', has_value = equals != std::string::npos;
+  const bool takes_value = known.value[0] != '\0', has_value = equals != std::string::npos;
   if (has_value && !takes_value)
     throw InputError("--scale " + option, std::string(known.name) + " takes no value", std::string("give --scale ") + known.name);
   if (!has_value && takes_value)

@@ -13,7 +13,8 @@ constexpr double kOutlierSigmas = 3.5;    // one in two thousand of right positi
 constexpr double kMedianPerSigma = 1.18;  // median of a 2-D normal distance: a vehicle moves in a plane
 constexpr double kNoLength = 1e-12;       // metres: where all residuals are 0 none is an outlier
 constexpr double kNoSpread = 1e-9;        // units or metres: positions that are all the same fit any scale
-constexpr int kRounds = 3;                // fits: all pairs, then without those far off the first, then the second
+// Fits: all pairs, then without those far off the first, then the second.
+constexpr int kRounds = 3;
 
 SE3 interpolate(const SE3& a, const SE3& b, double share) {
   return {a.rotation().slerp(share, b.rotation()), (1 - share) * a.translation() + share * b.translation()};

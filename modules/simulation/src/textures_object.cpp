@@ -6,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-// Seen from its left side, front to the left. Outline as in cars.cpp: bonnet, windscreen, roof, boot.
+// Seen from its left side, front to the left. Outline as in props.cpp: bonnet, windscreen, roof, boot.
 Canvas car_side(Random& random) {
   const int w = 512, h = 256;
   const float paint = float(random.uniform(40, 215));

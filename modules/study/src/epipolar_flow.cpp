@@ -13,6 +13,7 @@ namespace {
 
 constexpr float kMinDeviation = 1.5f;  // gray levels; flatter patches say nothing
 constexpr int kNeighbourCellPx = 32;   // points are ordered by cells of this size, so that list neighbours are image neighbours
+// Tracks that must agree on an essential matrix: five fit one whatever they are.
 constexpr int kMinInliers = 20;
 
 struct Track {

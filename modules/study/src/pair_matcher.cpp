@@ -10,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxSigmas = 3.5;
+constexpr double kMaxSigmas = 3.5;  // of its own deviation: one in two thousand of right matches
 
 // What a flow match is worth: the same as a photometric one of ours.
 Match flow_match(const StudyPoint& p, const TargetView& target, const Eigen::Vector2d& px) {
@@ -69,7 +69,7 @@ cv::Mat gray_of(const FramePyramid& pyramid) {
 // Points that are found, and from there found back to within a pixel.
 std::vector<uchar> track_both_ways(const cv::Mat& first, const cv::Mat& second, const std::vector<cv::Point2f>& from,
                                    std::vector<cv::Point2f>* to) {
-  constexpr float kMaxReturnPx = 1;
+  constexpr float kMaxReturnPx = 1;  // a right track returns within its own error, some tenths
   const cv::Size window(21, 21);
   std::vector<uchar> found, found_back;
   std::vector<float> error;

@@ -15,8 +15,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxDriftPercent = 100;
-constexpr double kDegrees = 180 / M_PI;
+constexpr double kMaxDriftPercent = 100;  // of a solution that failed: all of the way
+constexpr double kDegrees = 180 / M_PI;   // of a radian
 const char* const kLights[] = {"normal", "changed"};
 
 // OpenCV on one thread while this lives: times are CPU times of one thread, and hosts are spread over threads already.
@@ -62,7 +62,7 @@ void check_truth(const ExactFrames& frames, int index) {
   const Pinhole& p = frames.camera().pinhole;
   const ExactFrame from = frames.load(index), to = frames.load(index + 1);
   const ViewPair views{p, depth_view(from, p), depth_view(to, p), to.T_world_cam.inverse() * from.T_world_cam};
-  constexpr int kStep = 7;
+  constexpr int kStep = 7;  // pixels between those that are looked at: enough to tell
   int in_view = 0, visible = 0;
   for (int v = kStep; v < p.height - kStep; v += kStep)
     for (int u = kStep; u < p.width - kStep; u += kStep) {

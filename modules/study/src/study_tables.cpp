@@ -63,7 +63,7 @@ std::string end_point_table(const StudyResult& result) {
 }
 
 std::string match_error_table(const StudyResult& result) {
-  constexpr int kSteps = 100;
+  constexpr int kSteps = 100;  // of the curve, evenly over the logarithm of the error: from 0.02 to 200 px
   std::string text = "light,method,error_px,share\n";
   for (const StudyCell& cell : result.cells) {
     const std::vector<MatchError> errors = errors_of(cell, true);
@@ -89,7 +89,7 @@ ConfidenceCurve confidence_curve(const StudyCell& cell) {
 }
 
 std::string confidence_table(const StudyResult& result) {
-  constexpr size_t kMaxRows = 200;
+  constexpr size_t kMaxRows = 200;  // of a curve, evenly over the matches: as many as a plot shows
   std::string text = "light,method,measure,density,error_rate,precision,recall\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != "confidence") continue;

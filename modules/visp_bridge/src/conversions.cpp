@@ -11,7 +11,7 @@ namespace {
 
 // x = x_d (1 + kdu r_d^2), least squares over the image: sum (x - x_d) . x_d r_d^2 = kdu sum |x_d r_d^2|^2.
 double fitted_kdu(const Camera& camera) {
-  constexpr int kGrid = 24;
+  constexpr int kGrid = 24;  // lines of pixels each way: many more than the lens has bends
   const Pinhole& p = camera.pinhole;
   double above = 0, below = 0;
   for (int i = 0; i <= kGrid; ++i)

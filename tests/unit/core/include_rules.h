@@ -6,7 +6,7 @@
 
 namespace edgevo::testing {
 
-/// One source file, by its path from the source folder: "modules/edges/src/canny.cpp".
+/// One source file, by its path from the source folder: "modules/edges/src/gradient.cpp".
 struct SourceFile {
   std::string path;
   std::string text;

@@ -111,6 +111,15 @@ TEST(EdgeExtraction, DegenerateImagesHaveNoEdges) {
   }
 }
 
+TEST(EdgeDetectors, EachOfTheListCanBeMadeByItsName) {
+  EXPECT_EQ(edge_detector_names().front(), EdgeParams().detector);
+  const GrayImage image = test::disc_image(121, 91, {60.2, 44.7}, 30, 60, 190);
+  for (const EdgeDetectorKind& kind : edge_detector_kinds()) {
+    EXPECT_FALSE(edges_of(image, kind.name).pixels.empty()) << kind.name;
+    EXPECT_NE(edge_detector_help().find(std::string(kind.name) + " (" + kind.what + ")"), std::string::npos);
+  }
+}
+
 TEST(EdgeExtraction, UnknownDetectorNamesTheNearest) {
   EdgeParams params;
   params.detector = "cany";

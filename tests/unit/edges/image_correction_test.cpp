@@ -28,7 +28,8 @@ std::vector<Eigen::Vector2d> points() {
 
 // Where a point of the middle row's moment is `seconds` later.
 Eigen::Vector2d later(const ImageMotion& m, double idepth, const Eigen::Vector2d& x, double seconds) {
-  const Eigen::Vector3d X = SE3::exp(seconds * m.velocity) * Eigen::Vector3d(Eigen::Vector3d(x.x(), x.y(), 1) / idepth);
+  const Eigen::Vector3d X =
+      SE3::exp(seconds * m.velocity) * Eigen::Vector3d(Eigen::Vector3d(x.x(), x.y(), 1) / idepth);
   return X.head<2>() / X.z();
 }
 
@@ -52,7 +53,8 @@ TEST(ImageMotion, TakesTheDepthOfItsCell) {
   EXPECT_NEAR(idepth_at(8 * cell_width - 0.5, 2.5 * cell_height - 0.5), 1.25, 1e-9);
   EXPECT_NEAR(idepth_at(3 * cell_width, 5 * cell_height), 0.5, 1e-9);
   for (const double u : {-50.0, 0.0, 639.0, 700.0})
-    for (const double v : {-50.0, 0.0, 479.0, 600.0}) EXPECT_NEAR(idepth_at(u, v), 0.5, 1e-9) << u << " " << v;
+    for (const double v : {-50.0, 0.0, 479.0, 600.0})
+      EXPECT_NEAR(idepth_at(u, v), 0.5, 1e-9) << u << " " << v;
 }
 
 TEST(ImageMotion, OfNoPointIsNoPlaceInMemory) {
@@ -68,7 +70,8 @@ TEST(ImageMotion, IsNotKnownAtFirst) {
   EXPECT_EQ(from_file(kCamera, {0, 0.05}, ImageMotion(), x), x);
 }
 
-// A row in the upper half is taken earlier, one in the lower half later, and the shift is that of the true motion to second order.
+// A row in the upper half is taken earlier, one in the lower half later, and the shift is that of the true
+// motion to second order.
 TEST(ImageCorrection, ARowShowsAPointAtItsOwnMoment) {
   const double idepth = 0.7, readout_s = 0.02;
   const ImageMotion m = motion_at(idepth);
@@ -86,7 +89,8 @@ TEST(ImageCorrection, TheWayBackIsExact) {
     for (const double k1 : {-0.01, 0.0, 0.02}) {
       const ImageCorrection c{k1, readout_s};
       const ImageMotion m = motion_at(0.8);
-      for (const Eigen::Vector2d& x : points()) EXPECT_LT((from_file(kCamera, c, m, to_file(kCamera, c, m, x)) - x).norm(), 1e-11);
+      for (const Eigen::Vector2d& x : points())
+        EXPECT_LT((from_file(kCamera, c, m, to_file(kCamera, c, m, x)) - x).norm(), 1e-11);
     }
 }
 

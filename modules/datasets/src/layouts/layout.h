@@ -1,6 +1,6 @@
 #pragma once
-// The folder layouts that there are. A new one: a file layout_NAME.cpp beside this one, its declaration here and its line in
-// layout_list.cpp.
+// The folder layouts that there are. A new one: a file layout_NAME.cpp beside this one, its declaration here
+// and its line in layout_list.cpp.
 #include <string>
 
 #include "edgevo/datasets/open_source.h"
@@ -12,8 +12,8 @@ struct Layout {
   bool (*recognises)(const std::string& folder);
   Sequence (*read)(const SourceOptions& options);
   bool has_labels;  ///< its cameras have names to choose by (--sensor)
-  /// Ground truth that stands beside the images in another format than TUM's, as TUM text (ground_truth.h); empty if there is none.
-  /// nullptr: such a layout has none but Sequence::ground_truth_path.
+  /// Ground truth that stands beside the images in another format than TUM's, as TUM text (ground_truth.h);
+  /// empty if there is none. nullptr: such a layout has none but Sequence::ground_truth_path.
   std::string (*ground_truth)(const SourceOptions& options);
 };
 

@@ -88,7 +88,8 @@ Sequence read_kitti_layout(const SourceOptions& options) {
   return sequence;
 }
 
-// One pose of camera 0 a line, 3x4, row by row. The rectified cameras differ by a shift along x: P[3] = -fx x_cam.
+// One pose of camera 0 a line, 3x4, row by row. The rectified cameras differ by a shift along x: P[3] is
+// -fx x_cam.
 std::string kitti_ground_truth(const SourceOptions& options) {
   const std::string poses = kitti_poses_path(options.path);
   if (poses.empty()) return {};

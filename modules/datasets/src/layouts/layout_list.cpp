@@ -5,7 +5,8 @@
 namespace edgevo {
 
 const Layout* layout_of(const std::string& folder) {
-  static const Layout kLayouts[] = {  // in the order in which they are tried
+  // In the order in which they are tried.
+  static const Layout kLayouts[] = {
       edgevo_layout(), kitti_layout(), tum_layout(), euroc_layout(), virtual_kitti_layout(),
   };
   std::error_code ignored;

@@ -14,7 +14,8 @@ Sequence read_virtual_kitti_layout(const SourceOptions& options) {
   sequence.times = std::move(v.times);
   sequence.camera = v.camera;
   if (!v.camera_name.empty()) sequence.details.emplace_back("camera folder", v.camera_name);
-  if (!v.poses_path.empty()) sequence.details.emplace_back("ground truth", v.poses_path + " (Virtual KITTI format)");
+  if (!v.poses_path.empty())
+    sequence.details.emplace_back("ground truth", v.poses_path + " (Virtual KITTI format)");
   return sequence;
 }
 
@@ -22,12 +23,15 @@ std::string virtual_kitti_ground_truth(const SourceOptions& options) {
   const VirtualKitti sequence = read_virtual_kitti(options);
   if (sequence.T_world_cam.empty()) return {};
   std::string text = "# Virtual KITTI ground truth as TUM: timestamp tx ty tz qx qy qz qw (T_world_cam)\n";
-  for (size_t i = 0; i < sequence.T_world_cam.size(); ++i) append_pose(&text, sequence.times[i], sequence.T_world_cam[i]);
+  for (size_t i = 0; i < sequence.T_world_cam.size(); ++i)
+    append_pose(&text, sequence.times[i], sequence.T_world_cam[i]);
   return text;
 }
 
 }  // namespace
 
-Layout virtual_kitti_layout() { return {is_virtual_kitti, read_virtual_kitti_layout, true, virtual_kitti_ground_truth}; }
+Layout virtual_kitti_layout() {
+  return {is_virtual_kitti, read_virtual_kitti_layout, true, virtual_kitti_ground_truth};
+}
 
 }  // namespace edgevo

@@ -5,8 +5,8 @@
 
 namespace edgevo {
 
-/// Sobel units: a percentile of the gradient (canny_percentile), but below its peak, which many pixels may share (stripes, a chessboard),
-/// and not below the floor (min_gradient).
+/// Sobel units: a percentile of the gradient (canny_percentile), but below its peak, which many pixels may
+/// share (stripes, a chessboard), and not below the floor (min_gradient).
 double high_threshold(const Plane<float>& magnitude, const EdgeParams& params);
 
 }  // namespace edgevo

@@ -4,8 +4,9 @@
 
 namespace edgevo {
 
-/// Mask, 255 at edge pixels: where the magnitude (Sobel units) is a maximum across the edge, to the next 45 degrees, and over `high`, or
-/// over `low` and linked to such a pixel. The outermost pixels of the image are never edges. Cost: about 1.5 ms at 1241x376.
+/// Mask, 255 at edge pixels: where the magnitude (Sobel units) is a maximum across the edge, to the next 45
+/// degrees, and over `high`, or over `low` and linked to such a pixel. The outermost pixels of the image are
+/// never edges. Cost: about 1.5 ms at 1241x376.
 Plane<uint8_t> canny(const Gradient& gradient, float low, float high);
 
 }  // namespace edgevo

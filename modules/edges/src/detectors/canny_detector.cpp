@@ -1,4 +1,5 @@
-// Canny with thresholds that follow the image, so that the number of edge pixels stays steady when exposure moves.
+// Canny with thresholds that follow the image, so that the number of edge pixels stays steady when exposure
+// moves.
 #include "adaptive_threshold.h"
 #include "canny.h"
 #include "detector_list.h"
@@ -21,6 +22,8 @@ class CannyDetector : public EdgeDetector {
 
 }  // namespace
 
-std::unique_ptr<EdgeDetector> make_canny_detector(const EdgeParams& params) { return std::make_unique<CannyDetector>(params); }
+std::unique_ptr<EdgeDetector> make_canny_detector(const EdgeParams& params) {
+  return std::make_unique<CannyDetector>(params);
+}
 
 }  // namespace edgevo

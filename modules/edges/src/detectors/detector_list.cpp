@@ -1,4 +1,5 @@
-// The detectors that there are. A new one: a file beside this one that derives from EdgeDetector, and its line in kKinds.
+// The detectors that there are. A new one: a file beside this one with a class that derives from EdgeDetector
+// and a function that makes it, declared in detector_list.h and named here.
 #include "detector_list.h"
 
 #include "edgevo/core/error.h"
@@ -17,6 +18,13 @@ std::vector<std::string> edge_detector_names() {
   std::vector<std::string> names;
   for (const EdgeDetectorKind& kind : edge_detector_kinds()) names.emplace_back(kind.name);
   return names;
+}
+
+std::string edge_detector_help() {
+  std::string help;
+  for (const EdgeDetectorKind& kind : edge_detector_kinds())
+    help += (help.empty() ? "" : ", ") + std::string(kind.name) + " (" + kind.what + ")";
+  return help;
 }
 
 std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params) {

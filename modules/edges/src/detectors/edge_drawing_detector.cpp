@@ -1,4 +1,5 @@
-// OpenCV's EdgeDrawing: draws on from anchors through all pixels over its threshold, as Canny does above its low one.
+// OpenCV's EdgeDrawing: draws on from anchors through all pixels over its threshold, as Canny does above its
+// low one.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/ximgproc/edge_drawing.hpp>
@@ -10,7 +11,8 @@
 namespace edgevo {
 namespace {
 
-// A pixel is an anchor that beats its neighbours across the edge by this much, EdgeDrawing's units of |dx| + |dy|: noise does not.
+// A pixel is an anchor that beats its neighbours across the edge by this much, EdgeDrawing's units of |dx| +
+// |dy|: noise does not.
 constexpr int kAnchorThreshold = 8;
 
 class EdgeDrawingDetector : public EdgeDetector {

@@ -9,10 +9,12 @@
 
 namespace edgevo {
 
-constexpr int kPatchRadius = 2;  ///< pixels: 25 values tell a patch from others, and between two frames so few need no warp
+/// Pixels: 25 values tell a patch from others, and between two frames so few need no warp.
+constexpr int kPatchRadius = 2;
 constexpr int kPatchSide = 2 * kPatchRadius + 1;       ///< pixels
 constexpr int kPatchPixels = kPatchSide * kPatchSide;  ///< 25
-constexpr double kUnrelatedMeanSquare = 2.0;           ///< of the difference of two patches of unit deviation that have nothing in common
+/// Of the difference of two patches of unit deviation that have nothing in common.
+constexpr double kUnrelatedMeanSquare = 2.0;
 
 struct PatchTemplate {
   bool usable = false;                       ///< inside the image and not flat

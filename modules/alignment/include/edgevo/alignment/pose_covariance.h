@@ -2,10 +2,10 @@
 // How well an alignment knows its pose: the covariance of xi in T_cur_ref <- exp(xi) T_cur_ref, tangent [v,
 // w], unit of the map and radians.
 //
-// Paper, Eq. (poseuncertainty) with the inverse that its print lacks: Sigma = A^-1 sigma_r^2, A = sum w J^T J.
-// That takes residuals as independent. Points on one edge share the error of that edge, so the sum of their
-// scores g = w r J^T varies more than their number says. The sandwich estimator measures by how much, with the
-// edges as clusters:
+// Paper, Eq. (poseuncertainty) with the inverse that its print lacks: Sigma = A^-1 sigma_r^2, A = sum w J^T
+// J. That takes residuals as independent. Points on one edge share the error of that edge, so the sum of
+// their scores g = w r J^T varies more than their number says. The sandwich estimator measures by how much,
+// with the edges as clusters:
 //
 //   Sigma = A^-1 M A^-1,   M = n/(n - 6) sum_e (sum_{p in e} g_p) (sum_{p in e} g_p)^T   over n edges e,
 //

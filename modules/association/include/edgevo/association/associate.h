@@ -47,8 +47,8 @@ Match associate(const AssociationQuery& query, const AssociationParams& params);
 /// The same with patches compared in another way than by their gradient.
 Match associate(const AssociationQuery& query, const AssociationParams& params, const PatchComparison& comparison);
 
-/// Must the match be searched again? |<r, g_perp>| > k_m lambda_max, Eq. (distancecheck) with |e| where the paper prints e, or a residual
-/// along the normal beyond 3.5 sigma.
+/// Must the match be searched again? |<r, g_perp>| > k_m lambda_max, Eq. (distancecheck) with |e| where the
+/// paper prints e, or a residual along the normal beyond 3.5 sigma.
 bool needs_update(const Match& match, double residual_normal_px, double residual_tangent_px,
                   const AssociationParams& params);
 

@@ -19,6 +19,7 @@ class LookAhead {
   void run();
 
  private:
+  static constexpr int kAtOnce = 32;  ///< requests that wait for memory together: processors keep about as many open
   struct Place {
     const PyramidLevel* level;
     Eigen::Vector2f px;
@@ -26,7 +27,7 @@ class LookAhead {
   };
 
   const AssociationParams& params_;
-  std::array<Place, 32> places_;
+  std::array<Place, kAtOnce> places_;
   int count_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 // One-dimensional Lucas-Kanade along an edge normal: moves a match along its normal until the warped host
-// patch of intensity, at zero mean and unit deviation, fits best. Removes the pull of the nearest neighbour towards the prediction.
+// patch of intensity, at zero mean and unit deviation, fits best. Removes the pull of the nearest neighbour
+// towards the prediction.
 #include "edgevo/association/association_params.h"
 #include "edgevo/association/warp.h"
 

@@ -1,8 +1,9 @@
 #pragma once
 // Point-to-edge uncertainty (paper, section IV-A), as numbers for one point and one edge.
 //
-// The point projects to p; its match lies on an edge with unit gradient g (the normal) and direction g_perp; l is the epipolar
-// direction in the image, theta the angle between g and l (the paper's text swaps these names).
+// The point projects to p; its match lies on an edge with unit gradient g (the normal) and direction g_perp;
+// l is the epipolar direction in the image, theta the angle between g and l (the paper's text swaps these
+// names).
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"

@@ -15,8 +15,10 @@ Eigen::Matrix2d patch_warp(const Pinhole& camera, const SE3& T_target_host, cons
 /// Where an edge normal of the host points in the target: the unit vector along A^-T n.
 Eigen::Vector2d warp_normal(const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_host);
 
-constexpr int kMaxPatchRadius = 5;  ///< pixels: of the largest patch_side, 11, and of refine_radius and a pixel more
-constexpr int kMaxPatchPixels = (2 * kMaxPatchRadius + 1) * (2 * kMaxPatchRadius + 1);  ///< 121: memory of a Patch
+/// Pixels: of the largest patch_side, 11, and of refine_radius and a pixel more.
+constexpr int kMaxPatchRadius = 5;
+/// 121: memory of a Patch.
+constexpr int kMaxPatchPixels = (2 * kMaxPatchRadius + 1) * (2 * kMaxPatchRadius + 1);
 
 /// Square patch, row by row, (2 radius + 1) pixels a side.
 struct Patch {

@@ -52,10 +52,12 @@ struct Camera {
   void check(const std::string& where) const;
 };
 
-/// What no camera file says about the images, found while running or given. How points move under it: edges/image_correction.h.
+/// What no camera file says about the images, found while running or given. How points move under it:
+/// edges/image_correction.h.
 struct ImageCorrection {
-  double k1 = 0;         ///< residual radial distortion, see radial.h
-  double readout_s = 0;  ///< the last row is taken this much later than the first; negative: from the bottom to the top
+  double k1 = 0;  ///< residual radial distortion, see radial.h
+  /// The last row is taken this much later than the first; negative: from the bottom to the top.
+  double readout_s = 0;
 
   bool operator==(const ImageCorrection& o) const { return k1 == o.k1 && readout_s == o.readout_s; }
   bool operator!=(const ImageCorrection& o) const { return !(*this == o); }

@@ -59,8 +59,8 @@ struct KeyframeRecord {
   std::vector<EdgePoint> points;
 };
 
-/// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h), and read row by row in
-/// readout_s (ImageCorrection).
+/// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h),
+/// and read row by row in readout_s (ImageCorrection).
 struct CameraRefinement {
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied };
   State state = State::kOff;

@@ -14,7 +14,8 @@ inline double huber_cost(double r, double width) {
   const double a = std::abs(r);
   return a <= width ? 0.5 * r * r : width * (a - 0.5 * width);
 }
-constexpr double kStudentFreedom = 5.0;  ///< degrees of freedom: tails as residuals of images have them (Kerl, Sturm, Cremers 2013)
+/// Degrees of freedom: tails as residuals of images have them (Kerl, Sturm, Cremers 2013).
+constexpr double kStudentFreedom = 5.0;
 
 /// Student-t weight with `dof` degrees of freedom and scale sigma: (dof + 1) / (dof + (r/sigma)^2).
 inline double student_t_weight(double r, double sigma, double dof = kStudentFreedom) {

@@ -1,6 +1,7 @@
 #pragma once
-// Edge detectors behind one interface: each marks edge pixels in a mask; thinning, sub-pixel positions and linking are common to
-// all (edge_extraction.h). A new one is a file in src/detectors/ and a line in its detector_list.cpp.
+// Edge detectors behind one interface: each marks edge pixels in a mask; thinning, sub-pixel positions and
+// linking are common to all (edge_extraction.h). A new one is a file in src/detectors/ and its lines in
+// detector_list.* there.
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,9 +25,12 @@ struct EdgeDetectorKind {
   std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);
 };
 
-/// All of them, the default first. What edges.detector may be, and what --help says of it, comes from here.
+/// All of them, the default first.
 const std::vector<EdgeDetectorKind>& edge_detector_kinds();
+/// Their names: what edges.detector may be.
 std::vector<std::string> edge_detector_names();
+/// "canny (...), edge_drawing (...)".
+std::string edge_detector_help();
 
 /// The one that params.detector names. Throws InputError for an unknown name.
 std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params);

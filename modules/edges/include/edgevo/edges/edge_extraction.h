@@ -1,5 +1,6 @@
 #pragma once
-// From a mask of edge pixels to an EdgeMap: thin to one pixel, link along the edge, place each pixel to sub-pixel.
+// From a mask of edge pixels to an EdgeMap: thin to one pixel, link along the edge, place each pixel to
+// sub-pixel.
 #include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/gradient.h"
 

@@ -8,7 +8,8 @@
 
 namespace edgevo {
 
-/// Pixels. Nearer to the border no edges are taken: their gradient rests on pixels that the image does not have.
+/// Pixels. Nearer to the border no edges are taken: their gradient rests on pixels that the image does not
+/// have.
 constexpr int kEdgelessBorder = 2;
 
 struct EdgePixel {

@@ -1,11 +1,13 @@
 #pragma once
-// How fast image points move at one moment, everywhere in the image: what the rows of a rolling shutter need to know.
+// How fast image points move at one moment, everywhere in the image: what the rows of a rolling shutter need
+// to know.
 //
-// A camera that moves by the twist (v, w) sees a point X of its frame move by dX/dt = v + w x X, and with the inverse depth rho the
-// normalised image point x = (X/Z, Y/Z) by
+// A camera that moves by the twist (v, w) sees a point X of its frame move by dX/dt = v + w x X, and with the
+// inverse depth rho the normalised image point x = (X/Z, Y/Z) by
 //     dx/dt = (rho v + w x (x, y, 1))_xy - x (rho v + w x (x, y, 1))_z.
-// rho is a coarse picture of the depths in view, and need not be exact for each edge point: at 0.3 m/s, 1 m from the camera and 520 px of
-// focal length, an error by a third is one of 50 px/s, and a quarter of a pixel where a shutter of 0.02 s is halfway to the border.
+// rho is a coarse picture of the depths in view, and need not be exact for each edge point: at 0.3 m/s, 1 m
+// from the camera and 520 px of focal length, an error by a third is one of 50 px/s, and a quarter of a pixel
+// where a shutter of 0.02 s is halfway to the border.
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"
@@ -14,10 +16,13 @@
 namespace edgevo {
 
 struct ImageMotion {
-  static constexpr int kRows = 8, kColumns = 10;  ///< cells of the image: a coarse picture of the depths will do
+  /// Cells of the image: a coarse picture of the depths will do.
+  static constexpr int kRows = 8, kColumns = 10;
 
-  Vector6d velocity = Vector6d::Zero();  ///< (v, w) of points in the camera frame, units and radians a second; 0: not known
-  Eigen::Matrix<double, kRows, kColumns> idepth = Eigen::Matrix<double, kRows, kColumns>::Zero();  ///< at the cells' centres
+  /// (v, w) of points in the camera frame, units and radians a second; 0: not known.
+  Vector6d velocity = Vector6d::Zero();
+  /// At the cells' centres.
+  Eigen::Matrix<double, kRows, kColumns> idepth = Eigen::Matrix<double, kRows, kColumns>::Zero();
 
   bool is_known() const { return !velocity.isZero(0); }
   /// dx/dt of the normalised image point x, per second; depths between the cells' centres bilinear.

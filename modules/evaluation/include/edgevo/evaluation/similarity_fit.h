@@ -16,8 +16,11 @@ using Points = Eigen::Matrix3Xd;  ///< one point a column
 /// Root mean square distance of the points from their mean; 0 for none.
 double spread(const Points& points);
 
-/// Sim(3) with dst ~ s R src + t. nullopt for fewer than 3 points, for a list whose points coincide (to 1e-9 of their
-/// distance from the origin), or if no positive scale fits. Cost: linear.
+/// They are all in one place, to 1e-9 of their distance from the origin. At least one point.
+bool coincide(const Points& points);
+
+/// Sim(3) with dst ~ s R src + t. nullopt for fewer than 3 points, for a list whose points coincide, or if no
+/// positive scale fits. Cost: linear.
 std::optional<Sim3> fit_sim3(const Points& src, const Points& dst);
 
 /// SE(3) with dst ~ R src + t; nullopt for fewer than 3 points.

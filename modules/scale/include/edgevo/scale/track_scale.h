@@ -27,8 +27,8 @@ std::vector<TrackPair> pair_up(const Path& path, const VehicleTrack& track);
 /// With fewer positions a path tells no scale.
 constexpr size_t kMinTrackPairs = 8;
 
-/// `sensor_in_camera`: where the sensor sits, camera axes, metres (zero if nobody knows). nullopt for fewer than kMinTrackPairs, a path
-/// that stands still, and an estimate worse than max_sigma.
+/// `sensor_in_camera`: where the sensor sits, camera axes, metres (zero if nobody knows). nullopt for fewer
+/// than kMinTrackPairs, a path that stands still, and an estimate worse than max_sigma.
 std::optional<ScaleEstimate> fit_track(const std::vector<TrackPair>& pairs, const Eigen::Vector3d& sensor_in_camera,
                                        const ScaleParams& params);
 

@@ -22,7 +22,7 @@ struct StudyOptions {
   int distance = 2;             ///< frames between host and target, curves 1 and 2
   int max_distance = 8;         ///< curve 3
   int begin = 0, end = -1;      ///< frames begin <= index < end are used; -1: to the last
-  std::string light = "mixed";  ///< kind of relight.h
+  std::string light = "mixed";  ///< kind of simulation/relight.h
   uint64_t seed = 1;
   int threads = 2;  ///< the numbers do not depend on it, times excluded
 };
