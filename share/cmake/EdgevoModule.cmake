@@ -1,8 +1,8 @@
 # edgevo_add_module(NAME [PUBLIC targets...] [PRIVATE targets...])
-# One library edgevo::NAME from modules/NAME/{include,src}; PUBLIC and PRIVATE name what it links.
+# One library edgevo::NAME from modules/NAME/{include,src}, folders within src included; PUBLIC and PRIVATE name what it links.
 function(edgevo_add_module name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   if(NOT sources)
     return()
   endif()
