@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTrajectory = "trajectory_tum.txt";
 
-std::string in_folder(const BenchJob& job, const char* name) { return (fs::path(job.folder) / name).string(); }
+std::string in_folder(const BenchJob& job, const char* name) {
+  return (fs::path(job.folder) / name).string();
+}
 
 VisitParams figures_of(Trial* trial) {
   return [trial](ParamVisitor& v) { trial->visit(v); };
@@ -50,10 +52,13 @@ void begin_folder(const BenchJob& job) {
 
 }  // namespace
 
-BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out, const std::string& version) {
+BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out,
+                  const std::string& version) {
   BenchJob job{variant, seed, {}, {}};
-  job.folder = (fs::path(out) / input.sequence().name / variant.name / ("seed" + std::to_string(seed))).string();
-  job.description = "edgevo: \"" + version + "\"\nvariant: " + variant.name + "\nseed: " + std::to_string(seed) + '\n' + input.description();
+  job.folder =
+      (fs::path(out) / input.sequence().name / variant.name / ("seed" + std::to_string(seed))).string();
+  job.description = "edgevo: \"" + version + "\"\nvariant: " + variant.name +
+                    "\nseed: " + std::to_string(seed) + '\n' + input.description();
   return job;
 }
 
@@ -75,10 +80,11 @@ std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::
   options.odometry.seed = job.seed;
   options.stop = interrupted;
   Progress progress(title, source->size());
-  const Drive driven = drive(*source, input.params().odometry, options, [&, done = 0](const DrivenFrame&) mutable {
-    progress.update(++done);
-    return true;
-  });
+  const Drive driven =
+      drive(*source, input.params().odometry, options, [&, done = 0](const DrivenFrame&) mutable {
+        progress.update(++done);
+        return true;
+      });
   if (driven.broken) std::rethrow_exception(driven.broken);
   if (interrupted()) return std::nullopt;
   write_file(in_folder(job, kTrajectory), trajectory_tum(driven.run, PoseKind::kFinal));

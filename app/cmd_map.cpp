@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/results/run_maps.h"
@@ -43,9 +42,7 @@ void print_map(const Run& run, const MapReport& report, const std::string& out) 
 int map(const MapArguments& args) {
   const MapParams params = params_as_asked(args);
   const Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
-  make_output_folder(args.out);
-  const MapReport report = write_map_files(
-      run, params, [&](const std::string& name, const auto& write) { write((fs::path(args.out) / name).string()); });
+  const MapReport report = write_map_files(run, params, args.out);
   print_map(run, report, args.out);
   return 0;
 }

@@ -47,13 +47,15 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.ground_truth_path = source.ground_truth_path();
   info.camera = source.camera();
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
-  info.notes = {{"seed", std::to_string(args.seed)}, {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
+  info.notes = {{"seed", std::to_string(args.seed)},
+                {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
   return info;
 }
 
-// What is to be done after each frame: keep its image for the playback, measure the scale, show the frame, and show how far we are.
-std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling, RunView* view,
-                                                         std::optional<Progress>& progress) {
+// What is to be done after each frame: keep its image for the playback, measure the scale, show the frame,
+// and show how far we are.
+std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
+                                                         RunView* view, std::optional<Progress>& progress) {
   return [&outputs, &scaling, view, &progress, done = 0](const DrivenFrame& driven) mutable {
     if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
     scaling.add_frame(driven.record, driven.odometry);
@@ -70,14 +72,15 @@ std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSour
   return view;
 }
 
-Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params, RunScaling& scaling,
-                     RunOutputs& outputs) {
+Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params,
+                     RunScaling& scaling, RunOutputs& outputs) {
   DriveOptions options;
   options.odometry.seed = args.seed;
   options.odometry.realtime = args.realtime;
   options.pace = args.pace;
   options.stop = interrupted;
-  if (!args.quiet) options.odometry.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
+  if (!args.quiet)
+    options.odometry.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   const auto view = view_as_asked(args, source);
@@ -93,8 +96,9 @@ void print_summary(const Run& run, const std::string& out) {
     segments = std::max(segments, f.segment + 1);
   }
   for (const KeyframeRecord& k : run.keyframes) points += k.points.size();
-  std::printf("%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points; scale %s\n",
-              run.frames.size(), posed, lost, segments, run.keyframes.size(), points, run.scale_source.c_str());
+  std::printf(
+      "%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points; scale %s\n",
+      run.frames.size(), posed, lost, segments, run.keyframes.size(), points, run.scale_source.c_str());
   if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
   std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());
 }
@@ -120,10 +124,11 @@ int run(const RunArguments& args) {
   outputs.finish(result, info);
   if (!args.quiet) print_summary(result, args.out);
   if (driven.broken) std::rethrow_exception(driven.broken);
-  if (!result.scale.problem.empty()) throw InputError(args.out, "the results are in an arbitrary unit", result.scale.problem);
+  if (!result.scale.problem.empty())
+    throw InputError(args.out, "the results are in an arbitrary unit", result.scale.problem);
   if (mostly_failed(result)) {
-    std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv\n", args.source.path.c_str(),
-                 args.out.c_str());
+    std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv\n",
+                 args.source.path.c_str(), args.out.c_str());
     return kMostlyFailed;
   }
   return kDone;
@@ -136,24 +141,39 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   auto args = std::make_shared<RunArguments>();
   args->command_line = std::move(command_line);
   add_source_options(*command, &args->source);
-  command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")->required()->check(path_given());
-  command->add_option("--params", args->params_file, "YAML file of parameters; what it does not name keeps its default");
-  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")->take_all();
+  command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")
+      ->required()
+      ->check(path_given());
+  command->add_option("--params", args->params_file,
+                      "YAML file of parameters; what it does not name keeps its default");
+  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
+      ->take_all();
   command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
-  command->add_option("--seed", args->seed, "seed of all random choices; a synchronous run with one seed is bit-identical")
+  command
+      ->add_option("--seed", args->seed,
+                   "seed of all random choices; a synchronous run with one seed is bit-identical")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
-  command->add_option("--scale", args->scale, "where the metre comes from: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps, robot_pose "
-                      "(of the rawlog), camera_height=METRES (over the ground it drives on)");
-  CLI::Option* realtime = command->add_flag("--realtime", args->realtime, "tracking and mapping in two threads, latencies measured; not bit-identical");
+  command->add_option(
+      "--scale", args->scale,
+      "where the metre comes from: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps, robot_pose "
+      "(of the rawlog), camera_height=METRES (over the ground it drives on)");
+  CLI::Option* realtime =
+      command->add_flag("--realtime", args->realtime,
+                        "tracking and mapping in two threads, latencies measured; not bit-identical");
   command
       ->add_option_function<std::string>(
           "--pace", [args](const std::string& text) { args->pace = parse_pace(text); },
-          "with --realtime: when frames of a recording are due: 30 (a second), 1x (as their times say), 0.5x (half as fast); without it "
+          "with --realtime: when frames of a recording are due: 30 (a second), 1x (as their times say), 0.5x "
+          "(half as fast); without it "
           "each as soon as the one before is done")
       ->needs(realtime);
-  command->add_flag("--view", args->view, "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
+  command->add_flag(
+      "--view", args->view,
+      "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
-  command->footer("Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a source.");
+  command->footer(
+      "Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a "
+      "source.");
   command->callback([=] { *action = [=] { return run(*args); }; });
 }
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_file.h"
 #include "edgevo/servo/closed_loop.h"
 #include "edgevo/servo/servo_outputs.h"
 #include "edgevo/simulation/relight.h"
@@ -91,7 +90,7 @@ int servo(Options o) {
   set_latency(o.latency, &o.servo);
   check_light(o.servo.light);
   OdometryParams params = odometry_params(o);
-  make_output_folder(o.out);
+  RunFolder folder(o.out);
   listen_to_signals();
   ServoRunInfo info{o.servo, write_params([&](ParamVisitor& v) { params.visit(v); }, 2), o.command_line};
   ServoResult result;
@@ -104,7 +103,7 @@ int servo(Options o) {
       return !interrupted();
     });
   }
-  write_servo_outputs(o.out, result, info);
+  write_servo_outputs(result, info, &folder);
   if (!result.failure.empty()) {
     std::fprintf(stderr, "edgevo: the servo loop did not begin: %s; see %s/report.html\n",
                  result.failure.c_str(), o.out.c_str());

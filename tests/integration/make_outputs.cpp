@@ -1,8 +1,9 @@
 // make_outputs OUT: writes the outputs of a synthetic run, for stock_tools.sh.
 #include <cstdio>
 
+#include "edgevo/core/error.h"
 #include "edgevo/results/run_outputs.h"
-#include "synthetic_run.h"
+#include "support/synthetic_run.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) {

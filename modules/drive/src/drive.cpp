@@ -30,7 +30,8 @@ void feed(ImageSource& source, const Stop& stop, Odometry& odometry, const OnFra
   }
 }
 
-void pass_over(const FedFrame& fed, const OdometryOptions& options, Odometry& odometry, KeepingUp* keeping_up) {
+void pass_over(const FedFrame& fed, const OdometryOptions& options, Odometry& odometry,
+               KeepingUp* keeping_up) {
   for (const Frame& dropped : fed.dropped) {
     odometry.pass_over(dropped, "dropped: the odometry was behind the camera");
     keeping_up->note_dropped();
@@ -40,8 +41,8 @@ void pass_over(const FedFrame& fed, const OdometryOptions& options, Odometry& od
                 " frame(s) before it dropped, the odometry is behind the camera");
 }
 
-void feed_realtime(LiveFeed& feed, const OdometryOptions& options, const Stop& stop, Odometry& odometry, const OnFrame& on_frame,
-                   KeepingUp* keeping_up, Drive* drive) {
+void feed_realtime(LiveFeed& feed, const OdometryOptions& options, const Stop& stop, Odometry& odometry,
+                   const OnFrame& on_frame, KeepingUp* keeping_up, Drive* drive) {
   while (!stop()) {
     const std::optional<FedFrame> fed = feed.next(stop);
     if (!fed) break;
@@ -66,7 +67,8 @@ std::exception_ptr broken_by(const Stop& stop, Work&& work) {
 
 }  // namespace
 
-Drive drive(ImageSource& source, const OdometryParams& params, const DriveOptions& asked, const OnFrame& on_frame) {
+Drive drive(ImageSource& source, const OdometryParams& params, const DriveOptions& asked,
+            const OnFrame& on_frame) {
   cv::setNumThreads(1);  // the threads are ours: tracking and mapping
   OdometryOptions options = asked.odometry;
   // Frames that come at their own time do not wait: better an older map than a late pose.
@@ -78,8 +80,8 @@ Drive drive(ImageSource& source, const OdometryParams& params, const DriveOption
   if (options.realtime) {
     LiveFeed live_feed(source, asked.pace);
     KeepingUp keeping_up(source.is_live() ? "that of the camera" : describe(asked.pace));
-    result.broken =
-        broken_by(stop, [&] { feed_realtime(live_feed, options, stop, odometry, on_frame, &keeping_up, &result); });
+    result.broken = broken_by(
+        stop, [&] { feed_realtime(live_feed, options, stop, odometry, on_frame, &keeping_up, &result); });
     finish();
     keeping_up.write_to(&result.run);
   } else {

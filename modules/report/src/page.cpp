@@ -1,6 +1,5 @@
 #include "edgevo/report/page.h"
 
-#include "edgevo/report/chart.h"
 #include "edgevo_build_info.h"
 
 namespace edgevo {
@@ -49,6 +48,23 @@ std::string base64(const std::vector<uint8_t>& bytes) {
 }
 
 }  // namespace
+
+std::string html_escaped(const std::string& text) {
+  std::string html;
+  for (const char c : text) {
+    if (c == '&')
+      html += "&amp;";
+    else if (c == '<')
+      html += "&lt;";
+    else if (c == '>')
+      html += "&gt;";
+    else if (c == '"')
+      html += "&quot;";
+    else
+      html += c;
+  }
+  return html;
+}
 
 std::string page_html(const std::string& title, const std::string& subtitle, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "

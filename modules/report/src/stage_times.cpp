@@ -23,6 +23,15 @@ std::vector<std::string> stages_of(const Run& run) {
   return names;
 }
 
+std::vector<double> total_ms(const Run& run) {
+  std::vector<double> totals;
+  for (const FrameRecord& f : run.frames) {
+    totals.push_back(0);
+    for (const auto& stage : f.stage_ms) totals.back() += stage.second;
+  }
+  return totals;
+}
+
 double percentile(const std::vector<double>& sorted, double share) {
   const auto rank = size_t(std::ceil(share * double(sorted.size())));
   return sorted[std::max<size_t>(rank, 1) - 1];

@@ -73,10 +73,13 @@ std::string trajectory_tum(const Run& run, PoseKind kind) {
 
 std::string trajectory_vehicle_tum(const Run& run) {
   std::string text =
-      "# edgevo: pose of the vehicle at each frame that has a pose, re-expressed from the final keyframe poses\n"
+      "# edgevo: pose of the vehicle at each frame that has a pose, re-expressed from the final keyframe "
+      "poses\n"
       "# axes: x forward, y left, z up; world: those of the vehicle at the first pose\n"
       "# unit: " +
-      unit_statement(run) + (run.is_metric() ? "" : "; without it the distance of the camera from the vehicle's origin is left out") +
+      unit_statement(run) +
+      (run.is_metric() ? ""
+                       : "; without it the distance of the camera from the vehicle's origin is left out") +
       "\n"
       "# t tx ty tz qx qy qz qw\n";
   for (const FrameRecord& frame : run.frames)

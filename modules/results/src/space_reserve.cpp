@@ -1,4 +1,4 @@
-#include "edgevo/results/space_reserve.h"
+#include "space_reserve.h"
 
 #include <fcntl.h>
 #include <unistd.h>

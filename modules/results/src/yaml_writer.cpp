@@ -23,7 +23,9 @@ std::string yaml_quoted(const std::string& text) {
   return quoted + '"';
 }
 
-void YamlWriter::number(const std::string& key, double value, int decimals) { line(key, fixed(value, decimals)); }
+void YamlWriter::number(const std::string& key, double value, int decimals) {
+  line(key, fixed(value, decimals));
+}
 
 void YamlWriter::list(const std::string& key, const std::vector<std::string>& values) {
   std::string joined;

@@ -23,7 +23,8 @@ void scale_run(double factor, const std::string& source, Run* run) {
   }
   for (KeyframeRecord& k : run->keyframes) {
     k.T_world_cam = scaled(k.T_world_cam, factor);
-    for (EdgePoint& p : k.points) p.idepth = float(p.idepth / factor), p.idepth_sigma = float(p.idepth_sigma / factor);
+    for (EdgePoint& p : k.points)
+      p.idepth = float(p.idepth / factor), p.idepth_sigma = float(p.idepth_sigma / factor);
   }
   run->scale_source = source;
   run->scale.factor = run->scale.lowest = run->scale.highest = factor;

@@ -9,9 +9,12 @@ namespace {
 
 const char* what_it_reads(VehicleSensor sensor) {
   switch (sensor) {
-    case VehicleSensor::kOdometry: return "odometry (CObservationOdometry)";
-    case VehicleSensor::kGps: return "GPS fixes (CObservationGPS with GGA)";
-    case VehicleSensor::kRobotPose: return "robot poses (CObservationRobotPose)";
+    case VehicleSensor::kOdometry:
+      return "odometry (CObservationOdometry)";
+    case VehicleSensor::kGps:
+      return "GPS fixes (CObservationGPS with GGA)";
+    case VehicleSensor::kRobotPose:
+      return "robot poses (CObservationRobotPose)";
   }
   return "";
 }
@@ -19,7 +22,8 @@ const char* what_it_reads(VehicleSensor sensor) {
 // Positions taken while the images were; all of them where the times of the images are not known beforehand.
 size_t positions_beside_images(const VehicleTrack& track, const std::vector<Timestamp>& times) {
   size_t count = 0;
-  for (const VehiclePosition& p : track.positions) count += times.empty() || (times.front() <= p.time && p.time <= times.back());
+  for (const VehiclePosition& p : track.positions)
+    count += times.empty() || (times.front() <= p.time && p.time <= times.back());
   return count;
 }
 
@@ -29,9 +33,11 @@ VehicleTrack track_for(const ScaleSource& asked, const ImageSource& source) {
   VehicleTrack track = source.vehicle_track(*asked.sensor());
   const std::string where = "--scale " + asked.text, what = what_it_reads(*asked.sensor());
   if (track.positions.empty())
-    throw InputError(where, "this source (" + source.kind() + ") recorded no " + what, "give a rawlog that holds it, or another --scale");
+    throw InputError(where, "this source (" + source.kind() + ") recorded no " + what,
+                     "give a rawlog that holds it, or another --scale");
   if (positions_beside_images(track, source.times()) < kLeast)
-    throw InputError(where, "fewer than 8 of the source's " + what + " were taken while its images were", "compare the times, see edgevo info");
+    throw InputError(where, "fewer than 8 of the source's " + what + " were taken while its images were",
+                     "compare the times, see edgevo info");
   return track;
 }
 

@@ -2,117 +2,19 @@
 
 #include <visp3/core/vpExponentialMap.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <deque>
 #include <opencv2/core.hpp>
 
+#include "delayed_sensor.h"
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/thread_clock.h"
-#include "edgevo/simulation/relight.h"
-#include "edgevo/simulation/scene_renderer.h"
 #include "edgevo/visp_bridge/conversions.h"
+#include "simulated_camera.h"
 
 namespace edgevo {
 namespace {
 
 constexpr double kDegree = 180 / 3.14159265358979323846;
 constexpr double kHold_s = 1;  // at the goal for so long: converged
-
-// The camera: what it takes at a pose, with the light and the blackout of the moment.
-class SimulatedCamera {
- public:
-  SimulatedCamera(const ServoParams& params, const MotionPlan& plan)
-      : renderer_(load_scene("desk")),
-        dark_begin_s_(plan.teach_s + plan.away_s + params.blackout_at_s),
-        dark_end_s_(dark_begin_s_ + params.blackout_s),
-        light_begin_s_(plan.teach_s) {
-    if (!params.light.empty()) light_.emplace(params.light, params.seed);
-  }
-
-  const SceneRenderer& renderer() const { return renderer_; }
-  const Camera& model() const { return renderer_.camera(); }
-  bool is_dark(double seconds) const { return seconds >= dark_begin_s_ && seconds < dark_end_s_; }
-
-  /// nullopt: the camera drops the image.
-  std::optional<GrayImage> take(const SE3& T_scene_cam, int index, double seconds) const {
-    const Pinhole& p = model().pinhole;
-    if (is_dark(seconds))
-      return GrayImage{p.width, p.height, std::vector<uint8_t>(size_t(p.width) * p.height)};
-    const bool lit = light_ && seconds >= light_begin_s_;
-    if (lit && light_->drops(index)) return std::nullopt;
-    GrayImage image = renderer_.render_image_from(T_scene_cam, index);
-    return lit ? light_->apply(image, index, seconds - light_begin_s_) : image;
-  }
-
- private:
-  SceneRenderer renderer_;
-  std::optional<Relight> light_;
-  double dark_begin_s_, dark_end_s_, light_begin_s_;
-};
-
-// The odometry and how long its results are under way.
-class DelayedSensor {
- public:
-  DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo, ServoFeed* feed)
-      : odometry_(camera, params, options(servo)),
-        given_latency_s_(servo.latency_s),
-        cpu_latency_(servo.cpu_latency),
-        feed_(feed) {}
-
-  /// An image at its time; one that still waits is replaced.
-  void push(Frame frame) {
-    if (waiting_) ++replaced_;
-    waiting_ = std::move(frame);
-  }
-
-  /// Works on the waiting image if the odometry comes free before `until_s`; hands results out that are ready
-  /// by then.
-  void advance(double until_s, std::vector<ServoRow>* rows) {
-    if (waiting_ && std::max(free_at_s_, waiting_->time.seconds()) < until_s) work(rows);
-    while (!ready_.empty() && ready_.front().first <= until_s) {
-      feed_->publish(ready_.front().second);
-      ready_.pop_front();
-    }
-  }
-
-  int replaced() const { return replaced_; }
-
- private:
-  static OdometryOptions options(const ServoParams& servo) {
-    OdometryOptions options;
-    options.seed = servo.seed;
-    return options;
-  }
-
-  template <class Work>
-  double seconds_of(const Work& work) const {
-    const double cpu_begin_ms = thread_cpu_ms();
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    return cpu_latency_ ? 1e-3 * (thread_cpu_ms() - cpu_begin_ms) : took.count();
-  }
-
-  void work(std::vector<ServoRow>* rows) {
-    const Frame frame = std::move(*waiting_);
-    waiting_.reset();
-    const double took_s = seconds_of([&] { odometry_.process(frame); });
-    free_at_s_ = std::max(free_at_s_, frame.time.seconds()) + given_latency_s_.value_or(took_s);
-    ready_.emplace_back(free_at_s_, odometry_.newest_pose());
-    (*rows)[size_t(frame.index)].latency_s = free_at_s_ - frame.time.seconds();
-  }
-
-  Odometry odometry_;
-  std::optional<double> given_latency_s_;
-  bool cpu_latency_;
-  ServoFeed* feed_;
-  std::optional<Frame> waiting_;
-  std::deque<std::pair<double, NewestPose>> ready_;  // when, and what
-  double free_at_s_ = 0;
-  int replaced_ = 0;
-};
 
 class ClosedLoop {
  public:

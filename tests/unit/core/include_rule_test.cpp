@@ -36,6 +36,13 @@ TEST(IncludeRules, SiblingsDoNotUseEachOther) {
   EXPECT_THAT(broken("modules/datasets/src/a.cpp", "#include \"edgevo/mrpt_bridge/x.h\"\n"), IsEmpty());
 }
 
+TEST(IncludeRules, OnlyServoUsesWhatLinksViSP) {
+  const char* const feed = "#include \"edgevo/visp_bridge/servo_feed.h\"\n";
+  EXPECT_THAT(broken("modules/servo/src/a.cpp", feed), IsEmpty());
+  EXPECT_THAT(broken("modules/simulation/src/a.cpp", feed), ElementsAre(HasSubstr("brings the GPL into simulation")));
+  EXPECT_THAT(broken("modules/viewer/src/a.cpp", "#include \"edgevo/servo/x.h\"\n"), ElementsAre(HasSubstr("the GPL")));
+}
+
 TEST(IncludeRules, LibrariesStayOutOfForeignPublicHeaders) {
   const char* const headers[] = {"ceres/ceres.h", "octomap/OcTree.h", "mrpt/poses/CPose3D.h", "visp3/core/vpImage.h",
                                  "opencv2/core.hpp"};

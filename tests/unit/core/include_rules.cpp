@@ -11,6 +11,9 @@ namespace {
 // Siblings that may not use each other, though one is below the other in the list.
 const std::set<std::string> kSiblings{"occupancy", "mrpt_bridge", "visp_bridge"};
 
+// What links ViSP is distributed under the GPL: these modules, and nothing that others link.
+const std::set<std::string> kUnderTheGpl{"visp_bridge", "servo"};
+
 // Headers of libraries by how their names begin, and the module that may show them.
 struct Library {
   const char* name;
@@ -21,7 +24,7 @@ const std::vector<Library> kLibraries{
     {"Ceres", {"ceres/"}, {}},  // hidden in one source file
     {"OctoMap", {"octomap/", "octomath/"}, {"occupancy"}},
     {"MRPT", {"mrpt/"}, {"mrpt_bridge"}},
-    {"ViSP", {"visp3/", "visp/"}, {"visp_bridge"}},
+    {"ViSP", {"visp3/", "visp/"}, {"visp_bridge", "servo"}},
     {"OpenCV", {"opencv2/", "opencv/"}, {"edges"}},
 };
 
@@ -66,6 +69,8 @@ std::string module_rule(const std::string& user, const Include& include, const s
   if (used_at > user_at) return "reaches upward: " + user + " stands below " + used;
   if (used != user && kSiblings.count(user) && kSiblings.count(used))
     return "joins siblings: " + user + " and " + used + " do not use each other";
+  if (kUnderTheGpl.count(used) && !kUnderTheGpl.count(user))
+    return "brings the GPL into " + user + ": what links ViSP stays in visp_bridge and servo";
   return {};
 }
 

@@ -17,6 +17,7 @@ std::vector<std::string> module_order(const std::string& cmake_lists);
 
 /// What the file's includes break, one sentence each; empty if nothing.
 ///   - A module uses only modules below it; bridges and occupancy are siblings that do not use each other.
+///   - What links ViSP (GPL) is used by nothing else: visp_bridge by servo only, servo by no module.
 ///   - A library's headers stand in the public headers of its owner only.
 ///   - "edgevo/..." headers of another module must be public ones; no "../" and no path into another module's src.
 std::vector<std::string> broken_include_rules(const SourceFile& file, const std::vector<std::string>& order);

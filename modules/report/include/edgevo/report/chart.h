@@ -1,13 +1,9 @@
 #pragma once
-// Drawings of report.html as inline SVG: pure functions, the same bytes every time, no script and nothing to
-// load.
+// Charts over time as inline SVG: pure functions, the same bytes every time, no script and nothing to load.
 #include <string>
 #include <vector>
 
 namespace edgevo {
-
-/// Text as it may stand in HTML, in attributes too.
-std::string html_escaped(const std::string& text);
 
 /// One line of a chart; a y that is not finite is a gap.
 struct Series {
@@ -32,23 +28,5 @@ struct Ribbon {
   std::vector<std::string> color;  ///< one for each x
 };
 std::string draw(const Ribbon& ribbon);
-
-/// A line on the ground; gaps between its pieces.
-struct PlanLine {
-  std::string name, color;
-  bool dashed = false;
-  std::vector<std::vector<std::pair<double, double>>> pieces;  ///< (forward, left) points
-};
-/// Seen from above: forward is up, left is left, one scale for both axes.
-struct Plan {
-  std::string unit;
-  std::vector<std::pair<double, double>> points;  ///< small gray dots below the lines
-  std::vector<PlanLine> lines;
-};
-std::string draw(const Plan& plan);
-
-/// Steps of 1, 2 or 5 times a power of ten that lie in [low, high], about `count` of them. Empty unless low <
-/// high.
-std::vector<double> nice_ticks(double low, double high, int count);
 
 }  // namespace edgevo

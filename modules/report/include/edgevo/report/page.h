@@ -8,6 +8,8 @@
 
 namespace edgevo {
 
+/// Text as it may stand in HTML, in attributes too.
+std::string html_escaped(const std::string& text);
 /// A whole page around `body`; title and subtitle are plain text.
 std::string page_html(const std::string& title, const std::string& subtitle, const std::string& body);
 /// A titled part of the page; `title` is plain text, `body` HTML.

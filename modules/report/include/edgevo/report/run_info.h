@@ -1,5 +1,6 @@
 #pragma once
-// What is told of a run besides its records: by whom it was asked for, on which source, with which parameters.
+// What is told of a run besides its records: by whom it was asked for, on which source, with which
+// parameters.
 #include <string>
 #include <utility>
 #include <vector>

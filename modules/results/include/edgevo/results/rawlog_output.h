@@ -10,8 +10,8 @@ namespace edgevo {
 /// "x.rawlog": the user wants a rawlog, not a folder.
 bool names_rawlog(const std::string& path);
 
-/// Writes the rawlog, its images and, unless it is empty, `ground_truth_tum` beside it; makes the folder it goes to. Returns the number of
-/// frames, of which `on_frame_done` is told as they go. Throws InputError.
+/// Writes the rawlog, its images and, unless it is empty, `ground_truth_tum` beside it; makes the folder it
+/// goes to. Returns the number of frames, of which `on_frame_done` is told as they go. Throws InputError.
 int write_rawlog(ImageSource& source, const std::string& rawlog, const std::string& ground_truth_tum,
                  const std::function<void(int)>& on_frame_done);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The maps of a run for planners: octree and grid. `edgevo run` writes them at its end, `edgevo map` again at any resolution.
-#include <functional>
+// The maps of a run for planners: octree and grid. RunOutputs writes them at the end of a run, `edgevo map` again at any
+// resolution.
 #include <string>
 
 #include "edgevo/core/records.h"
@@ -21,14 +21,12 @@ struct MapParams {
   void check() const { occupancy.check(), grid.check(); }
 };
 
-/// Does `write(path)` for the file `name`; it may catch what that throws.
-using WriteOne = std::function<void(const std::string& name, const std::function<void(const std::string& path)>& write)>;
+/// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz into `folder`, which is made if need be. One that cannot
+/// be written does not keep the others from being tried; the first failure is thrown (InputError).
+MapReport write_map_files(const Run& run, const MapParams& params, const std::string& folder);
 
-/// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz, each by `write_one`.
-MapReport write_map_files(const Run& run, const MapParams& params, const WriteOne& write_one);
-
-/// How high the camera is over the ground, unit of the run: as given, as --scale gave it, as the edges of the ground show it, as the mount
-/// says; 0 if none of them tells.
+/// How high the camera is over the ground, unit of the run: as given, as --scale gave it, as the edges of the ground show it,
+/// as the mount says; 0 if none of them tells.
 double camera_height_of(const Run& run, const GridParams& params);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
 #pragma once
-// The metric scale of a run, as --scale asks for it: what is to be fed with each frame, and what is done with the finished run.
+// The metric scale of a run, as --scale asks for it: what is to be fed with each frame, and what is done with
+// the finished run.
 #include <string>
 
 #include "edgevo/core/image_source.h"
@@ -11,13 +12,14 @@ namespace edgevo {
 
 class RunScaling {
  public:
-  /// `option` as --scale gives it, checked before `source` is asked for its tracks. Throws InputError: not a scale source; the source of images recorded no
-  /// such sensor, or not while its images were taken.
+  /// `option` as --scale gives it, checked before `source` is asked for its tracks. Throws InputError: not a
+  /// scale source; the source of images recorded no such sensor, or not while its images were taken.
   RunScaling(const ScaleSource& asked, const ImageSource& source, const ScaleParams& params);
 
   /// After each frame.
   void add_frame(const FrameRecord& frame, const Odometry& odometry);
-  /// Puts the finished run into metres, if that was asked for and can be done; else Run::scale.problem says why not.
+  /// Puts the finished run into metres, if that was asked for and can be done; else Run::scale.problem says
+  /// why not.
   void apply(Run* run) const;
 
  private:

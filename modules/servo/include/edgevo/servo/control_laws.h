@@ -13,7 +13,7 @@ namespace edgevo {
 struct Command {
   /// Of the camera in its own axes, [v, w]; metres and radians a second; zero when `stop` says why.
   vpColVector velocity = vpColVector(6);
-  std::string stop;      ///< why the robot must stop; empty: it may move
+  std::string stop;                            ///< why the robot must stop; empty: it may move
   double translation_m = 0, rotation_deg = 0;  ///< PBVS: left to go
   double image_px = 0;   ///< IBVS: rms distance of the points from where they are wanted
   bool at_goal = false;  ///< within the law's tolerance

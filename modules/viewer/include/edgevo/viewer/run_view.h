@@ -1,6 +1,6 @@
 #pragma once
-// `edgevo run --view`: a window with the newest frame, its edges coloured by depth or residual, the map and
-// the path.
+// A window on a run (`edgevo run --view`): the newest frame, its edges coloured by depth or
+// residual, the map and the path.
 //
 //   space  pause and go on        s  one frame, then pause       c  colour by depth or by residual
 //   f      follow the camera      q  end the run (all results are written)
@@ -20,8 +20,8 @@ class RunView {
   static std::unique_ptr<RunView> open(const std::optional<SE3>& T_vehicle_cam, std::string* why);
   ~RunView();
 
-  /// Shows a frame and waits while the view is paused, unless `stop()`. False: the user wants the run to end. Cost: some
-  /// milliseconds a frame in this thread; drawing has its own.
+  /// Shows a frame and waits while the view is paused, unless `stop()`. False: the user wants the run to end.
+  /// Cost: some milliseconds a frame in this thread; drawing has its own.
   [[nodiscard]] bool show(const DrivenFrame& driven, const std::function<bool()>& stop);
 
  private:

@@ -3,8 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "edgevo/occupancy/octree_map.h"
-#include "edgevo/results/run_outputs.h"
+#include "edgevo/core/records.h"
+#include "edgevo/report/map_report.h"
+#include "edgevo/report/run_info.h"
+#include "resource_use.h"
 
 namespace edgevo {
 

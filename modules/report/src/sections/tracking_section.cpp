@@ -1,0 +1,78 @@
+#include "tracking_section.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "edgevo/report/chart.h"
+#include "edgevo/report/page.h"
+#include "frame_times.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string color_of(TrackingState state) {
+  switch (state) {
+    case TrackingState::kTracking:
+      return "#2e9e5b";
+    case TrackingState::kDegraded:
+      return "#e0a100";
+    case TrackingState::kLost:
+      return "#d0342c";
+    case TrackingState::kBootstrapping:
+      return "#8a94a6";
+  }
+  return "";
+}
+
+std::string state_legend(const Run& run) {
+  std::string html = "<p class=\"legend\">";
+  for (TrackingState s : {TrackingState::kTracking, TrackingState::kDegraded, TrackingState::kLost,
+                          TrackingState::kBootstrapping}) {
+    const auto n =
+        std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == s; });
+    html += "<span><i style=\"background:" + color_of(s) + "\"></i>" + std::string(to_string(s)) + ' ' +
+            std::to_string(n) + "</span> ";
+  }
+  return html + "</p>\n";
+}
+
+TimeChart chart_of(const Run& run, const std::string& name, const std::string& color,
+                   const std::function<double(const FrameRecord&)>& value) {
+  TimeChart chart;
+  chart.y_name = name;
+  chart.x = seconds_of(run);
+  chart.from_zero = true;
+  Series series{name, color, {}};
+  for (const FrameRecord& f : run.frames) series.y.push_back(value(f));
+  chart.series = {series};
+  return chart;
+}
+
+// Nothing where no frame was aligned.
+std::string drawn_if_any(const TimeChart& chart) {
+  const std::vector<double>& y = chart.series.front().y;
+  return std::any_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); }) ? draw(chart) : "";
+}
+
+}  // namespace
+
+std::string tracking_section(const Run& run) {
+  Ribbon ribbon{seconds_of(run), {}};
+  for (const FrameRecord& f : run.frames) ribbon.color.push_back(color_of(f.state));
+  const auto aligned = [](const FrameRecord& f, double value) { return f.inlier_share > 0 ? value : kNone; };
+  const TimeChart inliers =
+      chart_of(run, "inlier share", "#1f5fbf", [&](const auto& f) { return aligned(f, f.inlier_share); });
+  const TimeChart residual =
+      chart_of(run, "residual, px", "#a0408a", [&](const auto& f) { return aligned(f, f.residual_px); });
+  const TimeChart edges =
+      chart_of(run, "edge pixels", "#5b6b80", [](const auto& f) { return double(f.edges); });
+  return section_html(
+      "states", "Tracking over the run",
+      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) + draw(edges));
+}
+
+}  // namespace edgevo

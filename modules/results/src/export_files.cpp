@@ -1,0 +1,14 @@
+#include "export_files.h"
+
+namespace edgevo {
+
+void export_files(const std::function<bool(FileKind)>& asked, ExportContext* context, RunFolder* folder) {
+  for (const Exporter& exporter : exporters()) {
+    if (!exporter.write || !asked(exporter.kind) || (exporter.applies && !exporter.applies(*context)))
+      continue;
+    context->not_written = folder->not_written();
+    folder->attempt(exporter.file, [&](const std::string& path) { exporter.write(context, path); });
+  }
+}
+
+}  // namespace edgevo

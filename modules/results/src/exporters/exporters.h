@@ -1,0 +1,37 @@
+#pragma once
+// The functions that write the files of a run, each to `path`. Which file that is: exporters.cpp.
+#include "exporter.h"
+
+namespace edgevo {
+
+// trajectories.cpp
+void export_final_trajectory(ExportContext* context, const std::string& path);
+void export_live_trajectory(ExportContext* context, const std::string& path);
+void export_vehicle_trajectory(ExportContext* context, const std::string& path);
+bool has_vehicle(const ExportContext& context);
+void export_kitti_trajectory(ExportContext* context, const std::string& path);
+
+// frame_tables.cpp
+void export_frames(ExportContext* context, const std::string& path);
+void export_scale(ExportContext* context, const std::string& path);
+bool has_scale(const ExportContext& context);
+
+// map_files.cpp
+void export_points(ExportContext* context, const std::string& path);
+void export_full_octree(ExportContext* context, const std::string& path);
+void export_binary_octree(ExportContext* context, const std::string& path);
+bool has_octree(const ExportContext& context);
+void export_grid(ExportContext* context, const std::string& path);
+void export_gridmap(ExportContext* context, const std::string& path);
+bool has_grid(const ExportContext& context);
+
+// mrpt_files.cpp
+void export_simplemap(ExportContext* context, const std::string& path);
+void export_scene(ExportContext* context, const std::string& path);
+void export_playback(ExportContext* context, const std::string& path);
+
+// pages.cpp
+void export_report(ExportContext* context, const std::string& path);
+void export_summary(ExportContext* context, const std::string& path);
+
+}  // namespace edgevo

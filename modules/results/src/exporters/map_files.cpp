@@ -1,0 +1,36 @@
+#include "edgevo/mrpt_bridge/gridmap_writer.h"
+#include "edgevo/occupancy/edge_ply.h"
+#include "exporters.h"
+
+namespace edgevo {
+
+void export_points(ExportContext* context, const std::string& path) {
+  write_edge_ply(context->run, context->params.occupancy.points, path);
+}
+
+void export_full_octree(ExportContext* context, const std::string& path) {
+  context->octree.emplace(context->run, context->params.occupancy);
+  context->map.octree = context->octree->stats();
+  context->octree->write_ot(path);
+}
+
+void export_binary_octree(ExportContext* context, const std::string& path) {
+  context->octree->write_bt(path);
+}
+
+bool has_octree(const ExportContext& context) { return context.octree.has_value(); }
+
+void export_grid(ExportContext* context, const std::string& path) {
+  const GridParams& params = context->params.grid;
+  context->map.grid =
+      make_grid(context->run, *context->octree, camera_height_of(context->run, params), params);
+  write_ros_grid(*context->map.grid, path);
+}
+
+void export_gridmap(ExportContext* context, const std::string& path) {
+  write_gridmap(*context->map.grid, path);
+}
+
+bool has_grid(const ExportContext& context) { return context.map.grid.has_value(); }
+
+}  // namespace edgevo

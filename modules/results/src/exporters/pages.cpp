@@ -1,0 +1,24 @@
+#include "edgevo/core/output_file.h"
+#include "edgevo/report/run_report.h"
+#include "exporters.h"
+#include "summary/summary.h"
+
+namespace edgevo {
+
+void export_report(ExportContext* context, const std::string& path) {
+  constexpr int kPictures = 6;
+  const auto image_path = [&](int frame) { return context->playback->image_path(frame); };
+  const PointFilter& points = context->params.occupancy.points;
+  const EdgePictures pictures =
+      draw_edge_pictures(context->run, *context->camera, points, image_path, kPictures);
+  write_file(path, report_html(
+                       {context->run, *context->info, points, pictures, context->not_written, context->map}));
+}
+
+void export_summary(ExportContext* context, const std::string& path) {
+  const ResourceUse use_with_outputs = context->meter->so_far();
+  write_file(path, summary_yaml({context->run, *context->info, context->use_of_run, use_with_outputs,
+                                 context->map, context->not_written}));
+}
+
+}  // namespace edgevo

@@ -1,0 +1,86 @@
+#include "summary_parts.h"
+
+namespace edgevo {
+namespace {
+
+std::string calibration_statement(const CameraRefinement& c) {
+  using State = CameraRefinement::State;
+  switch (c.state) {
+    case State::kOff:
+      return "off: the camera file was taken as it is";
+    case State::kTooEarly:
+      return "the run was too short to tell";
+    case State::kNotObservable:
+      return "the motion was too straight, too still or too short to tell";
+    case State::kInsignificant:
+      return "no significant residual distortion: the camera file was left alone";
+    case State::kApplied:
+      return "applied: images and map are corrected by residual_k1";
+  }
+  return "";
+}
+
+std::string shutter_statement(const CameraRefinement::Shutter& s) {
+  using State = CameraRefinement::State;
+  switch (s.state) {
+    case State::kOff:
+      return s.readout_s != 0 ? "off: readout_s was taken as given"
+                              : "off: rows were taken as all of one moment";
+    case State::kTooEarly:
+      return "the run was too short to tell";
+    case State::kNotObservable:
+      return "the motion was too still or too short to tell";
+    case State::kInsignificant:
+      return "no significant read-out time: a global shutter, or a fast one";
+    case State::kApplied:
+      return "rolling: the rows of the images are put where the moment of the middle row has them";
+  }
+  return "";
+}
+
+}  // namespace
+
+// x_file = x (1 + residual_k1 r^2): before the file's own distortion. Row v is taken
+// readout_s (v / (height - 1) - 1/2) after the middle.
+void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
+  y->open("self_calibration");
+  y->text("state", to_string(c.state));
+  y->text("result", calibration_statement(c));
+  y->number("residual_k1", c.k1, 5);
+  if (c.sigma > 0) {
+    y->number("estimate", c.estimate, 5);
+    y->number("standard_deviation", c.sigma, 4);
+    y->integer("keyframes", c.keyframes);
+  }
+  const CameraRefinement::Shutter& s = c.shutter;
+  y->text("shutter", to_string(s.state));
+  y->text("shutter_result", shutter_statement(s));
+  y->number("readout_s", s.readout_s, 5);
+  if (s.sigma > 0) {
+    y->number("readout_estimate", s.estimate, 5);
+    y->number("readout_standard_deviation", s.sigma, 4);
+    y->integer("readout_keyframes", s.keyframes);
+  }
+  y->close();
+}
+
+void write_camera(const Camera& camera, YamlWriter* y) {
+  const Pinhole& p = camera.pinhole;
+  const Distortion& d = camera.distortion;
+  y->open("camera");
+  y->integer("width", p.width);
+  y->integer("height", p.height);
+  for (const auto& [key, value] : {std::pair("fx", p.fx),
+                                   {"fy", p.fy},
+                                   {"cx", p.cx},
+                                   {"cy", p.cy},
+                                   {"k1", d.k1},
+                                   {"k2", d.k2},
+                                   {"p1", d.p1},
+                                   {"p2", d.p2},
+                                   {"k3", d.k3}})
+    y->number(key, value, 9);
+  y->close();
+}
+
+}  // namespace edgevo

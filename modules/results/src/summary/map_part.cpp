@@ -1,0 +1,33 @@
+#include "summary_parts.h"
+
+namespace edgevo {
+
+void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
+  const OctreeStats& map = report.octree;
+  const OccupancyGrid none;
+  const OccupancyGrid& grid = report.grid ? *report.grid : none;
+  y->open("map");
+  y->text("axes", "x forward, y left, z up");
+  y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)"
+                                  : "of the first camera, taken to look ahead");
+  y->integer("points", map.points.total);
+  y->integer("points_exported", map.points.kept);
+  y->integer("points_invalid", map.points.invalid);
+  y->integer("points_uncertain", map.points.uncertain);
+  y->integer("points_unconfirmed", map.points.unconfirmed);
+  y->number("median_depth", map.median_depth, 6);
+  y->number("voxel_size", map.resolution, 6);
+  y->number("voxel_range", map.max_range, 6);
+  y->integer("voxel_points_beyond_range", map.beyond_range);
+  y->integer("voxel_points_out_of_bounds", map.out_of_bounds);
+  y->integer("voxel_rays", map.rays);
+  y->integer("voxels_occupied", map.occupied_voxels);
+  y->integer("voxels_free", map.free_voxels);
+  y->text("grid", grid.statement);
+  y->integer("grid_width", grid.width);
+  y->integer("grid_height", grid.height);
+  if (map.points.kept == 0) y->text("note", "no point passed the filter: the map files are valid but empty");
+  y->close();
+}
+
+}  // namespace edgevo

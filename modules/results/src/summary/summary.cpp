@@ -1,0 +1,122 @@
+#include "summary.h"
+
+#include <algorithm>
+#include <set>
+
+#include "edgevo_build_info.h"
+#include "summary_parts.h"
+
+namespace edgevo {
+namespace {
+
+void write_versions(YamlWriter* y) {
+  y->open("edgevo");
+  y->text("version", build_info::kVersion);
+  y->text("git", build_info::kGitHash);
+  y->text("build_type", build_info::kBuildType);
+  y->text("compiler", build_info::kCompiler);
+  y->close();
+  y->open("libraries");
+  y->text("mrpt", build_info::kMrpt);
+  y->text("opencv", build_info::kOpenCv);
+  y->text("ceres", build_info::kCeres);
+  y->text("octomap", build_info::kOctomap);
+  y->text("eigen", build_info::kEigen);
+  y->close();
+}
+
+void write_source(const RunInfo& info, YamlWriter* y) {
+  std::string command;
+  for (const std::string& word : info.command_line) command += (command.empty() ? "" : " ") + word;
+  y->text("command", command);
+  y->open("source");
+  y->text("kind", info.source_kind);
+  y->text("path", info.source_path);
+  y->boolean("interrupted", info.interrupted);
+  y->close();
+}
+
+void write_scale(const Run& run, YamlWriter* y) {
+  y->open("scale");
+  y->text("source", run.scale_source);
+  y->boolean("metric", run.is_metric());
+  y->text("unit", unit_statement(run));
+  if (run.is_metric()) {
+    y->number("metres_per_unit", run.scale.factor, 6);
+    y->number("relative_standard_deviation", run.scale.sigma, 5);
+    y->number("lowest", run.scale.lowest, 6);
+    y->number("highest", run.scale.highest, 6);
+    y->integer("frames_not_measured", run.scale.frames_carried_over);
+  }
+  if (!run.scale.problem.empty()) y->text("problem", run.scale.problem);
+  y->close();
+}
+
+int with_pose(const Run& run) {
+  return int(std::count_if(run.frames.begin(), run.frames.end(),
+                           [](const auto& f) { return f.T_world_cam.has_value(); }));
+}
+
+void write_frames(const Run& run, YamlWriter* y) {
+  const auto in_state = [&](TrackingState s) {
+    return std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == s; });
+  };
+  const int posed = with_pose(run);
+  y->open("frames");
+  y->integer("total", long(run.frames.size()));
+  y->integer("bootstrapping", in_state(TrackingState::kBootstrapping));
+  y->integer("tracking", in_state(TrackingState::kTracking));
+  y->integer("degraded", in_state(TrackingState::kDegraded));
+  y->integer("lost", in_state(TrackingState::kLost));
+  y->integer("with_pose", posed);
+  y->number("coverage", run.frames.empty() ? 0.0 : double(posed) / double(run.frames.size()), 4);
+  y->close();
+}
+
+// Sum of the steps within segments.
+double path_length(const Run& run) {
+  double length = 0;
+  const FrameRecord* last = nullptr;
+  for (const FrameRecord& frame : run.frames) {
+    if (!frame.T_world_cam) continue;
+    if (last && last->segment == frame.segment)
+      length += (frame.T_world_cam->translation() - last->T_world_cam->translation()).norm();
+    last = &frame;
+  }
+  return length;
+}
+
+void write_trajectory(const Run& run, YamlWriter* y) {
+  std::set<int> segments;
+  for (const FrameRecord& frame : run.frames)
+    if (frame.segment >= 0) segments.insert(frame.segment);
+  y->open("trajectory");
+  y->integer("segments", long(segments.size()));
+  y->integer("keyframes", long(run.keyframes.size()));
+  y->number("path_length", path_length(run), 6);
+  y->close();
+}
+
+}  // namespace
+
+std::string summary_yaml(const SummaryInput& input) {
+  YamlWriter y;
+  write_versions(&y);
+  write_source(input.info, &y);
+  write_camera(input.info.camera, &y);
+  write_self_calibration(input.run.camera, &y);
+  write_scale(input.run, &y);
+  write_frames(input.run, &y);
+  write_trajectory(input.run, &y);
+  write_map(input.run, input.map, &y);
+  write_timing(input, &y);
+  write_realtime(input.run, &y);
+  y.list("not_written", input.not_written);
+  if (!input.info.notes.empty()) y.open("notes");
+  for (const auto& [key, value] : input.info.notes) y.text(key, value);
+  if (!input.info.notes.empty()) y.close();
+  y.block("parameters", input.info.params_yaml);
+  return y.str();
+}
+
+}  // namespace edgevo

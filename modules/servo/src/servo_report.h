@@ -1,0 +1,13 @@
+#pragma once
+// report.html of a servo run.
+#include <string>
+#include <vector>
+
+#include "edgevo/servo/servo_outputs.h"
+#include "servo_views.h"
+
+namespace edgevo {
+
+std::string servo_report(const ServoResult& r, const ServoRunInfo& info, const std::vector<ServoView>& views);
+
+}  // namespace edgevo

@@ -1,0 +1,149 @@
+#include "edgevo/results/run_outputs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mrpt/containers/yaml.h>
+#include <sys/mount.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "edgevo/core/input_file.h"
+#include "edgevo/results/run_files.h"
+#include "written_run.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+using mrpt::containers::yaml;
+using testing::content;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::lines_of;
+
+using RunOutputsTest = WrittenRun;
+
+const char* const kFiles[] = {"trajectory_tum.txt",
+                              "trajectory_live_tum.txt",
+                              "trajectory_kitti.txt",
+                              "frames.csv",
+                              "edges.ply",
+                              "edges.bt",
+                              "edges.ot",
+                              "keyframes.simplemap",
+                              "playback.rawlog",
+                              "scene.3Dscene",
+                              "report.html",
+                              "summary.yaml"};
+
+// A file that nobody lists is one that nobody owns; one that is listed and not in the README is one that
+// nobody finds.
+TEST_F(RunOutputsTest, TheListNamesEveryFileThatIsThereAndTheReadmeThoseOfTheList) {
+  write(folder_, made_.run, made_.camera);
+  std::set<std::string> listed, written;
+  for (const RunFile& file : run_files()) listed.insert(file.name);
+  for (const auto& entry : fs::directory_iterator(folder_)) written.insert(entry.path().filename().string());
+  for (const std::string& name : written) EXPECT_TRUE(listed.count(name)) << name << " is not in run_files()";
+  for (const char* optional : {"trajectory_vehicle_tum.txt", "scale.csv"}) written.insert(optional);
+  for (const std::string& name : listed) EXPECT_TRUE(written.count(name)) << name << " was not written";
+  const std::string readme = read_file(std::string(EDGEVO_SOURCE_DIR) + "/README.md", "");
+  for (const std::string& name : listed)
+    EXPECT_THAT(readme, HasSubstr('`' + name)) << "the table of a run's files";
+}
+
+TEST_F(RunOutputsTest, WritesEveryFile) {
+  write(folder_ / "new/parents", made_.run, made_.camera);
+  for (const char* file : kFiles) EXPECT_GT(content(folder_ / "new/parents" / file).size(), 100u) << file;
+  EXPECT_TRUE(fs::exists(folder_ / "new/parents/playback_Images/frame_000044.png"));
+}
+
+TEST_F(RunOutputsTest, SameRunSameBytes) {
+  write(folder_ / "a", made_.run, made_.camera);
+  write(folder_ / "b", made_.run, made_.camera);
+  for (const char* file : kFiles) {
+    if (std::string(file) == "summary.yaml") continue;
+    EXPECT_EQ(content(folder_ / "a" / file), content(folder_ / "b" / file)) << file;
+  }
+}
+
+TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
+  edgevo::Run run;
+  run.pinhole = made_.run.pinhole;
+  write(folder_, run, made_.camera);
+  const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
+  EXPECT_EQ(s["frames"]["total"].as<int>(), 0);
+  EXPECT_THAT(s["map"]["note"].as<std::string>(), HasSubstr("valid but empty"));
+}
+
+TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
+  fs::create_directories(folder_);
+  fs::create_symlink("/dev/full", folder_ / "frames.csv");
+  EXPECT_EQ(message_of([&] { write(folder_, made_.run, made_.camera); }),
+            (folder_ / "frames.csv").string() +
+                ": cannot be written: No space left on device; free space or give another -o; what was "
+                "written so far is kept");
+  const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
+  EXPECT_EQ(s["not_written"].asSequence().size(), 1u);
+  EXPECT_EQ(s["not_written"](0).as<std::string>(), "frames.csv");
+  for (const char* file : kFiles) {
+    if (std::string(file) == "frames.csv") continue;
+    EXPECT_GT(content(folder_ / file).size(), 100u) << file;
+  }
+}
+
+TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
+  fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
+  RunOutputs outputs(folder_.string(), made_.camera, {});
+  int added = 0;
+  for (const FrameRecord& frame : made_.run.frames) {
+    if (!outputs.add_frame(testing::synthetic_frame(made_.camera, frame))) break;
+    ++added;
+  }
+  EXPECT_EQ(added, 3);
+  EXPECT_THAT(message_of([&] { outputs.finish(made_.run, {}); }),
+              HasSubstr("frame_000003.png: cannot be written"));
+  EXPECT_EQ(lines_of(content(folder_ / "frames.csv")).size(), 46u);
+  EXPECT_GT(content(folder_ / "playback.rawlog").size(), 1000u);
+}
+
+TEST_F(RunOutputsTest, OutputFolderThatIsAFileIsRefused) {
+  std::ofstream(folder_) << "a file";
+  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, {}); }), HasSubstr("is a file"));
+  EXPECT_EQ(content(folder_), "a file");
+}
+
+TEST_F(RunOutputsTest, WrongOccupancyParametersAreToldBeforeTheRun) {
+  MapParams map;
+  map.occupancy.resolution = "fine";
+  EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, map); }),
+              HasSubstr("occupancy.resolution"));
+  EXPECT_FALSE(fs::exists(folder_));
+}
+
+// A small file system: the images fill it, and yet the text files have their room. Needs the right to mount.
+TEST_F(RunOutputsTest, FullFileSystemKeepsWhatFitted) {
+  fs::create_directories(folder_);
+  if (mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=6500k") != 0)
+    GTEST_SKIP() << "NOT TESTED: a full file system (mount refused: " << std::strerror(errno)
+                 << "); run as root with CAP_SYS_ADMIN. /dev/full stands in for it in the other tests.";
+  const std::string message = message_of([&] { write(folder_, made_.run, made_.camera); });
+  const bool first_image = fs::exists(folder_ / "playback_Images/frame_000000.png");
+  std::vector<std::string> lost;
+  for (const char* file : {"trajectory_tum.txt", "trajectory_live_tum.txt", "trajectory_kitti.txt",
+                           "frames.csv", "summary.yaml"})
+    if (content(folder_ / file).empty()) lost.push_back(file);
+  umount(folder_.c_str());
+  EXPECT_THAT(message,
+              HasSubstr("cannot be written: No space left on device; free space or give another -o"));
+  EXPECT_TRUE(first_image);
+  EXPECT_THAT(lost, ElementsAre());
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,68 @@
+#include "edgevo/results/run_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/synthetic_run.h"
+#include "support/text.h"
+
+namespace edgevo {
+namespace {
+
+using testing::cells_of;
+using testing::lines_of;
+using ::testing::StartsWith;
+
+class RunTextTest : public ::testing::Test {
+ protected:
+  const testing::SyntheticRun made_ = testing::synthetic_run();
+};
+
+TEST_F(RunTextTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
+  const auto rows = lines_of(frames_csv(made_.run));
+  ASSERT_EQ(rows.size(), 46u);
+  EXPECT_EQ(rows[0],
+            "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
+            "ms_edges,ms_alignment,ms_ba");
+  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,4.100,2.000,");
+  EXPECT_EQ(rows[21],
+            "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
+            "needed,,,6.000,2.000,");
+  EXPECT_EQ(rows[46 - 3], "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,fast motion,,8.200,2.000,20.000");
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 14u) << row;
+}
+
+TEST_F(RunTextTest, TumTrajectoriesHoldTheFramesThatHavePoses) {
+  const auto final_lines = lines_of(trajectory_tum(made_.run, PoseKind::kFinal));
+  const auto live_lines = lines_of(trajectory_tum(made_.run, PoseKind::kLive));
+  EXPECT_EQ(final_lines.size(), 4u + 40);
+  EXPECT_EQ(live_lines.size(), 4u + 36);
+  EXPECT_THAT(final_lines[0], StartsWith("# edgevo: T_world_cam"));
+  EXPECT_THAT(final_lines[2], StartsWith("# unit: arbitrary"));
+  EXPECT_EQ(final_lines[4],
+            "1670000000.0000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 "
+            "1.000000000");
+}
+
+TEST_F(RunTextTest, TumQuaternionsHaveAPositiveW) {
+  edgevo::Run run;
+  run.frames.resize(1);
+  run.frames[0].T_world_cam = SE3(Eigen::Quaterniond(-0.8, 0.6, 0, 0), Eigen::Vector3d(1, -2, 3));
+  EXPECT_EQ(
+      lines_of(trajectory_tum(run, PoseKind::kFinal))[4],
+      "0.0000000 1.000000000 -2.000000000 3.000000000 -0.600000000 0.000000000 0.000000000 0.800000000");
+}
+
+TEST_F(RunTextTest, KittiTrajectoryStandsStillWhereThereIsNoPose) {
+  const auto rows = lines_of(trajectory_kitti(made_.run));
+  ASSERT_EQ(rows.size(), 45u);
+  for (int i = 20; i < 25; ++i) EXPECT_EQ(rows[size_t(i)], rows[19]);
+  EXPECT_NE(rows[25], rows[24]);
+  edgevo::Run late;
+  late.frames.resize(2);
+  EXPECT_THAT(lines_of(trajectory_kitti(late))[0],
+              StartsWith("1.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.0"));
+}
+
+}  // namespace
+}  // namespace edgevo
