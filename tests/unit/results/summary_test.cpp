@@ -79,9 +79,9 @@ TEST_F(SummaryTest, LatencyOfARealtimeRun) {
   EXPECT_NEAR(s["realtime"]["latency_ms"]["p99"].as<double>(), 54, 1e-6);  // the 44th
   EXPECT_NEAR(s["realtime"]["latency_ms"]["max"].as<double>(), 54, 1e-6);
   const auto rows = lines_of(frames_csv(run));
-  EXPECT_EQ(cells_of(rows[0])[9], "latency_ms");
-  EXPECT_EQ(cells_of(rows[1 + 3])[9], "13.000");
-  EXPECT_EQ(cells_of(rows[1 + 20])[9], "");
+  EXPECT_EQ(cells_of(rows[0])[10], "latency_ms");
+  EXPECT_EQ(cells_of(rows[1 + 3])[10], "13.000");
+  EXPECT_EQ(cells_of(rows[1 + 20])[10], "");
   EXPECT_THAT(content(folder_ / "report.html"),
               HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames handed over late, 1 dropped"));
 }

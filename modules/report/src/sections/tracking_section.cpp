@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
@@ -58,6 +59,19 @@ std::string drawn_if_any(const TimeChart& chart) {
   return std::any_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); }) ? draw(chart) : "";
 }
 
+// Why there are as many keyframes as there are: frames by the rule that called for one.
+std::string keyframe_rules(const Run& run) {
+  std::map<std::string, std::pair<int, int>> count;  // keyframes, other frames
+  for (const FrameRecord& f : run.frames)
+    if (!f.keyframe_rule.empty()) ++(f.is_keyframe ? count[f.keyframe_rule].first : count[f.keyframe_rule].second);
+  if (count.empty()) return "";
+  std::string html = "<table><tr><th>keyframe called for by</th><th>keyframes</th><th>put off, or returned to one</th></tr>\n";
+  for (const auto& [rule, n] : count)
+    html += "<tr><td>" + html_escaped(rule) + "</td><td>" + std::to_string(n.first) + "</td><td>" + std::to_string(n.second) +
+            "</td></tr>\n";
+  return html + "</table>\n";
+}
+
 }  // namespace
 
 std::string tracking_section(const Run& run) {
@@ -72,7 +86,7 @@ std::string tracking_section(const Run& run) {
       chart_of(run, "edge pixels", "#5b6b80", [](const auto& f) { return double(f.edges); });
   return section_html(
       "states", "Tracking over the run",
-      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) + draw(edges));
+      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) + draw(edges) + keyframe_rules(run));
 }
 
 }  // namespace edgevo
