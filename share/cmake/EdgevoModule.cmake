@@ -33,6 +33,8 @@ function(edgevo_add_tests module)
   # A module's own tests see its private headers: what is hard to reach from outside is tested where it is.
   target_include_directories(test_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules/${module}/src)
   target_compile_definitions(test_${module} PRIVATE EDGEVO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # What is tested is fully optimised; the tests themselves compile a third faster without.
+  target_compile_options(test_${module} PRIVATE $<$<CONFIG:Release>:-O1>)
   # A third of the time that the tests take to compile. Modules are compiled without: their headers must stand alone.
   target_precompile_headers(test_${module} PRIVATE <gtest/gtest.h> <Eigen/Dense>)
   gtest_discover_tests(test_${module} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
