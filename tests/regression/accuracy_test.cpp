@@ -50,7 +50,7 @@ const DriveFigures& street_drive() {
   return figures;
 }
 
-// The covariance holds on each scene (alignment/pose_covariance.h, mapping/tracking_check.h). The desk is the worst, whose first map is
+// The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h). The desk is the worst, whose first map is
 // poor: 1.18, 73 % of the frames inside; the others 0.74 to 0.99, 88 to 95 %.
 void expect_consistent(const Consistency& c) {
   EXPECT_GE(c.frames, 10);  // on a drive most frames become keyframes
@@ -66,7 +66,7 @@ void expect_accurate_and_consistent(const DriveFigures& figures, const Bounds& b
 
 TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(street_drive(), {0.05, 0.015, 0.95, 8}); }
 
-// Backing away: nothing leaves the view, and what comes into it is near and new (modules/mapping/README.md, "Backwards").
+// Backing away: nothing leaves the view, and what comes into it is near and new (share/lab/mapping.md, "Backwards").
 TEST(RenderedAccuracy, StreetDriveBackwards) {
   constexpr int kFrames = 80;
   Scene scene = load_scene("street");

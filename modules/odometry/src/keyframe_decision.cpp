@@ -12,7 +12,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kReferenceWidth = 1241;  // the pixel thresholds are stated at this width
-constexpr double kReachOfOpeningView = 0.5;  // share of the flow that a keyframe may lie away where the view opens: README.md, "Backwards"
+constexpr double kReachOfOpeningView = 0.5;  // share of the flow that a keyframe may lie away where the view opens: share/lab/mapping.md, "Backwards"
 
 // Image motion by the translation from a keyframe to the camera, of points given in the camera (rays and inverse depths).
 struct Parallax {

@@ -33,7 +33,7 @@ struct PoseEquation {
 
 /// Variance with the reference's own error over that of the alignment alone: measured 1.41 to 1.69 on four
 /// rendered scenes. Where a map is worse or better than that is found while running:
-/// mapping/tracking_check.h.
+/// odometry/tracking_check.h.
 constexpr double kReferenceShare = 1.5;
 
 /// The above. Without equations, a covariance of 1e9 times kMinResidualVariance. Cost: 0.05 ms for 1500

@@ -32,7 +32,7 @@ struct FrameRecord {
   std::optional<SE3> T_world_cam;       ///< final: re-expressed from the final keyframe poses
   std::optional<SE3> T_world_cam_live;  ///< as it was known when the frame came
   /// Of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the unit of the run; against the keyframe
-  /// that the frame was tracked against, the scale taken as known (alignment/pose_covariance.h, times what mapping/tracking_check.h
+  /// that the frame was tracked against, the scale taken as known (alignment/pose_covariance.h, times what odometry/tracking_check.h
   /// measured). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
   std::string note;             ///< why a bootstrap is not ready, why tracking was lost; else empty
