@@ -66,7 +66,7 @@ void expect_accurate_and_consistent(const DriveFigures& figures, const Bounds& b
 
 TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(street_drive(), {0.05, 0.015, 0.95, 8}); }
 
-// Backing away: nothing leaves the view, and what comes into it is near and new (modules/mapping/README.md, "Backwards").
+// Backing away: nothing leaves the view, and what comes into it is near and new (share/lab/mapping.md, "Backwards").
 TEST(RenderedAccuracy, StreetDriveBackwards) {
   constexpr int kFrames = 80;
   Scene scene = load_scene("street");

@@ -9,6 +9,7 @@
 #include "normal_equations.h"
 #include "prior.h"
 #include "residuals/corner_residual.h"
+#include "residuals/edge_residual.h"
 #include "solvers.h"
 
 namespace edgevo::ba {
@@ -65,7 +66,7 @@ class ReprojectionCost : public ceres::SizedCostFunction<2, 7, 7, 1> {  // targe
   bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
     BaPoint point = point_;
     point.idepth = x[2][0];
-    BaLinearization lin = linearize(pinhole_, to_se3(x[0]), to_se3(x[1]), point, observation_);
+    EdgeLinearization lin = linearize(pinhole_, to_se3(x[0]), to_se3(x[1]), point, observation_);
     if (!lin.valid) lin.residual = {kHiddenResidualPx * observation_.inv_sigma_normal, 0};
     Eigen::Map<Eigen::Vector2d>{residuals} = lin.residual;
     if (!jacobians) return true;
@@ -221,7 +222,8 @@ void CeresSolve::add_points() {
 
 void CeresSolve::add_corners() {
   for (const BaCornerPair& c : problem_.corners)
-    ceres_->AddResidualBlock(new CornerCost(problem_.pinhole, c), &huber_, pose_blocks_[c.to].data(), pose_blocks_[c.from].data());
+    ceres_->AddResidualBlock(new CornerCost(problem_.pinhole, c), &huber_, pose_blocks_[c.to].data(),
+                             pose_blocks_[c.from].data());
 }
 
 void CeresSolve::add_prior() {

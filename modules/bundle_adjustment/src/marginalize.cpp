@@ -63,7 +63,8 @@ void move_linearization(const PriorTerm& prior, const Eigen::VectorXd& xi_prior,
   for (std::size_t i = 0; i < prior.pose_index().size(); ++i) {
     const int row = 6 * prior.pose_index()[i];
     xi_now.segment<6>(row) = xi_prior.segment<6>(6 * i);
-    const Matrix6d J = left_jacobian(xi_prior.segment<6>(6 * i));  // J is block diagonal: J^T H J row by row, column by column
+    // J is block diagonal: J^T H J row by row, column by column.
+    const Matrix6d J = left_jacobian(xi_prior.segment<6>(6 * i));
     q->H.middleRows<6>(row) = (J.transpose() * q->H.middleRows<6>(row)).eval();
     q->H.middleCols<6>(row) = (q->H.middleCols<6>(row) * J).eval();
     gradient.segment<6>(row) = J.transpose() * q->b.segment<6>(row);
@@ -89,13 +90,14 @@ void condition(const Vector6d& xi, int row, Quadratic* q) {
 }
 
 // Inverse on the range of a positive semidefinite 6x6 matrix. Translations and rotations differ in unit,
-// hence the scaling.
+// hence the scaling to a diagonal of ones; what is below kNothing then is rounding.
 Matrix6d pseudo_inverse(const Matrix6d& M) {
-  const Vector6d scale = M.diagonal().cwiseMax(0).cwiseSqrt().cwiseMax(1e-12).cwiseInverse();
+  constexpr double kNothing = 1e-12;
+  const Vector6d scale = M.diagonal().cwiseMax(0).cwiseSqrt().cwiseMax(kNothing).cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * M * scale.asDiagonal());
   Vector6d inverse;
   for (int i = 0; i < 6; ++i)
-    inverse[i] = eigen.eigenvalues()[i] > 1e-12 ? 1.0 / eigen.eigenvalues()[i] : 0.0;
+    inverse[i] = eigen.eigenvalues()[i] > kNothing ? 1.0 / eigen.eigenvalues()[i] : 0.0;
   return scale.asDiagonal() * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose() *
          scale.asDiagonal();
 }

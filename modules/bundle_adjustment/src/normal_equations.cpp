@@ -207,9 +207,10 @@ inline RepeatedColumns repeat_columns(const PackedVector6& e) {
   return {{Quad{v[0], v[1], v[2], v[3]}, Quad{v[4], v[5], v[0], v[1]}, Quad{v[2], v[3], v[4], v[5]}}};
 }
 
-// M(target i, target j) += inverse e_i e_j^T for the couplings e of one point. Targets ascend, so blocks on and below the diagonal are
-// filled; two matches in one target also meet crosswise.
-EDGEVO_WIDE_CLONES void add_outer_products(const PackedVector6* coupling, const PackedObservation* observations, int count, double inverse,
+// M(target i, target j) += inverse e_i e_j^T for the couplings e of one point. Targets ascend, so blocks on
+// and below the diagonal are filled; two matches in one target also meet crosswise.
+EDGEVO_WIDE_CLONES void add_outer_products(const PackedVector6* coupling,
+                                           const PackedObservation* observations, int count, double inverse,
                                            int n, SchurBlock* schur) {
   for (int i = 0; i < count; ++i) {
     const int row = observations[i].target;
@@ -226,8 +227,10 @@ void NormalEquationsBuilder::eliminate(const PackedPoint& point, int point_index
   const double inverse = 1.0 / out->idepth_information[point_index];
   const double step = out->idepth_gradient[point_index] * inverse;
   const int count = point.end - point.begin;
-  for (int i = point.begin; i < point.end; ++i) add_scaled(step, out->coupling[i], &schur_b_[packed_.observations[i].target]);
-  add_outer_products(&out->coupling[point.begin], &packed_.observations[point.begin], count, inverse, n_, schur_.data());
+  for (int i = point.begin; i < point.end; ++i)
+    add_scaled(step, out->coupling[i], &schur_b_[packed_.observations[i].target]);
+  add_outer_products(&out->coupling[point.begin], &packed_.observations[point.begin], count, inverse, n_,
+                     schur_.data());
 }
 
 void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {

@@ -1,6 +1,6 @@
 #pragma once
-// Normal equations of a packed problem: one pass over the observations gives the robust cost, the pose system, and
-// the Schur complement of the inverse depths.
+// Normal equations of a packed problem: one pass over the observations gives the robust cost, the pose
+// system, and the Schur complement of the inverse depths.
 //
 // All sums are first taken per (host, target) pair in the target's own perturbation; since J_host = -J_target
 // Ad(T_t_h), the blocks of the world poses follow by congruence, once a pair and not once an observation.
@@ -33,10 +33,12 @@ struct NormalEquations {
   std::vector<double> idepth_information;  ///< per packed point, sum w (dr/drho)^2
   std::vector<double> idepth_gradient;     ///< per packed point, sum w r dr/drho
   std::vector<PackedVector6> coupling;     ///< per packed observation, E = sum w J_target^T dr/drho
-  std::vector<Matrix6d> adjoint;           ///< of T_target_host, host * n + target in the host's range: J_host = -J_target Ad
+  /// Of T_target_host, host * n + target in the host's range: J_host = -J_target Ad.
+  std::vector<Matrix6d> adjoint;
 };
 
-/// Below this a point's depth is held: no parallax, nothing to divide by.
+/// Information, 1 over the square of an inverse depth, below which a point's depth is held: no parallax,
+/// nothing to divide by. A deviation of a million says nothing in a map whose depths are about ten.
 constexpr double kMinIdepthInformation = 1e-12;
 
 /// Scratch of the pass, kept between iterations so that the hot loop never allocates.
@@ -44,8 +46,8 @@ class NormalEquationsBuilder {
  public:
   NormalEquationsBuilder(const PackedProblem& packed, double huber_width);
   void build(const State& state, NormalEquations* out);
-  /// Only the cost and the sums of single depths (idepth_information, idepth_gradient), the same bits as `build` gives; the rest of `out`
-  /// is not touched. A fraction of the time of `build`.
+  /// Only the cost and the sums of single depths (idepth_information, idepth_gradient), the same bits as
+  /// `build` gives; the rest of `out` is not touched. A fraction of the time of `build`.
   void build_cost_and_depths(const State& state, NormalEquations* out);
 
  private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/bundle_adjustment/problem_index.h"
+
 namespace edgevo::ba {
 namespace {
 
@@ -31,30 +33,14 @@ PackedObservation reduce(const Pinhole& pinhole, const BaObservation& o, int ind
           index};
 }
 
-// Observation ranges of the points: first[i] .. first[i + 1].
-std::vector<int> observation_ranges(const BaProblem& problem) {
-  std::vector<int> first(problem.points.size() + 1, 0);
-  for (const BaObservation& o : problem.observations) ++first[o.point + 1];
-  for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  return first;
-}
-
-std::vector<int> points_by_host(const BaProblem& problem) {
-  std::vector<int> next(problem.poses.size() + 1, 0);
-  for (const BaPoint& p : problem.points) ++next[p.host + 1];
-  for (std::size_t h = 1; h < next.size(); ++h) next[h] += next[h - 1];
-  std::vector<int> order(problem.points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[next[problem.points[i].host]++] = static_cast<int>(i);
-  return order;
-}
-
 void find_targets(PackedProblem* packed) {
   packed->targets.assign(packed->pose_count, {packed->pose_count, -1});
   for (int h = 0; h < packed->pose_count; ++h)
     for (int i = packed->host_begin[h]; i < packed->host_begin[h + 1]; ++i) {
       TargetRange& range = packed->targets[h];
-      range.first = std::min(range.first, packed->observations[packed->points[i].begin].target);  // sorted by target
-      range.last = std::max(range.last, packed->observations[packed->points[i].end - 1].target);
+      const PackedPoint& p = packed->points[i];  // its observations are sorted by target
+      range.first = std::min(range.first, packed->observations[p.begin].target);
+      range.last = std::max(range.last, packed->observations[p.end - 1].target);
     }
 }
 
@@ -80,17 +66,17 @@ State initial_state(const BaProblem& problem, double min_idepth) {
 PackedProblem pack_problem(const BaProblem& problem, const State& state, const std::vector<bool>* skip) {
   const int n = static_cast<int>(problem.poses.size());
   const std::vector<RelativePose> relative = all_relative_poses(state.poses);
-  const std::vector<int> first = observation_ranges(problem);
+  const ProblemIndex index = index_problem(problem);
   PackedProblem packed;
   packed.pose_count = n;
   packed.host_begin.assign(n + 1, 0);
   packed.points.reserve(problem.points.size());
   packed.observations.reserve(problem.observations.size());
-  for (const int i : points_by_host(problem)) {
+  for (const int i : index.points) {
     if (skip && (*skip)[i]) continue;
     const BaPoint& p = problem.points[i];
     const int begin = static_cast<int>(packed.observations.size());
-    for (int k = first[i]; k < first[i + 1]; ++k) {
+    for (int k = index.first_observation[i]; k < index.first_observation[i + 1]; ++k) {
       const BaObservation& o = problem.observations[k];
       if (depth_ratio(relative[p.host * n + o.target], p.ray, state.idepth[i]) > kMinDepthRatio)
         packed.observations.push_back(reduce(problem.pinhole, o, k));

@@ -9,9 +9,10 @@
 namespace edgevo::ba {
 
 /// A point nearer to the target camera's plane than this share of its depth in the host counts as behind the
-/// camera.
+/// camera. No patch grows a thousandfold and is matched: what is nearer is a step gone wrong.
 constexpr double kMinDepthRatio = 1e-3;
-/// Residual, in pixels, charged to an observation that a step carried behind the camera.
+/// Residual, in pixels, charged to an observation that a step carried behind the camera: an image's width,
+/// more than it could have in view, so that no step gains by hiding points.
 constexpr double kHiddenResidualPx = 1000;
 
 /// What a solve moves. Both are indexed as in the BaProblem.
@@ -47,8 +48,8 @@ struct PackedPoint {
   bool fixed;
 };
 
-/// Targets of a host's points: first to last, none where last < first. Points are seen by keyframes near their host only, so that a
-/// long problem is a band.
+/// Targets of a host's points: first to last, none where last < first. Points are seen by keyframes near
+/// their host only, so that a long problem is a band.
 struct TargetRange {
   int first = 0, last = -1;
 };

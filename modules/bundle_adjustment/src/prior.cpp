@@ -19,10 +19,14 @@ Matrix6d bracket(const Vector6d& xi) {
 Matrix6d left_jacobian(const Vector6d& xi) {
   const Matrix6d ad = bracket(xi);
   Matrix6d sum = Matrix6d::Identity(), term = Matrix6d::Identity();
-  for (int k = 1; k < 40; ++k) {  // sum of ad^k / (k + 1)!, which converges for every xi
+  // Sum of ad^k / (k + 1)!, which converges for every xi: below rounding after a few terms for the small
+  // displacements of a prior, after less than kMaxTerms for turns by pi.
+  constexpr int kMaxTerms = 40;
+  constexpr double kBelowRounding = 1e-17;
+  for (int k = 1; k < kMaxTerms; ++k) {
     term = (term * ad / (k + 1)).eval();
     sum += term;
-    if (term.cwiseAbs().maxCoeff() < 1e-17) break;
+    if (term.cwiseAbs().maxCoeff() < kBelowRounding) break;
   }
   return sum;
 }

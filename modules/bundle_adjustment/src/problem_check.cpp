@@ -68,7 +68,9 @@ bool is_finite(const BaObservation& o) {
          std::isfinite(o.inv_sigma_tangent);
 }
 
-bool is_finite(const BaCornerPair& c) { return c.ray_from.allFinite() && c.ray_to.allFinite() && std::isfinite(c.inv_sigma); }
+bool is_finite(const BaCornerPair& c) {
+  return c.ray_from.allFinite() && c.ray_to.allFinite() && std::isfinite(c.inv_sigma);
+}
 
 bool is_finite(const BaPrior& prior) {
   for (const SE3& T : prior.linearization)

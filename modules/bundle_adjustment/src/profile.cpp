@@ -4,23 +4,29 @@
 #include <vector>
 
 #include "dense_solve.h"
+#include "edgevo/bundle_adjustment/problem_index.h"
 #include "edgevo/core/robust.h"
 #include "normal_equations.h"
 #include "prior.h"
+#include "residuals/edge_residual.h"
 
 namespace edgevo::ba {
 namespace {
 
+// Added to the diagonal of the pose system, a share of it and, in its own units, a least: poses that nothing
+// holds then have a rate of zero instead of none. Far below what any observed pose has.
+constexpr double kDiagonalShare = 1e-9, kLeastDiagonal = 1e-12;
+
 // One observation with its derivative by k.
 struct Row {
-  BaLinearization lin;
+  EdgeLinearization lin;
   ImageRate J_k;
   double weight;
 };
 
 // d r / dk = W (J_pi R dx/dk - dm/dk), Eq. (reprojectionerror) with ray x and match m moving with k.
-ImageRate global_jacobian(const BaProblem& problem, const BaObservation& o, const BaPoint& p, const ImageRate& ray_rate,
-                          const ImageRate& px_rate) {
+ImageRate global_jacobian(const BaProblem& problem, const BaObservation& o, const BaPoint& p,
+                          const ImageRate& ray_rate, const ImageRate& px_rate) {
   const SE3 T = problem.poses[o.target].T_cam_world * problem.poses[p.host].T_cam_world.inverse();
   const Eigen::Vector3d Y = T.R() * p.ray + p.idepth * T.translation();
   const Eigen::Matrix<double, 3, kUnknowns> dY = T.R().leftCols<2>() * ray_rate;
@@ -37,19 +43,21 @@ ImageRate global_jacobian(const BaProblem& problem, const BaObservation& o, cons
 class Profile {
  public:
   Profile(const BaProblem& problem, const GlobalDerivative& derivative, const BaOptions& options)
-      : problem_(problem), derivative_(derivative), options_(options), H_k_(PoseRows::Zero(6 * problem.poses.size(), kUnknowns)) {}
+      : problem_(problem),
+        derivative_(derivative),
+        options_(options),
+        H_k_(PoseRows::Zero(6 * problem.poses.size(), kUnknowns)) {}
 
   ProfileStep run() {
     ProfileStep step;
-    first_.assign(problem_.points.size() + 1, 0);
-    for (const BaObservation& o : problem_.observations) ++first_[o.point + 1];
-    for (size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    first_ = index_problem(problem_).first_observation;
     rows_.reserve(problem_.observations.size());
     for (size_t k = 0; k < problem_.observations.size(); ++k) rows_.push_back(row(int(k)));
     for (size_t i = 0; i < problem_.points.size(); ++i) reduce_point(int(i));
     if (!solve_poses(&step.pose_rate)) return step;
     step.idepth_rate.resize(problem_.points.size());
-    for (size_t i = 0; i < problem_.points.size(); ++i) step.idepth_rate[i] = idepth_rate(int(i), step.pose_rate);
+    for (size_t i = 0; i < problem_.points.size(); ++i)
+      step.idepth_rate[i] = idepth_rate(int(i), step.pose_rate);
     sum_score(&step);
     step.usable = step.gradient.allFinite() && step.curvature.allFinite();
     return step;
@@ -62,7 +70,8 @@ class Profile {
   Row row(int observation) const {
     const BaObservation& o = problem_.observations[observation];
     const BaPoint& p = problem_.points[o.point];
-    Row r{linearize(problem_.pinhole, problem_.poses[o.target].T_cam_world, problem_.poses[p.host].T_cam_world, p, o),
+    Row r{linearize(problem_.pinhole, problem_.poses[o.target].T_cam_world,
+                    problem_.poses[p.host].T_cam_world, p, o),
           ImageRate::Zero(), 0};
     if (!r.lin.valid) return r;
     r.J_k = global_jacobian(problem_, o, p, derivative_.ray[o.point], derivative_.px[observation]);
@@ -107,7 +116,7 @@ class Profile {
       b.row(i) = -H_k_.row(free_rows[i]);
       for (int j = 0; j < m; ++j)
         A(i, j) = equations.H(free_rows[i], free_rows[j]) - equations.S(free_rows[i], free_rows[j]);
-      A(i, i) += 1e-9 * equations.H(free_rows[i], free_rows[i]) + 1e-12;
+      A(i, i) += kDiagonalShare * equations.H(free_rows[i], free_rows[i]) + kLeastDiagonal;
     }
     const PoseRows x = solve_positive(A, b);
     rate->setZero(6 * problem_.poses.size(), kUnknowns);
@@ -141,7 +150,8 @@ class Profile {
       const int point = problem_.observations[k].point;
       const Row& r = rows_[k];
       if (!r.lin.valid) continue;
-      const ImageRate total = along_poses(r, int(k), step->pose_rate) + r.lin.J_idepth * step->idepth_rate[point];
+      const ImageRate total =
+          along_poses(r, int(k), step->pose_rate) + r.lin.J_idepth * step->idepth_rate[point];
       const Unknowns part = r.weight * total.transpose() * r.lin.residual;
       step->gradient += part;
       step->curvature += r.weight * total.transpose() * total;
@@ -160,7 +170,8 @@ class Profile {
 
 }  // namespace
 
-ProfileStep profile_step(const BaProblem& problem, const GlobalDerivative& derivative, const BaOptions& options) {
+ProfileStep profile_step(const BaProblem& problem, const GlobalDerivative& derivative,
+                         const BaOptions& options) {
   return Profile(problem, derivative, options).run();
 }
 

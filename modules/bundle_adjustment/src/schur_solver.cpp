@@ -3,22 +3,27 @@
 // With Marquardt's scaling the damped system of a point is (1 + lambda) times its information, so that the
 // Schur complement is H + lambda D - S / (1 + lambda): S is summed once a linearisation, and a rejected step
 // costs only a 6n x 6n factorisation. The linearisation of a trial state gives its cost too, and serves the
-// next step when the trial is accepted; of a trial that is foreseen to be the last only cost and depths are summed.
+// next step when the trial is accepted; of a trial that is foreseen to be the last only cost and depths are
+// summed.
 #include <algorithm>
 #include <cmath>
 
 #include "dense_solve.h"
 #include "normal_equations.h"
-#include "prior.h"
-#include "residuals/corner_residual.h"
+#include "pose_terms.h"
 #include "solvers.h"
 
 namespace edgevo::ba {
 namespace {
 
-constexpr double kMaxLambda = 1e16;
+// Damping, shares of the diagonal. Beyond the most a step is below rounding: no step will ever lower the
+// cost. Below the least it does nothing, and would not come back in time when it is needed.
+constexpr double kMaxLambda = 1e16, kMinLambda = 1e-16;
+// Of the cost: the sums of thousands of residuals are not known better than this.
+constexpr double kLeastDecrease = 1e-14;
 
-// Marquardt's scaling; bounded below, so that a pose that nothing observes stays where it is.
+// Marquardt's scaling (units as the Hessian's diagonal); bounded below, so that a pose that nothing observes
+// stays where it is, and above to stay finite.
 double damping_scale(double information) { return std::clamp(information, 1e-6, 1e32); }
 
 PackedVector6 pack(const Vector6d& v) { return {{Rows{v[0], v[1]}, Rows{v[2], v[3]}, Rows{v[4], v[5]}}}; }
@@ -41,7 +46,7 @@ class Damping {
   /// Nielsen's rule: a smooth function of the gain of the accepted step.
   void accept(double gain) {
     lambda_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
-    lambda_ = std::max(lambda_, 1e-16);
+    lambda_ = std::max(lambda_, kMinLambda);
     factor_ = 2;
   }
   void reject() {
@@ -59,8 +64,7 @@ class Minimizer {
       : options_(options),
         state_(initial_state(problem, options.min_idepth)),
         packed_(pack_problem(problem, state_, nullptr)),
-        prior_(problem),
-        corners_(problem.pinhole, problem.corners, options.huber_width),
+        pose_terms_(problem, options.huber_width),
         builder_(packed_, options.huber_width),
         damping_(options.initial_damping) {
     for (int i = 0; i < packed_.pose_count; ++i)
@@ -77,15 +81,15 @@ class Minimizer {
  private:
   void linearize(const State& state, NormalEquations* equations) {
     builder_.build(state, equations);
-    equations->cost += prior_.add(state.poses, &equations->H, &equations->b);
-    equations->cost += corners_.add(state.poses, &equations->H, &equations->b);
+    pose_terms_.add(state.poses, equations);
   }
   void evaluate(const State& state, NormalEquations* equations) {
     builder_.build_cost_and_depths(state, equations);
-    if (!prior_.empty()) equations->cost += prior_.cost(prior_.displacement(state.poses));
-    equations->cost += corners_.cost(state.poses);
+    pose_terms_.add_cost(state.poses, equations);
   }
-  bool is_enough(double decrease) const { return decrease <= options_.relative_decrease * std::abs(now_.cost); }
+  bool is_enough(double decrease) const {
+    return decrease <= options_.relative_decrease * std::abs(now_.cost);
+  }
   bool solve_step();
   bool solve_poses();
   void solve_idepths();
@@ -94,8 +98,7 @@ class Minimizer {
   const BaOptions& options_;
   State state_, trial_;
   PackedProblem packed_;
-  PriorTerm prior_;
-  CornerTerm corners_;
+  PoseTerms pose_terms_;
   NormalEquationsBuilder builder_;
   NormalEquations now_, next_;  ///< at state_ and at trial_
   std::vector<int> free_poses_;
@@ -173,7 +176,7 @@ BaResult Minimizer::run() {
   BaResult result;
   linearize(state_, &now_);
   result.initial_cost = result.final_cost = now_.cost;
-  if (!std::isfinite(now_.cost) || (packed_.observations.empty() && corners_.empty() && prior_.empty())) return result;
+  if (!std::isfinite(now_.cost) || (packed_.observations.empty() && pose_terms_.empty())) return result;
   result.usable = true;
   while (result.iterations < options_.max_iterations && damping_.lambda() < kMaxLambda) {
     ++result.iterations;
@@ -181,10 +184,10 @@ BaResult Minimizer::run() {
       damping_.reject();
       continue;
     }
-    if (step_.predicted_decrease <= 1e-14 * std::abs(now_.cost))
-      break;  // the minimum, as far as the sums can tell
+    if (step_.predicted_decrease <= kLeastDecrease * std::abs(now_.cost)) break;  // the minimum
     apply_step();
-    const bool foreseen_last = result.iterations == options_.max_iterations || is_enough(step_.predicted_decrease);
+    const bool foreseen_last =
+        result.iterations == options_.max_iterations || is_enough(step_.predicted_decrease);
     if (foreseen_last)
       evaluate(trial_, &next_);
     else

@@ -14,8 +14,8 @@ BaResult unusable_result(const BaProblem& problem);
 /// Residuals and validity of all observations of `problem` as it stands.
 void fill_residuals(const BaProblem& problem, BaResult* result);
 /// 1 / sqrt(information) for the free points of the packed problem.
-void fill_sigmas(const PackedProblem& packed, const std::vector<double>& idepth_information, std::size_t point_count,
-                 BaResult* result);
+void fill_sigmas(const PackedProblem& packed, const std::vector<double>& idepth_information,
+                 std::size_t point_count, BaResult* result);
 /// Writes the free poses and depths of `state` back.
 void store(const State& state, BaProblem* problem);
 

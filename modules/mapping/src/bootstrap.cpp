@@ -8,25 +8,25 @@
 #include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
+#include "opencv_pose.h"
 #include "two_view_motion.h"
 
 namespace edgevo {
 namespace {
 
-constexpr size_t kMaxKeptViews = 14;  // pyramids kept between the two views; the others keep their corners only
+// Views whose pyramids are kept, a matter of memory; three of them become keyframes. The others keep their
+// corners only.
+constexpr size_t kMaxKeptViews = 14;
+// Corners: three fix a pose, and a view between the two is worth nothing with a wrong one.
 constexpr int kMinPnpCorners = 20;
-constexpr int kMotionTrials = 5;      // RANSAC runs that have to agree
-constexpr int kMaxDisagreeing = 8;    // frames in a row whose corners do not agree on one motion: the first view was taken in bad light
-
-cv::Mat camera_matrix(const Pinhole& p) {
-  return (cv::Mat_<double>(3, 3) << p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1);
-}
-
-SE3 to_se3(const cv::Mat& R, const cv::Mat& t) {
-  Eigen::Matrix3d rotation;
-  for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.at<double>(i / 3, i % 3);
-  return {rotation, Eigen::Vector3d(t.at<double>(0), t.at<double>(1), t.at<double>(2))};
-}
+// RANSAC runs that have to agree on the rotation: one alone was wrong in two of five seeds
+// (share/lab/mapping.md).
+constexpr int kMotionTrials = 5;
+// Frames in a row whose corners do not agree on one motion: the first view was taken in bad light
+// (share/lab/mapping.md).
+constexpr int kMaxDisagreeing = 8;
+// Depth in the unit of the baseline below which a triangulated corner counts as behind the camera.
+constexpr double kMinCornerDepth = 1e-6;
 
 std::string sentence(const char* pattern, double a, double b) {
   char text[160];
@@ -34,14 +34,15 @@ std::string sentence(const char* pattern, double a, double b) {
   return text;
 }
 
-// Inverse depths in both cameras of a corner seen at rays a (first) and b (last); false behind a camera or without parallax.
-bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double* idepth_first,
-                 double* idepth_last) {
+// Inverse depths in both cameras of a corner seen at rays a (first) and b (last); false behind a camera or
+// without parallax.
+bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                 double* idepth_first, double* idepth_last) {
   // depth_b b = depth_a R a + t, least squares over the two depths.
   Eigen::Matrix<double, 3, 2> A;
   A << b, -(T_last_first.R() * a);
   const Eigen::Vector2d depth = (A.transpose() * A).ldlt().solve(A.transpose() * T_last_first.translation());
-  if (!(depth.x() > 1e-6) || !(depth.y() > 1e-6)) return false;
+  if (!(depth.x() > kMinCornerDepth) || !(depth.y() > kMinCornerDepth)) return false;
   *idepth_last = 1.0 / depth.x();
   *idepth_first = 1.0 / depth.y();
   return true;
@@ -72,7 +73,8 @@ struct Bootstrap::Impl {
     previous = std::move(image);
   }
 
-  // Follows the corners into `image`; those that fail the forward-backward check are struck out of every view.
+  // Follows the corners into `image`; those that fail the forward-backward check are struck out of every
+  // view.
   void follow(BootstrapView view, cv::Mat image) {
     const Corners& from = corners_in_view.back();
     Corners to;
@@ -103,8 +105,9 @@ struct Bootstrap::Impl {
     }
   }
 
-  // Median over all corners of the first view. Under noise and changing light those that move fast are lost first: the lost ones count
-  // as moved further than the median, up to half as many as are left, or the median of what is left would fall with time.
+  // Median over all corners of the first view. Under noise and changing light those that move fast are lost
+  // first: the lost ones count as moved further than the median, up to half as many as are left, or the
+  // median of what is left would fall with time.
   double median_motion(const Corners& a, const Corners& b) const {
     std::vector<double> motion;
     for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
@@ -116,18 +119,23 @@ struct Bootstrap::Impl {
     const Corners& a = corners_in_view.front();
     const Corners& b = corners_in_view.back();
     const double disparity = median_motion(a, b), needed = params.min_disparity * pinhole.width;
-    if (disparity < needed) return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on", disparity, needed)};
-    const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, a, b, params.ransac_px, kMotionTrials, &random);
+    if (disparity < needed)
+      return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
+                                     disparity, needed)};
+    const std::vector<TwoViewMotion> motions =
+        estimate_motions(pinhole, a, b, params.ransac_px, kMotionTrials, &random);
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
-    const TwoViewMotion& best = *std::min_element(motions.begin(), motions.end(), [](const auto& m, const auto& n) {
-      return m.median_error_px < n.median_error_px;
-    });
+    const TwoViewMotion& best =
+        *std::min_element(motions.begin(), motions.end(),
+                          [](const auto& m, const auto& n) { return m.median_error_px < n.median_error_px; });
     const int agreeing = cv::countNonZero(best.inliers);
     const bool disagree = agreeing < params.min_inlier_share * double(a.size());
     disagreeing = disagree ? disagreeing + 1 : 0;
     if (disagree)
-      return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed", 100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
-    if (is_ambiguous(best, motions)) return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
+      return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
+                                     100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
+    if (is_ambiguous(best, motions))
+      return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
   }
 
@@ -150,10 +158,13 @@ struct Bootstrap::Impl {
       used.push_back(int(i));
     }
     if (int(used.size()) < params.min_tracks / 2)
-      return {std::nullopt, sentence("only %.0f corners lie in front of both views, %.0f needed", double(used.size()), params.min_tracks / 2.0)};
+      return {std::nullopt, sentence("only %.0f corners lie in front of both views, %.0f needed",
+                                     double(used.size()), params.min_tracks / 2.0)};
     result.parallax_deg = median(parallax);
     if (result.parallax_deg < params.min_parallax_deg)
-      return {std::nullopt, sentence("median parallax %.2f deg, %.2f deg needed: the motion is mostly rotation, or the scene far away", result.parallax_deg, params.min_parallax_deg)};
+      return {std::nullopt, sentence("median parallax %.2f deg, %.2f deg needed: the motion is mostly "
+                                     "rotation, or the scene far away",
+                                     result.parallax_deg, params.min_parallax_deg)};
     const double scale = params.median_depth / median(depths);
     for (BootstrapCorner& c : result.corners) c.idepth_first /= scale, c.idepth_last /= scale;
     views.back().T_cam_first = SE3(T_last_first.rotation(), T_last_first.translation() * scale);
@@ -183,7 +194,7 @@ struct Bootstrap::Impl {
       views[v].placed = cv::solvePnP(object, image, camera_matrix(pinhole), cv::noArray(), rvec, tvec, true);
       if (!views[v].placed) continue;
       cv::Rodrigues(rvec, R);
-      views[v].T_cam_first = to_se3(R, tvec);
+      views[v].T_cam_first = to_se3(R, to_vector(tvec));
     }
   }
 };
@@ -211,7 +222,8 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
     const int found = int(impl_->corners_in_view.back().size());
     if (found < impl_->params.min_tracks) {
       reset();
-      return {std::nullopt, sentence("only %.0f corners in the image, %.0f needed", found, impl_->params.min_tracks)};
+      return {std::nullopt,
+              sentence("only %.0f corners in the image, %.0f needed", found, impl_->params.min_tracks)};
     }
     return {std::nullopt, "first view taken"};
   }
@@ -219,10 +231,12 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
   cv::Mat image_again = image;
   impl_->follow(std::move(view), std::move(image));
   const int alive = int(impl_->corners_in_view.back().size());
-  const bool few = alive < impl_->params.min_tracks, long_ago = int(impl_->views.size()) > impl_->params.max_frames;
+  const bool few =
+      alive<impl_->params.min_tracks, long_ago = int(impl_->views.size())> impl_->params.max_frames;
   BootstrapStatus status;
   if (few)
-    status.reason = sentence("only %.0f corners could be followed, %.0f needed; new first view", alive, impl_->params.min_tracks);
+    status.reason = sentence("only %.0f corners could be followed, %.0f needed; new first view", alive,
+                             impl_->params.min_tracks);
   else if (long_ago)
     status.reason = "too little motion for too long; new first view";
   else

@@ -9,9 +9,12 @@
 namespace edgevo {
 namespace {
 
-constexpr int kTrials = 2;  // RANSAC runs; the one with which more corners agree is taken
+// RANSAC runs; the one with which more corners agree is taken. A second for the sample that one run misses; a
+// third of the time each.
+constexpr int kTrials = 2;
 
-// Corners of the first image, and where a rotation has them in the second; those that it turns out of the view are left out.
+// Corners of the first image, and where a rotation has them in the second; those that it turns out of the
+// view are left out.
 struct ForeseenCorners {
   Corners from, to;
 };
@@ -29,7 +32,8 @@ ForeseenCorners foresee(const Pinhole& pinhole, const Corners& corners, const Ei
 
 }  // namespace
 
-std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const FramePyramid& from, const FramePyramid& to, const SE3& T_to_from,
+std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const FramePyramid& from,
+                                               const FramePyramid& to, const SE3& T_to_from,
                                                const CornerParams& params, Random* random) {
   const cv::Mat image_from = equalised(from);
   ForeseenCorners corners = foresee(pinhole, find_corners(image_from, params.max_corners), T_to_from.R());
@@ -38,17 +42,21 @@ std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const Fra
   for (size_t i = 0; i < found.size(); ++i)
     if (found[i]) first.push_back(corners.from[i]), last.push_back(corners.to[i]);
   if (int(first.size()) < params.min_agreeing) return std::nullopt;
-  const std::vector<TwoViewMotion> motions = estimate_motions(pinhole, first, last, params.ransac_px, kTrials, random);
+  const std::vector<TwoViewMotion> motions =
+      estimate_motions(pinhole, first, last, params.ransac_px, kTrials, random);
   if (motions.empty()) return std::nullopt;
   const auto agreeing = [](const TwoViewMotion& m) { return cv::countNonZero(m.inliers); };
   const TwoViewMotion& best =
-      *std::max_element(motions.begin(), motions.end(), [&](const auto& a, const auto& b) { return agreeing(a) < agreeing(b); });
-  const bool few = agreeing(best) < std::max(double(params.min_agreeing), params.min_agreeing_share * double(first.size()));
+      *std::max_element(motions.begin(), motions.end(),
+                        [&](const auto& a, const auto& b) { return agreeing(a) < agreeing(b); });
+  const bool few = agreeing(best) <
+                   std::max(double(params.min_agreeing), params.min_agreeing_share * double(first.size()));
   if (few || best.parallax_rad < params.min_parallax_deg * M_PI / 180) return std::nullopt;
   CornerMotion motion;
   motion.T_to_from = best.T_last_first;
   for (size_t i = 0; i < first.size(); ++i)
-    if (best.inliers.at<uchar>(int(i))) motion.pairs.push_back({pinhole.ray({first[i].x, first[i].y}), pinhole.ray({last[i].x, last[i].y})});
+    if (best.inliers.at<uchar>(int(i)))
+      motion.pairs.push_back({pinhole.ray({first[i].x, first[i].y}), pinhole.ray({last[i].x, last[i].y})});
   return motion;
 }
 

@@ -7,11 +7,21 @@
 namespace edgevo {
 namespace {
 
+// Pixels between where a corner began and where it is when followed there and back: about RANSAC's threshold,
+// what is off by more is lost.
 constexpr double kMaxForwardBackwardPx = 0.7;
-constexpr double kQuality = 0.005;          // of a corner, share of the strongest one's
-constexpr double kCornersAcross = 120;      // corners stand at least so much apart, share of the image width
-constexpr int kLevels = 4;                  // halvings: corners are found 100 px from where they are sought
-constexpr int kLevelsBack = 1;              // on the way back it is known where they began
+// Of a corner, share of the strongest one's: low, so that they cover the image; those that move wrongly are
+// struck out later.
+constexpr double kQuality = 0.005;
+// Corners stand at least an image's width over this apart, and never less than kMinDistancePx: spread over
+// the image.
+constexpr double kCornersAcross = 120, kMinDistancePx = 5.0;
+constexpr int kLevels = 4;      // halvings: corners are found 100 px from where they are sought
+constexpr int kLevelsBack = 1;  // on the way back it is known where they began
+// Side of the patch that is compared, OpenCV's own default, as are the two that follow.
+constexpr int kPatchPx = 21;
+constexpr int kMaxSteps = 30;
+constexpr double kLeastStepPx = 0.01;
 
 }  // namespace
 
@@ -24,22 +34,25 @@ cv::Mat equalised(const FramePyramid& pyramid) {
 
 Corners find_corners(const cv::Mat& image, int count) {
   Corners corners;
-  cv::goodFeaturesToTrack(image, corners, count, kQuality, std::max(5.0, image.cols / kCornersAcross));
+  cv::goodFeaturesToTrack(image, corners, count, kQuality,
+                          std::max(kMinDistancePx, image.cols / kCornersAcross));
   return corners;
 }
 
-std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from, Corners* to) {
+std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from,
+                                 Corners* to) {
   std::vector<bool> found(from.size());
   if (from.empty()) return found;
   const bool is_foreseen = !to->empty();
   const int flags = is_foreseen ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
-  const cv::Size window(21, 21);
-  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 30, 0.01);
+  const cv::Size window(kPatchPx, kPatchPx);
+  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxSteps, kLeastStepPx);
   Corners back = from;
   std::vector<uchar> ok, ok_back;
   std::vector<float> error;
   cv::calcOpticalFlowPyrLK(image_from, image_to, from, *to, ok, error, window, kLevels, stop, flags);
-  cv::calcOpticalFlowPyrLK(image_to, image_from, *to, back, ok_back, error, window, is_foreseen ? kLevelsBack : kLevels, stop, flags);
+  cv::calcOpticalFlowPyrLK(image_to, image_from, *to, back, ok_back, error, window,
+                           is_foreseen ? kLevelsBack : kLevels, stop, flags);
   for (size_t i = 0; i < from.size(); ++i) {
     const cv::Point2f& p = (*to)[i];
     const bool inside = p.x >= 0 && p.y >= 0 && p.x < float(image_to.cols) && p.y < float(image_to.rows);

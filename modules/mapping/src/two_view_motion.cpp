@@ -9,19 +9,18 @@
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
+#include "opencv_pose.h"
 
 namespace edgevo {
 namespace {
 
-constexpr int kRefineIterations = 10;
+constexpr int kRefineIterations = 10;  // steps of Gauss-Newton at most; it ends when it has settled
+// Radians and directions of unit vectors, a step's length: far below what pixels tell.
+constexpr double kSettled = 1e-9;
+// That a run of RANSAC draws at least one sample of five right corners; what it misses the other runs find.
+constexpr double kConfidence = 0.999;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
-
-SE3 to_se3(const cv::Mat& R, const cv::Mat& t) {
-  Eigen::Matrix3d rotation;
-  for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.at<double>(i / 3, i % 3);
-  return {rotation, Eigen::Vector3d(t.at<double>(0), t.at<double>(1), t.at<double>(2)).normalized()};
-}
 
 // Two unit vectors that span the plane perpendicular to t.
 Eigen::Matrix<double, 3, 2> tangent_plane(const Eigen::Vector3d& t) {
@@ -34,12 +33,12 @@ Eigen::Matrix<double, 3, 2> tangent_plane(const Eigen::Vector3d& t) {
 // Distance of the ray y from the epipolar line of x, on the image plane z = 1 of the last view.
 double epipolar_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   const Eigen::Vector3d line = T.translation().cross(T.rotation() * x);
-  return line.dot(y) / std::max(line.head<2>().norm(), 1e-12);
+  return line.dot(y) / std::max(line.head<2>().norm(), kLeastLineLength);
 }
 
 // Median error and parallax over all corners.
-void measure(const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen::Vector3d>& last, double focal_px,
-             TwoViewMotion* m) {
+void measure(const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen::Vector3d>& last,
+             double focal_px, TwoViewMotion* m) {
   std::vector<double> errors, angles;
   for (size_t i = 0; i < first.size(); ++i) {
     errors.push_back(focal_px * std::abs(epipolar_distance(m->T_last_first, first[i], last[i])));
@@ -55,18 +54,22 @@ double sampson_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vec
   return focal_px * std::abs(lines.in_to.dot(y)) / lines.length;
 }
 
-// Does the point of two rays lie in front of both views? One without parallax is far away and no evidence against it.
-bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y, double min_parallax_rad) {
+// Does the point of two rays lie in front of both views? One without parallax is far away and no evidence
+// against it.
+bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y,
+                      double min_parallax_rad) {
   const Eigen::Vector3d Rx = T.rotation() * x, normal = Rx.cross(y);
   if (angle_between(Rx, y) < min_parallax_rad) return true;
-  return T.translation().cross(y).dot(normal) < 0 && T.translation().cross(Rx).dot(normal) < 0;  // both depths
+  // Both depths.
+  return T.translation().cross(y).dot(normal) < 0 && T.translation().cross(Rx).dot(normal) < 0;
 }
 
-// What a sample of five corners gives, refined over all that agree with it, these found anew each time: the more agree, the less depends
-// on the sample.
-SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen::Vector3d>& last, double focal_px,
-                        double ransac_px, cv::Mat* inliers) {
-  constexpr int kRounds = 3;
+// What a sample of five corners gives, refined over all that agree with it, these found anew each time: the
+// more agree, the less depends on the sample.
+SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
+                        const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
+                        cv::Mat* inliers) {
+  constexpr int kRounds = 3;  // as measured: share/lab/mapping.md, "All that agree"
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Eigen::Vector3d> x, y;
     for (size_t i = 0; i < first.size(); ++i) {
@@ -84,7 +87,9 @@ SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first, const 
 
 }  // namespace
 
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
                   const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px) {
@@ -97,7 +102,8 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
     for (size_t i = 0; i < rays_first.size(); ++i) {
       const Eigen::Vector3d Rx = T.rotation() * rays_first[i], &y = rays_last[i];
       const Eigen::Vector3d line = t.cross(Rx);
-      const double scale = focal_px / std::max(line.head<2>().norm(), 1e-12);  // held during a step
+      // Held during a step.
+      const double scale = focal_px / std::max(line.head<2>().norm(), kLeastLineLength);
       const double r = scale * line.dot(y);
       Vector5d J;
       J << scale * Rx.cross(y.cross(t)), scale * B.transpose() * Rx.cross(y);
@@ -105,20 +111,22 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
       H.noalias() += w * J * J.transpose();
       b.noalias() += w * r * J;
     }
+    // Keeps it invertible where nothing turns with an unknown.
     H.diagonal().array() += 1e-9 * (H.trace() + 1e-9);
     const Vector5d step = -H.ldlt().solve(b);
     if (!step.allFinite()) break;
     Vector6d rotation = Vector6d::Zero();
     rotation.tail<3>() = step.head<3>();
     T = SE3(SE3::exp(rotation).rotation() * T.rotation(), (t + B * step.tail<2>()).normalized());
-    if (step.norm() < 1e-9) break;
+    if (step.norm() < kSettled) break;
   }
   return T;
 }
 
 std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
-                                            const std::vector<cv::Point2f>& last, double ransac_px, int trials, Random* random) {
-  const cv::Mat K = (cv::Mat_<double>(3, 3) << pinhole.fx, 0, pinhole.cx, 0, pinhole.fy, pinhole.cy, 0, 0, 1);
+                                            const std::vector<cv::Point2f>& last, double ransac_px,
+                                            int trials, Random* random) {
+  const cv::Mat K = camera_matrix(pinhole);
   std::vector<Eigen::Vector3d> rays_first, rays_last;
   for (const cv::Point2f& p : first) rays_first.push_back(pinhole.ray({p.x, p.y}));
   for (const cv::Point2f& p : last) rays_last.push_back(pinhole.ray({p.x, p.y}));
@@ -130,13 +138,14 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
     std::vector<cv::Point2f> from, to;
     for (int i : order) from.push_back(first[i]), to.push_back(last[i]);
     cv::Mat found, R, t;
-    const cv::Mat E = cv::findEssentialMat(from, to, K, cv::RANSAC, 0.999, ransac_px, found);
+    const cv::Mat E = cv::findEssentialMat(from, to, K, cv::RANSAC, kConfidence, ransac_px, found);
     if (E.rows != 3) continue;
     cv::recoverPose(E, from, to, K, R, t, found);
     TwoViewMotion m;
     m.inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
     for (size_t k = 0; k < order.size(); ++k) m.inliers.at<uchar>(order[k]) = found.at<uchar>(int(k)) != 0;
-    m.T_last_first = refine_over_inliers(to_se3(R, t), rays_first, rays_last, pinhole.fx, ransac_px, &m.inliers);
+    m.T_last_first = refine_over_inliers(to_se3(R, to_vector(t).normalized()), rays_first, rays_last,
+                                         pinhole.fx, ransac_px, &m.inliers);
     measure(rays_first, rays_last, pinhole.fx, &m);
     motions.push_back(std::move(m));
   }
@@ -144,11 +153,13 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
 }
 
 bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions) {
-  constexpr double kFitsToo = 1.5, kMaxRotationShare = 0.25;
+  constexpr double kFitsToo = 1.5;            // times the best median error: not told apart by it
+  constexpr double kMaxRotationShare = 0.25;  // of the parallax: depths would be wrong by as much
   for (const TwoViewMotion& m : motions) {
     const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();
     const double parallax = std::min(m.parallax_rad, best.parallax_rad);
-    if (m.median_error_px < kFitsToo * best.median_error_px && rotation > kMaxRotationShare * parallax) return true;
+    if (m.median_error_px < kFitsToo * best.median_error_px && rotation > kMaxRotationShare * parallax)
+      return true;
   }
   return false;
 }

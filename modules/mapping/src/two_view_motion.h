@@ -1,5 +1,6 @@
 #pragma once
-// Motion between two views from matched corners: essential matrices by RANSAC, each refined over all corners that agree.
+// Motion between two views from matched corners: essential matrices by RANSAC, each refined over all corners
+// that agree.
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -16,16 +17,19 @@ struct TwoViewMotion {
   double parallax_rad = 0;     ///< median angle between the two rays, rotation taken out
 };
 
-/// The motions of `trials` RANSAC runs, from corners in shuffled order so that each draws others. May be empty.
+/// The motions of `trials` RANSAC runs, from corners in shuffled order so that each draws others. May be
+/// empty.
 std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
-                                            const std::vector<cv::Point2f>& last, double ransac_px, int trials, Random* random);
+                                            const std::vector<cv::Point2f>& last, double ransac_px,
+                                            int trials, Random* random);
 
-/// With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: true while motions that
-/// fit about as well as `best` disagree on the rotation by more than a share of the parallax that depths would come from.
+/// With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: true
+/// while motions that fit about as well as `best` disagree on the rotation by more than a share of the
+/// parallax that depths would come from.
 bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions);
 
-/// Gauss-Newton on the distances from the epipolar lines, rotation and translation direction (five unknowns), Huber at
-/// `huber_px`. `rays_first` and `rays_last` are (x, y, 1).
+/// Gauss-Newton on the distances from the epipolar lines, rotation and translation direction (five unknowns),
+/// Huber at `huber_px`. `rays_first` and `rays_last` are (x, y, 1).
 SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
                   const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px);
 

@@ -1,4 +1,5 @@
-// What a keyframe of the window shows the tracker: its points of known depth, and immature ones where those are few.
+// What a keyframe of the window shows the tracker: its points of known depth, and immature ones where those
+// are few.
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
@@ -8,8 +9,12 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kEnoughCloud = 500;  // with fewer points of known depth the cloud is filled up with immature ones
-constexpr double kThinShare = 0.25;    // points of known depth for each cell of the activation, below which they are few for a small image, too
+// Points of known depth below which the cloud is filled up with immature ones and the map counts as thin: 300
+// and 400 let runs break, 700 costs accuracy (share/lab/mapping.md, "Experiments").
+constexpr size_t kEnoughCloud = 500;
+// Points of known depth for each cell of the activation, below which they are few for a small image, too: 402
+// at 640x480.
+constexpr double kThinShare = 0.25;
 
 }  // namespace
 
@@ -18,8 +23,8 @@ bool Window::is_cloud_thin(const Keyframe& keyframe) const {
   return cloud(keyframe).size() < std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
 }
 
-// Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma: under a pure
-// rotation, where depth does not matter, they count fully.
+// Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma:
+// under a pure rotation, where depth does not matter, they count fully.
 void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
   std::vector<const ImmaturePoint*> alive;
   for (const ImmaturePoint& p : host.immature)
@@ -28,8 +33,9 @@ void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<Cloud
   for (size_t i = 0; i < wanted; ++i) {
     const ImmaturePoint& p = *alive[i * alive.size() / wanted];
     const bool measured = p.good > 0;
-    cloud->push_back({pinhole_.ray(p.px), measured ? p.idepth : p.idepth_guess, measured ? p.idepth_sigma : p.idepth_guess,
-                      p.px.cast<float>(), p.normal.cast<float>()});
+    cloud->push_back({pinhole_.ray(p.px), measured ? p.idepth : p.idepth_guess,
+                      measured ? p.idepth_sigma : p.idepth_guess, p.px.cast<float>(),
+                      p.normal.cast<float>()});
   }
 }
 
@@ -56,7 +62,8 @@ std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
         const Eigen::Vector2d px = pinhole_.project(Y);
         if (!pinhole_.contains(px)) continue;
         // rho' = rho / Y_z, and so does its sigma to first order.
-        c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(), seen->match.normal.cast<float>()};
+        c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(),
+             seen->match.normal.cast<float>()};
       }
       c.host_keyframe = host.id;
       c.host_pixel = p.edge_pixel;

@@ -6,7 +6,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kSameEdgePx = 1.5;      // an edge pixel of the new image this near, and of the same direction, is the old one
+// An edge pixel of the new image this near, pixels, and within 37 degrees of the same direction is the old
+// one: a resampled edge may be found a pixel's diagonal off, and a neighbouring one is further away.
+constexpr double kSameEdgePx = 1.5;
 constexpr double kSameEdgeCosine = 0.8;
 
 int find_edge_pixel(const PyramidLevel& level, const Eigen::Vector2d& px, const Eigen::Vector2d& normal) {
@@ -50,11 +52,14 @@ void revise_immature(const Pinhole& c, const MapRevision& revision, const Revise
     p.idepth_guess /= r.length_ratio;
     kept.push_back(p);
   }
-  std::stable_sort(kept.begin(), kept.end(), [](const ImmaturePoint& a, const ImmaturePoint& b) { return a.edge_pixel < b.edge_pixel; });
+  std::stable_sort(kept.begin(), kept.end(), [](const ImmaturePoint& a, const ImmaturePoint& b) {
+    return a.edge_pixel < b.edge_pixel;
+  });
   k->immature = std::move(kept);
 }
 
-Eigen::Vector3d correct_ray(const Pinhole& c, const MapRevision& revision, const ImageMotion& motion, const Eigen::Vector3d& ray) {
+Eigen::Vector3d correct_ray(const Pinhole& c, const MapRevision& revision, const ImageMotion& motion,
+                            const Eigen::Vector3d& ray) {
   return c.ray(correct_pixel(c, revision.before, revision.now, motion, c.project(ray)));
 }
 
@@ -69,7 +74,8 @@ void revise_corners(const Pinhole& c, const MapRevision& revision, const Revised
 
 void Window::apply(const MapRevision& revision, const Rebuild& rebuild) {
   for (Keyframe& k : keyframes_) {
-    const auto r = std::find_if(revision.keyframes.begin(), revision.keyframes.end(), [&](const RevisedKeyframe& c) { return c.id == k.id; });
+    const auto r = std::find_if(revision.keyframes.begin(), revision.keyframes.end(),
+                                [&](const RevisedKeyframe& c) { return c.id == k.id; });
     if (r == revision.keyframes.end()) continue;
     k.T_cam_world = r->T_cam_world;
     k.pyramid = rebuild(k);

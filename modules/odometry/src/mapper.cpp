@@ -11,8 +11,11 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMinFirstPoints = 100;   // fewer do not make a map: tracking wants alignment.min_visible (60) of them in view
-constexpr double kMaxFirstCost = 1.2;  // Huber cost an observation (1/2 for matches as good as they tell): above, the two views do not fit
+// Points of the first window: fewer do not hold its poses against wrong matches.
+constexpr int kMinFirstPoints = 100;
+// Huber cost an observation, in variances, above which the two views do not fit: about a half where residuals
+// have the deviations they are given.
+constexpr double kMaxFirstCost = 1.2;
 
 // Runs `work` and notes its CPU time under `name`.
 template <class Work>
@@ -41,7 +44,7 @@ IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last
 // First and last view, and up to three between. Two views alone would not do: an edge match is one equation, and with one
 // match a point its own depth takes that up, so that the pose between the two views would be free.
 std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views) {
-  constexpr size_t kMaxBetween = 3;  // views: two baselines more for each point; further ones bring time, no accuracy
+  constexpr size_t kMaxBetween = 3;  // views: with five keyframes in all a point has up to four matches
   std::vector<const BootstrapView*> between;
   for (size_t i = 1; i + 1 < views.size(); ++i)
     if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);
@@ -55,7 +58,7 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
 // How the images of the first keyframes moved: as between the first and the last of them, with one depth for each. Only where the map came
 // at once, by large motion: over more frames a hand-held camera moves otherwise than on the whole.
 void find_motions(std::deque<Keyframe>* keyframes) {
-  constexpr int kMaxFrames = 2;  // between the two views
+  constexpr int kMaxFrames = 2;  // between the first view and the last; see share/lab/self_calibration.md, "Rolling shutter"
   const Keyframe &first = keyframes->front(), &last = keyframes->back();
   const double seconds = seconds_between(first.time, last.time);
   if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames) return;
@@ -228,7 +231,7 @@ std::shared_ptr<const FramePyramid> Mapper::corrected(const TrackedFrame& tracke
 
 // Every immature point is searched in every frame: as many as it takes to fill the window again, and not more.
 int Mapper::new_points_wanted() const {
-  constexpr int kAtLeast = 300;  // points: also a full window needs them where the view is new
+  constexpr int kAtLeast = 300;  // points a keyframe: also a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
   return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points), p.max_new_points);

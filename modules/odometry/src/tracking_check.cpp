@@ -8,15 +8,19 @@
 namespace edgevo {
 namespace {
 
-constexpr double kNewestShare = 1.0 / 3;  // of the newest keyframe in the mean
-constexpr double kMost = 4;                // more than that is a blunder of one keyframe
-constexpr double kLeast = 0.7;             // agreement beyond that is chance, or one error in both
-constexpr double kNotSeen = 1.15;          // truth over what the move shows: the adjusted pose errs as well (rendered scenes, README.md)
+// Weight of the newest keyframe in the mean: the last three to five count.
+constexpr double kNewestShare = 1.0 / 3;
+// Shares of the variance that tracking told, measured on rendered scenes (alignment/README.md, "Covariance").
+constexpr double kMost = 4;               // more than that is a blunder of one keyframe
+constexpr double kLeast = 0.7;            // agreement beyond that is chance, or one error in both
+constexpr double kNotSeen = 1.15;         // truth over what the move shows: the adjusted pose errs as well
 
 }  // namespace
 
-void TrackingCheck::add(const SE3& T_cam_ref_tracked, const SE3& T_cam_ref_adjusted, const Matrix6d& covariance) {
-  const double ratio = normalised_error_square(T_cam_ref_tracked, T_cam_ref_adjusted, covariance) / kNormalisedErrorFreedom;
+void TrackingCheck::add(const SE3& T_cam_ref_tracked, const SE3& T_cam_ref_adjusted,
+                        const Matrix6d& covariance) {
+  const double ratio =
+      normalised_error_square(T_cam_ref_tracked, T_cam_ref_adjusted, covariance) / kNormalisedErrorFreedom;
   if (std::isfinite(ratio)) mean_ += kNewestShare * (std::min(ratio, kMost) - mean_);
 }
 

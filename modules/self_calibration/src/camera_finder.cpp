@@ -7,19 +7,27 @@
 namespace edgevo {
 namespace {
 
-using ba::CameraEstimate;
-using ba::CameraProblem;
-using ba::CameraSearch;
 using State = CameraRefinement::State;
 
-constexpr double kMaxUsefulSigma = 0.004;         // a k1 known no better than this is not observed
-constexpr double kMaxUsefulReadoutSigma = 0.005;  // nor a read-out time, seconds
-constexpr double kLeastSignificance = 1.5;        // standard deviations: a read-out time found early in bad light may turn out to be none
-constexpr double kModelKeyframes = 30;            // that the parameters' model sigmas refer to
-// Matches found in images with crooked rows hold on to them: estimates come out a fifth to a half short and reach the truth step by step.
+// A k1 known no better than this is not observed: 1.2 px at the border of a wide image, more than a match may
+// be off.
+constexpr double kMaxUsefulSigma = 0.004;
+// Seconds: nor is a read-out time known no better than to a quarter of the 20 ms that a webcam takes.
+constexpr double kMaxUsefulReadoutSigma = 0.005;
+// Standard deviations below which an applied read-out time is given up: found early in bad light it may turn
+// out to be none. Half of what it takes to be applied, so that it does not come and go.
+constexpr double kLeastSignificance = 1.5;
+// Keyframes that the parameters' model sigmas refer to: a definition.
+constexpr double kModelKeyframes = 30;
+// Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
+// estimates come out a fifth to a half short and reach the truth step by step (share/lab/self_calibration.md,
+// "Rolling shutter").
 constexpr double kOverRelaxation = 1.3;
+// Share of a limit beyond which an estimate stands at it: the search is clamped there, rounding aside.
+constexpr double kAtLimit = 0.999;
 
-// Biased matches: their error of k1 falls with the number of keyframes, that of the read-out time, which needs fewer, with its root.
+// Biased matches: their error of k1 falls with the number of keyframes, that of the read-out time, which
+// needs fewer, with its root.
 double k1_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
   return std::hypot(formal, p.model_sigma * kModelKeyframes / double(keyframes));
 }
@@ -34,32 +42,43 @@ struct Finding {
   State state = State::kNotObservable;
 };
 
-// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is applied stays so until it is
-// told apart from the file by less than `least` standard deviations.
-Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma, double limit, double significance,
-              double least) {
+// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is
+// applied stays so until it is told apart from the file by less than `least` standard deviations.
+Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma,
+              double limit, double significance, double least) {
   const bool observed = sigma < max_useful_sigma;
-  Finding f{estimate, sigma, observed && std::abs(estimate) < 0.999 * limit, before};
+  Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * limit, before};
   const double told_apart = std::abs(estimate - by_file) / sigma;
   if (before == State::kApplied && (!f.trustworthy || told_apart >= least)) return f;
-  f.state = f.trustworthy && told_apart >= significance ? State::kApplied : observed ? State::kInsignificant : State::kNotObservable;
+  f.state = f.trustworthy && told_apart >= significance ? State::kApplied
+            : observed                                  ? State::kInsignificant
+                                                        : State::kNotObservable;
   return f;
 }
 
 class CameraFinder {
  public:
-  CameraFinder(const CameraProblem& problem, const CameraRefinement& known, const SelfCalibrationParams& params, const BaOptions& options)
-      : problem_(problem), params_(params), options_(options), keyframes_(int(problem.file.poses.size())), known_(known),
+  CameraFinder(const CameraProblem& problem, const CameraRefinement& known,
+               const SelfCalibrationParams& params, const BaOptions& options)
+      : problem_(problem),
+        params_(params),
+        options_(options),
+        keyframes_(int(problem.file.poses.size())),
+        known_(known),
         state_(known) {
+    // Of a first solve that starts far off, which took 9 to 15 at a tolerance of 1e-6.
     options_.max_iterations = 15;
-    options_.relative_decrease = 1e-5;  // of a cost of thousands: less than a standard deviation of k1 is worth
-    options_.initial_damping = 1e-6;    // the way has been adjusted before: an iteration or more fewer at 120 keyframes
+    // Of a cost of thousands: less than a standard deviation of k1 is worth.
+    options_.relative_decrease = 1e-5;
+    // The way has been adjusted before: an iteration or more fewer at 120 keyframes.
+    options_.initial_damping = 1e-6;
   }
 
   CameraFinding run() {
     if (knew_more()) return nothing();
     const bool seek_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
-    const bool seek_readout = params_.refines_readout() && (state_.shutter.state == State::kApplied || !seek_k1);
+    const bool seek_readout =
+        params_.refines_readout() && (state_.shutter.state == State::kApplied || !seek_k1);
     CameraEstimate e = search(seek_k1, seek_readout);
     if (!e.usable) return nothing();
     if (params_.refines_readout() && !seek_readout) e = look_at_shutter(std::move(e));
@@ -82,11 +101,12 @@ class CameraFinder {
     s.prior << 0, params_.readout_s;
     s.prior_sigma << params_.prior_sigma, params_.readout_prior_sigma;
     s.limit << params_.max_k1, params_.max_readout_s;
-    return ba::estimate_camera(problem_, s, options_);
+    return estimate_camera(problem_, s, options_);
   }
 
-  // Beside a k1 that was sought alone: the read-out time as one more step shows it. Such a step is less sure than a search, and far from
-  // the minimum its own deviation says little; where it is large a search for both decides.
+  // Beside a k1 that was sought alone: the read-out time as one more step shows it. Such a step is less sure
+  // than a search, and far from the minimum its own deviation says little; where it is large a search for
+  // both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
     const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, params_, keyframes_);
     if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
@@ -100,8 +120,8 @@ class CameraFinder {
   }
 
   Finding note_k1(double k1, double formal_sigma) {
-    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), kMaxUsefulSigma, params_.max_k1,
-                            params_.significance, 0);
+    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), kMaxUsefulSigma,
+                            params_.max_k1, params_.significance, 0);
     state_.state = f.state;
     state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
     return f;
@@ -109,14 +129,16 @@ class CameraFinder {
 
   Finding note_readout(double readout_s, double formal_sigma) {
     CameraRefinement::Shutter& s = state_.shutter;
-    const Finding f = weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, params_, keyframes_),
-                            kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance, kLeastSignificance);
+    const Finding f =
+        weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, params_, keyframes_),
+              kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance, kLeastSignificance);
     s.state = f.state;
     s.estimate = f.estimate, s.sigma = f.sigma, s.keyframes = keyframes_;
     return f;
   }
 
-  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is sought anew.
+  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is sought
+  // anew.
   CameraFinding settle(CameraEstimate e) {
     const bool k1_free = e.free[0], readout_free = e.free[1];
     bool k1 = false, readout = false, given_up = false;
@@ -142,7 +164,8 @@ class CameraFinder {
 
   double over_relaxed(double readout_s) const {
     const double before = state_.shutter.readout_s;
-    return std::clamp(before + kOverRelaxation * (readout_s - before), -params_.max_readout_s, params_.max_readout_s);
+    return std::clamp(before + kOverRelaxation * (readout_s - before), -params_.max_readout_s,
+                      params_.max_readout_s);
   }
 
   const CameraProblem& problem_;
@@ -154,8 +177,8 @@ class CameraFinder {
 
 }  // namespace
 
-CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known, const SelfCalibrationParams& params,
-                          const BaOptions& options) {
+CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known,
+                          const SelfCalibrationParams& params, const BaOptions& options) {
   return CameraFinder(problem, known, params, options).run();
 }
 

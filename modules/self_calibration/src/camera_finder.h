@@ -9,13 +9,15 @@
 namespace edgevo {
 
 struct CameraFinding {
-  CameraRefinement state;                      ///< what is known now; its values are those of `estimate`, else as before
-  std::optional<ba::CameraEstimate> estimate;  ///< where something is to be applied
+  /// What is known now; its values are those of `estimate`, else as before.
+  CameraRefinement state;
+  std::optional<CameraEstimate> estimate;  ///< where something is to be applied
 };
 
-/// Before `params.min_keyframes` only the read-out time is sought: k1 shows later. From then on k1, and the read-out time with it where it
-/// is known already or one more step makes the shutter look like a rolling one. `known`: what earlier estimates found.
-CameraFinding find_camera(const ba::CameraProblem& problem, const CameraRefinement& known, const SelfCalibrationParams& params,
-                          const BaOptions& options);
+/// Before `params.min_keyframes` only the read-out time is sought: k1 shows later. From then on k1, and the
+/// read-out time with it where it is known already or one more step makes the shutter look like a rolling
+/// one. `known`: what earlier estimates found.
+CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known,
+                          const SelfCalibrationParams& params, const BaOptions& options);
 
 }  // namespace edgevo

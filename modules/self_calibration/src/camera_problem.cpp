@@ -6,29 +6,45 @@
 
 #include "edgevo/core/radial.h"
 
-namespace edgevo::ba {
+namespace edgevo {
 namespace {
 
+using ba::GlobalDerivative, ba::ImageRate, ba::kUnknowns, ba::ProfileStep, ba::Unknowns, ba::UnknownsSquare;
+
+// Steps: twice what an estimate took at most; a search that has not ended by then is taken as it stands.
 constexpr int kMaxNewtonSteps = 8;
-const Unknowns kEnough(1e-4, 1e-4);  // of k1: 0.03 px at the border of a wide image; of the read-out: a hundredth of a pixel
-constexpr double kRough = 10;        // the first solve may stop so much earlier: its solution serves only until the unknowns move
+// Change of k1, and of the read-out time in seconds, that ends the search: 0.03 px at the border of a wide
+// image, a hundredth of a pixel.
+const Unknowns kEnough(1e-4, 1e-4);
+// Share of its standard deviation that a last step may have: nothing that the result could be told from.
+constexpr double kEnoughSigmas = 0.15;
+// Times the tolerance at which the first solve may stop: its solution serves only until the unknowns move.
+constexpr double kRough = 10;
+// Factor by which a predicted inverse depth may change: a linear prediction of a far point goes astray
+// beyond.
+constexpr double kMaxIdepthChange = 2;
 
 Eigen::Vector2d normalised(const Pinhole& c, const Eigen::Vector2d& px) { return c.ray(px).head<2>(); }
-Eigen::Vector2d pixel(const Pinhole& c, const Eigen::Vector2d& x) { return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy}; }
+Eigen::Vector2d pixel(const Pinhole& c, const Eigen::Vector2d& x) {
+  return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy};
+}
 
 // D = d px_file / d px at the true normalised point x.
-Eigen::Matrix2d pixel_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+Eigen::Matrix2d pixel_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+                               const Eigen::Vector2d& x) {
   const Eigen::Vector2d f(c.fx, c.fy);
   return f.asDiagonal() * file_jacobian(c, correction, motion, x) * f.cwiseInverse().asDiagonal();
 }
 
 // x(k) with x_file held: dx/dk = -(dx_file/dx)^-1 dx_file/dk.
-ImageRate removal_rate(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion, const Eigen::Vector2d& x) {
+ImageRate removal_rate(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+                       const Eigen::Vector2d& x) {
   const Eigen::Vector2d rolling = add_rolling(c, correction.readout_s, motion, x);
   ImageRate by_unknown;
   by_unknown.col(0) = radial_derivative(rolling);
   by_unknown.col(1).setZero();
-  if (motion.is_known()) by_unknown.col(1) = radial_jacobian(correction.k1, rolling) * (shutter_row(c, x) * motion.at(c, x));
+  if (motion.is_known())
+    by_unknown.col(1) = radial_jacobian(correction.k1, rolling) * (shutter_row(c, x) * motion.at(c, x));
   return -(file_jacobian(c, correction, motion, x).inverse() * by_unknown);
 }
 
@@ -39,7 +55,9 @@ void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem
       problem->poses[i].T_cam_world = SE3::exp(pose_change.segment<6>(6 * i)) * problem->poses[i].T_cam_world;
   for (size_t i = 0; i < problem->points.size(); ++i) {
     BaPoint& p = problem->points[i];
-    if (!p.fixed) p.idepth = std::clamp(p.idepth + step.idepth_rate[i].dot(change), 0.5 * p.idepth, 2.0 * p.idepth);
+    if (p.fixed) continue;
+    const double predicted = p.idepth + step.idepth_rate[i].dot(change);
+    p.idepth = std::clamp(predicted, p.idepth / kMaxIdepthChange, kMaxIdepthChange * p.idepth);
   }
 }
 
@@ -49,7 +67,8 @@ using Mask = Eigen::Array<bool, kUnknowns, 1>;
 struct NewtonStep {
   Unknowns change = Unknowns::Zero(), sigma = Unknowns::Zero();
 };
-NewtonStep newton_step(const ProfileStep& step, const CameraSearch& search, const Unknowns& k, const Mask& free) {
+NewtonStep newton_step(const ProfileStep& step, const CameraSearch& search, const Unknowns& k,
+                       const Mask& free) {
   const Unknowns weight = search.prior_sigma.cwiseAbs2().cwiseInverse();
   UnknownsSquare curvature = step.curvature, score = step.score_square;
   curvature.diagonal() += weight;
@@ -80,7 +99,8 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
   BaProblem p = problem.file;
   const Pinhole& c = p.pinhole;
   for (size_t i = 0; i < p.points.size(); ++i) {
-    const Eigen::Vector2d x = from_file(c, correction, problem.motion_of(p.points[i].host), normalised(c, problem.px_host[i]));
+    const Eigen::Vector2d x =
+        from_file(c, correction, problem.motion_of(p.points[i].host), normalised(c, problem.px_host[i]));
     p.points[i].ray = {x.x(), x.y(), 1.0};
   }
   for (BaObservation& o : p.observations) {
@@ -104,13 +124,16 @@ GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorr
   };
   GlobalDerivative d;
   d.ray.reserve(problem.px_host.size()), d.px.reserve(problem.file.observations.size());
-  for (size_t i = 0; i < problem.px_host.size(); ++i) d.ray.push_back(rate_at(problem.file.points[i].host, problem.px_host[i]));
+  for (size_t i = 0; i < problem.px_host.size(); ++i)
+    d.ray.push_back(rate_at(problem.file.points[i].host, problem.px_host[i]));
   const Eigen::Vector2d f(c.fx, c.fy);
-  for (const BaObservation& o : problem.file.observations) d.px.push_back(f.asDiagonal() * rate_at(o.target, o.px));
+  for (const BaObservation& o : problem.file.observations)
+    d.px.push_back(f.asDiagonal() * rate_at(o.target, o.px));
   return d;
 }
 
-CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch& search, const BaOptions& options) {
+CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch& search,
+                               const BaOptions& options) {
   CameraEstimate e;
   e.value = search.start;
   e.free = search.free;
@@ -123,17 +146,19 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
     BaProblem p = corrected(current, e.value);
     const BaResult result = solver->solve(&p, solve);
     if (!result.usable) return e;
-    const ProfileStep step = profile_step(p, camera_derivative(current, e.value), options);
+    const ProfileStep step = ba::profile_step(p, camera_derivative(current, e.value), options);
     if (!step.usable) return e;
     const Unknowns k = unknowns(e.value);
-    const NewtonStep newton = newton_step(step, search, k, search.free), all = newton_step(step, search, k, Mask::Constant(true));
+    const NewtonStep newton = newton_step(step, search, k, search.free),
+                     all = newton_step(step, search, k, Mask::Constant(true));
     e.cost = result.final_cost;
     e.sigma = search.free.select(newton.sigma, all.sigma);
     e.if_all_free = k + all.change;
     e.solution = p;
     e.usable = true;
     const Unknowns next = (k + newton.change).cwiseMax(-search.limit).cwiseMin(search.limit);
-    const Unknowns change = search.free.select(next - k, Unknowns::Zero()), enough = kEnough.cwiseMax(0.15 * newton.sigma);
+    const Unknowns change = search.free.select(next - k, Unknowns::Zero()),
+                   enough = kEnough.cwiseMax(kEnoughSigmas * newton.sigma);
     if ((!rough && (change.array().abs() < enough.array()).all()) || i + 1 == kMaxNewtonSteps) break;
     predict(step, change, &p);
     current.file.poses = p.poses;
@@ -143,4 +168,4 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
   return e;
 }
 
-}  // namespace edgevo::ba
+}  // namespace edgevo

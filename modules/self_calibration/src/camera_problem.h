@@ -1,16 +1,16 @@
 #pragma once
-// A bundle adjustment whose images carry what the camera file does not say, a residual radial distortion and a rolling shutter
-// (edges/image_correction.h), and the search for both.
+// A bundle adjustment whose images carry what the camera file does not say, a residual radial distortion and
+// a rolling shutter (edges/image_correction.h), and the search for both.
 #include <Eigen/Core>
 #include <vector>
 
 #include "edgevo/bundle_adjustment/profile.h"
 #include "edgevo/edges/image_correction.h"
 
-namespace edgevo::ba {
+namespace edgevo {
 
-/// A BaProblem as the camera FILE sees it: `file.observations[i].px` and `.normal` and `px_host` are in the images that the file's
-/// model yields; `file.points[i].ray` is not used.
+/// A BaProblem as the camera FILE sees it: `file.observations[i].px` and `.normal` and `px_host` are in the
+/// images that the file's model yields; `file.points[i].ray` is not used.
 struct CameraProblem {
   BaProblem file;
   std::vector<Eigen::Vector2d> px_host;  ///< per point
@@ -19,36 +19,40 @@ struct CameraProblem {
 };
 
 /// The unknowns of a profile step in their order: k1, readout_s.
-inline Unknowns unknowns(const ImageCorrection& c) { return {c.k1, c.readout_s}; }
-inline ImageCorrection correction(const Unknowns& k) { return {k[0], k[1]}; }
+inline ba::Unknowns unknowns(const ImageCorrection& c) { return {c.k1, c.readout_s}; }
+inline ImageCorrection correction(const ba::Unknowns& k) { return {k[0], k[1]}; }
 
-/// The same problem for a true pinhole with a global shutter, if the images carry `correction`. A match keeps its residual to first
-/// order: with D = d px_file / d px, n^T (p_file - m_file) = (D^T n)^T (p - m); the length of D^T n goes into the sigmas.
+/// The same problem for a true pinhole with a global shutter, if the images carry `correction`. A match keeps
+/// its residual to first order: with D = d px_file / d px, n^T (p_file - m_file) = (D^T n)^T (p - m); the
+/// length of D^T n goes into the sigmas.
 BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correction);
 
 /// How that problem changes with the unknowns.
-GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction);
+ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction);
 
 /// How an estimate is sought. Gaussian priors around `prior`.
 struct CameraSearch {
   ImageCorrection start;
-  Eigen::Array<bool, kUnknowns, 1> free{true, false};  ///< k1, readout_s; what is not free stays at its start
-  Unknowns prior{0, 0}, prior_sigma{0.01, 0.03}, limit{0.03, 0.1};
+  /// k1, readout_s; what is not free stays at its start.
+  Eigen::Array<bool, ba::kUnknowns, 1> free{true, false};
+  ba::Unknowns prior{0, 0}, prior_sigma{0.01, 0.03}, limit{0.03, 0.1};
 };
 
 struct CameraEstimate {
   bool usable = false;
   ImageCorrection value;
-  Eigen::Array<bool, kUnknowns, 1> free{false, false};  ///< as it was sought
-  /// One standard deviation of each, cluster-robust (ProfileStep::score_square): of the free ones by themselves, of the others if all were
-  /// free.
-  Unknowns sigma = Unknowns::Zero();
-  Unknowns if_all_free = Unknowns::Zero();  ///< one Newton step from `value` with all unknowns free: what the others seem to be
+  Eigen::Array<bool, ba::kUnknowns, 1> free{false, false};  ///< as it was sought
+  /// One standard deviation of each, cluster-robust (ProfileStep::score_square): of the free ones by
+  /// themselves, of the others if all were free.
+  ba::Unknowns sigma = ba::Unknowns::Zero();
+  /// One Newton step from `value` with all unknowns free: what the others seem to be.
+  ba::Unknowns if_all_free = ba::Unknowns::Zero();
   double cost = 0;                          ///< at `value`
   BaProblem solution;                       ///< poses and depths at `value`
 };
 
 /// Newton's method on the profile cost. Cost: about three to five solves.
-CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch& search, const BaOptions& options);
+CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch& search,
+                               const BaOptions& options);
 
-}  // namespace edgevo::ba
+}  // namespace edgevo

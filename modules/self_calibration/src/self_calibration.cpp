@@ -7,20 +7,28 @@
 #include <optional>
 #include <utility>
 
-#include "calibration_history.h"
 #include "camera_finder.h"
+#include "history.h"
+#include "revision.h"
 
 namespace edgevo {
 namespace {
 
 using State = CameraRefinement::State;
 
-constexpr double kMinChange = 5e-4;  // of k1, or of the read-out time in seconds; smaller ones wait for the end of the run
+// Of k1, or of the read-out time in seconds: half of what either is known to at 120 keyframes. Smaller
+// changes wait for the end of the run: undistorting the window's images anew would cost more than they are
+// worth.
+constexpr double kMinChange = 5e-4;
 
-// A read-out time is known from fewer keyframes than k1 is, and each estimate brings the matches of the next one nearer to the truth.
-int first_checkpoint(const SelfCalibrationParams& p) { return p.refines_readout() ? std::max(1, p.min_keyframes / 3) : p.min_keyframes; }
+// A read-out time is known from fewer keyframes than k1 is, and each estimate brings the matches of the next
+// one nearer to the truth.
+int first_checkpoint(const SelfCalibrationParams& p) {
+  return p.refines_readout() ? std::max(1, p.min_keyframes / 3) : p.min_keyframes;
+}
 int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
-  return keyframes < p.min_keyframes ? std::min(p.min_keyframes, keyframes + (keyframes + 1) / 2) : 2 * keyframes;
+  return keyframes < p.min_keyframes ? std::min(p.min_keyframes, keyframes + (keyframes + 1) / 2)
+                                     : 2 * keyframes;
 }
 
 bool changes_much(const ImageCorrection& before, const ImageCorrection& now) {
@@ -37,19 +45,26 @@ struct SelfCalibration::Job {
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
   v.text("refine", refine, {"none", "k1", "readout", "all"},
-         "found while running: residual radial distortion, read-out time of a rolling shutter; none: the file is taken as it is");
-  v.integer("min_keyframes", min_keyframes, 10, 200, "at the first estimate of k1 (of the read-out time: a third); each further one at twice as many");
-  v.integer("checkpoints", checkpoints, 1, 5, "estimates while running; the last one takes about a second (realtime: in a thread beside)");
+         "found while running: residual radial distortion, read-out time of a rolling shutter; none: the "
+         "file is taken as it is");
+  v.integer("min_keyframes", min_keyframes, 10, 200,
+            "at the first estimate of k1 (of the read-out time: a third); each further one at twice as many");
+  v.integer("checkpoints", checkpoints, 1, 5,
+            "estimates while running; the last one takes about a second (realtime: in a thread beside)");
   v.number("prior_sigma", prior_sigma, 1e-4, 1, "standard deviation of k1 before anything was seen");
   v.number("max_k1", max_k1, 1e-4, 0.2, "an estimate at this limit is not applied");
-  v.number("significance", significance, 0, 100, "standard deviations from zero that an estimate needs to be applied");
-  v.number("model_sigma", model_sigma, 0, 0.1, "error of k1 by biased matches after 30 keyframes; falls as their number grows");
+  v.number("significance", significance, 0, 100,
+           "standard deviations from zero that an estimate needs to be applied");
+  v.number("model_sigma", model_sigma, 0, 0.1,
+           "error of k1 by biased matches after 30 keyframes; falls as their number grows");
   v.number("readout_s", readout_s, -0.2, 0.2,
            "rolling shutter: seconds from the first row to the last, where known; 0: global, or to be found");
-  v.number("readout_prior_sigma", readout_prior_sigma, 1e-4, 1, "standard deviation of the read-out time before anything was seen");
+  v.number("readout_prior_sigma", readout_prior_sigma, 1e-4, 1,
+           "standard deviation of the read-out time before anything was seen");
   v.number("max_readout_s", max_readout_s, 1e-3, 0.3, "an estimate at this limit is not applied");
   v.number("readout_model_sigma", readout_model_sigma, 0, 0.1,
-           "error of the read-out time by biased matches after 30 keyframes; falls as the root of their number grows");
+           "error of the read-out time by biased matches after 30 keyframes; falls as the root of their "
+           "number grows");
 }
 
 SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params)
@@ -72,7 +87,8 @@ void SelfCalibration::remember(const Keyframe& keyframe) {
 }
 
 bool SelfCalibration::is_due(int window_keyframes) const {
-  return !job_ && !finished_ && params_.refine != "none" && int(history_.size()) + window_keyframes >= next_checkpoint_;
+  return !job_ && !finished_ && params_.refine != "none" &&
+         int(history_.size()) + window_keyframes >= next_checkpoint_;
 }
 
 void SelfCalibration::forget() {
@@ -83,14 +99,16 @@ void SelfCalibration::forget() {
 // The next checkpoint; after the last one nothing is remembered any more.
 void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
   const int last = params_.min_keyframes << (params_.checkpoints - 1);
-  while (keyframes >= next_checkpoint_ && next_checkpoint_ < last) next_checkpoint_ = checkpoint_after(next_checkpoint_, params_);
+  while (keyframes >= next_checkpoint_ && next_checkpoint_ < last)
+    next_checkpoint_ = checkpoint_after(next_checkpoint_, params_);
   if (keyframes < last || at_end) return;
   finished_ = true;
   history_.clear();
   history_.shrink_to_fit();
 }
 
-std::vector<const Keyframe*> SelfCalibration::all_keyframes(const std::vector<const Keyframe*>& window) const {
+std::vector<const Keyframe*> SelfCalibration::all_keyframes(
+    const std::vector<const Keyframe*>& window) const {
   std::vector<const Keyframe*> keyframes;
   for (const Keyframe& k : history_) keyframes.push_back(&k);
   keyframes.insert(keyframes.end(), window.begin(), window.end());
@@ -100,16 +118,17 @@ std::vector<const Keyframe*> SelfCalibration::all_keyframes(const std::vector<co
 void SelfCalibration::begin(const std::vector<const Keyframe*>& window, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->history = make_history(pinhole_, state_.correction(), all_keyframes(window));
-  job_->finding = std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_, options] {
-    return find_camera(problem, known, params, options);
-  });
+  job_->finding =
+      std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_,
+                                      options] { return find_camera(problem, known, params, options); });
 }
 
 bool SelfCalibration::is_ready() const {
   return job_ && job_->finding.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Keyframe*>& window, const BaOptions& options, bool at_end) {
+std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Keyframe*>& window,
+                                                     const BaOptions& options, bool at_end) {
   if (finished_ || params_.refine == "none" || window.empty()) return std::nullopt;
   const std::vector<const Keyframe*> keyframes = all_keyframes(window);
   if (int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
@@ -131,7 +150,8 @@ std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Key
   }
   state_ = found.state;
   if (found.estimate) {
-    revision = make_revision(pinhole_, before, keyframes, history_.size(), history, options, &*found.estimate);
+    revision =
+        make_revision(pinhole_, before, keyframes, history_.size(), history, options, &*found.estimate);
     apply_to_history(pinhole_, *revision, &history_);
   }
   pass_checkpoint(known, at_end);

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "residuals/edge_residual.h"
 #include "support/bundle_adjustment_scene.h"
 
 namespace edgevo {
@@ -19,11 +20,11 @@ Eigen::Vector2d derivative(const std::function<Eigen::Vector2d(double)>& f, doub
 struct Case {
   BaProblem problem;
   const BaObservation& observation(int i) const { return problem.observations[i]; }
-  BaLinearization at(int i, const SE3& move_target, const SE3& move_host, double move_idepth) const {
+  ba::EdgeLinearization at(int i, const SE3& move_target, const SE3& move_host, double move_idepth) const {
     const BaObservation& o = observation(i);
     BaPoint point = problem.points[o.point];
     point.idepth += move_idepth;
-    return linearize(problem.pinhole, move_target * problem.poses[o.target].T_cam_world,
+    return ba::linearize(problem.pinhole, move_target * problem.poses[o.target].T_cam_world,
                      move_host * problem.poses[point.host].T_cam_world, point, o);
   }
 };
@@ -40,7 +41,7 @@ double tolerance(const Eigen::Vector2d& J) { return 1e-7 * (1 + J.norm()); }
 TEST(BundleAdjustmentLinearize, PoseJacobiansAreTheDerivatives) {
   const Case c = noisy_case();
   for (int i = 0; i < static_cast<int>(c.problem.observations.size()); ++i) {
-    const BaLinearization lin = c.at(i, SE3(), SE3(), 0);
+    const ba::EdgeLinearization lin = c.at(i, SE3(), SE3(), 0);
     ASSERT_TRUE(lin.valid);
     for (int k = 0; k < 6; ++k) {
       const auto step = [&](double h) { return SE3::exp(h * Vector6d::Unit(k)); };
@@ -57,7 +58,7 @@ TEST(BundleAdjustmentLinearize, PoseJacobiansAreTheDerivatives) {
 TEST(BundleAdjustmentLinearize, InverseDepthJacobianIsTheDerivative) {
   const Case c = noisy_case();
   for (int i = 0; i < static_cast<int>(c.problem.observations.size()); ++i) {
-    const BaLinearization lin = c.at(i, SE3(), SE3(), 0);
+    const ba::EdgeLinearization lin = c.at(i, SE3(), SE3(), 0);
     const Eigen::Vector2d J = derivative([&](double h) { return c.at(i, SE3(), SE3(), h).residual; }, 1e-4);
     EXPECT_LT((J - lin.J_idepth).norm(), tolerance(J));
   }
@@ -75,7 +76,7 @@ TEST(BundleAdjustmentLinearize, ResidualIsTheMissInTheAxesOfTheEdge) {
   o.inv_sigma_tangent = 3;
   const Eigen::Vector2d projected = camera.project({0.1 - 0.1, 0.2, 1});
   o.px = projected - 5 * o.normal - 7 * Eigen::Vector2d(-0.8, 0.6);
-  const BaLinearization lin = linearize(camera, T_target_world, SE3(), point, o);
+  const ba::EdgeLinearization lin = ba::linearize(camera, T_target_world, SE3(), point, o);
   ASSERT_TRUE(lin.valid);
   EXPECT_NEAR(lin.residual[0], 2 * 5, 1e-10);
   EXPECT_NEAR(lin.residual[1], 3 * 7, 1e-10);
@@ -85,7 +86,7 @@ TEST(BundleAdjustmentLinearize, AmbiguousMatchSaysNothingAlongTheEdge) {
   Case c = noisy_case();
   for (BaObservation& o : c.problem.observations) o.inv_sigma_tangent = 0;
   for (int i = 0; i < static_cast<int>(c.problem.observations.size()); ++i) {
-    const BaLinearization lin = c.at(i, SE3(), SE3(), 0);
+    const ba::EdgeLinearization lin = c.at(i, SE3(), SE3(), 0);
     EXPECT_EQ(lin.residual[1], 0);
     EXPECT_TRUE(lin.J_target.row(1).isZero(0) && lin.J_host.row(1).isZero(0));
     EXPECT_EQ(lin.J_idepth[1], 0);
@@ -95,7 +96,7 @@ TEST(BundleAdjustmentLinearize, AmbiguousMatchSaysNothingAlongTheEdge) {
 TEST(BundleAdjustmentLinearize, PointBehindTheCameraIsInvalidAndAllZero) {
   const Case c = noisy_case();
   const SE3 forward(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, -100));
-  const BaLinearization lin = c.at(0, forward, SE3(), 0);
+  const ba::EdgeLinearization lin = c.at(0, forward, SE3(), 0);
   EXPECT_FALSE(lin.valid);
   EXPECT_TRUE(lin.residual.isZero(0) && lin.J_target.isZero(0) && lin.J_host.isZero(0) &&
               lin.J_idepth.isZero(0));

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "residuals/edge_residual.h"
 #include "support/bundle_adjustment_scene.h"
 
 namespace edgevo {
@@ -83,8 +84,8 @@ Dense dense_system(const BaProblem& p, const std::vector<bool>& use, double widt
   for (const BaObservation& o : p.observations) {
     if (!use[o.point]) continue;
     const BaPoint& x = p.points[o.point];
-    const BaLinearization lin =
-        linearize(p.pinhole, p.poses[o.target].T_cam_world, p.poses[x.host].T_cam_world, x, o);
+    const ba::EdgeLinearization lin =
+        ba::linearize(p.pinhole, p.poses[o.target].T_cam_world, p.poses[x.host].T_cam_world, x, o);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2, size);
     J.middleCols<6>(6 * o.target) = lin.J_target;
     J.middleCols<6>(6 * x.host) = lin.J_host;

@@ -8,13 +8,13 @@
 namespace edgevo {
 namespace {
 
-ba::CameraProblem camera_scene(uint64_t seed) {
+CameraProblem camera_scene(uint64_t seed) {
   ba_scene::SceneOptions o;
   o.noise_px = 0.1;
   o.share_2d = 0.3;
   o.fixed_point_share = 0.1;
   o.seed = seed;
-  ba::CameraProblem problem;
+  CameraProblem problem;
   problem.file = ba_scene::make_scene(o);
   for (const BaPoint& p : problem.file.points) problem.px_host.push_back(problem.file.pinhole.project(p.ray));
   Random random(seed + 100);
@@ -27,18 +27,18 @@ ba::CameraProblem camera_scene(uint64_t seed) {
   return problem;
 }
 
-double profile_cost(const ba::CameraProblem& problem, const ba::Unknowns& k, BaProblem* solution) {
-  *solution = ba::corrected(problem, ba::correction(k));
+double profile_cost(const CameraProblem& problem, const ba::Unknowns& k, BaProblem* solution) {
+  *solution = corrected(problem, correction(k));
   return make_bundle_adjuster("schur")->solve(solution, ba_scene::to_the_end()).final_cost;
 }
 
 TEST(ProfileCost, GradientIsTheNumericOne) {
   for (const uint64_t seed : {1, 2, 3}) {
-    const ba::CameraProblem problem = camera_scene(seed);
+    const CameraProblem problem = camera_scene(seed);
     const ba::Unknowns k(0.004, 0.0008);
     BaProblem solution, unused;
     profile_cost(problem, k, &solution);
-    const ba::ProfileStep s = ba::profile_step(solution, ba::camera_derivative(problem, ba::correction(k)), ba_scene::to_the_end());
+    const ba::ProfileStep s = ba::profile_step(solution, camera_derivative(problem, correction(k)), ba_scene::to_the_end());
     ASSERT_TRUE(s.usable);
     for (int i = 0; i < ba::kUnknowns; ++i) {
       const ba::Unknowns step = 1e-4 * ba::Unknowns::Unit(i);
@@ -50,10 +50,10 @@ TEST(ProfileCost, GradientIsTheNumericOne) {
 }
 
 TEST(ProfileCost, RatesPredictTheNextSolution) {
-  const ba::CameraProblem problem = camera_scene(4);
+  const CameraProblem problem = camera_scene(4);
   BaProblem here, there;
   profile_cost(problem, {0, 0}, &here);
-  const ba::ProfileStep s = ba::profile_step(here, ba::camera_derivative(problem, {}), ba_scene::to_the_end());
+  const ba::ProfileStep s = ba::profile_step(here, camera_derivative(problem, {}), ba_scene::to_the_end());
   for (const ba::Unknowns& change : {ba::Unknowns(1e-3, 0), ba::Unknowns(0, 1e-3), ba::Unknowns(1e-3, -1e-3)}) {
     profile_cost(problem, change, &there);
     BaProblem predicted = there;
@@ -64,21 +64,21 @@ TEST(ProfileCost, RatesPredictTheNextSolution) {
   }
 }
 
-ba::CameraEstimate estimate(const ba::CameraProblem& problem, bool k1, bool readout, const ImageCorrection& start = {}) {
-  ba::CameraSearch search;
+CameraEstimate estimate(const CameraProblem& problem, bool k1, bool readout, const ImageCorrection& start = {}) {
+  CameraSearch search;
   search.start = start;
   search.free << k1, readout;
   search.prior_sigma << 1e3, 1e3;
   search.limit << 0.1, 0.1;
-  return ba::estimate_camera(problem, search, ba_scene::to_the_end());
+  return estimate_camera(problem, search, ba_scene::to_the_end());
 }
 
 TEST(ProfileCost, NewtonFindsTheMinimum) {
-  const ba::CameraProblem problem = camera_scene(5);
-  const ba::CameraEstimate e = estimate(problem, true, true);
+  const CameraProblem problem = camera_scene(5);
+  const CameraEstimate e = estimate(problem, true, true);
   ASSERT_TRUE(e.usable);
   BaProblem unused;
-  const ba::Unknowns found = ba::unknowns(e.value);
+  const ba::Unknowns found = unknowns(e.value);
   const double best = profile_cost(problem, found, &unused);
   for (int i = 0; i < ba::kUnknowns; ++i)
     for (const double side : {-3.0, 3.0})
@@ -86,14 +86,14 @@ TEST(ProfileCost, NewtonFindsTheMinimum) {
 }
 
 TEST(ProfileCost, WhatIsNotFreeStays) {
-  const ba::CameraProblem problem = camera_scene(6);
+  const CameraProblem problem = camera_scene(6);
   const ImageCorrection start{0.002, 0.005};
   EXPECT_EQ(estimate(problem, true, false, start).value.readout_s, start.readout_s);
   EXPECT_EQ(estimate(problem, false, true, start).value.k1, start.k1);
-  const ba::CameraEstimate none = estimate(problem, false, false, start);
+  const CameraEstimate none = estimate(problem, false, false, start);
   EXPECT_EQ(none.value, start);
   // One step with all free leads most of the way to where both searches end.
-  const ba::Unknowns both = ba::unknowns(estimate(problem, true, true).value), from = ba::unknowns(start);
+  const ba::Unknowns both = unknowns(estimate(problem, true, true).value), from = unknowns(start);
   EXPECT_LT((none.if_all_free - both).cwiseQuotient(none.sigma).norm(), 0.3 * (from - both).cwiseQuotient(none.sigma).norm());
 }
 

@@ -17,13 +17,15 @@ CornerLinearization linearize(const Pinhole& pinhole, const SE3& T_to_from, cons
 
 double CornerTerm::cost(const std::vector<SE3>& poses) const {
   double cost = 0;
-  for (const BaCornerPair& p : pairs_) cost += huber_cost(linearize(pinhole_, poses[p.to] * poses[p.from].inverse(), p).residual, huber_width_);
+  for (const BaCornerPair& p : pairs_)
+    cost += huber_cost(linearize(pinhole_, poses[p.to] * poses[p.from].inverse(), p).residual, huber_width_);
   return cost;
 }
 
 double CornerTerm::add(const std::vector<SE3>& poses, Eigen::MatrixXd* H, Eigen::VectorXd* b) const {
   double cost = 0;
-  for (size_t begin = 0, end = 0; begin < pairs_.size(); begin = end) {  // pair of keyframes by pair of keyframes
+  // Pair of keyframes by pair of keyframes.
+  for (size_t begin = 0, end = 0; begin < pairs_.size(); begin = end) {
     const int from = 6 * pairs_[begin].from, to = 6 * pairs_[begin].to;
     const SE3 T_to_from = poses[pairs_[begin].to] * poses[pairs_[begin].from].inverse();
     Matrix6d A = Matrix6d::Zero();

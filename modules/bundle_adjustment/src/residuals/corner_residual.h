@@ -1,10 +1,12 @@
 #pragma once
-// Corners seen in two keyframes as a term of the cost: what two views of a point without a depth say about their poses.
+// Corners seen in two keyframes as a term of the cost: what two views of a point without a depth say about
+// their poses.
 //
-// With rays x and y, T_to_from = (R, t), the line l = t x R x of x in the second view and l' = R^T (y x t) of y in the first, the residual
-// is the distance of both from fitting, to first order (Sampson):
+// With rays x and y, T_to_from = (R, t), the line l = t x R x of x in the second view and l' = R^T (y x t) of
+// y in the first, the residual is the distance of both from fitting, to first order (Sampson):
 //     r = f y^T l / (sigma |(l_1, l_2, l'_1, l'_2)|)
-// It does not depend on the length of t. Derivative for the left perturbation [v, w] of T_to_world, the denominator held during a step:
+// It does not depend on the length of t. Derivative for the left perturbation [v, w] of T_to_world, the
+// denominator held during a step:
 //     f / (sigma |..|) [R x  x  y | l  x  y],   for T_from_world the same times -Ad(T_to_from).
 #include <Eigen/Core>
 #include <vector>
@@ -26,7 +28,8 @@ class CornerTerm {
       : pinhole_(pinhole), pairs_(pairs), huber_width_(huber_width) {}
   bool empty() const { return pairs_.empty(); }
   double cost(const std::vector<SE3>& poses) const;
-  /// Adds the term's Hessian and gradient by left perturbations of `poses` to H and b (6 rows a pose); returns the cost.
+  /// Adds the term's Hessian and gradient by left perturbations of `poses` to H and b (6 rows a pose);
+  /// returns the cost.
   double add(const std::vector<SE3>& poses, Eigen::MatrixXd* H, Eigen::VectorXd* b) const;
 
  private:

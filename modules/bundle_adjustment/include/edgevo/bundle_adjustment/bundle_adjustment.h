@@ -53,8 +53,9 @@ struct BaObservation {
   double inv_sigma_tangent = 0;  ///< 1/px; 0: point-to-tangent only
 };
 
-/// A corner seen in two keyframes. Nothing is known of its depth: it speaks for their rotation against each other and for the direction of
-/// the translation between them (src/bundle_adjustment_corners.h has residual and derivatives).
+/// A corner seen in two keyframes. Nothing is known of its depth: it speaks for their rotation against each
+/// other and for the direction of the translation between them (src/residuals/corner_residual.h has residual
+/// and derivatives).
 struct BaCornerPair {
   int from = 0, to = 0;              ///< indices into BaProblem::poses, not the same
   Eigen::Vector3d ray_from, ray_to;  ///< (x, y, 1) in the two cameras
@@ -89,7 +90,8 @@ struct BaOptions {
   double huber_width = 1.5;         ///< in sigmas
   double min_idepth = 1e-6;         ///< an update never takes rho below it
   double relative_decrease = 1e-4;  ///< stop when the cost falls by less than this share
-  double initial_damping = 1e-4;    ///< of the first step, share of the diagonal; a trusted linearisation wants less
+  /// Of the first step, share of the diagonal; a trusted linearisation wants less.
+  double initial_damping = 1e-4;
 };
 
 struct BaResult {
@@ -123,8 +125,8 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 
 /// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: all points hosted by it, and the
 /// points seen from it, are eliminated with their observations at their current values (robust weights
-/// frozen), its corners with other poses are linearised there, and what remains is a prior on the other poses.
-/// Poses that the old prior already linearised keep that linearisation point (first estimates).
+/// frozen), its corners with other poses are linearised there, and what remains is a prior on the other
+/// poses. Poses that the old prior already linearised keep that linearisation point (first estimates).
 ///
 /// A fixed pose counts as known: marginalising it conditions on
 /// its value, and other fixed poses do not enter the prior, hence have to stay fixed until they are
@@ -137,17 +139,5 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 /// `huber_width` and `min_idepth` of the options are used.
 BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options,
                     std::vector<bool>* drop_points);
-
-/// Residual and Jacobians of one observation in plain form, the reference for both solvers' hot loops.
-struct BaLinearization {
-  bool valid = false;  ///< false: behind the camera, everything else then 0
-  /// (r_n, r_t), whitened; r_t = 0 where inv_sigma_tangent = 0.
-  Eigen::Vector2d residual = Eigen::Vector2d::Zero();
-  Eigen::Matrix<double, 2, 6> J_target = Eigen::Matrix<double, 2, 6>::Zero();
-  Eigen::Matrix<double, 2, 6> J_host = Eigen::Matrix<double, 2, 6>::Zero();
-  Eigen::Vector2d J_idepth = Eigen::Vector2d::Zero();
-};
-BaLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
-                          const BaPoint& point, const BaObservation& observation);
 
 }  // namespace edgevo

@@ -1,8 +1,9 @@
 #pragma once
-// Global unknowns k of a bundle adjustment (a few numbers that all observations share, such as coefficients of the camera), found by
-// minimising the profile cost
+// Global unknowns k of a bundle adjustment (a few numbers that all observations share, such as coefficients
+// of the camera), found by minimising the profile cost
 //     C(k) = min over poses and depths of cost(k, poses, depths).
-// At the minimum over poses and depths, one linearisation gives C'(k) and C''(k): with r the whitened residuals, w their robust weights,
+// At the minimum over poses and depths, one linearisation gives C'(k) and C''(k): with r the whitened
+// residuals, w their robust weights,
 //     dr/dk = J_k + J_pose dpose/dk + J_rho drho/dk     along the path of minima (implicit function theorem)
 //     C' = sum w (dr/dk)^T r,   C'' = sum w (dr/dk)^T (dr/dk)        (Gauss-Newton)
 // and the rates of the poses and depths predict them for the next k.
@@ -13,6 +14,7 @@
 
 namespace edgevo::ba {
 
+// k1 and the read-out time (self_calibration); known to the compiler, so that nothing is allocated.
 constexpr int kUnknowns = 2;
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
 using UnknownsSquare = Eigen::Matrix<double, kUnknowns, kUnknowns>;
@@ -27,15 +29,19 @@ struct GlobalDerivative {
 struct ProfileStep {
   Unknowns gradient = Unknowns::Zero();               ///< C'
   UnknownsSquare curvature = UnknownsSquare::Zero();  ///< C''
-  /// sum over hosts of the square of each host's own part of C'. Errors of one image are not independent, so that
-  /// C''^-1 score_square C''^-1 is an honest covariance of k (the cluster-robust "sandwich"), C''^-1 is not.
+  /// sum over hosts of the square of each host's own part of C'. Errors of one image are not independent, so
+  /// that C''^-1 score_square C''^-1 is an honest covariance of k (the cluster-robust "sandwich"), C''^-1 is
+  /// not.
   UnknownsSquare score_square = UnknownsSquare::Zero();
-  Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> pose_rate;  ///< dpose/dk, left perturbations, 6 rows a pose; 0 for fixed poses
+  /// dpose/dk, left perturbations, 6 rows a pose; 0 for fixed poses.
+  Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> pose_rate;
   std::vector<Eigen::Matrix<double, 1, kUnknowns>> idepth_rate;  ///< per point
   bool usable = false;
 };
 
-/// `problem` must stand at its minimum (BundleAdjuster::solve). Cost: about two linearisations and one 6n x 6n factorisation.
-ProfileStep profile_step(const BaProblem& problem, const GlobalDerivative& derivative, const BaOptions& options);
+/// `problem` must stand at its minimum (BundleAdjuster::solve). Cost: about two linearisations and one 6n x
+/// 6n factorisation.
+ProfileStep profile_step(const BaProblem& problem, const GlobalDerivative& derivative,
+                         const BaOptions& options);
 
 }  // namespace edgevo::ba

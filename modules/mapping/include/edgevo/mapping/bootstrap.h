@@ -1,6 +1,6 @@
 #pragma once
-// Two-view bootstrap: corners are followed from the first view until their parallax allows an essential matrix; the frames in
-// between are placed by PnP. Says at every frame why it is not ready yet.
+// Two-view bootstrap: corners are followed from the first view until their parallax allows an essential
+// matrix; the frames in between are placed by PnP. Says at every frame why it is not ready yet.
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,8 +44,10 @@ class Bootstrap {
   Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);
   ~Bootstrap();
 
-  /// Next frame. Corners are followed on histogram-equalised images, so that a changing exposure does no harm.
-  [[nodiscard]] BootstrapStatus add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid);
+  /// Next frame. Corners are followed on histogram-equalised images, so that a changing exposure does no
+  /// harm.
+  [[nodiscard]] BootstrapStatus add(int frame_index, Timestamp time,
+                                    std::shared_ptr<const FramePyramid> pyramid);
   /// Forgets everything.
   void reset();
 

@@ -1,55 +1,23 @@
 #pragma once
-// Depth of edge points: search along the epipolar line among edges of compatible direction, fuse as Gaussians with a count of
-// outliers, smooth along the edge.
+// Depth of edge points: what epipolar searches find fused as Gaussians with a count of outliers, smoothed
+// along the edge; new points.
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "edgevo/association/association_params.h"
 #include "edgevo/core/random.h"
+#include "edgevo/mapping/epipolar_search.h"
 #include "edgevo/mapping/keyframe.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
 
-/// Where the inverse depth of a new point may lie.
-struct IdepthRange {
-  double low = 0, high = 0;
-  double likely = 0;  ///< best guess within; 0: no better one than the geometric mean
-  double guess() const { return likely > 0 ? likely : std::sqrt(low * high); }
-};
-
-enum class EpipolarOutcome {
-  kFound,
-  kNoBaseline,     ///< the segment is too short to tell anything
-  kOutOfView,
-  kAlongLine,      ///< the edge runs along its epipolar line, which it crosses anywhere: not searched
-  kNoMatch,        ///< no edge of compatible direction looks alike
-  kAmbiguous,      ///< two places look alike
-};
-
-struct EpipolarMatch {
-  EpipolarOutcome outcome = EpipolarOutcome::kNoMatch;
-  double idepth = 0, idepth_sigma = 0;
-  Eigen::Vector2d px;
-};
-
-/// Looks for the host point in the target image over the inverse depths of `range`.
-EpipolarMatch search_epipolar(const FramePyramid& host, const FramePyramid& target, const Eigen::Vector2d& px_host,
-                              const Eigen::Vector2d& normal_host, const SE3& T_target_host, const IdepthRange& range,
-                              const DepthFilterParams& params, const AssociationParams& association);
-
-/// Inverse depth at which the ray (rotated into the target: R x) meets target pixel `px`, using the image axis along which the
-/// epipolar line runs; not finite where there is no baseline.
-double triangulate_idepth(const Pinhole& camera, const Eigen::Vector3d& rotated_ray, const Eigen::Vector3d& t,
-                          const Eigen::Vector2d& px, const Eigen::Vector2d& epipolar_direction);
-
-/// New immature points on the edges of `keyframe`: one a cell, none where `occupied` says so, spread by `random`. `range(px)` gives
-/// the inverse depths to search.
+/// New immature points on the edges of `keyframe`: one a cell, none where `occupied` says so, spread by
+/// `random`. `range(px)` gives the inverse depths to search.
 template <class Range>
-std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const std::vector<bool>& occupied_cells,
-                                                const Range& range, const DepthFilterParams& params, Random* random);
+std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
+                                                const std::vector<bool>& occupied_cells, const Range& range,
+                                                const DepthFilterParams& params, Random* random);
 
 /// Cells of `cell_px` pixels over an image, row by row.
 struct CellGrid {
@@ -64,16 +32,18 @@ struct CellGrid {
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
                    const AssociationParams& association, Keyframe* host);
 
-/// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills points with more
-/// outliers than 2 + agreements.
+/// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills
+/// points with more outliers than 2 + agreements.
 void fuse(const EpipolarMatch& measurement, ImmaturePoint* point);
 
 /// Pulls inverse depths towards those of their neighbours on the same edge that agree with them.
-void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params, std::vector<ImmaturePoint>* points);
+void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
+                        std::vector<ImmaturePoint>* points);
 
 template <class Range>
-std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const std::vector<bool>& occupied_cells,
-                                                const Range& range, const DepthFilterParams& params, Random* random) {
+std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
+                                                const std::vector<bool>& occupied_cells, const Range& range,
+                                                const DepthFilterParams& params, Random* random) {
   const EdgeMap& edges = keyframe.pyramid->finest().edges;
   const CellGrid grid(edges.width, edges.height, params.cell_px);
   // Reservoir sampling: each edge pixel of a cell is equally likely to stand for it.

@@ -13,7 +13,10 @@ class IdepthPrior {
  public:
   /// `median_before`: the median inverse depth of an earlier image, for one in which nothing is known.
   IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params, double median_before)
-      : params_(params), grid_(pinhole.width, pinhole.height, params.cell_px), low_(grid_.size(), kNone), high_(grid_.size(), 0),
+      : params_(params),
+        grid_(pinhole.width, pinhole.height, params.cell_px),
+        low_(grid_.size(), kNone),
+        high_(grid_.size(), 0),
         median_(median_before) {}
 
   void add(const Eigen::Vector2d& px, double idepth) {

@@ -1,6 +1,7 @@
 #pragma once
 // Keyframes and the edge points they host.
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -35,11 +36,19 @@ struct MapPoint {
   }
 };
 
+/// All its matches are ambiguous and hardly show its depth: the adjustment holds the depth, and they
+/// constrain poses only.
+inline bool is_depth_held(const MapPoint& p) {
+  return std::all_of(p.observations.begin(), p.observations.end(),
+                     [](const Observation& o) { return o.match.kind == MatchKind::kEdgeFixed; });
+}
+
 /// An edge point whose depth is still being found.
 struct ImmaturePoint {
   Eigen::Vector2d px, normal;
   int edge_pixel = -1;
-  double idepth = 0, idepth_sigma = 0;  ///< until the first observation the middle and a quarter of the search range
+  /// Until the first observation the middle and a quarter of the search range.
+  double idepth = 0, idepth_sigma = 0;
   double idepth_guess = 0;       ///< from its surroundings, before any observation
   int good = 0, bad = 0;         ///< depth observations that agreed, and that did not
   int age = 0;                   ///< keyframes since it was made

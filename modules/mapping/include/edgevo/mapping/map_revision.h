@@ -1,6 +1,6 @@
 #pragma once
-// A map after its camera was corrected (edges/image_correction.h): where keyframes, points and matches lie then. self_calibration makes
-// revisions; Window::apply moves the window by one.
+// A map after its camera was corrected (edges/image_correction.h): where keyframes, points and matches lie
+// then. self_calibration makes revisions; Window::apply moves the window by one.
 #include <Eigen/Core>
 #include <vector>
 
@@ -34,10 +34,13 @@ struct MapRevision {
   const ImageMotion& motion_of(int keyframe_id) const;
 };
 
-/// Images corrected by `before` are corrected by `now` instead: where a pixel of one that moved with `motion` lies then, and its normal.
-Eigen::Vector2d correct_pixel(const Pinhole& pinhole, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+/// Images corrected by `before` are corrected by `now` instead: where a pixel of one that moved with `motion`
+/// lies then, and its normal.
+Eigen::Vector2d correct_pixel(const Pinhole& pinhole, const ImageCorrection& before,
+                              const ImageCorrection& now, const ImageMotion& motion,
                               const Eigen::Vector2d& px);
-Eigen::Vector2d correct_normal(const Pinhole& pinhole, const ImageCorrection& before, const ImageCorrection& now, const ImageMotion& motion,
+Eigen::Vector2d correct_normal(const Pinhole& pinhole, const ImageCorrection& before,
+                               const ImageCorrection& now, const ImageMotion& motion,
                                const Eigen::Vector2d& px, const Eigen::Vector2d& normal);
 
 }  // namespace edgevo

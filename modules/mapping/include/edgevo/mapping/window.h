@@ -1,6 +1,6 @@
 #pragma once
-// The sliding window of keyframes: association with a new keyframe, activation of immature points, local bundle adjustment with match
-// updates, removal of the oldest keyframe.
+// The sliding window of keyframes: association with a new keyframe, activation of immature points, local
+// bundle adjustment with match updates, removal of the oldest keyframe.
 #include <deque>
 #include <functional>
 #include <optional>
@@ -20,9 +20,7 @@ struct WindowStats {
   int points = 0;
   int matched_in_newest = 0;
   int photometric = 0;             ///< matches with a 2-D residual
-  int fixed_depth = 0;             ///< points whose depth was held
   double cost_per_observation = 0;
-  int updated_matches = 0;
 };
 
 class Window {
@@ -38,17 +36,19 @@ class Window {
 
   void add(Keyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
 
-  /// Matches all active points with the newest keyframe; `pose_covariance` is that of its tracking. Returns the number of matches.
+  /// Matches all active points with the newest keyframe; `pose_covariance` is that of its tracking. Returns
+  /// the number of matches.
   int associate_newest(const Matrix6d& pose_covariance);
 
-  /// Turns immature points into active ones where they are certain enough (at least `min_good` depth observations, `min_matches`
-  /// keyframes that match), spread over the newest image. Returns how many.
+  /// Turns immature points into active ones where they are certain enough (at least `min_good` depth
+  /// observations, `min_matches` keyframes that match), spread over the newest image. Returns how many.
   int activate(int min_good, int min_matches);
 
   /// Adjusts poses and depths, updates matches that moved, adjusts again, drops what does not fit.
   WindowStats adjust();
 
-  /// Scale of the map held by a prior on the newest pose: used from the bootstrap until the window first moves on.
+  /// Scale of the map held by a prior on the newest pose: used from the bootstrap until the window first
+  /// moves on.
   void hold_bootstrap_scale();
 
   /// Takes the oldest keyframe out and returns it with its points as they stand.
@@ -56,11 +56,14 @@ class Window {
 
   /// The points seen in a keyframe of the window, in its frame.
   std::vector<CloudPoint> cloud(const Keyframe& reference) const;
-  /// Few points of known depth are seen in a keyframe: fewer than 500, or in a small image than one for each four cells of the activation.
+  /// Few points of known depth are seen in a keyframe: fewer than 500, or in a small image than one for each
+  /// four cells of the activation.
   bool is_cloud_thin(const Keyframe& keyframe) const;
-  /// Share of the window's points that lie in the image of `keyframe`, matched there or not; 0 without points.
+  /// Share of the window's points that lie in the image of `keyframe`, matched there or not; 0 without
+  /// points.
   double view_share(const Keyframe& keyframe) const;
-  /// The points of `cloud`; where they are few (a rotation away from the map) with immature ones, whose depth is a guess.
+  /// The points of `cloud`; where they are few (a rotation away from the map) with immature ones, whose depth
+  /// is a guess.
   std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
   /// The camera was corrected: poses, points and prior as the revision says, images built anew by `rebuild`.
@@ -89,13 +92,15 @@ class Window {
   };
   Adjustment build_adjustment();
   void add_corners(BaProblem* problem) const;
-  void add_photometric(const Keyframe& host, const MapPoint& point, int target_index, BaProblem* problem) const;
+  void add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
+                       BaProblem* problem) const;
   void take_result(const BaResult& result, const Adjustment& adjustment);
-  int update_matches(const BaResult& result, const Adjustment& adjustment);
+  void update_matches(const BaResult& result, const Adjustment& adjustment);
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
-  bool try_activate(const ImmaturePoint& candidate, const std::vector<Sight>& sights, int min_matches, Keyframe* host) const;
+  bool try_activate(const ImmaturePoint& candidate, const std::vector<Sight>& sights, int min_matches,
+                    Keyframe* host) const;
 
   Pinhole pinhole_;
   WindowParams params_;

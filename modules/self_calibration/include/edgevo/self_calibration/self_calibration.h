@@ -1,18 +1,24 @@
 #pragma once
-// Self-calibration: what the camera file does not know (edges/image_correction.h), the residual radial distortion k1 and the read-out time
-// of a rolling shutter, estimated from the window's own matches while the odometry runs.
+// Self-calibration: what the camera file does not know (edges/image_correction.h), the residual radial
+// distortion k1 and the read-out time of a rolling shutter, estimated from the window's own matches while the
+// odometry runs.
 //
-// Not from the paper. A monocular map's scale grows or shrinks along a drive when the lens model is wrong, however good the matches: depth
-// is learnt near the image centre and used further out. A rolling shutter stretches the image of a camera that moves up or down, and that
-// looks like a step forward. The bundle adjustment sees both: its cost has a minimum where the growth, and the stretch, ends. How:
-//   1. Keyframes that leave the window are remembered with their matches, without images, up to `max_keyframes`.
-//   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown (Newton on the profile cost).
-//      Where one more step with both free makes the shutter look like a rolling one, the read-out time is sought, too.
-//   3. Is either `significance` standard deviations from what is applied now, it is applied: poses, depths and matches move to the adjusted
-//      ones, anchored at the newest keyframe, whose pose and scale stay what they are, and the window's prior is formed anew.
-// In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it is applied.
-// After the last checkpoint nothing is remembered any more: memory and time are bounded. A run that ends earlier is estimated at its
-// end. A run too short, too straight or too still to tell says so and leaves the camera alone.
+// Not from the paper. A monocular map's scale grows or shrinks along a drive when the lens model is wrong,
+// however good the matches: depth is learnt near the image centre and used further out. A rolling shutter
+// stretches the image of a camera that moves up or down, and that looks like a step forward. The bundle
+// adjustment sees both: its cost has a minimum where the growth, and the stretch, ends. How:
+//   1. Keyframes that leave the window are remembered with their matches, without images, up to the last
+//      checkpoint.
+//   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
+//      (Newton on the profile cost). Where one more step with both free makes the shutter look like a rolling
+//      one, the read-out time is sought, too.
+//   3. Is either `significance` standard deviations from what is applied now, it is applied: poses, depths
+//      and matches move to the adjusted ones, anchored at the newest keyframe, whose pose and scale stay what
+//      they are, and the window's prior is formed anew.
+// In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
+// is applied. After the last checkpoint nothing is remembered any more: memory and time are bounded. A run
+// that ends earlier is estimated at its end. A run too short, too straight or too still to tell says so and
+// leaves the camera alone.
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,8 +39,10 @@ struct SelfCalibrationParams {
   double prior_sigma = 0.01;     ///< of k1 before anything was seen
   double max_k1 = 0.03;          ///< an estimate at this limit is not believed
   double significance = 3.0;     ///< standard deviations
-  double model_sigma = 0.004;    ///< what biased matches add to the standard deviation, at 30 keyframes; falls with their number
-  double readout_s = 0;          ///< of a rolling shutter, where it is known: the last row is taken this much later than the first
+  /// What biased matches add to the standard deviation, at 30 keyframes; falls with their number.
+  double model_sigma = 0.004;
+  /// Of a rolling shutter, where it is known: the last row is taken this much later than the first.
+  double readout_s = 0;
   double readout_prior_sigma = 0.03;
   double max_readout_s = 0.1;    ///< an estimate at this limit is not believed
   double readout_model_sigma = 0.0015;  ///< as model_sigma, in seconds
@@ -58,10 +66,13 @@ class SelfCalibration {
   void remember(const Keyframe& keyframe);
   /// A checkpoint is reached, and no estimate is running.
   bool is_due(int window_keyframes) const;
-  /// Estimates what is wrong with the camera from all that is remembered and the window. A revision if it is to be applied; `at_end`: even if it changes little.
-  std::optional<MapRevision> estimate(const std::vector<const Keyframe*>& window, const BaOptions& options, bool at_end);
-  /// Begins that estimate in a thread of its own, on a copy of the matches; when it is ready, estimate() hands it over for the window as
-  /// it is by then (sooner: waits for it). Cost: the copy, some 20 ms at 120 keyframes.
+  /// Estimates what is wrong with the camera from all that is remembered and the window. A revision if it is
+  /// to be applied; `at_end`: even if it changes little.
+  std::optional<MapRevision> estimate(const std::vector<const Keyframe*>& window, const BaOptions& options,
+                                      bool at_end);
+  /// Begins that estimate in a thread of its own, on a copy of the matches; when it is ready, estimate()
+  /// hands it over for the window as it is by then (sooner: waits for it). Cost: the copy, some 20 ms at 120
+  /// keyframes.
   void begin(const std::vector<const Keyframe*>& window, const BaOptions& options);
   bool is_running() const { return job_ != nullptr; }
   bool is_ready() const;

@@ -1,55 +1,11 @@
-#include "edgevo/bundle_adjustment/bundle_adjustment.h"
+#include "solvers.h"
 
 #include <cmath>
 
 #include "edgevo/core/error.h"
 #include "normal_equations.h"
-#include "solvers.h"
 
 namespace edgevo {
-namespace {
-
-// d pi(Y) / d Y, in pixels.
-Eigen::Matrix<double, 2, 3> projection_jacobian(const Pinhole& c, const Eigen::Vector3d& Y) {
-  const double inv = 1.0 / Y.z();
-  Eigen::Matrix<double, 2, 3> J;
-  J << c.fx * inv, 0, -c.fx * Y.x() * inv * inv, 0, c.fy * inv, -c.fy * Y.y() * inv * inv;
-  return J;
-}
-
-// Rows of the edge's own axes over their standard deviations.
-Eigen::Matrix2d whitening(const BaObservation& o) {
-  Eigen::Matrix2d W;
-  W << o.inv_sigma_normal * o.normal.x(), o.inv_sigma_normal * o.normal.y(),  //
-      -o.inv_sigma_tangent * o.normal.y(), o.inv_sigma_tangent * o.normal.x();
-  return W;
-}
-
-// d (rho times the point) for a left perturbation of the frame that the point is in.
-Eigen::Matrix<double, 3, 6> point_jacobian(double idepth, const Eigen::Vector3d& scaled_point) {
-  Eigen::Matrix<double, 3, 6> J;
-  J << idepth * Eigen::Matrix3d::Identity(), -skew(scaled_point);
-  return J;
-}
-
-}  // namespace
-
-BaLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
-                          const BaPoint& point, const BaObservation& observation) {
-  BaLinearization lin;
-  const SE3 T_target_host = T_target_world * T_host_world.inverse();
-  const Eigen::Matrix3d R = T_target_host.R();
-  const Eigen::Vector3d Y = R * point.ray + point.idepth * T_target_host.translation();
-  lin.valid = Y.z() > ba::kMinDepthRatio;
-  if (!lin.valid) return lin;
-  const Eigen::Matrix2d W = whitening(observation);
-  const Eigen::Matrix<double, 2, 3> J_Y = W * projection_jacobian(pinhole, Y);
-  lin.residual = W * (pinhole.project(Y) - observation.px);  // Eq. (reprojectionerror), in the edge's axes
-  lin.J_target = J_Y * point_jacobian(point.idepth, Y);
-  lin.J_host = -J_Y * R * point_jacobian(point.idepth, point.ray);
-  lin.J_idepth = J_Y * T_target_host.translation();
-  return lin;
-}
 
 std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name) {
   if (name == "schur") return ba::make_schur_solver();
@@ -93,8 +49,8 @@ void fill_residuals(const BaProblem& problem, BaResult* result) {
   }
 }
 
-void fill_sigmas(const PackedProblem& packed, const std::vector<double>& idepth_information, std::size_t point_count,
-                 BaResult* result) {
+void fill_sigmas(const PackedProblem& packed, const std::vector<double>& idepth_information,
+                 std::size_t point_count, BaResult* result) {
   result->idepth_sigma.assign(point_count, 0.0);
   for (std::size_t i = 0; i < packed.points.size(); ++i)
     if (!packed.points[i].fixed && idepth_information[i] > kMinIdepthInformation)

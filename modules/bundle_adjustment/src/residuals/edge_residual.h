@@ -1,0 +1,23 @@
+#pragma once
+// The residual of one edge match, Eq. (reprojectionerror), in plain form: bundle_adjustment.h states it with
+// its derivatives. The own solver's hot loop (normal_equations.cpp) sums the same from packed observations;
+// it is tested against this form, which Ceres and the profile use as it is.
+#include <Eigen/Core>
+
+#include "edgevo/bundle_adjustment/bundle_adjustment.h"
+
+namespace edgevo::ba {
+
+/// Residual and Jacobians of one observation.
+struct EdgeLinearization {
+  bool valid = false;  ///< false: behind the camera, everything else then 0
+  /// (r_n, r_t), whitened; r_t = 0 where inv_sigma_tangent = 0.
+  Eigen::Vector2d residual = Eigen::Vector2d::Zero();
+  Eigen::Matrix<double, 2, 6> J_target = Eigen::Matrix<double, 2, 6>::Zero();
+  Eigen::Matrix<double, 2, 6> J_host = Eigen::Matrix<double, 2, 6>::Zero();
+  Eigen::Vector2d J_idepth = Eigen::Vector2d::Zero();
+};
+EdgeLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
+                            const BaPoint& point, const BaObservation& observation);
+
+}  // namespace edgevo::ba

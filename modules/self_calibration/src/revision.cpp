@@ -1,0 +1,112 @@
+#include "revision.h"
+
+#include <algorithm>
+
+#include "edgevo/bundle_adjustment/gauge.h"
+#include "edgevo/bundle_adjustment/problem_index.h"
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+namespace {
+
+// Keyframes over which the scale of a new prior is held: a longer baseline than that of two neighbours, and
+// still within reach of the points of one. Only a gauge.
+constexpr int kGaugeSpan = 8;
+
+// Median of new over old inverse depth of the points of some keyframes; 1 where there are none.
+double idepth_ratio(const std::vector<const Keyframe*>& keyframes, size_t from, size_t to,
+                    const CalibrationHistory& h, const BaProblem& solution) {
+  std::vector<double> ratios;
+  for (size_t k = from; k < to; ++k)
+    for (size_t i = 0; i < keyframes[k]->points.size(); ++i)
+      if (const int index = h.point_index[k][i]; index >= 0)
+        ratios.push_back(solution.points[index].idepth / keyframes[k]->points[i].idepth);
+  return ratios.empty() ? 1.0 : median(std::move(ratios));
+}
+
+// Moves a solution so that the newest keyframe keeps its pose, and lengths around it their unit.
+void anchor(const SE3& newest, double length, BaProblem* solution) {
+  const SE3 from = solution->poses.back().T_cam_world;
+  for (BaPose& pose : solution->poses) {
+    const SE3 T_i_newest = pose.T_cam_world * from.inverse();
+    pose.T_cam_world = SE3(T_i_newest.rotation(), length * T_i_newest.translation()) * newest;
+  }
+  for (BaPoint& p : solution->points) p.idepth /= length;
+}
+
+// Marginalises the first `count` poses one after another, as the window would have done.
+BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions& options) {
+  if (count == 0) return {};
+  const int n = int(solution.poses.size());
+  const ba::ProblemIndex index = ba::index_problem(solution);
+  // The first pose, and its distance to this one, fix the gauge.
+  const int held = std::min(n - 1, kGaugeSpan);
+  int span = held + 1;                           // keyframes that any one shares points with, itself included
+  for (const BaObservation& o : solution.observations)
+    span = std::max(span, o.target - solution.points[o.point].host + 1);
+  BaPrior prior = ba::hold_baseline(solution.poses[0].T_cam_world, solution.poses[held].T_cam_world,
+                                    solution.pose_ids[held]);
+  std::vector<bool> drop;
+  for (int i = 0; i < count; ++i) {
+    BaProblem part = ba::problem_of_host(solution, index, i, std::min(n, i + span));
+    part.poses[0].fixed = i == 0;
+    part.prior = prior;
+    prior = marginalize(part, part.pose_ids[0], options, &drop);
+  }
+  return prior;
+}
+
+RevisedKeyframe revise(const Pinhole& c, const ImageCorrection& before, const ImageCorrection& now,
+                       const Keyframe& k, const SE3& T_cam_world, double ratio,
+                       const std::vector<int>& point_index, const BaProblem& solution) {
+  RevisedKeyframe r;
+  r.id = k.id;
+  r.motion = k.motion;
+  r.T_cam_world = T_cam_world;
+  r.length_ratio = 1.0 / ratio;
+  for (size_t i = 0; i < k.points.size(); ++i) {
+    const double idepth =
+        point_index[i] >= 0 ? solution.points[point_index[i]].idepth : k.points[i].idepth * ratio;
+    r.points.push_back({correct_pixel(c, before, now, k.motion, k.points[i].px), idepth});
+  }
+  return r;
+}
+
+}  // namespace
+
+MapRevision make_revision(const Pinhole& c, const ImageCorrection& before,
+                          const std::vector<const Keyframe*>& keyframes, size_t remembered,
+                          const CalibrationHistory& history, const BaOptions& options, CameraEstimate* e) {
+  const size_t n = keyframes.size();
+  const double length = idepth_ratio(keyframes, remembered, n, history, e->solution);
+  anchor(keyframes.back()->T_cam_world, length, &e->solution);
+  MapRevision r;
+  r.before = before;
+  r.now = e->value;
+  for (size_t k = 0; k < n; ++k) {
+    const double ratio = idepth_ratio(keyframes, k, k + 1, history, e->solution);
+    r.keyframes.push_back(revise(c, before, e->value, *keyframes[k], e->solution.poses[k].T_cam_world, ratio,
+                                 history.point_index[k], e->solution));
+  }
+  r.prior = marginalize_first(e->solution, int(remembered), options);
+  return r;
+}
+
+void apply_to_history(const Pinhole& c, const MapRevision& revision, std::vector<Keyframe>* history) {
+  for (size_t h = 0; h < history->size(); ++h) {
+    Keyframe& k = (*history)[h];
+    const RevisedKeyframe& r = revision.keyframes[h];
+    k.T_cam_world = r.T_cam_world;
+    for (size_t i = 0; i < k.points.size(); ++i) {
+      k.points[i].px = r.points[i].px;
+      k.points[i].idepth = r.points[i].idepth;
+      for (Observation& o : k.points[i].observations) {
+        const ImageMotion& motion = revision.motion_of(o.keyframe_id);
+        o.match.normal = correct_normal(c, revision.before, revision.now, motion, o.match.px, o.match.normal);
+        o.match.px = correct_pixel(c, revision.before, revision.now, motion, o.match.px);
+      }
+    }
+  }
+}
+
+}  // namespace edgevo
