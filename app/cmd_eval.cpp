@@ -2,13 +2,10 @@
 #include <memory>
 
 #include "commands.h"
-#include "option_checks.h"
-#ifdef EDGEVO_HAS_evaluation
 #include "edgevo/evaluation/evaluate.h"
-#endif
+#include "option_checks.h"
 
 namespace edgevo::app {
-#ifdef EDGEVO_HAS_evaluation
 namespace {
 
 struct EvalArguments {
@@ -41,7 +38,5 @@ void add_eval_command(CLI::App& app, Action* action) {
       ->check(whole_number(1));
   cmd->callback([=] { *action = [=] { return run_eval(*args); }; });
 }
-#else
-void add_eval_command(CLI::App&, Action*) {}
-#endif
+
 }  // namespace edgevo::app

@@ -26,7 +26,7 @@ run(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build)
 
 # MRPT: as many poses as the odometry has, in MRPT's own file.
 run(COMMAND ${PREFIX}/bin/edgevo import ${SEQUENCE} ${WORK}/seq.rawlog)
-run(COMMAND ${WORK}/build/mrpt_loop ${WORK}/seq.rawlog ${WORK}/path.txt OUTPUT said)
+run(COMMAND ${WORK}/build/mrpt_loop ${WORK}/seq.rawlog ${WORK}/path.txt ${WORK}/loop OUTPUT said)
 file(STRINGS ${SEQUENCE}/times.txt times)
 list(LENGTH times frames)
 expect("${said}" "^${frames} images, [1-9][0-9]+ poses")
@@ -36,6 +36,17 @@ expect("${said}" ", ${poses} poses")
 if(poses LESS 40)
   message(FATAL_ERROR "only ${poses} of ${frames} frames have a pose")
 endif()
+
+# And in a folder what `edgevo run` writes.
+run(COMMAND ${PREFIX}/bin/edgevo run ${WORK}/seq.rawlog -o ${WORK}/run --quiet)
+foreach(file IN ITEMS trajectory_tum.txt trajectory_live_tum.txt trajectory_kitti.txt)
+  run(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/run/${file} ${WORK}/loop/${file})
+endforeach()
+foreach(file IN ITEMS edges.ply edges.bt playback.rawlog report.html summary.yaml)
+  if(NOT EXISTS ${WORK}/loop/${file})
+    message(FATAL_ERROR "mrpt_loop wrote no ${file}")
+  endif()
+endforeach()
 
 # ViSP: taught, steered, and stopped when the images end.
 if(EXISTS ${WORK}/build/visp_loop)

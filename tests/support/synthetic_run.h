@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
 #include "edgevo/core/records.h"
 

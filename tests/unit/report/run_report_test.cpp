@@ -26,7 +26,7 @@ TEST(RunReport, ComparesWithGroundTruth) {
   }
   std::ofstream(folder / "truth.txt") << truth;
   RunInfo info;
-  info.ground_truth_path = (folder / "truth.txt").string();
+  info.ground_truth_path = folder / "truth.txt";
   const std::string html = report_html({made.run, info, {}, {}, {}});
   EXPECT_THAT(html, HasSubstr("one unit of the run is 2.5000 m"));
   EXPECT_THAT(html, HasSubstr("0.000 m</b><span>ATE, Sim(3)"));
