@@ -3,6 +3,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/scale/given_scale.h"
 #include "edgevo/scale/run_scale.h"
+#include "edgevo/scale/track_scale.h"
 
 namespace edgevo {
 namespace {
@@ -28,15 +29,14 @@ size_t positions_beside_images(const VehicleTrack& track, const std::vector<Time
 }
 
 VehicleTrack track_for(const ScaleSource& asked, const ImageSource& source) {
-  constexpr size_t kLeast = 8;
   if (!asked.sensor()) return {};
   VehicleTrack track = source.vehicle_track(*asked.sensor());
   const std::string where = "--scale " + asked.text, what = what_it_reads(*asked.sensor());
   if (track.positions.empty())
     throw InputError(where, "this source (" + source.kind() + ") recorded no " + what,
                      "give a rawlog that holds it, or another --scale");
-  if (positions_beside_images(track, source.times()) < kLeast)
-    throw InputError(where, "fewer than 8 of the source's " + what + " were taken while its images were",
+  if (positions_beside_images(track, source.times()) < kMinTrackPairs)
+    throw InputError(where, "fewer than " + std::to_string(kMinTrackPairs) + " of the source's " + what + " were taken while its images were",
                      "compare the times, see edgevo info");
   return track;
 }
