@@ -141,7 +141,7 @@ TEST_F(Mount, PlaybackKeepsTheMountForTheNextRun) {
 
 TEST_F(Mount, TheTextFileHoldsThemToo) {
   const auto poses = robot_poses(*folder_ / "playback.rawlog");
-  const Trajectory read = parse_trajectory(app::trajectory_vehicle_tum(*run_), "vehicle");
+  const Trajectory read = parse_trajectory(trajectory_vehicle_tum(*run_), "vehicle");
   ASSERT_EQ(read.poses.size(), poses.size());
   for (const auto& pose : read.poses)
     EXPECT_LT((pose.T_world_cam.inverse() * poses.at(pose.time.ticks)).log().norm(), 1e-6);
@@ -153,7 +153,7 @@ TEST_F(Mount, WithoutScaleTheRotationOfTheMountCounts) {
   unscaled.scale_source = "none";
   const SE3 C(mount().rotation(), Eigen::Vector3d::Zero());
   const SE3 expected = C * *run_->frames.back().T_world_cam * C.inverse();
-  const std::string text = app::trajectory_vehicle_tum(unscaled);
+  const std::string text = trajectory_vehicle_tum(unscaled);
   const Trajectory read = parse_trajectory(text, "vehicle");
   EXPECT_LT((read.poses.back().T_world_cam.inverse() * expected).log().norm(), 1e-6);
   EXPECT_NE(text.find("is left out"), std::string::npos);
