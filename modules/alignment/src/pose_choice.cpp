@@ -14,17 +14,21 @@ int coarsest_edge_level(const FramePyramid& pyramid) {
   return std::min(levels, 2) - 1;
 }
 
-// Glare and shadows lead gray levels astray where the edges of the scene run along the motion: the edges choose where to go on from.
-SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start, const AlignmentParams& params) {
+// Glare and shadows lead gray levels astray where the edges of the scene run along the motion: the edges
+// choose where to go on from.
+SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
+                     const AlignmentParams& params) {
   const int coarsest = int(current.levels.size()) - 1;
   SE3 T_cur_ref = start;
   align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &T_cur_ref);
   const int level = coarsest_edge_level(current);
-  const bool astray = edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);
+  const bool astray =
+      edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);
   return astray ? start : T_cur_ref;
 }
 
-SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start, const AlignmentParams& params) {
+SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
+                    const AlignmentParams& params) {
   constexpr int kSteps = 6;  // to either side: neighbours differ by an eighth of the length
   SE3 best = start;
   double least = std::numeric_limits<double>::infinity();
@@ -36,23 +40,29 @@ SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, co
   return best;
 }
 
-SE3 start_of_edges(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& h, const AlignmentParams& params) {
+SE3 start_of_edges(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& h,
+                   const AlignmentParams& params) {
   using Refinement = PoseHypothesis::Refinement;
-  if (h.refinement == Refinement::kPatchesThenEdges) return start_by_patches(current, cloud, h.T_cur_ref, params);
-  if (h.refinement == Refinement::kLengthThenEdges) return start_by_length(current, cloud, h.T_cur_ref, params);
+  if (h.refinement == Refinement::kPatchesThenEdges)
+    return start_by_patches(current, cloud, h.T_cur_ref, params);
+  if (h.refinement == Refinement::kLengthThenEdges)
+    return start_by_length(current, cloud, h.T_cur_ref, params);
   return h.T_cur_ref;
 }
 
 }  // namespace
 
-PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& h, const AlignmentParams& params) {
+PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& h,
+                    const AlignmentParams& params) {
   PoseCandidate found;
   found.T_cur_ref = start_of_edges(current, cloud, h, params);
   TranslationPrior prior;
   if (h.translation_sigma) prior = {h.T_cur_ref, *h.translation_sigma};
-  const int coarsest = h.refinement == PoseHypothesis::Refinement::kFinestEdges ? 0 : coarsest_edge_level(current);
+  const int coarsest =
+      h.refinement == PoseHypothesis::Refinement::kFinestEdges ? 0 : coarsest_edge_level(current);
   for (int level = coarsest; level >= 0; --level)
-    found.stats = align_edges(current, cloud, level, params, &found.T_cur_ref, h.translation_sigma ? &prior : nullptr);
+    found.stats =
+        align_edges(current, cloud, level, params, &found.T_cur_ref, h.translation_sigma ? &prior : nullptr);
   if (found.T_cur_ref.is_finite()) found.evidence = weigh_evidence(current, cloud, found.T_cur_ref, params);
   return found;
 }
@@ -62,7 +72,8 @@ bool PoseJudge::fits(const PoseCandidate& pose) const {
 }
 
 bool PoseJudge::is_lost(const PoseCandidate& pose) const {
-  return !pose.T_cur_ref.is_finite() || pose.stats.visible < params_.min_visible || pose.evidence.inlier_share < params_.lost_share;
+  return !pose.T_cur_ref.is_finite() || pose.stats.visible < params_.min_visible ||
+         pose.evidence.inlier_share < params_.lost_share;
 }
 
 double PoseJudge::score(const PoseCandidate& pose) const {
@@ -71,10 +82,12 @@ double PoseJudge::score(const PoseCandidate& pose) const {
   return likelihood_ && by_image > 0 ? likelihood_(pose.T_cur_ref) * by_image : by_image;
 }
 
-PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current, const ReferenceCloud& cloud, const PoseJudge& judge,
-                  const AlignmentParams& params) {
+PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current,
+                  const ReferenceCloud& cloud, const PoseJudge& judge, const AlignmentParams& params) {
   PoseChoice best;
-  const auto is_called_for = [&](const Proposer& p) { return best.hypotheses_tried == 0 || p.is_called_for(best.pose); };
+  const auto is_called_for = [&](const Proposer& p) {
+    return best.hypotheses_tried == 0 || p.is_called_for(best.pose);
+  };
   for (size_t i = 0; i < proposers.size(); ++i) {
     if (!is_called_for(proposers[i])) continue;
     for (const PoseHypothesis& hypothesis : proposers[i].hypotheses()) {

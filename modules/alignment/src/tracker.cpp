@@ -63,10 +63,12 @@ std::vector<PoseHypothesis> as_hypotheses(const std::vector<SE3>& starts) {
 
 }  // namespace
 
-TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, const PoseCandidate& pose, const AlignmentParams& params) {
+TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, const PoseCandidate& pose,
+                   const AlignmentParams& params) {
   TrackResult r;
   static_cast<PoseCandidate&>(r) = pose;
-  if (r.T_cur_ref.is_finite()) r.covariance = pose_covariance(pose_equations(current, cloud, r.T_cur_ref, params));
+  if (r.T_cur_ref.is_finite())
+    r.covariance = pose_covariance(pose_equations(current, cloud, r.T_cur_ref, params));
   r.weak_directions = find_weak_directions(r.covariance, median_depth(cloud), params.weak_sigma);
   give_verdict(params, &r);
   return r;
@@ -81,18 +83,21 @@ std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_befo
 }
 
 Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best); }, [starts = std::move(starts)] { return as_hypotheses(starts); }};
+  return {[&judge](const PoseCandidate& best) { return !judge.fits(best); },
+          [starts = std::move(starts)] { return as_hypotheses(starts); }};
 }
 
-Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted, const PoseJudge& judge,
-                           const AlignmentParams& params) {
+Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
+                           const PoseJudge& judge, const AlignmentParams& params) {
   return {[&judge](const PoseCandidate& best) { return !judge.fits(best); },
           [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted, params)); }};
 }
 
-TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, const std::vector<SE3>& starts, const AlignmentParams& params) {
+TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, const std::vector<SE3>& starts,
+                  const AlignmentParams& params) {
   const PoseJudge judge(params);
-  const std::vector<Proposer> proposers{propose_starts(starts, judge), propose_rotations(current, cloud, starts.front(), judge, params)};
+  const std::vector<Proposer> proposers{propose_starts(starts, judge),
+                                        propose_rotations(current, cloud, starts.front(), judge, params)};
   return assess(current, cloud, choose(proposers, current, cloud, judge, params).pose, params);
 }
 

@@ -9,17 +9,19 @@ namespace {
 SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
   if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
   const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
-  return (is_first ? reference.T_keyframe_world.begin()->second : view.T_cam_first) * reference.T_ref_world.inverse();
+  return (is_first ? reference.T_keyframe_world.begin()->second : view.T_cam_first) *
+         reference.T_ref_world.inverse();
 }
 
 bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
-  return view.frame_index == bootstrap.views.front().frame_index || view.frame_index == bootstrap.views.back().frame_index;
+  return view.frame_index == bootstrap.views.front().frame_index ||
+         view.frame_index == bootstrap.views.back().frame_index;
 }
 
 }  // namespace
 
-void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment, const AlignmentParams& params,
-                            RunRecords* records) {
+void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
+                            const AlignmentParams& params, RunRecords* records) {
   for (const BootstrapView& view : bootstrap.views) {
     FrameRecord* record = records->find(view.frame_index);
     if (!record || !view.placed) continue;

@@ -7,9 +7,10 @@
 
 namespace edgevo {
 
-/// Frames between the two views are tracked against the finished map; those whose image is gone, or that the map does not explain, keep the
-/// pose of PnP. A pose that the map does not explain is DEGRADED. Cost: one alignment a frame.
-void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment, const AlignmentParams& params,
-                            RunRecords* records);
+/// Frames between the two views are tracked against the finished map; those whose image is gone, or that the
+/// map does not explain, keep the pose of PnP. A pose that the map does not explain is DEGRADED. Cost: one
+/// alignment a frame.
+void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
+                            const AlignmentParams& params, RunRecords* records);
 
 }  // namespace edgevo

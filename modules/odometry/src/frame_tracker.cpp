@@ -8,10 +8,11 @@ namespace {
 
 const Pinhole& pinhole_of(const TrackingTask& task) { return task.pyramid.finest().pinhole; }
 
-// ---- proposers: the cheapest and likeliest first ----------------------------------------------------------------------
+// ---- proposers: the cheapest and likeliest first ----
 
 // The step of a camera that is under way evenly, where what was found is another one.
-Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualStep>& usual, const PoseJudge& judge) {
+Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualStep>& usual,
+                            const PoseJudge& judge) {
   return {[&](const PoseCandidate& best) {
             return usual && !task.was_lost && !judge.is_lost(best) && usual->is_unusual(best.T_cur_ref) &&
                    usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref);
@@ -19,23 +20,27 @@ Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualS
           [&] { return std::vector<PoseHypothesis>{usual->hypothesis()}; }};
 }
 
-// About to be lost; or explained badly, and the map moves on at every frame: large motion. At small motion bad light does that, and it
-// misleads corners, too.
+// About to be lost; or explained badly, and the map moves on at every frame: large motion. At small motion
+// bad light does that, and it misleads corners, too.
 bool is_doubtful(const TrackingTask& task, const PoseCandidate& pose, const PoseJudge& judge) {
-  if (task.was_lost || !(pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share)) return false;
-  return judge.is_lost(pose) || (task.keyframes.follows_keyframe() && task.keyframes.calls_for_keyframe(pose, task.reference));
+  if (task.was_lost || !(pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share))
+    return false;
+  return judge.is_lost(pose) ||
+         (task.keyframes.follows_keyframe() && task.keyframes.calls_for_keyframe(pose, task.reference));
 }
 
-// A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the edges made of it: rotation and
-// direction from corners, the length from the edges.
+// A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the
+// edges made of it: rotation and direction from corners, the length from the edges.
 std::vector<PoseHypothesis> ask_corners(const TrackingTask& task, Track* track) {
   const double start = thread_cpu_ms();
   const SE3 expected = task.motion.predict();
   std::vector<PoseHypothesis> hypotheses;
-  std::optional<CornerMotion> found = find_corner_motion(pinhole_of(task), *task.reference.cloud.pyramid, task.pyramid, expected,
-                                                         task.params.mapping.corners, task.random);
+  std::optional<CornerMotion> found =
+      find_corner_motion(pinhole_of(task), *task.reference.cloud.pyramid, task.pyramid, expected,
+                         task.params.mapping.corners, task.random);
   if (found) {
-    const SE3 T_cur_ref(found->T_to_from.rotation(), expected.translation().norm() * found->T_to_from.translation());
+    const SE3 T_cur_ref(found->T_to_from.rotation(),
+                        expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion they go with the frame into the adjustment, whichever pose wins.
     if (task.keyframes.follows_keyframe()) track->corners = std::move(found->pairs);
@@ -45,18 +50,20 @@ std::vector<PoseHypothesis> ask_corners(const TrackingTask& task, Track* track) 
 }
 
 Proposer propose_by_corners(const TrackingTask& task, const PoseJudge& judge, Track* track) {
-  return {[&](const PoseCandidate& best) { return is_doubtful(task, best, judge); }, [&task, track] { return ask_corners(task, track); }};
+  return {[&](const PoseCandidate& best) { return is_doubtful(task, best, judge); },
+          [&task, track] { return ask_corners(task, track); }};
 }
 
-// ---- rolling shutter: edges/image_correction.h -------------------------------------------------------------------------
+// ---- rolling shutter: edges/image_correction.h ----
 
 // The pose once more, with the cloud moved to where the rows of this image show it.
-TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist, const PoseJudge& judge) {
+TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist,
+                       const PoseJudge& judge) {
   const AlignmentParams& params = task.params.alignment;
   if (task.rows.is_rolling() && !judge.is_lost(first)) {
-    const ReferenceCloud shifted =
-        shift_cloud(pinhole_of(task), task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
-                    measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
+    const ReferenceCloud shifted = shift_cloud(
+        pinhole_of(task), task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
+        measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
     const PoseCandidate again =
         align(task.pyramid, shifted, {first.T_cur_ref, PoseHypothesis::Refinement::kFinestEdges}, params);
     if (!judge.is_lost(again)) return assess(task.pyramid, shifted, again, params);
@@ -66,8 +73,8 @@ TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, con
 
 }  // namespace
 
-ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows, const SE3& T_cur_ref,
-                            const Vector6d& twist) {
+ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
+                            const SE3& T_cur_ref, const Vector6d& twist) {
   if (rows.expected.is_known()) return {twist, rows.expected.idepth};
   return image_motion(pinhole, reference.cloud, T_cur_ref, twist, reference.median_idepth);
 }
@@ -78,7 +85,8 @@ Track track_frame(const TrackingTask& task) {
   const ReferenceCloud& cloud = task.reference.cloud;
   const std::vector<SE3> starts = task.motion.starts();
   const std::optional<UsualStep> usual = UsualStep::of(task.motion);
-  const PoseJudge judge(params, [&](const SE3& T_cur_ref) { return usual ? usual->likelihood(T_cur_ref) : 1.0; });
+  const PoseJudge judge(params,
+                        [&](const SE3& T_cur_ref) { return usual ? usual->likelihood(T_cur_ref) : 1.0; });
   enum { kStarts, kRotations, kUsualStep, kCorners };  // in this order
   const std::vector<Proposer> proposers{
       propose_starts(starts, judge),

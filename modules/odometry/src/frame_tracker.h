@@ -1,6 +1,6 @@
 #pragma once
-// The pose of one frame: hypotheses are proposed, one judge chooses, the rows of a rolling shutter are accounted for, and the pose gets its
-// covariance and verdict.
+// The pose of one frame: hypotheses are proposed, one judge chooses, the rows of a rolling shutter are
+// accounted for, and the pose gets its covariance and verdict.
 #include <optional>
 #include <vector>
 
@@ -30,17 +30,19 @@ struct TrackingTask {
 /// A frame as it was tracked.
 struct Track {
   TrackResult result;
-  Vector6d twist = Vector6d::Zero();  ///< how the camera moved when the image was taken (edges/image_motion.h)
-  std::vector<CornerPair> corners;    ///< seen in the reference and here; empty unless asked for, and the motion is large
-  bool took_usual_step = false;       ///< the pose is near the usual step because that was expected
-  double corner_ms = 0;               ///< CPU time of asking the corners, 0: they were not
+  Vector6d twist =
+      Vector6d::Zero();  ///< how the camera moved when the image was taken (edges/image_motion.h)
+  std::vector<CornerPair>
+      corners;  ///< seen in the reference and here; empty unless asked for, and the motion is large
+  bool took_usual_step = false;  ///< the pose is near the usual step because that was expected
+  double corner_ms = 0;          ///< CPU time of asking the corners, 0: they were not
 };
 
 /// Cost: one alignment of patches and edges as a rule, some 3 ms for 1500 points.
 Track track_frame(const TrackingTask& task);
 
 /// The motion of the image as the pose T_cur_ref and `twist` have it, with the depths that were expected.
-ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows, const SE3& T_cur_ref,
-                            const Vector6d& twist);
+ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
+                            const SE3& T_cur_ref, const Vector6d& twist);
 
 }  // namespace edgevo

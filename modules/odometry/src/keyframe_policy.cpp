@@ -10,23 +10,28 @@
 namespace edgevo {
 namespace {
 
-// What the cloud does not know comes into view when the camera backs away, and it is the nearest of the scene. A view like the
-// reference's own, left by the motion back, tells how fast: 0 where that makes no more flow than the motion out, up to 1.
+// What the cloud does not know comes into view when the camera backs away, and it is the nearest of the
+// scene. A view like the reference's own, left by the motion back, tells how fast: 0 where that makes no more
+// flow than the motion out, up to 1.
 double opening(const ViewChange& out, const ViewChange& back) {
-  constexpr double kFullyOpening = 0.15;  // excess of the flow back: 0.1 to 0.4 on a drive backwards, within 0.1 by hand
+  constexpr double kFullyOpening =
+      0.15;  // excess of the flow back: 0.1 to 0.4 on a drive backwards, within 0.1 by hand
   if (!(back.flow_px > out.flow_px)) return 0;
   return std::min(1.0, (back.flow_px - out.flow_px) / (kFullyOpening * out.flow_px));
 }
 
-// The map explains less and less of what the camera sees: its depths are not good enough for the way gone since. Where points find no
-// edges at all, or the share was never high, it is the light instead, and a keyframe in bad light does harm.
+// The map explains less and less of what the camera sees: its depths are not good enough for the way gone
+// since. Where points find no edges at all, or the share was never high, it is the light instead, and a
+// keyframe in bad light does harm.
 bool is_stale(const ReferenceFit& fit, const KeyframeParams& params) {
-  constexpr double kGoodMatchedShare = 0.84, kGoodInlierShare = 0.85;  // shares of points on sequences in even light
+  constexpr double kGoodMatchedShare = 0.84,
+                   kGoodInlierShare = 0.85;  // shares of points on sequences in even light
   return fit.matched_share >= kGoodMatchedShare && fit.best_inlier_share >= kGoodInlierShare &&
          fit.inlier_share < params.min_inlier_ratio * fit.best_inlier_share;
 }
 
-// At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow the rotation.
+// At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow
+// the rotation.
 bool moves(const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > p.min_flow_px; }
 
 struct Rule {
@@ -36,20 +41,32 @@ struct Rule {
 
 // In this order. A new rule is a line here and a test in keyframe_policy_test.cpp.
 constexpr Rule kRules[] = {
-    {"parallax", [](const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > v.reach * p.flow_px; }},
-    {"rotation", [](const KeyframeView& v, const KeyframeParams& p) { return v.view_share < p.min_turn_share; }},
-    {"fast motion", [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.next_flow_px > v.reach * p.max_flow_px; }},
-    {"view leaves", [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.next_view_share < p.min_view_share; }},
-    {"fast turn", [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.view_loss > p.max_view_loss; }},
-    {"stale map", [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && is_stale(v.fit, p); }},
-    {"long since", [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.frames >= p.max_frames; }},
+    {"parallax",
+     [](const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > v.reach * p.flow_px; }},
+    {"rotation",
+     [](const KeyframeView& v, const KeyframeParams& p) { return v.view_share < p.min_turn_share; }},
+    {"fast motion",
+     [](const KeyframeView& v, const KeyframeParams& p) {
+       return moves(v, p) && v.next_flow_px > v.reach * p.max_flow_px;
+     }},
+    {"view leaves",
+     [](const KeyframeView& v, const KeyframeParams& p) {
+       return moves(v, p) && v.next_view_share < p.min_view_share;
+     }},
+    {"fast turn", [](const KeyframeView& v,
+                     const KeyframeParams& p) { return moves(v, p) && v.view_loss > p.max_view_loss; }},
+    {"stale map",
+     [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && is_stale(v.fit, p); }},
+    {"long since",
+     [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.frames >= p.max_frames; }},
 };
 
 }  // namespace
 
-KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames,
-                              const ReferenceFit& fit) {
-  constexpr double kReachOfOpeningView = 0.5;  // share of the usual flow: what comes into view is nearer by half and more
+KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
+                              int frames, const ReferenceFit& fit) {
+  constexpr double kReachOfOpeningView =
+      0.5;  // share of the usual flow: what comes into view is nearer by half and more
   KeyframeView v;
   v.frames = frames;
   v.fit = fit;
@@ -67,11 +84,13 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
 }
 
 const char* fired_rule(const KeyframeView& view, const KeyframeParams& params) {
-  const auto* rule = std::find_if(std::begin(kRules), std::end(kRules), [&](const Rule& r) { return r.fires(view, params); });
+  const auto* rule = std::find_if(std::begin(kRules), std::end(kRules),
+                                  [&](const Rule& r) { return r.fires(view, params); });
   return rule != std::end(kRules) ? rule->name : nullptr;
 }
 
-NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref, const KeyframeParams& params) {
+NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference,
+                                      const SE3& T_cam_ref, const KeyframeParams& params) {
   constexpr size_t kPoints = 200;  // are enough for an rms
   const std::vector<CloudPoint> seen = visible_points(pinhole, reference.cloud, T_cam_ref, kPoints);
   const SE3 T_world_cam = (T_cam_ref * reference.T_ref_world).inverse();
@@ -88,10 +107,13 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 }
 
 bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params) {
-  constexpr double kBackShare = 0.5;  // of the flow to the reference: nearer by half is nearer whatever the noise
-  // Further on than a keyframe's distance it is no return: after a jump all keyframes are far, the reference only furthest.
-  return nearest.id >= 0 && nearest.id != reference_id && nearest.flow_px < kBackShare * nearest.reference_flow_px &&
-         nearest.flow_px < params.flow_px && nearest.reference_flow_px > params.min_flow_px;
+  constexpr double kBackShare =
+      0.5;  // of the flow to the reference: nearer by half is nearer whatever the noise
+  // Further on than a keyframe's distance it is no return: after a jump all keyframes are far, the reference
+  // only furthest.
+  return nearest.id >= 0 && nearest.id != reference_id &&
+         nearest.flow_px < kBackShare * nearest.reference_flow_px && nearest.flow_px < params.flow_px &&
+         nearest.reference_flow_px > params.min_flow_px;
 }
 
 KeyframeView KeyframePolicy::look(const PoseCandidate& pose, const Reference& reference) const {
@@ -104,7 +126,8 @@ bool KeyframePolicy::calls_for_keyframe(const PoseCandidate& pose, const Referen
   return fired_rule(look(pose, reference), params_) != nullptr;
 }
 
-KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Reference& reference, bool is_mapping_busy) {
+KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Reference& reference,
+                                        bool is_mapping_busy) {
   using Action = KeyframeDecision::Action;
   const KeyframeView view = look(tracked, reference);
   const NearestKeyframe nearest = find_nearest_keyframe(pinhole_, reference, tracked.T_cur_ref, params_);

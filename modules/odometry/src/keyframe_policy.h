@@ -1,8 +1,9 @@
 #pragma once
 // When a frame becomes a keyframe, and when the camera is back at an older one.
 //
-// A keyframe is needed before the map leaves the view or its depths are too poor for the way gone since, and not sooner: each costs an
-// adjustment. The rules stand in a list (keyframe_policy.cpp); the one that fired is written to frames.csv.
+// A keyframe is needed before the map leaves the view or its depths are too poor for the way gone since, and
+// not sooner: each costs an adjustment. The rules stand in a list (keyframe_policy.cpp); the one that fired
+// is written to frames.csv.
 #include <string>
 
 #include "edgevo/alignment/tracker.h"
@@ -20,19 +21,22 @@ struct ReferenceFit {
 
 /// What the rules look at. Flows in pixels at kReferenceWidth (view_change.h).
 struct KeyframeView {
-  double flow_px = 0;          ///< by the motion from the reference to here or by the motion back, whichever is larger
+  double flow_px =
+      0;  ///< by the motion from the reference to here or by the motion back, whichever is larger
   double view_share = 1;       ///< of the cloud, still in view
   double next_flow_px = 0;     ///< of the next frame, if the motion goes on
   double next_view_share = 1;  ///< likewise
   double view_loss = 0;        ///< share of the cloud that has left the view, a frame
-  double reach = 1;            ///< share of the usual flow that a keyframe may lie away: 0.5 where the view opens
-  int frames = 1;              ///< since the last keyframe, this one included
+  double reach = 1;  ///< share of the usual flow that a keyframe may lie away: 0.5 where the view opens
+  int frames = 1;    ///< since the last keyframe, this one included
   ReferenceFit fit;
 };
 
-/// Going forward near things leave the view; going backward near ones come into it that the cloud does not know yet: hence the motion both
-/// ways. Nothing is needed where no point can be projected. Cost: four projections a point.
-KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames, const ReferenceFit& fit);
+/// Going forward near things leave the view; going backward near ones come into it that the cloud does not
+/// know yet: hence the motion both ways. Nothing is needed where no point can be projected. Cost: four
+/// projections a point.
+KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
+                              int frames, const ReferenceFit& fit);
 
 /// The name of the first rule that calls for a keyframe; nullptr: none does.
 const char* fired_rule(const KeyframeView& view, const KeyframeParams& params);
@@ -43,11 +47,14 @@ struct NearestKeyframe {
   double flow_px = 0;            ///< image motion by the translation from there to here, at kReferenceWidth
   double reference_flow_px = 0;  ///< the same from the reference; 0: none of what is seen lies before it
 };
-/// Among those that have `params.min_view_share` of the cloud's visible points in view. Cost: keyframes x 200 projections.
-NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference, const SE3& T_cam_ref, const KeyframeParams& params);
+/// Among those that have `params.min_view_share` of the cloud's visible points in view. Cost: keyframes x 200
+/// projections.
+NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference,
+                                      const SE3& T_cam_ref, const KeyframeParams& params);
 
-/// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than keyframes lie to one another; and
-/// the reference is left by more than the smallest flow: at a standstill all are equally near.
+/// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than
+/// keyframes lie to one another; and the reference is left by more than the smallest flow: at a standstill
+/// all are equally near.
 bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params);
 
 struct KeyframeDecision {

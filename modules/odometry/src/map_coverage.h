@@ -1,6 +1,7 @@
 #pragma once
-// Has the camera turned away from the map? A rotation can be followed with points of unknown depth, a translation only while what is left
-// of the map explains the images. Where it does not, a new map is worth more than the old one.
+// Has the camera turned away from the map? A rotation can be followed with points of unknown depth, a
+// translation only while what is left of the map explains the images. Where it does not, a new map is worth
+// more than the old one.
 #include <optional>
 
 #include "edgevo/alignment/tracker.h"

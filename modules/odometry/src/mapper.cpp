@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/mapping/idepth_prior.h"
+#include "first_keyframes.h"
 
 namespace edgevo {
 namespace {
@@ -30,54 +30,16 @@ auto timed(const char* name, StageTimes* times, const Work& work) {
   return work();
 }
 
-// Search range from the triangulated corner nearest to a pixel.
-IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px,
-                       const DepthFilterParams& params) {
-  double best = std::numeric_limits<double>::infinity(), idepth = 1;
-  for (const BootstrapCorner& c : corners) {
-    const double d = ((in_last ? c.px_last : c.px_first) - px).squaredNorm();
-    if (d < best) best = d, idepth = in_last ? c.idepth_last : c.idepth_first;
-  }
-  return {params.prior_low * idepth, params.prior_high * idepth};
-}
-
-// First and last view, and up to three between. Two views alone would not do: an edge match is one equation, and with one
-// match a point its own depth takes that up, so that the pose between the two views would be free.
-std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views) {
-  constexpr size_t kMaxBetween = 3;  // views: with five keyframes in all a point has up to four matches
-  std::vector<const BootstrapView*> between;
-  for (size_t i = 1; i + 1 < views.size(); ++i)
-    if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);
-  std::vector<const BootstrapView*> chosen{&views.front()};
-  const size_t n = std::min(kMaxBetween, between.size());
-  for (size_t k = 0; k < n; ++k) chosen.push_back(between[(2 * k + 1) * between.size() / (2 * n)]);
-  chosen.push_back(&views.back());
-  return chosen;
-}
-
-// How the images of the first keyframes moved: as between the first and the last of them, with one depth for each. Only where the map came
-// at once, by large motion: over more frames a hand-held camera moves otherwise than on the whole.
-void find_motions(std::deque<Keyframe>* keyframes) {
-  constexpr int kMaxFrames = 2;  // between the first view and the last; see share/lab/self_calibration.md, "Rolling shutter"
-  const Keyframe &first = keyframes->front(), &last = keyframes->back();
-  const double seconds = seconds_between(first.time, last.time);
-  if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames) return;
-  const Vector6d velocity = relative_pose(last, first).log() / seconds;
-  for (Keyframe& k : *keyframes) {
-    if (k.points.empty()) continue;
-    std::vector<double> idepths;
-    for (const MapPoint& p : k.points) idepths.push_back(p.idepth);
-    k.motion.velocity = velocity;
-    k.motion.idepth.setConstant(median(std::move(idepths)));
-  }
-}
-
 }  // namespace
 
 Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
                bool gradient_patches, uint64_t seed)
-    : pinhole_(pinhole), params_(params), association_(association), gradient_patches_(gradient_patches),
-      random_(Random::derive(seed, 2)), window_(pinhole, params.window, association),
+    : pinhole_(pinhole),
+      params_(params),
+      association_(association),
+      gradient_patches_(gradient_patches),
+      random_(Random::derive(seed, 2)),
+      window_(pinhole, params.window, association),
       calibration_(pinhole, SelfCalibrationParams{"none"}) {}
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
@@ -99,7 +61,8 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
     if (!view.placed || !view.pyramid) continue;
     for (Keyframe& k : window_.keyframes())
       if (view.frame_index != k.frame_index)
-        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter, association_, &k);
+        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter,
+                      association_, &k);
   }
   for (Keyframe& k : window_.keyframes())
     smooth_along_edges(k.pyramid->finest().edges, params_.depth_filter, &k.immature);
@@ -109,21 +72,23 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   const WindowStats stats = window_.adjust();
   if (stats.points < kMinFirstPoints)
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
-  if (stats.cost_per_observation > kMaxFirstCost) return "the edges of the first views do not fit one rigid scene";
-  // For an estimate of the read-out time; rows that were put right for one already are not as the camera took them.
+  if (stats.cost_per_observation > kMaxFirstCost)
+    return "the edges of the first views do not fit one rigid scene";
+  // For an estimate of the read-out time; rows that were put right for one already are not as the camera took
+  // them.
   if (calibration_.state().shutter.readout_s == 0) find_motions(&window_.keyframes());
   next_id_ += int(chosen.size());
   publish(window_.newest());
   return {};
 }
 
-std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners,
-                                                bool is_last) {
+std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
+                                                const std::vector<BootstrapCorner>& corners, bool is_last) {
   const CellGrid grid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px);
   return make_immature_points(
       keyframe, std::vector<bool>(grid.size(), false),
-      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px, params_.depth_filter); }, params_.depth_filter,
-      &random_);
+      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px, params_.depth_filter); },
+      params_.depth_filter, &random_);
 }
 
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
@@ -133,13 +98,15 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   if (frame.pyramid != tracked.pyramid) frame.corners.clear();  // they were seen in images of before
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
-  // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to help.
+  // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to
+  // help.
   if (reference_pose == known.end()) return update;
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
   timed("depth_filter", &update.times, [&] {
     for (Keyframe& host : window_.keyframes())
       if (!host.immature.empty())
-        update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter, association_, &host);
+        update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter,
+                      association_, &host);
   });
   if (frame.make_keyframe)
     make_keyframe(frame, T_cam_world, &update);
@@ -165,8 +132,8 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     for (Keyframe& host : window_.keyframes())
       smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
     window_.activate(2, params_.window.min_matches);
-    // Large motion leaves the map behind before points are seen often: then one depth and one match must do. What the first pass has
-    // tried, with two depths, is not tried again.
+    // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
+    // What the first pass has tried, with two depths, is not tried again.
     if (window_.is_cloud_thin(window_.newest())) window_.activate(1, 1);
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
@@ -177,7 +144,8 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
       calibration_.remember(retired_.back());
     }
   });
-  if (calibration_.is_running() || calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
+  if (calibration_.is_running() ||
+      calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
     timed("self_calibration", &update->times, [&] { calibrate_on_the_way(); });
   timed("window", &update->times, [&] {
     seed_points(&window_.newest());
@@ -188,10 +156,12 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
 // What the adjustment made of the pose that tracking had found for the newest keyframe.
 void Mapper::check_tracking(const TrackedFrame& frame) {
   for (const Keyframe& k : window_.keyframes())
-    if (k.id == frame.reference_id) tracking_check_.add(frame.T_cam_ref, relative_pose(window_.newest(), k), frame.covariance);
+    if (k.id == frame.reference_id)
+      tracking_check_.add(frame.T_cam_ref, relative_pose(window_.newest(), k), frame.covariance);
 }
 
-void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread) {
+void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild,
+                                     bool own_thread) {
   calibration_ = SelfCalibration(pinhole_, params);
   rebuild_ = rebuild;
   calibration_has_thread_ = own_thread;
@@ -217,7 +187,8 @@ BaOptions Mapper::calibration_options() const {
 }
 
 void Mapper::calibrate(bool at_end) {
-  std::optional<MapRevision> revision = calibration_.estimate(window_pointers(), calibration_options(), at_end);
+  std::optional<MapRevision> revision =
+      calibration_.estimate(window_pointers(), calibration_options(), at_end);
   if (!revision) return;
   window_.apply(*revision, [&](const Keyframe& k) { return rebuild_(*k.pyramid, k.motion, revision->now); });
   for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
@@ -226,23 +197,28 @@ void Mapper::calibrate(bool at_end) {
 // A frame that was on its way while the camera was corrected.
 std::shared_ptr<const FramePyramid> Mapper::corrected(const TrackedFrame& tracked) const {
   const ImageCorrection now = calibration_.state().correction();
-  return tracked.pyramid->correction == now || !rebuild_ ? tracked.pyramid : rebuild_(*tracked.pyramid, tracked.motion, now);
+  return tracked.pyramid->correction == now || !rebuild_ ? tracked.pyramid
+                                                         : rebuild_(*tracked.pyramid, tracked.motion, now);
 }
 
-// Every immature point is searched in every frame: as many as it takes to fill the window again, and not more.
+// Every immature point is searched in every frame: as many as it takes to fill the window again, and not
+// more.
 int Mapper::new_points_wanted() const {
   constexpr int kAtLeast = 300;  // points a keyframe: also a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
-  return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points), p.max_new_points);
+  return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points),
+                    p.max_new_points);
 }
 
-// Drops immature points that are dead or too old, and makes new ones in the newest keyframe where the map has none.
+// Drops immature points that are dead or too old, and makes new ones in the newest keyframe where the map has
+// none.
 void Mapper::seed_points(Keyframe* keyframe) {
   for (Keyframe& host : window_.keyframes()) {
     auto& points = host.immature;
     for (ImmaturePoint& p : points) p.dead |= ++p.age > params_.depth_filter.max_age_keyframes;
-    points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }), points.end());
+    points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }),
+                 points.end());
   }
   IdepthPrior prior(pinhole_, params_.depth_filter, median_idepth_);
   for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
@@ -260,7 +236,8 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->keyframe_id = keyframe.id;
   reference->T_ref_world = keyframe.T_cam_world;
   reference->camera = calibration_.state();
-  reference->cloud = make_reference_cloud(keyframe.pyramid, window_.tracking_cloud(keyframe), gradient_patches_);
+  reference->cloud =
+      make_reference_cloud(keyframe.pyramid, window_.tracking_cloud(keyframe), gradient_patches_);
   reference->known_points = int(window_.cloud(keyframe).size());
   reference->view_share = window_.view_share(keyframe);
   reference->median_idepth = median_idepth_;
@@ -269,10 +246,12 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference_ = std::move(reference);
 }
 
-// The camera is back near an older keyframe: what follows is tracked against that one, and does not drift away from it.
+// The camera is back near an older keyframe: what follows is tracked against that one, and does not drift
+// away from it.
 void Mapper::return_to(int keyframe_id) {
   const auto& keyframes = window_.keyframes();
-  const auto old = std::find_if(keyframes.begin(), keyframes.end(), [&](const Keyframe& k) { return k.id == keyframe_id; });
+  const auto old = std::find_if(keyframes.begin(), keyframes.end(),
+                                [&](const Keyframe& k) { return k.id == keyframe_id; });
   if (old != keyframes.end() && keyframe_id != reference_->keyframe_id) publish(*old);
 }
 

@@ -7,7 +7,8 @@
 namespace edgevo {
 
 SE3 MotionModel::predict() const {
-  return frames_since_ <= 1 ? velocity_ * T_last_ref_ : SE3::exp(velocity_.log() * double(frames_since_)) * T_last_ref_;
+  return frames_since_ <= 1 ? velocity_ * T_last_ref_
+                            : SE3::exp(velocity_.log() * double(frames_since_)) * T_last_ref_;
 }
 
 std::vector<SE3> MotionModel::starts() const {
@@ -55,7 +56,8 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
 void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
   steady_ = SteadyMotion();  // the unit of length is another
-  velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3()) : SE3::exp(motion->log() / double(newest_.frames));
+  velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3())
+                                             : SE3::exp(motion->log() / double(newest_.frames));
   velocity_s_ = motion ? newest_.seconds / newest_.frames : 0;
   frames_since_ = 0;
   seconds_since_ = 0;

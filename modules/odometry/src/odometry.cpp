@@ -15,20 +15,30 @@
 namespace edgevo {
 struct Odometry::Impl {
   Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
-      : params(p), options(o), builder(camera, p.edges), bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
-        random(Random::derive(o.seed, 3)), mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
-        records(camera.pinhole), rebuilder(camera, p.edges), state(p.recovery.max_frames),
-        mapping(&mapper, o.realtime, [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
+      : params(p),
+        options(o),
+        builder(camera, p.edges),
+        bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
+        random(Random::derive(o.seed, 3)),
+        mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
+        records(camera.pinhole),
+        rebuilder(camera, p.edges),
+        state(p.recovery.max_frames),
+        mapping(&mapper, o.realtime,
+                [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
         keyframes(camera.pinhole, p.mapping.keyframe) {
     // In realtime the mapping must not stand still for long.
-    mapper.enable_self_calibration(p.camera, [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
-      rebuilder.set_correction(now);
-      return rebuilder.rebuild(old, motion);
-    }, o.realtime);
+    mapper.enable_self_calibration(
+        p.camera,
+        [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
+          rebuilder.set_correction(now);
+          return rebuilder.rebuild(old, motion);
+        },
+        o.realtime);
     builder.set_correction(mapper.camera().correction());
   }
 
-  // ---- one frame ------------------------------------------------------------------------------------------------------
+  // ---- one frame ----
 
   /// A frame on its way.
   struct Arrival {
@@ -61,8 +71,10 @@ struct Odometry::Impl {
   Arrival find_edges(const Frame& frame) {
     const double start = thread_cpu_ms();
     const RowRectification rows{builder.correction().readout_s, expected_motion()};
-    const std::shared_ptr<const FramePyramid> pyramid = builder.build(frame.image, rows.expected);  // throws for a wrong size: no record then
-    if (pyramid->unlit && !(newest_pyramid && newest_pyramid->unlit)) say(frame, describe_unlit(pyramid->unlit_share()));
+    const std::shared_ptr<const FramePyramid> pyramid =
+        builder.build(frame.image, rows.expected);  // throws for a wrong size: no record then
+    if (pyramid->unlit && !(newest_pyramid && newest_pyramid->unlit))
+      say(frame, describe_unlit(pyramid->unlit_share()));
     newest_pyramid = pyramid;
     newest_pose = {};
     FrameRecord& record = records.begin_frame(frame);
@@ -75,19 +87,21 @@ struct Odometry::Impl {
   ImageMotion expected_motion() const {
     const std::optional<Vector6d> twist = motion.expected_twist();
     if (builder.correction().readout_s == 0 || !state.has_pose() || !twist) return {};
-    return image_motion(builder.pinhole(), reference->cloud, motion.predict(), *twist, reference->median_idepth);
+    return image_motion(builder.pinhole(), reference->cloud, motion.predict(), *twist,
+                        reference->median_idepth);
   }
 
-  // ---- a map to follow ------------------------------------------------------------------------------------------------
+  // ---- a map to follow ----
 
   void follow_map(const Arrival& now) {
     Track track = find_pose(now);
-    act(now.frame, state.after(event_of(track.result), now.frame.index), track.result.reason);
+    act(now.frame, state.after(event_of(track.result.verdict), now.frame.index), track.result.reason);
     if (!state.has_pose()) {
       now.record->state = TrackingState::kLost;
       return;
     }
-    if (const std::optional<Event> seen = coverage.look(*reference, track.result)) act(now.frame, state.after(*seen, now.frame.index));
+    if (const std::optional<Event> seen = coverage.look(*reference, track.result))
+      act(now.frame, state.after(*seen, now.frame.index));
     const SE3& T_cur_ref = track.result.T_cur_ref;
     now.record->state = track.result.verdict;
     now.record->covariance = reference->error_factor * track.result.covariance;
@@ -100,7 +114,8 @@ struct Odometry::Impl {
 
   Track find_pose(const Arrival& now) {
     const double start = thread_cpu_ms();
-    Track track = track_frame({*now.pyramid, *reference, motion, keyframes, params, now.rows, !state.has_pose(), &random});
+    Track track = track_frame(
+        {*now.pyramid, *reference, motion, keyframes, params, now.rows, !state.has_pose(), &random});
     FrameRecord& record = *now.record;
     record.stage_ms.emplace_back("alignment", thread_cpu_ms() - start - track.corner_ms);
     if (track.corner_ms > 0) record.stage_ms.emplace_back("corners", track.corner_ms);
@@ -160,7 +175,7 @@ struct Odometry::Impl {
     for (const std::string& line : describe_changes(before, camera)) say(frame, line);
   }
 
-  // ---- a map to be made -----------------------------------------------------------------------------------------------
+  // ---- a map to be made ----
 
   void seek_map(const Arrival& now) {
     const double start = thread_cpu_ms();
@@ -176,7 +191,8 @@ struct Odometry::Impl {
   // A new segment; an empty string, or why the two views make no map.
   std::string make_map(const Arrival& now, const BootstrapResult& views) {
     mapping.wait_idle();
-    // Beside a map that is still tracked the scale of the new one follows from the depths in view, else from equal speed.
+    // Beside a map that is still tracked the scale of the new one follows from the depths in view, else from
+    // equal speed.
     std::optional<double> scale;
     if (state.has_pose()) scale = 1.0 / reference->median_idepth / params.mapping.bootstrap.median_depth;
     if (state.has_map()) close_segment();
@@ -198,25 +214,27 @@ struct Odometry::Impl {
     keyframes.restart();
     coverage.restart();
     now.record->note.clear();
-    say(now.frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " + std::to_string(state.segment()));
+    say(now.frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " +
+                       std::to_string(state.segment()));
   }
 
   void close_segment() {
     mapper.close();
-    records.retire(mapper.take_retired(), state.segment());
-    records.revise(mapper.take_revised());
+    take_settled();
     reference.reset();
   }
 
-  // ---- state and records ----------------------------------------------------------------------------------------------
-
-  static Event event_of(const TrackResult& result) {
-    if (result.verdict == TrackingState::kLost) return Event::kUntracked;
-    return result.verdict == TrackingState::kTracking ? Event::kTracked : Event::kDegraded;
+  // Keyframes that have left the window, and what the camera's correction moved.
+  void take_settled() {
+    records.retire(mapper.take_retired(), state.segment());
+    records.revise(mapper.take_revised());
   }
 
+  // ---- state and records ----
+
   void act(const Frame& frame, Action action, const std::string& reason = {}) {
-    if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap) bootstrap.reset();
+    if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
+      bootstrap.reset();
     if (action == Action::kLose) say(frame, "LOST: " + reason);
     if (action == Action::kResume) say(frame, "tracking resumed in the old map");
   }
@@ -234,8 +252,7 @@ struct Odometry::Impl {
   // Called by the mapping thread.
   void note_update(const TrackedFrame& frame, const MapUpdate& update) {
     records.note_mapping(frame.frame_index, update);
-    records.retire(mapper.take_retired(), state.segment());
-    records.revise(mapper.take_revised());
+    take_settled();
   }
 
   Run finish() {
@@ -248,13 +265,11 @@ struct Odometry::Impl {
   }
 
   FrameView frame_view() const {
-    FrameView view;
-    view.pyramid = newest_pyramid;
-    if (!state.has_pose()) return view;
-    view.reference_keyframe = reference->keyframe_id;
+    if (!state.has_pose()) return {newest_pyramid, {}, -1};
     // From the segment's map to the world lengths grow by the scale.
-    view.points = see_points(reference->cloud, motion.T_last_ref(), *newest_pyramid, 1.0 / records.scale_of(state.segment()));
-    return view;
+    const double idepth_factor = 1.0 / records.scale_of(state.segment());
+    return {newest_pyramid, see_points(reference->cloud, motion.T_last_ref(), *newest_pyramid, idepth_factor),
+            reference->keyframe_id};
   }
 
   void say(const Frame& frame, const std::string& what) const {
@@ -288,7 +303,9 @@ const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
 SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
-const FrameRecord& Odometry::pass_over(const Frame& frame, const std::string& why) { return impl_->pass_over(frame, why); }
+const FrameRecord& Odometry::pass_over(const Frame& frame, const std::string& why) {
+  return impl_->pass_over(frame, why);
+}
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

@@ -7,13 +7,17 @@ namespace {
 
 using Cells = Eigen::Matrix<double, ImageMotion::kRows, ImageMotion::kColumns>;
 
-constexpr double kSmoothness = 10;  // a neighbouring cell counts as so many points: some 1500 points fall into 80 cells
-constexpr double kFaint = 0.5;      // the mean of all points counts as so many in each cell: it decides where there is none
-constexpr int kMinPoints = 50;      // in view; the mean of fewer says less than the map's median
-constexpr int kSweeps = 60;         // of Gauss and Seidel's method: the picture of depths is smooth by then
+constexpr double kSmoothness =
+    10;  // a neighbouring cell counts as so many points: some 1500 points fall into 80 cells
+constexpr double kFaint =
+    0.5;  // the mean of all points counts as so many in each cell: it decides where there is none
+constexpr int kMinPoints = 50;  // in view; the mean of fewer says less than the map's median
+constexpr int kSweeps = 60;     // of Gauss and Seidel's method: the picture of depths is smooth by then
 
 // The point times its inverse depth, in the current camera.
-Eigen::Vector3d in_current(const SE3& T_cur_ref, const CloudPoint& p) { return T_cur_ref.R() * p.ray + p.idepth * T_cur_ref.translation(); }
+Eigen::Vector3d in_current(const SE3& T_cur_ref, const CloudPoint& p) {
+  return T_cur_ref.R() * p.ray + p.idepth * T_cur_ref.translation();
+}
 
 // Inverse depths of cells from the points in them: least squares with differences between neighbours.
 Cells smooth_cells(const Cells& sum, const Cells& count, double mean) {
@@ -23,7 +27,8 @@ Cells smooth_cells(const Cells& sum, const Cells& count, double mean) {
       for (int x = 0; x < idepth.cols(); ++x) {
         double value = sum(y, x) + kFaint * mean, weight = count(y, x) + kFaint;
         const auto add = [&](int v, int u) {
-          if (v >= 0 && v < idepth.rows() && u >= 0 && u < idepth.cols()) value += kSmoothness * idepth(v, u), weight += kSmoothness;
+          if (v >= 0 && v < idepth.rows() && u >= 0 && u < idepth.cols())
+            value += kSmoothness * idepth(v, u), weight += kSmoothness;
         };
         add(y - 1, x), add(y + 1, x), add(y, x - 1), add(y, x + 1);
         idepth(y, x) = value / weight;
@@ -33,8 +38,8 @@ Cells smooth_cells(const Cells& sum, const Cells& count, double mean) {
 
 }  // namespace
 
-ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref, const Vector6d& twist,
-                         double median_idepth) {
+ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                         const Vector6d& twist, double median_idepth) {
   ImageMotion motion;
   motion.velocity = twist;
   Cells sum = Cells::Zero(), count = Cells::Zero();
@@ -44,16 +49,18 @@ ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, co
     if (!(Y.z() > 0.1)) continue;
     const Eigen::Vector2d px = pinhole.project(Y);
     if (!pinhole.contains(px)) continue;
-    const int row = int(px.y() / pinhole.height * ImageMotion::kRows), column = int(px.x() / pinhole.width * ImageMotion::kColumns);
+    const int row = int(px.y() / pinhole.height * ImageMotion::kRows),
+              column = int(px.x() / pinhole.width * ImageMotion::kColumns);
     sum(row, column) += p.idepth / Y.z();
     count(row, column) += 1;
   }
-  motion.idepth = smooth_cells(sum, count, count.sum() < kMinPoints ? median_idepth : sum.sum() / count.sum());
+  motion.idepth =
+      smooth_cells(sum, count, count.sum() < kMinPoints ? median_idepth : sum.sum() / count.sum());
   return motion;
 }
 
-ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref, double readout_s,
-                           const ImageMotion& expected, const ImageMotion& measured) {
+ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                           double readout_s, const ImageMotion& expected, const ImageMotion& measured) {
   ReferenceCloud shifted;
   shifted.pyramid = cloud.pyramid;
   shifted.points = cloud.points;
@@ -63,7 +70,8 @@ ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, 
     if (!(Y.z() > 0)) continue;
     const Eigen::Vector2d x = Y.head<2>() / Y.z();
     if (!pinhole.contains(pinhole.project(Y))) continue;
-    const Eigen::Vector2d left = add_rolling(pinhole, readout_s, measured, x) - add_rolling(pinhole, readout_s, expected, x);
+    const Eigen::Vector2d left =
+        add_rolling(pinhole, readout_s, measured, x) - add_rolling(pinhole, readout_s, expected, x);
     Y.head<2>() += Y.z() * left;
     const Eigen::Vector3d back = R_ref_cur * (Y - p.idepth * T_cur_ref.translation());
     if (!(back.z() > 0)) continue;
@@ -73,10 +81,11 @@ ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, 
   return shifted;
 }
 
-Eigen::Vector3d shift_ray(const Pinhole& pinhole, double readout_s, const ImageMotion& expected, const ImageMotion& measured,
-                          const Eigen::Vector3d& ray) {
+Eigen::Vector3d shift_ray(const Pinhole& pinhole, double readout_s, const ImageMotion& expected,
+                          const ImageMotion& measured, const Eigen::Vector3d& ray) {
   const Eigen::Vector2d x = ray.head<2>();
-  const Eigen::Vector2d left = add_rolling(pinhole, readout_s, expected, x) - add_rolling(pinhole, readout_s, measured, x);
+  const Eigen::Vector2d left =
+      add_rolling(pinhole, readout_s, expected, x) - add_rolling(pinhole, readout_s, measured, x);
   return {x.x() + left.x(), x.y() + left.y(), 1.0};
 }
 

@@ -6,7 +6,8 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kVelocityFrames = 6;  // the join of two segments takes the mean velocity over so many: one bad step matters less
+constexpr size_t kVelocityFrames =
+    6;  // the join of two segments takes the mean velocity over so many: one bad step matters less
 
 KeyframeRecord to_record(const Keyframe& k, int segment) {
   KeyframeRecord record;
@@ -38,7 +39,8 @@ void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
 
 // A corrected map keeps the newest pose of its time; the run's world is that of its first one.
 void move_first_to_origin(Run* run) {
-  const auto first = std::find_if(run->frames.begin(), run->frames.end(), [](const FrameRecord& f) { return f.T_world_cam.has_value(); });
+  const auto first = std::find_if(run->frames.begin(), run->frames.end(),
+                                  [](const FrameRecord& f) { return f.T_world_cam.has_value(); });
   if (first == run->frames.end()) return;
   const SE3 T_first_world = first->T_world_cam->inverse();
   for (KeyframeRecord& k : run->keyframes) k.T_world_cam = T_first_world * k.T_world_cam;
@@ -68,7 +70,8 @@ void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap, st
   Sim3 T_world_map;
   std::vector<const FrameRecord*> last;  // newest first
   for (auto f = frames_.rbegin(); f != frames_.rend() && last.size() < kVelocityFrames; ++f)
-    if (f->T_world_cam_live && f->segment == segment - 1 && f->index <= bootstrap.views.front().frame_index) last.push_back(&*f);
+    if (f->T_world_cam_live && f->segment == segment - 1 && f->index <= bootstrap.views.front().frame_index)
+      last.push_back(&*f);
   const BootstrapView& first_view = bootstrap.views.front();
   const BootstrapView& last_view = bootstrap.views.back();
   if (last.size() >= 2) {
@@ -89,7 +92,8 @@ void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap, st
   T_world_map_[segment] = T_world_map;
 }
 
-void RunRecords::place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map) {
+void RunRecords::place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref,
+                       const SE3& T_ref_map) {
   Hook hook{keyframe_id, current_revision(), T_cam_ref, T_cam_ref * T_ref_map};
   record->segment = segment;
   record->T_world_cam_live = T_world_map_[segment].apply(hook.T_cam_map_live.inverse());
@@ -162,7 +166,8 @@ double RunRecords::length_ratio_since(int keyframe_id, int revision) const {
   return ratio;
 }
 
-// The frame of a keyframe stands where the keyframe does: its pose was adjusted, while the one it was tracked with was not.
+// The frame of a keyframe stands where the keyframe does: its pose was adjusted, while the one it was tracked
+// with was not.
 void RunRecords::hang_on_itself(int keyframe_id, const KeyframeRecord& keyframe) {
   FrameRecord* frame = find(keyframe.frame_index);
   if (!frame) return;
@@ -192,7 +197,8 @@ Run RunRecords::finish() {
     const auto hook = hooks_.find(frame.index);
     if (hook == hooks_.end()) continue;
     const Sim3& T_world_map = T_world_map_[frame.segment];
-    const double length = T_world_map.scale * length_ratio_since(hook->second.keyframe_id, hook->second.revision);
+    const double length =
+        T_world_map.scale * length_ratio_since(hook->second.keyframe_id, hook->second.revision);
     Vector6d unit = Vector6d::Ones();
     unit.head<3>().setConstant(length);
     frame.covariance = unit.asDiagonal() * frame.covariance * unit.asDiagonal();

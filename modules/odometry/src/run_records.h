@@ -1,7 +1,7 @@
 #pragma once
-// Collects what a run leaves behind. Poses are kept relative to keyframes until the end, so that every frame profits from the final
-// keyframe poses. The mapping thread may call note_mapping, retire and revise; everything else belongs to the
-// tracking thread.
+// Collects what a run leaves behind. Poses are kept relative to keyframes until the end, so that every frame
+// profits from the final keyframe poses. The mapping thread may call note_mapping, retire and revise;
+// everything else belongs to the tracking thread.
 #include <deque>
 #include <map>
 #include <mutex>
@@ -22,8 +22,9 @@ class RunRecords {
   FrameRecord& begin_frame(const Frame& frame);
   FrameRecord* find(int frame_index);
 
-  /// Fixes where a segment's map lies in the world: the first at the origin, a later one by constant velocity from the last pose
-  /// up to the bootstrap's first view. `scale`, world over map, where it is known better than by equal speed.
+  /// Fixes where a segment's map lies in the world: the first at the origin, a later one by constant velocity
+  /// from the last pose up to the bootstrap's first view. `scale`, world over map, where it is known better
+  /// than by equal speed.
   void begin_segment(int segment, const BootstrapResult& bootstrap, std::optional<double> scale);
   /// Hangs a frame on a keyframe and notes its live pose.
   void place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map);
@@ -57,15 +58,16 @@ class RunRecords {
 
   Pinhole pinhole_;
   std::deque<FrameRecord> frames_;
-  std::map<int, size_t> position_;          // frame index -> frames_
-  std::map<int, Hook> hooks_;               // by frame index
-  std::vector<Sim3> T_world_map_;           // by segment
-  mutable std::mutex mutex_;                // guards what follows
-  std::map<int, StageTimes> mapping_times_; // by frame index
-  int revision_ = 0;                        // corrections of the map so far
-  std::map<int, std::vector<std::pair<int, double>>> length_ratio_;  // by keyframe id: revision, new over old length
-  std::map<int, KeyframeRecord> keyframes_; // by keyframe id; pose and points still in the segment's map
-  std::vector<int> retired_;                // their ids in the order of retiring
+  std::map<int, size_t> position_;           // frame index -> frames_
+  std::map<int, Hook> hooks_;                // by frame index
+  std::vector<Sim3> T_world_map_;            // by segment
+  mutable std::mutex mutex_;                 // guards what follows
+  std::map<int, StageTimes> mapping_times_;  // by frame index
+  int revision_ = 0;                         // corrections of the map so far
+  std::map<int, std::vector<std::pair<int, double>>>
+      length_ratio_;                         // by keyframe id: revision, new over old length
+  std::map<int, KeyframeRecord> keyframes_;  // by keyframe id; pose and points still in the segment's map
+  std::vector<int> retired_;                 // their ids in the order of retiring
 };
 
 }  // namespace edgevo

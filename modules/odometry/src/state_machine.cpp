@@ -3,11 +3,17 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMinEdges = 200;  // pixels; an image with fewer shows nothing to follow (a bootstrap wants 80 corners alone)
+constexpr int kMinEdges =
+    200;  // pixels; an image with fewer shows nothing to follow (a bootstrap wants 80 corners alone)
 
 }  // namespace
 
-// README.md draws this table.
+Event event_of(TrackingState verdict) {
+  if (verdict == TrackingState::kLost) return Event::kUntracked;
+  return verdict == TrackingState::kTracking ? Event::kTracked : Event::kDegraded;
+}
+
+// share/doc/architecture.md draws this table.
 Transition transition(Phase phase, Event event) {
   switch (phase) {
     case Phase::kBootstrapping:
@@ -48,7 +54,8 @@ Action OdometryState::after(Event event, int frame_index) {
 
 TrackingState OdometryState::without_pose(int frame_index, int edges) const {
   const bool nothing_to_follow = edges < kMinEdges;
-  return ever_tracked() && (nothing_to_follow || lost_at_ == frame_index) ? TrackingState::kLost : TrackingState::kBootstrapping;
+  return ever_tracked() && (nothing_to_follow || lost_at_ == frame_index) ? TrackingState::kLost
+                                                                          : TrackingState::kBootstrapping;
 }
 
 TrackingState OdometryState::passed_over() const {
@@ -57,10 +64,14 @@ TrackingState OdometryState::passed_over() const {
 
 const char* to_string(Phase phase) {
   switch (phase) {
-    case Phase::kBootstrapping: return "BOOTSTRAPPING";
-    case Phase::kTracking: return "TRACKING";
-    case Phase::kSeeking: return "SEEKING";
-    case Phase::kLost: return "LOST";
+    case Phase::kBootstrapping:
+      return "BOOTSTRAPPING";
+    case Phase::kTracking:
+      return "TRACKING";
+    case Phase::kSeeking:
+      return "SEEKING";
+    case Phase::kLost:
+      return "LOST";
   }
   return "";
 }

@@ -1,8 +1,9 @@
 #pragma once
-// What the odometry is doing, as a state machine: pure, so that it can be tested as a table and read as a drawing (README.md).
+// What the odometry is doing, as a state machine: pure, so that it can be tested as a table and read as a
+// drawing (share/doc/architecture.md).
 //
-// A frame raises at most one event by being tracked and one by being bootstrapped. transition() tells what follows; OdometryState
-// adds the few numbers that outlive a frame.
+// A frame raises at most one event by being tracked and one by being bootstrapped. transition() tells what
+// follows; OdometryState adds the few numbers that outlive a frame.
 #include "edgevo/core/tracking_state.h"
 
 namespace edgevo {
@@ -15,14 +16,18 @@ enum class Phase {
 };
 
 enum class Event {
-  kTracked,       ///< a pose with the verdict TRACKING
-  kDegraded,      ///< a pose with the verdict DEGRADED
-  kUntracked,     ///< no pose
-  kTurnedAway,    ///< tracked, but next to nothing of known depth is in view, and what is does not explain the images
-  kInView,        ///< tracked, and the map is in view
-  kMapMade,       ///< a bootstrap has made a map
-  kMapRefused,    ///< two views were found, but make no map; the map before them is closed
+  kTracked,     ///< a pose with the verdict TRACKING
+  kDegraded,    ///< a pose with the verdict DEGRADED
+  kUntracked,   ///< no pose
+  kTurnedAway,  ///< tracked, but next to nothing of known depth is in view, and what is does not explain the
+                ///< images
+  kInView,      ///< tracked, and the map is in view
+  kMapMade,     ///< a bootstrap has made a map
+  kMapRefused,  ///< two views were found, but make no map; the map before them is closed
 };
+
+/// The event of a frame that tracking gave this verdict, which is not kBootstrapping.
+Event event_of(TrackingState verdict);
 
 enum class Action {
   kNone,
@@ -52,7 +57,8 @@ class OdometryState {
   /// Of the map; the newest that there was where there is none. -1: none yet.
   int segment() const { return segment_; }
 
-  /// Does a frame with so many edge pixels go to the tracker? After a loss each such frame is one of a limited number of tries.
+  /// Does a frame with so many edge pixels go to the tracker? After a loss each such frame is one of a
+  /// limited number of tries.
   bool tracks(int edges);
   /// Does the frame go to the bootstrap, after it was tracked?
   bool bootstraps() const { return phase_ != Phase::kTracking; }
@@ -60,7 +66,8 @@ class OdometryState {
   /// The next state, and what is to be done about it.
   Action after(Event event, int frame_index);
 
-  /// What a frame is called that has no pose: LOST at a loss and while there is nothing to follow after one, else BOOTSTRAPPING.
+  /// What a frame is called that has no pose: LOST at a loss and while there is nothing to follow after one,
+  /// else BOOTSTRAPPING.
   TrackingState without_pose(int frame_index, int edges) const;
   /// The same for a frame that was not looked at.
   TrackingState passed_over() const;

@@ -11,14 +11,17 @@ namespace edgevo {
 
 namespace {
 
-constexpr double kSteady = 3;     // deviations: a longer translation is one of a camera that is under way
-constexpr double kUnusual = 5;    // deviations, on any axis: beyond what steps of such a camera do by chance
+constexpr double kSteady = 3;   // deviations: a longer translation is one of a camera that is under way
+constexpr double kUnusual = 5;  // deviations, on any axis: beyond what steps of such a camera do by chance
 constexpr double kLeastFlowPx = 2;  // at kReferenceWidth: two poses less than this apart are one to the image
 constexpr double kNearDeviations = 3;  // how far from the usual step the other pose is sought
-// Of an unusual step, beside the usual one: one that the image shows leaves the usual one less than 0.82 of its support (drives, by hand).
+// Of an unusual step, beside the usual one: one that the image shows leaves the usual one less than 0.82 of
+// its support (drives, by hand).
 constexpr double kUnusualLikelihood = 0.85;
 
-bool is_steady(const SteadyMotion::Step& usual) { return usual.translation.norm() > kSteady * usual.deviation.norm(); }
+bool is_steady(const SteadyMotion::Step& usual) {
+  return usual.translation.norm() > kSteady * usual.deviation.norm();
+}
 
 }  // namespace
 
@@ -59,7 +62,9 @@ std::optional<UsualStep> UsualStep::of(const MotionModel& motion) {
   return usual;
 }
 
-double UsualStep::likelihood(const SE3& T_cur_ref) const { return is_unusual(T_cur_ref) ? kUnusualLikelihood : 1.0; }
+double UsualStep::likelihood(const SE3& T_cur_ref) const {
+  return is_unusual(T_cur_ref) ? kUnusualLikelihood : 1.0;
+}
 
 bool UsualStep::is_unusual(const SE3& T_cur_ref) const {
   const Eigen::Vector3d translation = (T_cur_ref * T_last_ref_.inverse()).log().head<3>();
@@ -67,7 +72,8 @@ bool UsualStep::is_unusual(const SE3& T_cur_ref) const {
 }
 
 bool UsualStep::is_apart(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref) const {
-  return at_reference_width(pinhole, rms_flow_px(pinhole, cloud.points, T_usual_ref_, T_cur_ref)) > kLeastFlowPx;
+  return at_reference_width(pinhole, rms_flow_px(pinhole, cloud.points, T_usual_ref_, T_cur_ref)) >
+         kLeastFlowPx;
 }
 
 PoseHypothesis UsualStep::hypothesis() const {

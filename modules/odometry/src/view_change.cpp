@@ -11,10 +11,12 @@ namespace {
 
 // Calls f(projection in a, projection in b) for each point.
 template <class F>
-void for_both(const Pinhole& pinhole, const std::vector<CloudPoint>& points, const SE3& T_a, const SE3& T_b, const F& f) {
+void for_both(const Pinhole& pinhole, const std::vector<CloudPoint>& points, const SE3& T_a, const SE3& T_b,
+              const F& f) {
   const Eigen::Matrix3d R_a = T_a.R(), R_b = T_b.R();
   for (const CloudPoint& p : points)
-    f(project(pinhole, R_a, T_a.translation(), p.ray, p.idepth), project(pinhole, R_b, T_b.translation(), p.ray, p.idepth));
+    f(project(pinhole, R_a, T_a.translation(), p.ray, p.idepth),
+      project(pinhole, R_b, T_b.translation(), p.ray, p.idepth));
 }
 
 // Mean square of image motions.
@@ -31,7 +33,8 @@ struct FlowSum {
 
 }  // namespace
 
-double rms_flow_px(const Pinhole& pinhole, const std::vector<CloudPoint>& points, const SE3& T_a, const SE3& T_b) {
+double rms_flow_px(const Pinhole& pinhole, const std::vector<CloudPoint>& points, const SE3& T_a,
+                   const SE3& T_b) {
   FlowSum flow;
   for_both(pinhole, points, T_a, T_b, [&](const Projection& a, const Projection& b) {
     if (a.valid && b.valid && pinhole.contains(a.px)) flow.add(a, b);
@@ -39,7 +42,8 @@ double rms_flow_px(const Pinhole& pinhole, const std::vector<CloudPoint>& points
   return flow.rms();
 }
 
-std::optional<ViewChange> view_change(const Pinhole& pinhole, const std::vector<CloudPoint>& points, const SE3& T_to_from) {
+std::optional<ViewChange> view_change(const Pinhole& pinhole, const std::vector<CloudPoint>& points,
+                                      const SE3& T_to_from) {
   const SE3 turn(T_to_from.rotation(), Eigen::Vector3d::Zero());
   FlowSum flow;
   int in_view = 0;
@@ -51,7 +55,8 @@ std::optional<ViewChange> view_change(const Pinhole& pinhole, const std::vector<
   return ViewChange{flow.rms(), double(in_view) / double(points.size())};
 }
 
-std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, size_t count) {
+std::vector<CloudPoint> visible_points(const Pinhole& pinhole, const ReferenceCloud& cloud,
+                                       const SE3& T_cam_ref, size_t count) {
   std::vector<CloudPoint> seen;
   const size_t step = std::max<size_t>(1, cloud.points.size() / count);
   for (size_t i = 0; i < cloud.points.size(); i += step) {

@@ -36,7 +36,8 @@ TEST(PoseJudge, AnUnlikelyMotionNeedsMoreSupport) {
   const SE3 far = SE3::exp(twist(1, 0, 0, 0, 0, 0));
   EXPECT_LT(judge.score(candidate(0.9, far)), judge.score(candidate(0.8)));
   EXPECT_GT(judge.score(candidate(0.9, far)), judge.score(candidate(0.4)));
-  EXPECT_EQ(judge.score(candidate(0.1, far)), judge.score(candidate(0.1))) << "below 0 it must not gain by being unlikely";
+  EXPECT_EQ(judge.score(candidate(0.1, far)), judge.score(candidate(0.1)))
+      << "below 0 it must not gain by being unlikely";
 }
 
 TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
@@ -50,7 +51,8 @@ TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
 class Choice : public ::testing::Test {
  protected:
   Proposer proposer(const std::vector<SE3>& starts, bool called, int* made) {
-    return {[called](const PoseCandidate&) { return called; }, [starts, made] {
+    return {[called](const PoseCandidate&) { return called; },
+            [starts, made] {
               ++*made;
               std::vector<PoseHypothesis> hypotheses;
               for (const SE3& start : starts) hypotheses.push_back({start});

@@ -72,7 +72,8 @@ TEST_F(FrameTracker, AQuickShutterChangesNothing) {
   EXPECT_EQ(rolling.result.verdict, TrackingState::kTracking);
 }
 
-// The points are moved to where the rows show them: a shutter that nobody's image was taken with moves the pose.
+// The points are moved to where the rows show them: a shutter that nobody's image was taken with moves the
+// pose.
 TEST_F(FrameTracker, ASlowShutterMovesThePose) {
   const auto pyramid = scene.pyramid(truth.inverse());
   const Track global = track(*pyramid), rolling = track(*pyramid, false, {0.05, {}});

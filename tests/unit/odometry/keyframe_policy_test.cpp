@@ -37,7 +37,8 @@ class Decision : public ::testing::Test {
   Seen decide(const SE3& T_cam_ref, int frames = 1, const ReferenceFit& fit = {}) const {
     return decide(camera, grid_cloud(camera), T_cam_ref, frames, fit);
   }
-  Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames, const ReferenceFit& fit) const {
+  Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames,
+              const ReferenceFit& fit) const {
     Seen seen{look_at_keyframe(pinhole, cloud, T_cam_ref, frames, fit), "", false};
     if (const char* rule = fired_rule(seen, params)) seen.rule = rule, seen.needed = true;
     return seen;
@@ -90,7 +91,8 @@ TEST_F(Decision, TheFlowIsTheSameOnTheWayBack) {
   EXPECT_EQ(decide(move(0, 0, 1.5)).view_share, 1) << "all that the cloud knows stays in view";
 }
 
-// What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each step.
+// What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each
+// step.
 TEST_F(Decision, BackingAwayMakesOneSooner) {
   const auto flow_at_the_next = [&](const Eigen::Vector3d& direction) {
     Seen d;
@@ -106,7 +108,8 @@ TEST_F(Decision, BackingAwayMakesOneSooner) {
   EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
 }
 
-// A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames goes on more slowly.
+// A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames
+// goes on more slowly.
 TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
   const SE3 fast = move(0.33, 0, 0);
   const Seen d = decide(fast, 1);
@@ -120,7 +123,8 @@ TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
   // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
   const ReferenceCloud cloud = grid_cloud(camera);
   double square = 0;
-  for (const CloudPoint& p : cloud.points) square += std::pow(camera.fx * 0.1 * p.idepth, 2) / double(cloud.points.size());
+  for (const CloudPoint& p : cloud.points)
+    square += std::pow(camera.fx * 0.1 * p.idepth, 2) / double(cloud.points.size());
   EXPECT_NEAR(decide(move(0.1, 0, 0)).flow_px, std::sqrt(square), 1e-9);
 }
 
@@ -137,7 +141,8 @@ TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
   EXPECT_FALSE(decide(move(0.06, 0, 0, 0.02)).needed);
 }
 
-// A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more slowly.
+// A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more
+// slowly.
 TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   const SE3 turning = move(0.06, 0, 0, 0.25);
   const Seen d = decide(turning, 1);
@@ -160,7 +165,8 @@ TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
   EXPECT_FALSE(decide(turning, 1).needed);
 }
 
-// The map explained the first frames after the keyframe well and explains less and less, though the points find edges.
+// The map explained the first frames after the keyframe well and explains less and less, though the points
+// find edges.
 TEST_F(Decision, AStaleMapMakesOne) {
   const SE3 moved = move(0.06, 0, 0);
   const double stale = 0.99 * params.min_inlier_ratio, fresh = 1.01 * params.min_inlier_ratio;
@@ -194,7 +200,8 @@ TEST_F(Decision, NoneWhereEverythingIsBehind) {
 Reference row_of_keyframes(const Pinhole& camera) {
   Reference reference;
   reference.keyframe_id = 4;
-  for (int id = 0; id < 5; ++id) reference.T_keyframe_world[id] = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-id, 0, 0));
+  for (int id = 0; id < 5; ++id)
+    reference.T_keyframe_world[id] = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-id, 0, 0));
   reference.T_ref_world = reference.T_keyframe_world[4];
   reference.cloud = grid_cloud(camera);
   return reference;
@@ -226,15 +233,17 @@ TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
   EXPECT_FALSE(is_back(NearestKeyframe{-1, 0, 10.0}, 4, params)) << "there is none";
 }
 
-// Nearest and reference are measured alike: standing at the reference, it is the nearest, and its flow is that of the nearest.
+// Nearest and reference are measured alike: standing at the reference, it is the nearest, and its flow is
+// that of the nearest.
 TEST_F(Decision, TheFlowOfTheReferenceIsMeasuredAsThatOfTheNearest) {
   params.min_view_share = 0.3;
-  const NearestKeyframe nearest = find_nearest_keyframe(camera, row_of_keyframes(camera), move(0.2, 0, 0), params);
+  const NearestKeyframe nearest =
+      find_nearest_keyframe(camera, row_of_keyframes(camera), move(0.2, 0, 0), params);
   EXPECT_EQ(nearest.id, 4);
   EXPECT_EQ(nearest.flow_px, nearest.reference_flow_px);
 }
 
-// ---- the policy over frames -----------------------------------------------------------------------------------------
+// ---- the policy over frames ----
 
 TrackResult tracked_at(const SE3& T_cam_ref, double inlier_share = 0.95) {
   TrackResult r;
@@ -279,7 +288,8 @@ TEST_F(Policy, ComparesWithTheBestOfThisReference) {
   (void)policy.decide(tracked_at(moved, 0.95), reference(), false);
   EXPECT_TRUE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()));
   policy.begin_reference();
-  EXPECT_FALSE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference())) << "another reference starts anew";
+  EXPECT_FALSE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()))
+      << "another reference starts anew";
 }
 
 TEST_F(Policy, ReturnsToAnOlderKeyframe) {

@@ -32,7 +32,8 @@ TEST(MapCoverage, AMapInViewIsInViewWhateverTheMatches) {
 
 TEST(MapCoverage, BadLightIsNoTurn) {
   MapCoverage coverage;
-  for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kDark, kUnexplained), Event::kInView) << "few points, but they are in view";
+  for (int i = 0; i < 50; ++i)
+    EXPECT_EQ(coverage.look(kDark, kUnexplained), Event::kInView) << "few points, but they are in view";
 }
 
 TEST(MapCoverage, ATurnThatTheMapStillExplainsIsFollowed) {

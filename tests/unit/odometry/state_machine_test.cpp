@@ -8,7 +8,9 @@
 namespace edgevo {
 
 bool operator==(const Transition& a, const Transition& b) { return a.next == b.next && a.action == b.action; }
-void PrintTo(const Transition& t, std::ostream* out) { *out << to_string(t.next) << " / action " << int(t.action); }
+void PrintTo(const Transition& t, std::ostream* out) {
+  *out << to_string(t.next) << " / action " << int(t.action);
+}
 
 namespace {
 
@@ -43,7 +45,8 @@ TEST(StateMachine, IsTheTable) {
 TEST(StateMachine, EveryPhaseIsLeftAndReached) {
   for (const Phase phase : kPhases) {
     bool left = false, reached = phase == Phase::kBootstrapping;
-    for (const auto& [from, on, to] : kTable) left |= from == phase && to.next != phase, reached |= to.next == phase;
+    for (const auto& [from, on, to] : kTable)
+      left |= from == phase && to.next != phase, reached |= to.next == phase;
     EXPECT_TRUE(left && reached) << to_string(phase);
   }
 }

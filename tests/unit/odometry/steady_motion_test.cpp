@@ -59,11 +59,13 @@ TEST(SteadyMotion, AGapInterrupts) {
 
 Timestamp at(double seconds) { return Timestamp::from_seconds(seconds); }
 
-// A camera that has come towards the plane by 1 cm a frame, give or take 1 mm, and stands at the reference now.
+// A camera that has come towards the plane by 1 cm a frame, give or take 1 mm, and stands at the reference
+// now.
 MotionModel approaching() {
   MotionModel m;
   std::vector<SE3> T{SE3()};
-  for (int i = 0; i < kKnown + 10; ++i) T.push_back(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.009 : 0.011, 0, 0, 0)) * T.back());
+  for (int i = 0; i < kKnown + 10; ++i)
+    T.push_back(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.009 : 0.011, 0, 0, 0)) * T.back());
   const SE3 last = T.back().inverse();
   m.begin_frame(at(0));
   m.restart(SE3());
@@ -75,7 +77,7 @@ MotionModel approaching() {
   return m;
 }
 
-// ---- the usual step, judged beside another one ----------------------------------------------------------------------
+// ---- the usual step, judged beside another one ----
 
 const SE3 kUsual = SE3::exp(twist(0, 0, 0.01, 0, 0, 0)), kJump = SE3::exp(twist(0.1, 0, -0.2, 0, 0, 0));
 
@@ -94,7 +96,8 @@ Judged judge_beside_usual(const MotionModel& motion, const SE3& truth, const SE3
   judged.pose.T_cur_ref = found;
   judged.pose.evidence = weigh_evidence(*pyramid, cloud, found, params);
   const auto usual = UsualStep::of(motion);
-  if (!usual || !usual->is_unusual(found) || !usual->is_apart(pyramid->finest().pinhole, cloud, found)) return judged;
+  if (!usual || !usual->is_unusual(found) || !usual->is_apart(pyramid->finest().pinhole, cloud, found))
+    return judged;
   judged.was_called_for = true;
   const PoseJudge judge(params, [&](const SE3& T) { return usual->likelihood(T); });
   const PoseCandidate near = align(*pyramid, cloud, usual->hypothesis(), params);

@@ -1,9 +1,10 @@
 #pragma once
-// Which pose does a frame have? Hypotheses are proposed, each is aligned with the image, and one judge tells which wins.
+// Which pose does a frame have? Hypotheses are proposed, each is aligned with the image, and one judge tells
+// which wins.
 //
-// An alignment finds the minimum next to where it starts, and there are several: where edges repeat, where shadows move, after a turn that
-// nobody foresaw. So there are several starts, from the likeliest and cheapest to the dearest; the dear ones are asked for only where what
-// was found so far calls for them.
+// An alignment finds the minimum next to where it starts, and there are several: where edges repeat, where
+// shadows move, after a turn that nobody foresaw. So there are several starts, from the likeliest and
+// cheapest to the dearest; the dear ones are asked for only where what was found so far calls for them.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,12 +19,14 @@ struct PoseHypothesis {
   enum class Refinement {
     kPatchesThenEdges,  ///< from far: gray patches on the coarse levels, then edges on two
     kEdges,             ///< from near: edges on two levels
-    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is sought from half to twice, then edges
+    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is sought from half to
+                        ///< twice, then edges
     kFinestEdges,       ///< nearly right already: edges on the finest level
   };
   SE3 T_cur_ref;
   Refinement refinement = Refinement::kPatchesThenEdges;
-  /// Standard deviation of its translation, axis by axis (camera axes, unit of the map); nothing: no prior holds the alignment to it.
+  /// Standard deviation of its translation, axis by axis (camera axes, unit of the map); nothing: no prior
+  /// holds the alignment to it.
   std::optional<Eigen::Vector3d> translation_sigma = std::nullopt;
 };
 
@@ -34,16 +37,20 @@ struct PoseCandidate {
   PoseEvidence evidence;  ///< of the image alone, whatever the prior
 };
 
-/// Cost: with patches some 3 ms for 1500 points at 1241x376, edges alone 1 ms; kLengthThenEdges 13 evaluations of the edge cost more.
-PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& hypothesis, const AlignmentParams& params);
+/// Cost: with patches some 3 ms for 1500 points at 1241x376, edges alone 1 ms; kLengthThenEdges 13
+/// evaluations of the edge cost more.
+PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
+                    const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
-/// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the motion is.
+/// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the
+/// motion is.
 class PoseJudge {
  public:
   /// In (0, 1]: 1 for a motion that nothing speaks against.
   using Likelihood = std::function<double(const SE3& T_cur_ref)>;
 
-  explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {}) : params_(params), likelihood_(std::move(likelihood)) {}
+  explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {})
+      : params_(params), likelihood_(std::move(likelihood)) {}
 
   /// Explains the image well enough to look no further, as far as the image goes.
   bool fits(const PoseCandidate& pose) const;
@@ -67,12 +74,12 @@ struct Proposer {
 
 struct PoseChoice {
   PoseCandidate pose;
-  int proposer = -1;          ///< index of the one whose hypothesis won
-  int hypotheses_tried = 0;   ///< 1: the first was good
+  int proposer = -1;         ///< index of the one whose hypothesis won
+  int hypotheses_tried = 0;  ///< 1: the first was good
 };
 
 /// The best of all that is called for; of equals the first. The first proposer has a hypothesis.
-PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current, const ReferenceCloud& cloud, const PoseJudge& judge,
-                  const AlignmentParams& params);
+PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current,
+                  const ReferenceCloud& cloud, const PoseJudge& judge, const AlignmentParams& params);
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
 #pragma once
-// The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames, handing out the reference that
-// the next frames are tracked against. One thread at a time; reference() hands out immutable values.
+// The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames,
+// handing out the reference that the next frames are tracked against. One thread at a time; reference() hands
+// out immutable values.
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,37 +21,39 @@ struct TrackedFrame {
   int frame_index = 0;
   Timestamp time;
   std::shared_ptr<const FramePyramid> pyramid;
-  ImageMotion motion;         ///< of its image
-  int reference_id = 0;       ///< keyframe that T_cam_ref refers to
+  ImageMotion motion;    ///< of its image
+  int reference_id = 0;  ///< keyframe that T_cam_ref refers to
   SE3 T_cam_ref;
   Matrix6d covariance = Matrix6d::Zero();
   bool make_keyframe = false;
   std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless asked for
-  int return_to = -1;         ///< keyframe of the window to track against from now on; -1: the present one
+  int return_to = -1;  ///< keyframe of the window to track against from now on; -1: the present one
 };
 
 /// Milliseconds of CPU time by stage.
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
 struct MapUpdate {
-  int keyframe_id = -1;       ///< of the keyframe made of this frame; -1 if none
-  WindowStats stats;          ///< of the adjustment, if there was one
+  int keyframe_id = -1;  ///< of the keyframe made of this frame; -1 if none
+  WindowStats stats;     ///< of the adjustment, if there was one
   StageTimes times;
 };
 
 class Mapper {
  public:
-  Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association, bool gradient_patches,
-         uint64_t seed);
+  Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
+         bool gradient_patches, uint64_t seed);
 
-  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid anew from its source image, whose motion is given. In a
-  /// thread of its own the mapping goes on meanwhile, but when it ends, and with it the result, depends on the machine.
-  using RebuildPyramid =
-      std::function<std::shared_ptr<const FramePyramid>(const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
-  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild, bool own_thread);
+  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid anew from its source image,
+  /// whose motion is given. In a thread of its own the mapping goes on meanwhile, but when it ends, and with
+  /// it the result, depends on the machine.
+  using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
+      const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
+  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild,
+                               bool own_thread);
 
-  /// Builds the first window of a segment in the first view's frame, from the two views and up to three between them. Returns an
-  /// empty string, or why they make no map.
+  /// Builds the first window of a segment in the first view's frame, from the two views and up to three
+  /// between them. Returns an empty string, or why they make no map.
   [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
   /// One tracked frame: updates immature depths, and makes it a keyframe if asked for.
   MapUpdate process(const TrackedFrame& frame);
@@ -67,7 +70,8 @@ class Mapper {
   const CameraRefinement& camera() const { return calibration_.state(); }
 
  private:
-  std::vector<ImmaturePoint> first_points(const Keyframe& keyframe, const std::vector<BootstrapCorner>& corners, bool is_last);
+  std::vector<ImmaturePoint> first_points(const Keyframe& keyframe,
+                                          const std::vector<BootstrapCorner>& corners, bool is_last);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
   int new_points_wanted() const;
   void seed_points(Keyframe* keyframe);

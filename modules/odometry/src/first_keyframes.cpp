@@ -1,0 +1,54 @@
+#include "first_keyframes.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+
+IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px,
+                       const DepthFilterParams& params) {
+  double best = std::numeric_limits<double>::infinity(), idepth = 1;
+  for (const BootstrapCorner& c : corners) {
+    const double d = ((in_last ? c.px_last : c.px_first) - px).squaredNorm();
+    if (d < best) best = d, idepth = in_last ? c.idepth_last : c.idepth_first;
+  }
+  return {params.prior_low * idepth, params.prior_high * idepth};
+}
+
+// Two views alone would not do: an edge match is one equation,
+// and with one match a point its own depth takes that up, so that the pose between the two views would be
+// free.
+std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views) {
+  constexpr size_t kMaxBetween = 3;  // views: with five keyframes in all a point has up to four matches
+  std::vector<const BootstrapView*> between;
+  for (size_t i = 1; i + 1 < views.size(); ++i)
+    if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);
+  std::vector<const BootstrapView*> chosen{&views.front()};
+  const size_t n = std::min(kMaxBetween, between.size());
+  for (size_t k = 0; k < n; ++k) chosen.push_back(between[(2 * k + 1) * between.size() / (2 * n)]);
+  chosen.push_back(&views.back());
+  return chosen;
+}
+
+// How the images of the first keyframes moved: as between the first and the last of them, with one depth for
+// each. Only where the map came at once, by large motion: over more frames a hand-held camera moves otherwise
+// than on the whole.
+void find_motions(std::deque<Keyframe>* keyframes) {
+  // Between the first view and the last; share/lab/self_calibration.md, "Rolling shutter", has the figures.
+  constexpr int kMaxFrames = 2;
+  const Keyframe &first = keyframes->front(), &last = keyframes->back();
+  const double seconds = seconds_between(first.time, last.time);
+  if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames) return;
+  const Vector6d velocity = relative_pose(last, first).log() / seconds;
+  for (Keyframe& k : *keyframes) {
+    if (k.points.empty()) continue;
+    std::vector<double> idepths;
+    for (const MapPoint& p : k.points) idepths.push_back(p.idepth);
+    k.motion.velocity = velocity;
+    k.motion.idepth.setConstant(median(std::move(idepths)));
+  }
+}
+
+}  // namespace edgevo

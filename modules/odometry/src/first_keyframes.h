@@ -1,0 +1,23 @@
+#pragma once
+// How the views of a bootstrap become the first keyframes of a map.
+#include <deque>
+#include <vector>
+
+#include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/depth_filter.h"
+#include "edgevo/mapping/keyframe.h"
+
+namespace edgevo {
+
+/// Search range of the inverse depth at `px` of the first view or the last one: around that of the
+/// triangulated corner nearest to it.
+IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px,
+                       const DepthFilterParams& params);
+
+/// First and last view, and up to three between them. `views` has two or more.
+std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views);
+
+/// Fills Keyframe::motion, where the first and the last keyframe are near enough in time to tell.
+void find_motions(std::deque<Keyframe>* keyframes);
+
+}  // namespace edgevo
