@@ -62,18 +62,4 @@ TrackingState OdometryState::passed_over() const {
   return ever_tracked() ? TrackingState::kLost : TrackingState::kBootstrapping;
 }
 
-const char* to_string(Phase phase) {
-  switch (phase) {
-    case Phase::kBootstrapping:
-      return "BOOTSTRAPPING";
-    case Phase::kTracking:
-      return "TRACKING";
-    case Phase::kSeeking:
-      return "SEEKING";
-    case Phase::kLost:
-      return "LOST";
-  }
-  return "";
-}
-
 }  // namespace edgevo

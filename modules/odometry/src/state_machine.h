@@ -82,7 +82,4 @@ class OdometryState {
   int lost_at_ = -1;       // frame
 };
 
-/// "BOOTSTRAPPING", "TRACKING", "SEEKING", "LOST".
-const char* to_string(Phase phase);
-
 }  // namespace edgevo
