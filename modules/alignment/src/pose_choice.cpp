@@ -56,13 +56,14 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, co
                     const AlignmentParams& params) {
   PoseCandidate found;
   found.T_cur_ref = start_of_edges(current, cloud, h, params);
+  found.has_prior = h.translation_sigma.has_value();
   TranslationPrior prior;
   if (h.translation_sigma) prior = {h.T_cur_ref, *h.translation_sigma};
   const int coarsest =
       h.refinement == PoseHypothesis::Refinement::kFinestEdges ? 0 : coarsest_edge_level(current);
   for (int level = coarsest; level >= 0; --level)
     found.stats =
-        align_edges(current, cloud, level, params, &found.T_cur_ref, h.translation_sigma ? &prior : nullptr);
+        align_edges(current, cloud, level, params, &found.T_cur_ref, found.has_prior ? &prior : nullptr);
   if (found.T_cur_ref.is_finite()) found.evidence = weigh_evidence(current, cloud, found.T_cur_ref, params);
   return found;
 }
@@ -77,9 +78,12 @@ bool PoseJudge::is_lost(const PoseCandidate& pose) const {
 }
 
 double PoseJudge::score(const PoseCandidate& pose) const {
-  if (!pose.T_cur_ref.is_finite()) return -std::numeric_limits<double>::infinity();
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  if (!pose.T_cur_ref.is_finite()) return kNever;
+  const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
+  if (pose.has_prior && likelihood < 1) return kNever;
   const double by_image = support(pose.evidence, params_);
-  return likelihood_ && by_image > 0 ? likelihood_(pose.T_cur_ref) * by_image : by_image;
+  return by_image > 0 ? likelihood * by_image : by_image;
 }
 
 PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current,

@@ -40,6 +40,17 @@ TEST(PoseJudge, AnUnlikelyMotionNeedsMoreSupport) {
       << "below 0 it must not gain by being unlikely";
 }
 
+TEST(PoseJudge, APoseThatLeftItsPriorNeverWins) {
+  const AlignmentParams params;
+  const PoseJudge judge(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
+  PoseCandidate held = candidate(0.95, SE3::exp(twist(1, 0, 0, 0, 0, 0)));
+  EXPECT_GT(judge.score(held), judge.score(candidate(0.4)));
+  held.has_prior = true;
+  EXPECT_LT(judge.score(held), judge.score(candidate(0.01)));
+  held.T_cur_ref = SE3();
+  EXPECT_GT(judge.score(held), judge.score(candidate(0.9))) << "it kept to its prior";
+}
+
 TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
   const AlignmentParams params;
   const SE3 broken(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));

@@ -34,7 +34,8 @@ struct PoseHypothesis {
 struct PoseCandidate {
   SE3 T_cur_ref;
   AlignmentStats stats;
-  PoseEvidence evidence;  ///< of the image alone, whatever the prior
+  PoseEvidence evidence;   ///< of the image alone, whatever the prior
+  bool has_prior = false;  ///< a prior held the alignment
 };
 
 /// Cost: with patches some 3 ms for 1500 points at 1241x376, edges alone 1 ms; kLengthThenEdges 13
@@ -43,7 +44,9 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
 /// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the
-/// motion is.
+/// motion is. A pose that left the prior it was held to is a compromise that neither image nor motion asks
+/// for, and never wins: on a drive that speeds up evenly it would hold the camera back a little in frame
+/// after frame (rendered street under mixed light: 0.07 instead of 0.03 m).
 class PoseJudge {
  public:
   /// In (0, 1]: 1 for a motion that nothing speaks against.
