@@ -32,7 +32,7 @@ class MotionModel {
 
   /// Each frame, before anything is asked about it.
   void begin_frame(Timestamp time);
-  /// The frame has a pose; after a gap the velocity is the mean over the gap. `held`: hold_steady() chose it.
+  /// The frame has a pose; after a gap the velocity is the mean over the gap. `held`: the usual step decided.
   void follow(const SE3& T_cur_ref, bool held = false);
   /// A new map: the frame is the reference, `motion` that since the frame before; nothing: not known.
   void restart(const std::optional<SE3>& motion);

@@ -2,8 +2,9 @@
 // What the odometry is doing, as a state machine: pure, so that it can be tested as a table and read as a
 // drawing (share/doc/architecture.md).
 //
-// A frame raises at most one event by being tracked and one by being bootstrapped. transition() tells what
-// follows; OdometryState adds the few numbers that outlive a frame.
+// A frame raises at most one event by being tracked, one by a look at how much of the map is in view, and one
+// by being bootstrapped. transition() tells what follows; OdometryState adds the few numbers that outlive a
+// frame.
 #include "edgevo/core/tracking_state.h"
 
 namespace edgevo {

@@ -1,4 +1,4 @@
-// Images put right: by the lens, and row by row for a rolling shutter. The class is private to the module, hence the path.
+// Images put right: by the lens, and row by row for a rolling shutter.
 #include "undistortion.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The black around what the lens lights. The class is private to the module, hence the path.
+// The black around what the lens lights.
 #include "unlit_surround.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// The refinement behind the bootstrap is private to the module, hence the path.
 #include "two_view_motion.h"
 
 #include <gtest/gtest.h>

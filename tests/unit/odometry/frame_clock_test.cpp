@@ -1,4 +1,3 @@
-// The frame clock is private to the module, hence the path.
 #include "frame_clock.h"
 
 #include <gtest/gtest.h>

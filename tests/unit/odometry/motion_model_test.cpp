@@ -1,4 +1,3 @@
-// The motion model is private to the module, hence the path.
 #include "motion_model.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What the odometry expects of a rolling shutter. The functions are private to the module, hence the path.
+// What the odometry expects of a rolling shutter.
 #include "rolling_shutter.h"
 
 #include <gtest/gtest.h>
