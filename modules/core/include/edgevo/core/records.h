@@ -51,12 +51,29 @@ struct EdgePoint {
   uint8_t gray = 0;           ///< intensity in the host image
 };
 
+/// A place on an EdgeLine.
+struct EdgeVertex {
+  Eigen::Vector2f px;         ///< in the undistorted host image
+  float idepth = 0;           ///< 1/z in the host frame, > 0
+  float idepth_sigma = 0;     ///< one standard deviation, same unit, > 0
+  uint8_t gray_dark = 0, gray_bright = 0;  ///< intensity on the two sides of the edge in the host image
+};
+
+/// A stretch of a 3D edge without a jump in depth, as the keyframe that hosts it saw it (edge_map/edge_mapper.h).
+struct EdgeLine {
+  std::vector<EdgeVertex> vertices;  ///< two or more, in order along the edge
+  int keyframes = 1;                 ///< that saw it, the host among them
+  bool is_straight = false;          ///< all vertices lie on one line of space, within their deviations
+  bool is_outline = false;           ///< seen against what lies behind: the border of a thing, not a mark on it
+};
+
 struct KeyframeRecord {
   int frame_index = 0;   ///< index of its frame in the source
   Timestamp time;
   int segment = 0;
   SE3 T_world_cam;       ///< final
   std::vector<EdgePoint> points;
+  std::vector<EdgeLine> lines;  ///< empty with `--edge-map off`
 };
 
 /// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h),
@@ -130,6 +147,11 @@ struct Run {
 /// Point of a keyframe in the keyframe's camera frame.
 inline Eigen::Vector3d point_in_camera(const Pinhole& pinhole, const EdgePoint& p) {
   return pinhole.ray(p.px.cast<double>()) / double(p.idepth);
+}
+
+/// The same of a vertex.
+inline Eigen::Vector3d point_in_camera(const Pinhole& pinhole, const EdgeVertex& v) {
+  return pinhole.ray(v.px.cast<double>()) / double(v.idepth);
 }
 
 /// Rotation to the exported world: z up, x forward at the first image (REP-103, MRPT): x = z_cam, y = -x_cam, z = -y_cam.
