@@ -138,12 +138,13 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing
-  timed("window", &update->times, [&] {
-    if (window_.full()) {
+  if (window_.full()) {
+    timed("window", &update->times, [&] {
       retired_.push_back(window_.remove_oldest());
       calibration_.remember(retired_.back());
-    }
-  });
+    });
+    timed("edge_map", &update->times, [&] { map_edges(retired_.back()); });
+  }
   if (calibration_.is_running() ||
       calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
     timed("self_calibration", &update->times, [&] { calibrate_on_the_way(); });
@@ -165,6 +166,15 @@ void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const 
   calibration_ = SelfCalibration(pinhole_, params);
   rebuild_ = rebuild;
   calibration_has_thread_ = own_thread;
+}
+
+void Mapper::enable_edge_map(const EdgeMapParams& params, bool own_thread) {
+  edge_mapper_ = std::make_unique<EdgeMapper>(pinhole_, params, own_thread);
+}
+
+// Of a keyframe that has just left the window.
+void Mapper::map_edges(const Keyframe& keyframe) {
+  if (edge_mapper_) edge_mapper_->add(keyframe, window_.keyframes());
 }
 
 void Mapper::calibrate_on_the_way() {
@@ -191,6 +201,7 @@ void Mapper::calibrate(bool at_end) {
       calibration_.estimate(window_pointers(), calibration_options(), at_end);
   if (!revision) return;
   window_.apply(*revision, [&](const Keyframe& k) { return rebuild_(*k.pyramid, k.motion, revision->now); });
+  if (edge_mapper_) edge_mapper_->apply(*revision);
   for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
 }
 
@@ -258,8 +269,13 @@ void Mapper::return_to(int keyframe_id) {
 void Mapper::close() {
   calibrate(true);
   calibration_.forget();
-  for (Keyframe& k : window_.keyframes()) retired_.push_back(std::move(k));
-  window_.keyframes().clear();
+  while (!window_.keyframes().empty()) {
+    retired_.push_back(std::move(window_.keyframes().front()));
+    window_.keyframes().pop_front();
+    map_edges(retired_.back());
+  }
+  if (edge_mapper_)
+    for (HostedLines& lines : edge_mapper_->close()) lines_.push_back(std::move(lines));
   reference_.reset();
 }
 

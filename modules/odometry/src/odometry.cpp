@@ -35,6 +35,7 @@ struct Odometry::Impl {
           return rebuilder.rebuild(old, motion);
         },
         o.realtime);
+    mapper.enable_edge_map(p.edge_map, o.realtime);
     builder.set_correction(mapper.camera().correction());
   }
 
@@ -227,6 +228,7 @@ struct Odometry::Impl {
   // Keyframes that have left the window, and what the camera's correction moved.
   void take_settled() {
     records.retire(mapper.take_retired(), state.segment());
+    records.set_lines(mapper.take_lines());
     records.revise(mapper.take_revised());
   }
 

@@ -13,6 +13,7 @@ void OdometryParams::visit(ParamVisitor& v) {
   { const auto g = v.group("association"); association.visit(v); }
   { const auto g = v.group("mapping"); mapping.visit(v); }
   { const auto g = v.group("recovery"); recovery.visit(v); }
+  { const auto g = v.group("edge_map"); edge_map.visit(v); }
 }
 
 }  // namespace edgevo

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/record_units.h"
+
 namespace edgevo {
 namespace {
 
@@ -33,8 +35,7 @@ KeyframeRecord to_record(const Keyframe& k, int segment) {
 // From a segment's map to the world: lengths grow by the scale, inverse depths shrink.
 void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
   k->T_world_cam = T_world_map.apply(k->T_world_cam);
-  const float s = float(1.0 / T_world_map.scale);
-  for (EdgePoint& p : k->points) p.idepth *= s, p.idepth_sigma *= s;
+  multiply_depths(T_world_map.scale, k);
 }
 
 // A corrected map keeps the newest pose of its time; the run's world is that of its first one.
@@ -124,6 +125,11 @@ void RunRecords::retire(std::vector<Keyframe> keyframes, int segment) {
     keyframes_[k.id] = to_record(k, segment);
     retired_.push_back(k.id);
   }
+}
+
+void RunRecords::set_lines(std::vector<HostedLines> hosted) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (HostedLines& h : hosted) keyframes_.at(h.keyframe_id).lines = std::move(h.lines);
 }
 
 SettledKeyframes RunRecords::settled(size_t skip) const {

@@ -38,6 +38,8 @@ class RunRecords {
 
   void note_mapping(int frame_index, const MapUpdate& update);
   void retire(std::vector<Keyframe> keyframes, int segment);
+  /// Of keyframes that have retired.
+  void set_lines(std::vector<HostedLines> hosted);
   /// The camera was corrected: keyframes of the present segment have moved.
   void revise(std::vector<RevisedKeyframe> keyframes);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/record_units.h"
 
 namespace edgevo {
 namespace {
@@ -23,8 +24,7 @@ void scale_run(double factor, const std::string& source, Run* run) {
   }
   for (KeyframeRecord& k : run->keyframes) {
     k.T_world_cam = scaled(k.T_world_cam, factor);
-    for (EdgePoint& p : k.points)
-      p.idepth = float(p.idepth / factor), p.idepth_sigma = float(p.idepth_sigma / factor);
+    multiply_depths(factor, &k);
   }
   run->scale_source = source;
   run->scale.factor = run->scale.lowest = run->scale.highest = factor;

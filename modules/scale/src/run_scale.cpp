@@ -5,6 +5,7 @@
 #include <map>
 
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/record_units.h"
 #include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/path.h"
 #include "edgevo/scale/sliding_scale.h"
@@ -111,7 +112,7 @@ void move_keyframes(const std::map<int, Move>& moves, Run* run) {
   for (KeyframeRecord& k : run->keyframes) {
     const Move& move = move_of(moves, k.frame_index);
     k.T_world_cam = at(k.T_world_cam, move.to + move.factor * (k.T_world_cam.translation() - move.from));
-    for (EdgePoint& p : k.points) p.idepth = float(p.idepth / move.factor), p.idepth_sigma = float(p.idepth_sigma / move.factor);
+    multiply_depths(move.factor, &k);
   }
 }
 

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const std::vector<std::string> kOrder{
-    "core",      "edges",       "alignment",   "association", "bundle_adjustment", "mapping", "self_calibration", "odometry", "scale",
+    "core",      "edges",       "alignment",   "association", "bundle_adjustment", "mapping", "edge_map", "self_calibration", "odometry", "scale",
     "occupancy", "mrpt_bridge", "visp_bridge", "datasets",    "simulation",        "evaluation", "study",         "drive",    "report",
     "results",   "servo",       "viewer",      "mrpt_plugin"};
 

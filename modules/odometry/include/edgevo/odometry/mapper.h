@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "edgevo/core/random.h"
+#include "edgevo/edge_map/edge_mapper.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/window.h"
 #include "edgevo/odometry/reference.h"
@@ -68,6 +69,11 @@ class Mapper {
   /// Keyframes, retired or in the window, that a correction of the camera moved since the last call.
   std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
   const CameraRefinement& camera() const { return calibration_.state(); }
+  /// Of the segments closed since the last call.
+  std::vector<HostedLines> take_lines() { return std::exchange(lines_, {}); }
+
+  /// Lines of the keyframes that leave the window; in a thread of its own, keyframes may be left out.
+  void enable_edge_map(const EdgeMapParams& params, bool own_thread);
 
  private:
   std::vector<ImmaturePoint> first_points(const Keyframe& keyframe,
@@ -83,6 +89,7 @@ class Mapper {
   void check_tracking(const TrackedFrame& frame);
   void publish(const Keyframe& keyframe);
   void return_to(int keyframe_id);
+  void map_edges(const Keyframe& keyframe);
 
   Pinhole pinhole_;
   MappingParams params_;
@@ -94,7 +101,9 @@ class Mapper {
   SelfCalibration calibration_;
   RebuildPyramid rebuild_;
   bool calibration_has_thread_ = false;
+  std::unique_ptr<EdgeMapper> edge_mapper_;
   std::vector<Keyframe> retired_;
+  std::vector<HostedLines> lines_;
   std::vector<RevisedKeyframe> revised_;
   int next_id_ = 0;
   TrackingCheck tracking_check_;

@@ -1,6 +1,7 @@
 #pragma once
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/association/association_params.h"
+#include "edgevo/edge_map/edge_map_params.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/mapping/mapping_params.h"
 #include "edgevo/self_calibration/self_calibration.h"
@@ -21,6 +22,7 @@ struct OdometryParams {
   AssociationParams association;
   MappingParams mapping;
   RecoveryParams recovery;
+  EdgeMapParams edge_map;
 
   void visit(ParamVisitor& v);
 };

@@ -1,0 +1,77 @@
+#include "chain_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace edgevo {
+namespace {
+
+// All in views that do not show the edge.
+constexpr double kNoneShare = 0.5;   // of the views that see the pixel: with fewer than half none is cheaper
+constexpr double kNoneAtLeast = 1.0; // where few see it
+constexpr double kBreak = 1.5;       // a jump in depth
+constexpr double kBeginOrEnd = 0.5;  // from a depth to none, or back
+// Inverse depths of neighbours two pixels apart differ by this share and their deviations, where the edge
+// goes on: one that leads away at 60 degrees does so 20 pixels from the point that the camera goes to.
+constexpr double kSmoothShare = 0.02;
+
+double own_cost(const ChainNode& node, int label) {
+  if (label >= 0) return node.hypotheses[size_t(label)].cost;
+  int in_view = 0;
+  for (const Hypothesis& h : node.hypotheses) in_view = std::max(in_view, h.in_view);
+  return std::max(kNoneAtLeast, kNoneShare * in_view);
+}
+
+double squared_jump(const Hypothesis& a, const Hypothesis& b) {
+  const double share = kSmoothShare * std::max(a.idepth, b.idepth);
+  const double variance = share * share + 1 / std::max(a.information, 1e-12) + 1 / std::max(b.information, 1e-12);
+  return std::pow(a.idepth - b.idepth, 2) / variance;
+}
+
+bool is_break(const ChainNode& a, int la, const ChainNode& b, int lb) {
+  constexpr double kJump = 9;  // three deviations
+  return la < 0 || lb < 0 || squared_jump(a.hypotheses[size_t(la)], b.hypotheses[size_t(lb)]) > kJump;
+}
+
+double step_cost(const ChainNode& a, int la, const ChainNode& b, int lb) {
+  if (la < 0 && lb < 0) return 0;
+  if (la < 0 || lb < 0) return kBeginOrEnd;
+  constexpr double kWeight = kBreak / 9;  // reaches that of a break at three deviations
+  return std::min(kBreak, kWeight * squared_jump(a.hypotheses[size_t(la)], b.hypotheses[size_t(lb)]));
+}
+
+}  // namespace
+
+ChainLabels label_chain(const std::vector<ChainNode>& nodes) {
+  const size_t n = nodes.size();
+  ChainLabels result{std::vector<int>(n, -1), std::vector<bool>(n, true)};
+  if (n == 0) return result;
+  // Label l of a node is stored at l + 1.
+  std::vector<std::vector<int>> from(n);
+  std::vector<double> cost, next;
+  for (size_t i = 0; i < n; ++i) {
+    const int labels = int(nodes[i].hypotheses.size());
+    next.assign(size_t(labels) + 1, std::numeric_limits<double>::infinity());
+    from[i].assign(size_t(labels) + 1, -1);
+    for (int l = -1; l < labels; ++l) {
+      double best = i == 0 ? 0 : std::numeric_limits<double>::infinity();
+      for (int k = -1; i > 0 && k + 1 < int(cost.size()); ++k) {
+        const double c = cost[size_t(k + 1)] + step_cost(nodes[i - 1], k, nodes[i], l);
+        if (c < best) best = c, from[i][size_t(l + 1)] = k;
+      }
+      next[size_t(l + 1)] = best + own_cost(nodes[i], l);
+    }
+    cost.swap(next);
+  }
+  int label = int(std::min_element(cost.begin(), cost.end()) - cost.begin()) - 1;
+  for (size_t i = n; i-- > 0;) {
+    result.label[i] = label;
+    label = from[i][size_t(label + 1)];
+  }
+  for (size_t i = 0; i + 1 < n; ++i)
+    result.breaks[i] = is_break(nodes[i], result.label[i], nodes[i + 1], result.label[i + 1]);
+  return result;
+}
+
+}  // namespace edgevo

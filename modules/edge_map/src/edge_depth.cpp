@@ -1,0 +1,238 @@
+#include "edgevo/edge_map/edge_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "chain_labels.h"
+#include "chain_smoothing.h"
+#include "epipolar_crossings.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kSearchedViews = 2;      // in which crossings are sought: one may be covered
+constexpr int kSearchEveryPx = 8;      // along the edge; in between, what was found is carried along
+constexpr int kMaxHypotheses = 3;      // kept of a pixel
+constexpr double kSameIdepth = 0.03;   // hypotheses within this share are one
+constexpr double kMinSupport = 0.5;    // of the views in which a point lies, that must show it
+// Pixels that all views may be off alike, by the pose or the lens: no number of views averages it out.
+constexpr double kCommonPx = 0.25;
+// Between two vertices of known depth: a longer gap, or a steeper one, may be more than one edge.
+constexpr double kMaxBridgePx = 200, kMaxBridgeRatio = 1.5;
+constexpr double kStraightPx = 1;  // across the chord: an edge is found to half a pixel
+
+class DepthSearch {
+ public:
+  DepthSearch(const Pinhole& pinhole, const FramePyramid& host, const std::vector<EdgeSides>& sides,
+              const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params)
+      : level_(host.finest()), sides_(sides), max_idepth_(max_idepth), params_(params) {
+    for (const EdgeView& v : views) views_.emplace_back(pinhole, v);
+  }
+
+  std::vector<EdgePiece> run() {
+    for (const EdgeChain& chain : level_.edges.chains) follow(chain);
+    return std::move(pieces_);
+  }
+
+ private:
+  void follow(const EdgeChain& chain) {
+    std::vector<ChainNode> nodes;
+    int last_search = -kSearchEveryPx;
+    for (int i = chain.begin; i < chain.end; i += params_.step_px) {
+      look_from(i);
+      ChainNode node;
+      node.edge_pixel = i;
+      node.at = i - chain.begin;
+      if (!nodes.empty()) carry_along(nodes.back(), &node);
+      if (i - last_search >= kSearchEveryPx) search(&node), last_search = i;
+      keep_best(&node.hypotheses);
+      nodes.push_back(std::move(node));
+    }
+    finish(&nodes);
+  }
+
+  void look_from(int i) {
+    const EdgePixel& e = level_.edges.pixels[size_t(i)];
+    sight_.px = e.position().cast<double>();
+    sight_.normal = e.normal().cast<double>();
+    sight_.sides = sides_[size_t(i)];
+    sight_.lines.clear();
+    for (const ViewGeometry& v : views_) sight_.lines.emplace_back(v, sight_.px);
+  }
+
+  bool is_supported(const Hypothesis& h) const {
+    return h.views >= params_.min_views && h.views >= kMinSupport * h.in_view && h.idepth > 0;
+  }
+
+  void try_out(double idepth, Guess guess, ChainNode* node) const {
+    const Hypothesis h = weigh(sight_, views_, idepth, guess, max_idepth_, params_);
+    if (is_supported(h) && h.informative > 0) node->hypotheses.push_back(h);
+  }
+
+  void carry_along(const ChainNode& from, ChainNode* to) const {
+    for (const Hypothesis& h : from.hypotheses) try_out(h.idepth, Guess::kCarriedAlong, to);
+  }
+
+  void search(ChainNode* node) const {
+    std::vector<double> idepths;
+    int searched = 0;
+    for (size_t v = 0; v < views_.size() && searched < kSearchedViews; ++v)
+      searched += find_crossings(sight_, views_[v], sight_.lines[v], max_idepth_, &idepths);
+    for (const double idepth : distinct(std::move(idepths))) try_out(idepth, Guess::kRough, node);
+  }
+
+  // What the search found further along reaches back, too.
+  void carry_back(std::vector<ChainNode>* nodes) {
+    for (size_t k = nodes->size(); k-- > 1;) {
+      ChainNode& to = (*nodes)[k - 1];
+      if (!to.hypotheses.empty() || (*nodes)[k].hypotheses.empty()) continue;
+      look_from(to.edge_pixel);
+      carry_along((*nodes)[k], &to);
+      keep_best(&to.hypotheses);
+    }
+  }
+
+  static std::vector<double> distinct(std::vector<double> idepths) {
+    std::sort(idepths.begin(), idepths.end());
+    idepths.erase(std::unique(idepths.begin(), idepths.end(),
+                              [](double a, double b) { return b - a < kSameIdepth * b; }),
+                  idepths.end());
+    return idepths;
+  }
+
+  // The cheapest ones; of those that came to the same depth, one.
+  static void keep_best(std::vector<Hypothesis>* hypotheses) {
+    std::sort(hypotheses->begin(), hypotheses->end(), [](const Hypothesis& a, const Hypothesis& b) {
+      return a.cost != b.cost ? a.cost < b.cost : a.idepth < b.idepth;
+    });
+    std::vector<Hypothesis> best;
+    for (const Hypothesis& h : *hypotheses) {
+      const bool is_there = std::any_of(best.begin(), best.end(), [&](const Hypothesis& b) {
+        return std::abs(b.idepth - h.idepth) < kSameIdepth * b.idepth;
+      });
+      if (!is_there && int(best.size()) < kMaxHypotheses) best.push_back(h);
+    }
+    *hypotheses = std::move(best);
+  }
+
+  // What is known of each node so far.
+  struct Settled {
+    EdgeNode node;
+    bool is_known = false, breaks = false;  // `breaks`: no connection to the next one
+  };
+
+  // Labels the nodes so far and takes their pieces over.
+  void finish(std::vector<ChainNode>* nodes) {
+    if (int(nodes->size()) >= params_.min_vertices) {
+      carry_back(nodes);
+      const ChainLabels labels = label_chain(*nodes);
+      std::vector<Settled> settled(nodes->size());
+      size_t begin = 0;
+      for (size_t i = 0; i < nodes->size(); ++i) {
+        settled[i].node.edge_pixel = (*nodes)[i].edge_pixel;
+        if (!labels.breaks[i]) continue;
+        settled[i].breaks = i + 1 < nodes->size() && labels.label[i] >= 0 && labels.label[i + 1] >= 0;
+        if (labels.label[i] >= 0) smooth_piece(*nodes, labels.label, begin, i + 1, &settled);
+        begin = i + 1;
+      }
+      bridge(&settled);
+      collect(settled);
+    }
+    nodes->clear();
+  }
+
+  void smooth_piece(const std::vector<ChainNode>& nodes, const std::vector<int>& label, size_t begin, size_t end,
+                    std::vector<Settled>* settled) const {
+    std::vector<ChainValue> values;
+    for (size_t i = begin; i < end; ++i) {
+      const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
+      values.push_back({nodes[i].at, h.idepth, 1 / h.information, kCommonPx / mean_slope(h)});
+    }
+    const std::vector<SmoothValue> smooth = smooth_chain(values);
+    for (size_t i = begin; i < end; ++i) {
+      const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
+      const SmoothValue& s = smooth[i - begin];
+      Settled& to = (*settled)[i];
+      to.node = {nodes[i].edge_pixel, s.value, s.sigma, h.views, h.is_outline()};
+      to.is_known = s.value > 0 && s.sigma <= params_.max_relative_sigma * s.value;
+    }
+  }
+
+  // A straight stretch between two known ends is one line of space: its inverse depth is linear.
+  void bridge(std::vector<Settled>* settled) const {
+    size_t last = settled->size();
+    for (size_t i = 0; i < settled->size(); ++i) {
+      if (!(*settled)[i].is_known) continue;
+      if (last < i && i - last > 1 && is_straight(*settled, last, i)) interpolate(last, i, settled);
+      last = i;
+    }
+  }
+
+  Eigen::Vector2d position(const Settled& s) const {
+    return level_.edges.pixels[size_t(s.node.edge_pixel)].position().cast<double>();
+  }
+
+  bool is_straight(const std::vector<Settled>& settled, size_t from, size_t to) const {
+    const Eigen::Vector2d a = position(settled[from]), chord = position(settled[to]) - a;
+    const double length = chord.norm();
+    if (!(length > 0) || length > kMaxBridgePx) return false;
+    const EdgeNode &p = settled[from].node, &q = settled[to].node;
+    if (std::max(p.idepth, q.idepth) > kMaxBridgeRatio * std::min(p.idepth, q.idepth)) return false;
+    for (size_t i = from; i < to; ++i) {
+      const Eigen::Vector2d d = position(settled[i]) - a;
+      if (settled[i].breaks || std::abs(chord.x() * d.y() - chord.y() * d.x()) > kStraightPx * length) return false;
+    }
+    return true;
+  }
+
+  void interpolate(size_t from, size_t to, std::vector<Settled>* settled) const {
+    const Eigen::Vector2d a = position((*settled)[from]), chord = position((*settled)[to]) - a;
+    const EdgeNode p = (*settled)[from].node, q = (*settled)[to].node;
+    for (size_t i = from + 1; i < to; ++i) {
+      Settled& s = (*settled)[i];
+      const double share = chord.dot(position(s) - a) / chord.squaredNorm();
+      s.node.idepth = p.idepth + share * (q.idepth - p.idepth);
+      s.node.idepth_sigma = std::max(p.idepth_sigma, q.idepth_sigma);
+      s.node.views = std::min(p.views, q.views);
+      s.node.is_outline = p.is_outline && q.is_outline;
+      s.is_known = true;
+    }
+  }
+
+  void collect(const std::vector<Settled>& settled) {
+    EdgePiece piece;
+    const auto flush = [&] {
+      if (int(piece.size()) >= params_.min_vertices) pieces_.push_back(piece);
+      piece.clear();
+    };
+    for (const Settled& s : settled) {
+      if (s.is_known) piece.push_back(s.node);
+      if (!s.is_known || s.breaks) flush();
+    }
+    flush();
+  }
+
+  // Root mean square of J: an error common to all views moves the depth by itself over it.
+  double mean_slope(const Hypothesis& h) const {
+    return params_.sigma_px * std::sqrt(h.information / h.views);
+  }
+
+  const PyramidLevel& level_;
+  const std::vector<EdgeSides>& sides_;
+  const double max_idepth_;
+  const EdgeMapParams& params_;
+  std::vector<ViewGeometry> views_;
+  EdgeSight sight_;  // of the pixel at hand
+  std::vector<EdgePiece> pieces_;
+};
+
+}  // namespace
+
+std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
+                                        const std::vector<EdgeSides>& sides,
+                                        const std::vector<EdgeView>& views, double max_idepth,
+                                        const EdgeMapParams& params) {
+  return DepthSearch(pinhole, host, sides, views, max_idepth, params).run();
+}
+
+}  // namespace edgevo

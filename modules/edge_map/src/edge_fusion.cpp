@@ -1,0 +1,239 @@
+#include "edge_fusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/order_statistics.h"
+#include "depth_evidence.h"
+#include "straight_line.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kBorderPx = 4;     // a vertex nearer to the border of an image may not be seen there
+constexpr double kAcrossPx = 1.5;   // from a projected vertex to the edge that it is
+constexpr double kAlongPx = 2.5;
+constexpr double kInFront = 1.1;    // times the inverse depth: of two lines at one pixel the nearer is seen
+// A known depth is as good as one found here, unless that is so much more certain.
+constexpr double kMuchBetter = 0.75;
+// A vertex is confirmed by a second keyframe that tells the same depth, or by so many images: of those that
+// only their host tells, from few, half are wrong.
+constexpr int kMinSeen = 2, kManyViews = 6;
+constexpr int kMaxBridge = 40;      // pixels of a chain between two neighbours on a line that comes nearer
+constexpr double kSameSigmas = 3, kSameShare = 0.03;  // two depths of one edge
+
+/// A depth that an earlier keyframe's line tells of an edge pixel.
+struct KnownDepth {
+  double idepth = 0;  // 0: none does
+  double sigma = 0;
+};
+
+bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
+  return std::abs(known.idepth - node.idepth) <
+         kSameSigmas * std::hypot(known.sigma, node.idepth_sigma) + kSameShare * node.idepth;
+}
+
+}  // namespace
+
+// The edge pixels of a keyframe that lines of earlier ones explain.
+struct EdgeFusion::Explained {
+  std::vector<KnownDepth> known;    // by edge pixel
+  std::vector<Vertex*> by;          // the vertex that tells it; those between two, the nearer one
+  std::vector<Vertex*> seen, missed;
+};
+
+void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
+  const std::vector<EdgePiece> pieces =
+      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_);
+  Explained explained;
+  explained.known.resize(host.pyramid->finest().edges.pixels.size());
+  explained.by.resize(explained.known.size(), nullptr);
+  if (params_.is_fused()) project_lines(host, &explained);
+  OpenHost open{host.id, host.T_cam_world, host.motion, {}};
+  for (const EdgePiece& piece : pieces) add_new_stretches(host, piece, &explained, &open.lines);
+  count(&explained);
+  open_.push_back(std::move(open));
+  while (int(open_.size()) > params_.fusion_keyframes) {
+    settle(open_.front());
+    open_.pop_front();
+  }
+}
+
+// What no earlier line tells as well becomes lines of this keyframe, which reach to the vertices around them.
+void EdgeFusion::add_new_stretches(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
+                                   std::vector<Line>* lines) const {
+  std::vector<bool> is_new(piece.size());
+  for (size_t i = 0; i < piece.size(); ++i) is_new[i] = is_news(piece[i], explained);
+  for (size_t begin = 0; begin < piece.size();) {
+    size_t end = begin;
+    while (end < piece.size() && is_new[end]) ++end;
+    if (end > begin) {
+      const size_t from = begin > 0 ? begin - 1 : begin, to = end < piece.size() ? end + 1 : end;
+      Line line;
+      for (size_t i = from; i < to; ++i) line.push_back(make_vertex(host, piece[i], *explained));
+      lines->push_back(std::move(line));
+    }
+    begin = std::max(end, begin + 1);
+  }
+}
+
+// Notes what a node says of the vertex that explains it.
+bool EdgeFusion::is_news(const EdgeNode& node, Explained* explained) const {
+  const KnownDepth& known = explained->known[size_t(node.edge_pixel)];
+  Vertex* by = explained->by[size_t(node.edge_pixel)];
+  if (!by) return true;
+  if (!is_same_depth(known, node)) {
+    explained->missed.push_back(by);
+    return true;
+  }
+  explained->seen.push_back(by);
+  if (node.idepth_sigma > kMuchBetter * known.sigma) return false;
+  by->is_replaced = true;
+  return true;
+}
+
+void EdgeFusion::project_lines(const EdgeHost& host, Explained* explained) {
+  for (OpenHost& open : open_)
+    for (Line& line : open.lines) project_line(host, open, &line, explained);
+}
+
+void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* line,
+                              Explained* explained) const {
+  const PyramidLevel& level = host.pyramid->finest();
+  const SE3 T_host_open = host.T_cam_world * open.T_cam_world.inverse();
+  const ViewGeometry view(pinhole_, {host.pyramid, host.sides, T_host_open, 1});
+  const auto explain = [&](int pixel, const KnownDepth& depth, Vertex* by) {
+    KnownDepth& known = explained->known[size_t(pixel)];
+    if (known.idepth > 0 && depth.idepth < kInFront * known.idepth) return;
+    known = depth;
+    explained->by[size_t(pixel)] = by;
+  };
+  int last_pixel = -1;
+  KnownDepth last;
+  for (Vertex& v : *line) {
+    const int before = std::exchange(last_pixel, -1);
+    if (v.is_replaced) continue;
+    const SightLine sight(view, v.vertex.px.cast<double>());
+    const double idepth = double(v.vertex.idepth), depth = sight.depth(idepth);
+    if (!(depth > 0.05)) continue;
+    const Eigen::Vector2d p = sight.at(idepth);
+    if (!pinhole_.contains(p, kBorderPx)) continue;
+    const int j = level.field.nearest(float(p.x()), float(p.y()));
+    const EdgePixel* e = j >= 0 ? &level.edges.pixels[size_t(j)] : nullptr;
+    const Eigen::Vector2d offset = e ? Eigen::Vector2d(e->position().cast<double>() - p) : p;
+    const bool is_there = e && std::abs(e->normal().cast<double>().dot(offset)) < kAcrossPx &&
+                          offset.norm() < kAcrossPx + kAlongPx &&
+                          is_like_direction(view, v.normal.cast<double>(), *e);
+    if (!is_there) {
+      explained->missed.push_back(&v);
+      continue;
+    }
+    // z' = z (h + rho e)_z: the inverse depth and its deviation in this keyframe.
+    const KnownDepth here{idepth / depth, double(v.vertex.idepth_sigma) / depth};
+    explain(j, here, &v);
+    if (before >= 0 && level.edges.pixels[size_t(before)].chain == e->chain && std::abs(j - before) < kMaxBridge)
+      for (int k = std::min(before, j) + 1; k < std::max(before, j); ++k) {
+        const double share = double(k - before) / (j - before);
+        explain(k, {last.idepth + share * (here.idepth - last.idepth), std::max(last.sigma, here.sigma)}, &v);
+      }
+    last_pixel = j;
+    last = here;
+  }
+}
+
+// Each vertex is seen or missed once a keyframe at most.
+void EdgeFusion::count(Explained* explained) const {
+  const auto distinct = [](std::vector<Vertex*>* v) {
+    std::sort(v->begin(), v->end());
+    v->erase(std::unique(v->begin(), v->end()), v->end());
+  };
+  distinct(&explained->seen);
+  distinct(&explained->missed);
+  for (Vertex* v : explained->seen) ++v->seen;
+  for (Vertex* v : explained->missed)
+    v->missed += !std::binary_search(explained->seen.begin(), explained->seen.end(), v);
+}
+
+EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode& node,
+                                           const Explained& explained) const {
+  const EdgePixel& e = host.pyramid->finest().edges.pixels[size_t(node.edge_pixel)];
+  const EdgeSides& sides = (*host.sides)[size_t(node.edge_pixel)];
+  Vertex v;
+  v.vertex = {e.position(), float(node.idepth), float(node.idepth_sigma), sides.dark, sides.bright};
+  v.normal = e.normal();
+  v.views = node.views;
+  v.is_outline = node.is_outline;
+  const Vertex* before = explained.by[size_t(node.edge_pixel)];
+  if (before && is_same_depth(explained.known[size_t(node.edge_pixel)], node)) v.seen += before->seen;
+  return v;
+}
+
+void EdgeFusion::settle(const OpenHost& host) {
+  HostedLines hosted{host.id, {}};
+  for (const Line& line : host.lines) settle_line(line, &hosted.lines);
+  settled_.push_back(std::move(hosted));
+  motions_.push_back(host.motion);
+}
+
+bool EdgeFusion::stays(const Vertex& v) const {
+  if (!params_.is_fused()) return true;
+  const bool is_confirmed = v.seen >= kMinSeen || v.views >= kManyViews;
+  return is_confirmed && !v.is_replaced && v.missed <= v.seen;
+}
+
+// Stretches of vertices that stay.
+void EdgeFusion::settle_line(const Line& line, std::vector<EdgeLine>* lines) const {
+  EdgeLine stretch;
+  std::vector<int> keyframes;
+  int outline = 0;
+  const auto flush = [&] {
+    if (stretch.vertices.size() >= 2) {
+      stretch.keyframes = median(keyframes);
+      stretch.is_straight = is_straight(stretch.vertices);
+      stretch.is_outline = 2 * outline > int(stretch.vertices.size());
+      lines->push_back(stretch);
+    }
+    stretch.vertices.clear();
+    keyframes.clear();
+    outline = 0;
+  };
+  for (const Vertex& v : line) {
+    if (!stays(v)) {
+      flush();
+      continue;
+    }
+    stretch.vertices.push_back(v.vertex);
+    keyframes.push_back(v.seen);
+    outline += v.is_outline;
+  }
+  flush();
+}
+
+void EdgeFusion::apply(const MapRevision& revision) {
+  const auto move = [&](const ImageMotion& motion, double length_ratio, EdgeVertex* v) {
+    v->px = correct_pixel(pinhole_, revision.before, revision.now, motion, v->px.cast<double>()).cast<float>();
+    v->idepth /= float(length_ratio), v->idepth_sigma /= float(length_ratio);
+  };
+  for (const RevisedKeyframe& r : revision.keyframes) {
+    for (OpenHost& host : open_) {
+      if (host.id != r.id) continue;
+      host.T_cam_world = r.T_cam_world;
+      for (Line& line : host.lines)
+        for (Vertex& v : line) move(host.motion, r.length_ratio, &v.vertex);
+    }
+    for (size_t i = 0; i < settled_.size(); ++i) {
+      if (settled_[i].keyframe_id != r.id) continue;
+      for (EdgeLine& line : settled_[i].lines)
+        for (EdgeVertex& v : line.vertices) move(motions_[i], r.length_ratio, &v);
+    }
+  }
+}
+
+std::vector<HostedLines> EdgeFusion::close() {
+  for (const OpenHost& host : open_) settle(host);
+  open_.clear();
+  motions_.clear();
+  return std::exchange(settled_, {});
+}
+
+}  // namespace edgevo

@@ -1,0 +1,65 @@
+#pragma once
+// The lines of a segment, fused: each 3D edge is hosted once.
+#include <deque>
+#include <vector>
+
+#include "edgevo/edge_map/edge_depth.h"
+#include "edgevo/edge_map/edge_mapper.h"
+
+namespace edgevo {
+
+/// A keyframe as the fusion needs it.
+struct EdgeHost {
+  int id = -1;
+  std::shared_ptr<const FramePyramid> pyramid;
+  std::shared_ptr<const std::vector<EdgeSides>> sides;
+  SE3 T_cam_world;
+  ImageMotion motion;       ///< of its image
+  double max_idepth = 0;    ///< nothing is nearer than 1 over it
+};
+
+class EdgeFusion {
+ public:
+  EdgeFusion(const Pinhole& pinhole, const EdgeMapParams& params) : pinhole_(pinhole), params_(params) {}
+
+  void add(const EdgeHost& host, const std::vector<EdgeView>& views);
+  void apply(const MapRevision& revision);
+  std::vector<HostedLines> close();
+
+ private:
+  struct Vertex {
+    EdgeVertex vertex;
+    Eigen::Vector2f normal;
+    int seen = 1, missed = 0;  // keyframes
+    int views = 0;             // images that showed it to its host
+    bool is_replaced = false;  // by a nearer keyframe's
+    bool is_outline = false;
+  };
+  using Line = std::vector<Vertex>;
+  struct OpenHost {
+    int id = -1;
+    SE3 T_cam_world;
+    ImageMotion motion;
+    std::vector<Line> lines;
+  };
+  struct Explained;
+
+  void project_lines(const EdgeHost& host, Explained* explained);
+  void project_line(const EdgeHost& host, const OpenHost& open, Line* line, Explained* explained) const;
+  void add_new_stretches(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
+                         std::vector<Line>* lines) const;
+  bool is_news(const EdgeNode& node, Explained* explained) const;
+  void count(Explained* explained) const;
+  Vertex make_vertex(const EdgeHost& host, const EdgeNode& node, const Explained& explained) const;
+  bool stays(const Vertex& v) const;
+  void settle(const OpenHost& host);
+  void settle_line(const Line& line, std::vector<EdgeLine>* lines) const;
+
+  Pinhole pinhole_;
+  EdgeMapParams params_;
+  std::deque<OpenHost> open_;          // ascending id
+  std::vector<HostedLines> settled_;   // ascending id
+  std::vector<ImageMotion> motions_;   // of the settled ones: their pixels move when the camera is corrected
+};
+
+}  // namespace edgevo

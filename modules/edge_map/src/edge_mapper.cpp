@@ -1,0 +1,124 @@
+#include "edgevo/edge_map/edge_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "edge_fusion.h"
+#include "edgevo/core/order_statistics.h"
+#include "worker.h"
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kOlder = 8;        // keyframes kept beyond the window: what leaves the view is seen by them only
+constexpr double kNearestShare = 0.95, kNearestTimes = 5;  // nothing is nearer than a fifth of the nearest points
+constexpr int kMaxViews = 12;       // handed over; a pixel is looked up in those that show it, params.views at most
+constexpr int kMinPoints = 10;      // to tell how near the scene is, or how bright an image
+constexpr size_t kMaxWaiting = 4;   // keyframes; a thread further behind does not catch up
+
+// Numbers of keyframes after (before, if negative) the host, the nearest first: short baselines find an edge,
+// long ones tell its depth.
+constexpr int kOffsets[] = {1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 11, 4, -4, 6, -6, 7, -7, 9, 10};
+
+float gray_at(const Keyframe& k, const Eigen::Vector2d& px) {
+  const Plane<uint8_t>& gray = k.pyramid->finest().gray;
+  const int x = std::clamp(int(std::lround(px.x())), 0, gray.width() - 1);
+  const int y = std::clamp(int(std::lround(px.y())), 0, gray.height() - 1);
+  return float(gray.at(x, y));
+}
+
+// Brightness of another keyframe over the host's, from the points that both show.
+double gain_of(const Keyframe& host, const Keyframe& view) {
+  std::vector<double> ratios;
+  const auto compare = [&](const Keyframe& from, const Keyframe& to, bool is_host) {
+    for (const MapPoint& p : from.points)
+      if (const Observation* o = p.find(to.id)) {
+        const double ratio = (gray_at(to, o->match.px) + 1) / (gray_at(from, p.px) + 1);
+        ratios.push_back(is_host ? ratio : 1 / ratio);
+      }
+  };
+  compare(host, view, true);
+  compare(view, host, false);
+  return int(ratios.size()) >= kMinPoints ? median(std::move(ratios)) : 1;
+}
+
+double max_idepth_of(const Keyframe& host, const std::deque<Keyframe>& younger) {
+  std::vector<double> idepths;
+  for (const MapPoint& p : host.points) idepths.push_back(p.idepth);
+  for (auto k = younger.begin(); k != younger.end() && int(idepths.size()) < kMinPoints; ++k)
+    for (const MapPoint& p : k->points) idepths.push_back(p.idepth);
+  return kNearestTimes * quantile(std::move(idepths), kNearestShare);
+}
+
+}  // namespace
+
+struct EdgeMapper::Impl {
+  Impl(const Pinhole& pinhole, const EdgeMapParams& p, bool own_thread)
+      : params(p), fusion(pinhole, p), worker(own_thread, kMaxWaiting) {}
+
+  std::shared_ptr<const std::vector<EdgeSides>> sides_of(const Keyframe& k) {
+    auto& known = sides[k.id];
+    if (!known) known = std::make_shared<const std::vector<EdgeSides>>(sample_sides(k.pyramid->finest()));
+    return known;
+  }
+
+  std::vector<EdgeView> views_of(const Keyframe& host, const std::deque<Keyframe>& younger) {
+    std::vector<EdgeView> views;
+    for (const int offset : kOffsets) {
+      const size_t rank = size_t(std::abs(offset)) - 1;
+      const std::deque<Keyframe>& side = offset > 0 ? younger : older;
+      if (rank >= side.size() || int(views.size()) >= kMaxViews) continue;
+      const Keyframe& k = offset > 0 ? side[rank] : side[side.size() - 1 - rank];
+      views.push_back({k.pyramid, sides_of(k), k.T_cam_world * host.T_cam_world.inverse(), gain_of(host, k)});
+    }
+    return views;
+  }
+
+  void remember(const Keyframe& keyframe) {
+    older.push_back(keyframe);
+    older.back().immature.clear();
+    if (older.size() > kOlder) older.pop_front();
+    sides.erase(sides.begin(), sides.lower_bound(older.front().id));
+  }
+
+  EdgeMapParams params;
+  EdgeFusion fusion;  // the worker's
+  Worker worker;
+  std::deque<Keyframe> older;  // ascending id
+  std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
+};
+
+EdgeMapper::EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread)
+    : impl_(std::make_unique<Impl>(pinhole, params, own_thread)) {}
+EdgeMapper::~EdgeMapper() = default;
+
+void EdgeMapper::add(const Keyframe& keyframe, const std::deque<Keyframe>& younger) {
+  if (!impl_->params.is_on()) return;
+  const EdgeHost host{keyframe.id, keyframe.pyramid, impl_->sides_of(keyframe), keyframe.T_cam_world, keyframe.motion,
+                      max_idepth_of(keyframe, younger)};
+  std::vector<EdgeView> views = impl_->views_of(keyframe, younger);
+  impl_->remember(keyframe);
+  EdgeFusion* fusion = &impl_->fusion;
+  impl_->worker.submit([fusion, host, views = std::move(views)] { fusion->add(host, views); });
+}
+
+// The images of keyframes that have left the window are not corrected: they are not looked at any more.
+void EdgeMapper::apply(const MapRevision& revision) {
+  if (!impl_->params.is_on()) return;
+  impl_->older.clear();
+  impl_->sides.clear();
+  impl_->worker.wait_idle();
+  impl_->fusion.apply(revision);
+}
+
+std::vector<HostedLines> EdgeMapper::close() {
+  impl_->older.clear();
+  impl_->sides.clear();
+  impl_->worker.wait_idle();
+  return impl_->fusion.close();
+}
+
+int EdgeMapper::left_out() const { return impl_->worker.left_out(); }
+
+}  // namespace edgevo

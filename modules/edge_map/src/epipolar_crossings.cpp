@@ -1,0 +1,91 @@
+#include "epipolar_crossings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+constexpr double kBorderPx = 3;
+constexpr double kMinLengthPx = 6;    // shorter lines do not tell neighbouring edges apart
+constexpr double kMaxLengthPx = 400;  // beyond, all edges of the image are candidates
+constexpr double kMinDepth = 0.1;     // as in depth_evidence.cpp, with room
+constexpr double kNearPx = 1.5;       // an edge pixel this near to the line is tried
+constexpr double kMaxSlidePx = 3;     // from there to where edge and line cross
+constexpr double kMinCrossing = 0.2;  // sine of the angle between edge and line: 12 degrees
+constexpr double kStepPast = 1.5;     // pixels, beyond a crossing: the next pixel of the same edge is the same
+
+// The part of p(0..max_idepth) within the image, as start + s direction, 0 <= s <= length.
+struct Segment {
+  Eigen::Vector2d start, direction;
+  double length = 0;
+};
+
+Segment visible_segment(const Pinhole& c, const SightLine& line, double max_idepth) {
+  Segment s;
+  if (!(line.depth(0) > kMinDepth)) return s;
+  double high = max_idepth;
+  if (line.depth(high) < kMinDepth) high = (kMinDepth - line.h.z()) / line.e.z();
+  s.start = line.at(0);
+  const Eigen::Vector2d span = line.at(high) - s.start;
+  const double length = span.norm();
+  if (length < kMinLengthPx) return s;
+  s.direction = span / length;
+  double from = 0, to = length;
+  const double last[2] = {c.width - 1 - kBorderPx, c.height - 1 - kBorderPx};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double p = s.start[axis], d = s.direction[axis];
+    if (std::abs(d) < 1e-9) {
+      if (p < kBorderPx || p > last[axis]) to = -1;
+      continue;
+    }
+    const double a = (kBorderPx - p) / d, b = (last[axis] - p) / d;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  if (to - from < kMinLengthPx) return s;
+  s.start += from * s.direction;
+  s.length = std::min(to - from, kMaxLengthPx);
+  return s;
+}
+
+// Where the line crosses the tangent of an edge pixel; negative where it does not nearby.
+double crossing(const EdgeSight& sight, const ViewGeometry& view, const Segment& segment, double s, size_t j) {
+  const EdgePixel& e = view.level->edges.pixels[j];
+  const Eigen::Vector2d n = e.normal().cast<double>();
+  const double sine = n.dot(segment.direction);
+  if (std::abs(sine) < kMinCrossing || !is_like_direction(view, sight.normal, e)) return -1;
+  const double at = n.dot(e.position().cast<double>() - segment.start) / sine;
+  if (std::abs(at - s) > kMaxSlidePx) return -1;
+  const SideChange change = compare_sides(sight.sides, view, j);
+  return change.dark && change.bright ? -1 : at;
+}
+
+}  // namespace
+
+bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line, double max_idepth,
+                    std::vector<double>* idepths) {
+  const Segment segment = visible_segment(view.level->pinhole, line, max_idepth);
+  if (segment.length < kMinLengthPx) return false;
+  double last = -kStepPast;
+  for (double s = 0; s <= segment.length;) {
+    const Eigen::Vector2d p = segment.start + s * segment.direction;
+    const int square = view.level->field.squared_distance(float(p.x()), float(p.y()));
+    const double distance = std::sqrt(double(square));
+    if (distance > kNearPx) {
+      s += std::max(1.0, distance - kNearPx);
+      continue;
+    }
+    const int j = view.level->field.nearest(float(p.x()), float(p.y()));
+    const double at = crossing(sight, view, segment, s, size_t(j));
+    if (at >= 0 && at <= segment.length && at > last + kStepPast) {
+      const double idepth = line.idepth_at(segment.start + at * segment.direction, segment.direction);
+      if (idepth > 0 && idepth <= max_idepth) idepths->push_back(idepth);
+      last = at;
+    }
+    s += 1;
+  }
+  return true;
+}
+
+}  // namespace edgevo

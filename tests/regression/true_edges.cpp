@@ -1,0 +1,144 @@
+#include "true_edges.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "edgevo/core/point_filter.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/simulation/correspondence.h"
+
+namespace edgevo::testing {
+namespace {
+
+constexpr int kMinKeyframes = 3;
+
+// Relocates the path of the run onto the true one: scale and motion.
+void fit_path(const Scene& scene, const Run& run, double* scale, SE3* T_scene_run) {
+  std::vector<Eigen::Vector3d> from, to;
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam) continue;
+    from.push_back(f.T_world_cam->translation());
+    to.push_back(scene.T_scene_cam[size_t(f.index)].translation());
+  }
+  Eigen::Matrix3Xd a(3, from.size()), b(3, to.size());
+  for (size_t i = 0; i < from.size(); ++i) a.col(Eigen::Index(i)) = from[i], b.col(Eigen::Index(i)) = to[i];
+  const Eigen::Matrix4d T = Eigen::umeyama(a, b, true);
+  *scale = T.topLeftCorner<3, 3>().col(0).norm();
+  *T_scene_run = SE3(Eigen::Matrix3d(T.topLeftCorner<3, 3>() / *scale), Eigen::Vector3d(T.topRightCorner<3, 1>()));
+}
+
+double share(int64_t part, int64_t all) { return double(part) / double(std::max<int64_t>(1, all)); }
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& q) {
+  return out << 100 * q.completeness << " % of " << q.true_cells << " cells of true edges reconstructed, "
+             << 100 * q.accuracy << " % of " << q.length << " m of lines at true edges (points alone: "
+             << 100 * q.points_completeness << ", " << 100 * q.points_accuracy << " %); " << q.lines
+             << " lines with " << q.vertices << " vertices in " << q.keyframes << " keyframes";
+}
+
+TrueEdges::TrueEdges(const SceneRenderer& renderer, const Run& run, double range, double tolerance)
+    : renderer_(&renderer), range_(range), tolerance_(tolerance) {
+  fit_path(renderer.scene(), run, &scale_, &T_scene_run_);
+  for (size_t k = 0; k < run.keyframes.size(); ++k) add_edges(int(k), run.keyframes[k].frame_index);
+}
+
+TrueEdges::Cell TrueEdges::cell_of(const Eigen::Vector3d& p) const {
+  const double side = 0.5 * tolerance_;
+  return {int(std::floor(p.x() / side)), int(std::floor(p.y() / side)), int(std::floor(p.z() / side))};
+}
+
+void TrueEdges::add_edges(int keyframe, int frame_index) {
+  const RenderedFrame frame = renderer_->render(frame_index);
+  PyramidBuilder builder(renderer_->camera(), EdgeParams());
+  const Pinhole& pinhole = renderer_->camera().pinhole;
+  const ImageView<float> depth{frame.depth.data(), pinhole.width, pinhole.height, pinhole.width};
+  const SE3& T_scene_cam = renderer_->scene().T_scene_cam[size_t(frame_index)];
+  const auto pyramid = builder.build(frame.image);
+  for (const EdgePixel& e : pyramid->finest().edges.pixels) {
+    const Eigen::Vector2d px = e.position().cast<double>();
+    const double idepth = edge_idepth(depth, px);
+    if (!(idepth > 0)) continue;
+    const Eigen::Vector3d p_cam = pinhole.ray(px) / idepth;
+    if (p_cam.norm() > range_) continue;
+    const Eigen::Vector3d p = T_scene_cam * p_cam;
+    Seen& seen = seen_[cell_of(p)];
+    seen.sum += p, ++seen.pixels;
+    seen.keyframes += std::exchange(seen.last_keyframe, keyframe) != keyframe;
+  }
+}
+
+// Within the tolerance of the mean of a cell; cells are half as long.
+bool TrueEdges::has_near(const Cells& cells, const Eigen::Vector3d& p) const {
+  const Cell c = cell_of(p);
+  for (int dx = -2; dx <= 2; ++dx)
+    for (int dy = -2; dy <= 2; ++dy)
+      for (int dz = -2; dz <= 2; ++dz) {
+        const auto at = cells.find({c[0] + dx, c[1] + dy, c[2] + dz});
+        if (at != cells.end() && (at->second.mean() - p).norm() <= tolerance_) return true;
+      }
+  return false;
+}
+
+Eigen::Vector3d TrueEdges::in_scene(const Run&, const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const {
+  return T_scene_run_ * (scale_ * (k.T_world_cam * p_cam));
+}
+
+EdgeMapQuality TrueEdges::judge(const Run& run, const char* dump) const {
+  FILE* out = dump ? fopen(dump, "w") : nullptr;
+  EdgeMapQuality q;
+  Cells lines, points;
+  const auto add = [&](Cells* cells, const Eigen::Vector3d& p) {
+    Seen& s = (*cells)[cell_of(p)];
+    s.sum += p, ++s.pixels;
+  };
+  double good = 0;
+  int64_t kept = 0, good_points = 0;
+  const PointFilter filter;
+  q.keyframes = int64_t(run.keyframes.size());
+  for (const KeyframeRecord& k : run.keyframes) {
+    for (const EdgePoint& e : k.points) {
+      const Eigen::Vector3d p_cam = point_in_camera(run.pinhole, e);
+      if (!filter.keeps(e) || scale_ * p_cam.norm() > range_) continue;
+      const Eigen::Vector3d p = in_scene(run, k, p_cam);
+      ++kept, good_points += has_near(seen_, p);
+      add(&points, p);
+    }
+    for (const EdgeLine& line : k.lines) {
+      ++q.lines, q.vertices += int64_t(line.vertices.size());
+      for (size_t i = 1; i < line.vertices.size(); ++i) {
+        const Eigen::Vector3d a_cam = point_in_camera(run.pinhole, line.vertices[i - 1]);
+        const Eigen::Vector3d b_cam = point_in_camera(run.pinhole, line.vertices[i]);
+        if (scale_ * std::max(a_cam.norm(), b_cam.norm()) > range_) continue;
+        const Eigen::Vector3d a = in_scene(run, k, a_cam), b = in_scene(run, k, b_cam);
+        const double length = (b - a).norm();
+        q.length += length;
+        const bool is_good = has_near(seen_, 0.5 * (a + b));
+        good += length * is_good;
+        const EdgeVertex& v = line.vertices[i];
+        if (out) fprintf(out, "%d %g %g %g %zu %d %d %d %d %g %g\n", is_good, length, scale_ * a_cam.norm(), v.idepth_sigma / v.idepth, line.vertices.size(), line.keyframes, line.is_outline, line.is_straight, int(v.gray_bright) - v.gray_dark, v.px.x(), v.px.y());
+        const int steps = 1 + int(length / (0.5 * tolerance_));
+        for (int s = 0; s <= steps; ++s) add(&lines, a + (b - a) * s / steps);
+      }
+    }
+  }
+  if (out) fclose(out);
+  int64_t found = 0, found_by_points = 0;
+  for (const auto& [cell, seen] : seen_) {
+    if (seen.keyframes < kMinKeyframes) continue;
+    ++q.true_cells;
+    found += has_near(lines, seen.mean());
+    found_by_points += has_near(points, seen.mean());
+  }
+  q.completeness = share(found, q.true_cells);
+  q.points_completeness = share(found_by_points, q.true_cells);
+  q.accuracy = q.length > 0 ? good / q.length : 0;
+  q.points_accuracy = share(good_points, kept);
+  return q;
+}
+
+}  // namespace edgevo::testing

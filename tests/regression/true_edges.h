@@ -1,0 +1,60 @@
+#pragma once
+// The edges that the keyframes of a run saw, at their true place in a rendered scene, as the judge of its map.
+//
+// A true edge is an edge pixel of the clean rendered image of a keyframe (whatever light the run had) at its
+// true depth: creases, outlines, borders of texture and of shadow, and whatever else looks like an edge.
+#include <array>
+#include <cstdint>
+#include <ostream>
+#include <unordered_map>
+#include <vector>
+
+#include "edgevo/core/records.h"
+#include "edgevo/simulation/scene_renderer.h"
+
+namespace edgevo::testing {
+
+struct EdgeMapQuality {
+  double completeness = 0;  ///< share of the true edges, seen by three keyframes, that are reconstructed
+  double accuracy = 0;      ///< share of the reconstructed length that lies at a true edge
+  double points_completeness = 0, points_accuracy = 0;  ///< the same of the sparse points alone
+  int64_t true_cells = 0;   ///< cubes of half the tolerance with true edges
+  double length = 0;        ///< metres of reconstructed edges within range
+  int64_t vertices = 0, lines = 0, keyframes = 0;
+};
+std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& quality);
+
+class TrueEdges {
+ public:
+  /// `range`: metres from the camera; `tolerance`: metres between a reconstructed edge and a true one.
+  TrueEdges(const SceneRenderer& renderer, const Run& run, double range, double tolerance);
+
+  EdgeMapQuality judge(const Run& run, const char* dump = nullptr) const;
+
+ private:
+  using Cell = std::array<int, 3>;
+  struct CellHash {
+    size_t operator()(const Cell& c) const {
+      return size_t(c[0]) * 73856093u ^ size_t(c[1]) * 19349663u ^ size_t(c[2]) * 83492791u;
+    }
+  };
+  struct Seen {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int pixels = 0, keyframes = 0, last_keyframe = -1;
+    Eigen::Vector3d mean() const { return sum / pixels; }
+  };
+  using Cells = std::unordered_map<Cell, Seen, CellHash>;
+
+  Cell cell_of(const Eigen::Vector3d& p) const;
+  void add_edges(int keyframe, int frame_index);
+  bool has_near(const Cells& cells, const Eigen::Vector3d& p) const;
+  Eigen::Vector3d in_scene(const Run& run, const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const;
+
+  const SceneRenderer* renderer_;
+  double range_, tolerance_;
+  double scale_ = 1;  ///< metres per unit of the run
+  SE3 T_scene_run_;   ///< after the scale
+  Cells seen_;
+};
+
+}  // namespace edgevo::testing
