@@ -20,8 +20,7 @@ mrpt::obs::CObservation3DRangeScan::Ptr make_edge_scan(const KeyframeRecord& key
   scan->cameraParams = to_mrpt(Camera{pinhole, {}});
   scan->hasPoints3D = true;
   double farthest = 0;
-  for (const EdgePoint& p : keyframe.points) {
-    if (!filter.keeps(p)) continue;
+  const auto add = [&](const auto& p) {
     const Eigen::Vector3d point = T_F_cam * point_in_camera(pinhole, p);
     scan->points3D_x.push_back(float(point.x()));
     scan->points3D_y.push_back(float(point.y()));
@@ -29,7 +28,11 @@ mrpt::obs::CObservation3DRangeScan::Ptr make_edge_scan(const KeyframeRecord& key
     scan->points3D_idxs_x.push_back(pixel_index(p.px.x()));
     scan->points3D_idxs_y.push_back(pixel_index(p.px.y()));
     farthest = std::max(farthest, point.norm());
-  }
+  };
+  for (const EdgePoint& p : keyframe.points)
+    if (filter.keeps(p)) add(p);
+  for (const EdgeLine& line : keyframe.lines)
+    for (const EdgeVertex& v : line.vertices) add(v);
   scan->maxRange = float(farthest);
   return scan;
 }

@@ -20,13 +20,58 @@ void put(std::string* bytes, double value) {
   put(bytes, bits);
 }
 
-void put_vertex(const EdgePoint& p, const Eigen::Vector3d& p_map, int keyframe, std::string* bytes) {
+// What a vertex of the file has beside its place and depth.
+struct VertexNotes {
+  int keyframe = 0, observations = 0, line = -1;
+  uint8_t gray = 0, gray_dark = 0, gray_bright = 0, line_kind = 0;
+};
+
+void put_vertex(const Eigen::Vector3d& p_map, float idepth, float idepth_sigma, const VertexNotes& notes,
+                std::string* bytes) {
   for (int i = 0; i < 3; ++i) put(bytes, p_map[i]);
-  bytes->append(3, char(p.gray));
-  put(bytes, double(p.idepth));
-  put(bytes, double(p.idepth_sigma));
-  put(bytes, uint32_t(keyframe));
-  put(bytes, uint32_t(p.observations));
+  bytes->append(3, char(notes.gray));
+  put(bytes, double(idepth));
+  put(bytes, double(idepth_sigma));
+  put(bytes, uint32_t(notes.keyframe));
+  put(bytes, uint32_t(notes.observations));
+  put(bytes, uint32_t(notes.line));
+  bytes->push_back(char(notes.gray_dark));
+  bytes->push_back(char(notes.gray_bright));
+  bytes->push_back(char(notes.line_kind));
+}
+
+// The body of the file, so far.
+struct Body {
+  std::string vertices, edges;
+  int vertex_count = 0, edge_count = 0, line_count = 0, point_count = 0;
+};
+
+void put_points(const Run& run, const PointFilter& filter, size_t k, const SE3& T_map_cam, Body* body) {
+  for (const EdgePoint& p : run.keyframes[k].points) {
+    if (!filter.keeps(p)) continue;
+    const Eigen::Vector3d p_map = T_map_cam * point_in_camera(run.pinhole, p);
+    put_vertex(p_map, p.idepth, p.idepth_sigma, {int(k), p.observations, -1, p.gray, p.gray, p.gray, 0},
+               &body->vertices);
+    ++body->vertex_count, ++body->point_count;
+  }
+}
+
+void put_line(const Run& run, const EdgeLine& line, size_t k, const SE3& T_map_cam, Body* body) {
+  const uint8_t kind = uint8_t((line.is_straight ? ply::kStraight : 0) | (line.is_outline ? ply::kOutline : 0));
+  for (size_t i = 0; i < line.vertices.size(); ++i) {
+    const EdgeVertex& v = line.vertices[i];
+    const uint8_t gray = uint8_t((v.gray_dark + v.gray_bright) / 2);
+    put_vertex(T_map_cam * point_in_camera(run.pinhole, v), v.idepth, v.idepth_sigma,
+               {int(k), line.keyframes, body->line_count, gray, v.gray_dark, v.gray_bright, kind},
+               &body->vertices);
+    if (i > 0) {
+      put(&body->edges, uint32_t(body->vertex_count - 1));
+      put(&body->edges, uint32_t(body->vertex_count));
+      ++body->edge_count;
+    }
+    ++body->vertex_count;
+  }
+  ++body->line_count;
 }
 
 std::string pose_text(const SE3& T) {
@@ -50,9 +95,9 @@ std::string run_comments(const Run& run) {
   return text;
 }
 
-std::string header(const Run& run, int vertices) {
+std::string header(const Run& run, const Body& body) {
   return "ply\nformat binary_little_endian 1.0\n"
-         "comment edge points of edgevo\n"
+         "comment edge points and lines of edgevo\n"
          "comment unit: " +
          unit_statement(run) +
          "\n"
@@ -62,34 +107,34 @@ std::string header(const Run& run, int vertices) {
          "comment idepth: inverse depth in the host keyframe, idepth_sigma: its standard deviation\n" +
          run_comments(run) +
          "element vertex " +
-         std::to_string(vertices) +
+         std::to_string(body.vertex_count) +
          "\n"
          "property float x\nproperty float y\nproperty float z\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property float idepth\nproperty float idepth_sigma\n"
-         "property int keyframe\nproperty int observations\nend_header\n";
+         "property int keyframe\nproperty int observations\nproperty int line\n"
+         "property uchar gray_dark\nproperty uchar gray_bright\nproperty uchar line_kind\n"
+         "element edge " +
+         std::to_string(body.edge_count) + "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
 }
 
 }  // namespace
 
 int write_edge_ply(const Run& run, const PointFilter& filter, const std::string& path) {
   const SE3 T_map = T_map_world(run);
-  std::string vertices;
-  int count = 0;
-  for (size_t k = 0; k < run.keyframes.size(); ++k) {
-    const SE3 T_map_cam = T_map * run.keyframes[k].T_world_cam;
-    if (!T_map_cam.is_finite()) continue;
-    for (const EdgePoint& p : run.keyframes[k].points) {
-      if (!filter.keeps(p)) continue;
-      put_vertex(p, T_map_cam * point_in_camera(run.pinhole, p), int(k), &vertices);
-      ++count;
-    }
-  }
+  Body body;
+  for (size_t k = 0; k < run.keyframes.size(); ++k)
+    if (const SE3 T_map_cam = T_map * run.keyframes[k].T_world_cam; T_map_cam.is_finite())
+      put_points(run, filter, k, T_map_cam, &body);
+  for (size_t k = 0; k < run.keyframes.size(); ++k)
+    if (const SE3 T_map_cam = T_map * run.keyframes[k].T_world_cam; T_map_cam.is_finite())
+      for (const EdgeLine& line : run.keyframes[k].lines) put_line(run, line, k, T_map_cam, &body);
   OutputFile out(path);
-  out.write(header(run, count));
-  out.write(vertices);
+  out.write(header(run, body));
+  out.write(body.vertices);
+  out.write(body.edges);
   out.close();
-  return count;
+  return body.point_count;
 }
 
 }  // namespace edgevo

@@ -8,7 +8,11 @@ namespace edgevo::ply {
 /// the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE METRES_PER_UNIT SIGMA`.
 constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale";
 
-/// float x y z, uchar red green blue, float idepth idepth_sigma, int keyframe observations.
-constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kVertexBytes = 31;
+/// float x y z, uchar red green blue, float idepth idepth_sigma, int keyframe observations line, uchar gray_dark
+/// gray_bright line_kind.
+constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kLineOffset = 31, kSidesOffset = 35, kVertexBytes = 38;
+
+/// Bits of line_kind.
+constexpr int kStraight = 1, kOutline = 2;
 
 }  // namespace edgevo::ply

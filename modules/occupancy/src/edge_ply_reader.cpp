@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <utility>
 
 #include "edge_ply_format.h"
 #include "edgevo/core/error.h"
@@ -40,13 +41,15 @@ struct Header {
   Run run;
   std::vector<SE3> T_map_cam;
   size_t vertices = 0, end = 0;
-  bool is_ours = false;
+  int line = -1;  // that the last vertex was of
+  bool is_ours = false, has_lines = false;
 };
 
 void read_line(const std::string& path, const std::string& line, Header* header) {
   std::istringstream in(line);
   std::string word, key;
   in >> word >> key;
+  if (word == "property" && line == "property uchar line_kind") header->has_lines = true;
   if (word == "element" && key == "vertex" && !(in >> header->vertices)) refuse(path, "its header tells no number of points");
   if (word != "comment") return;
   bool readable = true;
@@ -75,10 +78,23 @@ Header read_header(const std::string& path, const std::string& bytes) {
   std::istringstream lines(bytes.substr(0, end));
   for (std::string line; std::getline(lines, line);) read_line(path, line, &header);
   if (!header.is_ours) refuse(path, "its header tells neither scale nor keyframes");
+  if (!header.has_lines) refuse(path, "was written by an older version, without lines of edges");
   header.end = end + std::strlen("end_header\n");
   if ((bytes.size() - header.end) / ply::kVertexBytes < header.vertices)
     refuse(path, "is cut short: " + std::to_string(header.vertices) + " points are announced");
   return header;
+}
+
+// Lines come one after the other. `notes`: gray_dark, gray_bright, line_kind.
+void add_to_line(int number, const EdgePoint& p, const uint8_t* notes, Header* header, KeyframeRecord* host) {
+  if (std::exchange(header->line, number) != number) {
+    EdgeLine line;
+    line.keyframes = p.observations;
+    line.is_straight = notes[2] & ply::kStraight;
+    line.is_outline = notes[2] & ply::kOutline;
+    host->lines.push_back(line);
+  }
+  host->lines.back().vertices.push_back({p.px, p.idepth, p.idepth_sigma, notes[0], notes[1]});
 }
 
 void read_vertex(const std::string& path, const char* bytes, Header* header) {
@@ -94,7 +110,11 @@ void read_vertex(const std::string& path, const char* bytes, Header* header) {
   point.idepth = float(1 / p_cam.z());
   point.idepth_sigma = real(bytes + ply::kIdepthOffset + 4) * (point.idepth / real(bytes + ply::kIdepthOffset));
   point.observations = int(little_endian(bytes + ply::kKeyframeOffset + 4));
-  header->run.keyframes[keyframe].points.push_back(point);
+  KeyframeRecord& host = header->run.keyframes[keyframe];
+  if (const int line = int(little_endian(bytes + ply::kLineOffset)); line >= 0)
+    add_to_line(line, point, reinterpret_cast<const uint8_t*>(bytes + ply::kSidesOffset), header, &host);
+  else
+    host.points.push_back(point);
 }
 
 }  // namespace

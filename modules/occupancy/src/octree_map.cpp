@@ -11,6 +11,7 @@
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
+#include "octree_file.h"
 #include "segment_inserter.h"
 
 namespace edgevo {
@@ -101,21 +102,6 @@ void count_voxels(const OcTree& tree, OctreeStats* stats) {
   }
 }
 
-// The header that octomap's own writer would leave, with comments of ours: its readers skip them. (Its
-// writers also print to stderr, hence only the parts of them that write nodes are used.)
-std::string header(const char* first_line, const std::string& comments, const OcTree& tree) {
-  std::ostringstream out;
-  out.precision(10);  // the resolution must read back as it is
-  out << first_line << "\n# (feel free to add / change comments, but leave the first line as it is!)\n"
-      << comments << "#\nid " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
-      << tree.getResolution() << "\ndata\n";
-  return out.str();
-}
-
-std::string comments_of(const Run& run) {
-  return "# edges of edgevo; axes: x forward, y left, z up\n# unit: " + unit_statement(run) + "\n";
-}
-
 }  // namespace
 
 OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
@@ -141,7 +127,7 @@ OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
   tree_->updateInnerOccupancy();
   tree_->prune();
   count_voxels(*tree_, &stats_);
-  comments_ = comments_of(run);
+  comments_ = octree_comments(run);
 }
 
 OctreeMap::~OctreeMap() = default;
@@ -155,13 +141,13 @@ void OctreeMap::write_bt(const std::string& path) const {
   copy.prune();
   std::ostringstream nodes;
   if (copy.getRoot()) copy.writeBinaryNode(nodes, copy.getRoot());
-  write_file(path, header("# Octomap OcTree binary file", comments_, copy) + nodes.str());
+  write_file(path, octree_header(kBtFirstLine, comments_, copy) + nodes.str());
 }
 
 void OctreeMap::write_ot(const std::string& path) const {
   std::ostringstream nodes;
   tree_->writeData(nodes);
-  write_file(path, header("# Octomap OcTree file", comments_, *tree_) + nodes.str());
+  write_file(path, octree_header(kOtFirstLine, comments_, *tree_) + nodes.str());
 }
 
 }  // namespace edgevo

@@ -44,6 +44,7 @@ void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_ca
     mark(p_cam, T_map_cam, p.observations);
     if (may_carve(p, p_cam, T_map_cam)) carve(p_cam, T_map_cam, relative_sigma(p));
   }
+  for (const EdgeLine& line : keyframe.lines) draw(line, T_map_cam);
   update_tree();
   ++batch_;
   ++stats_->batches;
@@ -76,8 +77,28 @@ void SegmentInserter::mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, i
     ++stats_->out_of_bounds;
     return;
   }
+  note_seen(key, observations);
+}
+
+void SegmentInserter::note_seen(const octomap::OcTreeKey& key, int observations) {
   const auto [entry, is_new] = seen_until_.emplace(key, batch_);
   entry->second = std::max(entry->second, batch_ + std::max(observations, 1) - 1);
+}
+
+// Voxel by voxel from vertex to vertex.
+void SegmentInserter::draw(const EdgeLine& line, const SE3& T_map_cam) {
+  for (size_t i = 0; i < line.vertices.size(); ++i) {
+    const Eigen::Vector3d p_cam = point_in_camera(pinhole_, line.vertices[i]);
+    mark(p_cam, T_map_cam, line.keyframes);
+    if (i == 0 || p_cam.norm() > limits_.max_range) continue;
+    const Eigen::Vector3d before = point_in_camera(pinhole_, line.vertices[i - 1]);
+    octomap::OcTreeKey key;
+    const octomap::point3d from = to_octomap(T_map_cam * before), to = to_octomap(T_map_cam * p_cam);
+    if (before.norm() > limits_.max_range || !tree_->coordToKeyChecked(from, key) ||
+        !tree_->coordToKeyChecked(to, key) || !tree_->computeRayKeys(from, to, ray_))
+      continue;
+    for (const octomap::OcTreeKey& between : ray_) note_seen(between, line.keyframes);
+  }
 }
 
 void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma) {

@@ -40,6 +40,8 @@ class SegmentInserter {
   double neighbour_radius(double range) const;
   bool has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const;
   void mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations);
+  void draw(const EdgeLine& line, const SE3& T_map_cam);
+  void note_seen(const octomap::OcTreeKey& key, int observations);
   void carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma);
   void update_tree();
 

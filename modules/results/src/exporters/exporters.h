@@ -18,8 +18,10 @@ bool has_scale(const ExportContext& context);
 
 // map_files.cpp
 void export_points(ExportContext* context, const std::string& path);
+void export_line_table(ExportContext* context, const std::string& path);
 void export_full_octree(ExportContext* context, const std::string& path);
 void export_binary_octree(ExportContext* context, const std::string& path);
+void export_color_octree(ExportContext* context, const std::string& path);
 bool has_octree(const ExportContext& context);
 void export_grid(ExportContext* context, const std::string& path);
 void export_gridmap(ExportContext* context, const std::string& path);

@@ -1,11 +1,18 @@
+#include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
+#include "edgevo/occupancy/color_octree.h"
 #include "edgevo/occupancy/edge_ply.h"
+#include "edgevo/occupancy/line_table.h"
 #include "exporters.h"
 
 namespace edgevo {
 
 void export_points(ExportContext* context, const std::string& path) {
   write_edge_ply(context->run, context->params.occupancy.points, path);
+}
+
+void export_line_table(ExportContext* context, const std::string& path) {
+  write_file(path, line_table_csv(context->run));
 }
 
 void export_full_octree(ExportContext* context, const std::string& path) {
@@ -16,6 +23,10 @@ void export_full_octree(ExportContext* context, const std::string& path) {
 
 void export_binary_octree(ExportContext* context, const std::string& path) {
   context->octree->write_bt(path);
+}
+
+void export_color_octree(ExportContext* context, const std::string& path) {
+  write_color_octree(context->run, context->params.occupancy.points, *context->octree, path);
 }
 
 bool has_octree(const ExportContext& context) { return context.octree.has_value(); }
