@@ -22,7 +22,7 @@ constexpr int kDone = 0, kMostlyFailed = 3;
 
 struct RunArguments {
   SourceOptions source;
-  std::string out, params_file, detector, scale = "none";
+  std::string out, params_file, detector, edge_map, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false, view = false;
@@ -36,6 +36,7 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.params_file.empty()) read_params_file(args.params_file, visit);
   for (const std::string& setting : args.settings) set_param(setting, visit);
   if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
+  if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
   return params;
 }
 
@@ -88,17 +89,17 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
 }
 
 void print_summary(const Run& run, const std::string& out) {
-  size_t posed = 0, lost = 0, points = 0;
+  size_t posed = 0, lost = 0, points = 0, lines = 0;
   int segments = 0;
   for (const FrameRecord& f : run.frames) {
     posed += f.T_world_cam.has_value();
     lost += f.state == TrackingState::kLost;
     segments = std::max(segments, f.segment + 1);
   }
-  for (const KeyframeRecord& k : run.keyframes) points += k.points.size();
+  for (const KeyframeRecord& k : run.keyframes) points += k.points.size(), lines += k.lines.size();
   std::printf(
-      "%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points; scale %s\n",
-      run.frames.size(), posed, lost, segments, run.keyframes.size(), points, run.scale_source.c_str());
+      "%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points, %zu lines; scale %s\n",
+      run.frames.size(), posed, lost, segments, run.keyframes.size(), points, lines, run.scale_source.c_str());
   if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
   std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());
 }
@@ -149,6 +150,8 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
       ->take_all();
   command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
+  command->add_option("--edge-map", args->edge_map,
+                      "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
   command
       ->add_option("--seed", args->seed,
                    "seed of all random choices; a synchronous run with one seed is bit-identical")

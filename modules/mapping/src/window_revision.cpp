@@ -32,7 +32,7 @@ void revise_points(const Pinhole& c, const MapRevision& revision, const RevisedK
     MapPoint& p = k->points[i];
     p.normal = correct_normal(c, revision.before, revision.now, r.motion, p.px, p.normal);
     p.px = r.points[i].px;
-    p.idepth_sigma *= r.points[i].idepth / p.idepth;
+    p.idepth_sigma /= r.length_ratio;
     p.idepth = r.points[i].idepth;
     p.edge_pixel = find_edge_pixel(k->pyramid->finest(), p.px, p.normal);
     for (Observation& o : p.observations) correct_match(c, revision, o.keyframe_id, &o.match);

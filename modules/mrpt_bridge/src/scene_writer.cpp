@@ -100,20 +100,57 @@ Cloud gather(const Run& run, const PointFilter& filter, int max_points) {
   return cloud;
 }
 
-void add_cloud(const Cloud& cloud, mrpt::opengl::COpenGLScene* scene) {
-  std::vector<float> heights;
-  for (const auto& p : cloud.points) heights.push_back(p.z());
-  const float low = quantile(heights, 0.05), high = quantile(heights, 0.95);
-  const float span = std::max(high - low, 1e-6f);
+// Colours of heights, from the 5th percentile of the points to the 95th.
+class HeightColours {
+ public:
+  explicit HeightColours(const Cloud& cloud) {
+    std::vector<float> heights;
+    for (const auto& p : cloud.points) heights.push_back(p.z());
+    low_ = quantile(heights, 0.05);
+    span_ = std::max(quantile(heights, 0.95) - low_, 1e-6f);
+  }
+  float share(float height) const { return std::clamp((height - low_) / span_, 0.f, 1.f); }
+  /// Not from 0: the darkest blue cannot be seen on the gray of the viewers.
+  static mrpt::img::TColorf colour(float share) {
+    mrpt::img::TColorf c;
+    mrpt::img::colormap(mrpt::img::cmJET, 0.15f + 0.85f * share, c.R, c.G, c.B);
+    return c;
+  }
+
+ private:
+  float low_ = 0, span_ = 1;
+};
+
+// A set of lines has one colour: one set for each band of heights.
+void add_edge_lines(const Run& run, const HeightColours& colours, mrpt::opengl::COpenGLScene* scene) {
+  constexpr int kBands = 16;
+  const SE3 T_map = T_map_world(run);
+  std::vector<mrpt::opengl::CSetOfLines::Ptr> bands;
+  for (int b = 0; b < kBands; ++b)
+    bands.push_back(make_lines(HeightColours::colour((float(b) + 0.5f) / kBands).asTColor(), 1,
+                               "edge lines " + std::to_string(b)));
+  for (const KeyframeRecord& k : run.keyframes) {
+    const SE3 T_map_cam = T_map * k.T_world_cam;
+    if (!T_map_cam.is_finite()) continue;
+    for (const EdgeLine& line : k.lines)
+      for (size_t i = 1; i < line.vertices.size(); ++i) {
+        const Eigen::Vector3d a = T_map_cam * point_in_camera(run.pinhole, line.vertices[i - 1]);
+        const Eigen::Vector3d b = T_map_cam * point_in_camera(run.pinhole, line.vertices[i]);
+        const int band = std::min(kBands - 1, int(kBands * colours.share(float(0.5 * (a.z() + b.z())))));
+        append_line(a, b, bands[size_t(band)].get());
+      }
+  }
+  for (const auto& band : bands)
+    if (band->getLineCount() > 0) scene->insert(band);
+}
+
+void add_cloud(const Cloud& cloud, const HeightColours& colours, mrpt::opengl::COpenGLScene* scene) {
   auto object = mrpt::opengl::CPointCloudColoured::Create();
   object->setName("edges");
   object->setPointSize(2);
   for (const auto& p : cloud.points) {
-    float r = 0, g = 0, b = 0;
-    // Not from 0: the darkest blue cannot be seen on the gray of the viewers.
-    mrpt::img::colormap(mrpt::img::cmJET, 0.15f + 0.85f * std::clamp((p.z() - low) / span, 0.f, 1.f), r, g,
-                        b);
-    object->push_back(p.x(), p.y(), p.z(), r, g, b);
+    const mrpt::img::TColorf c = HeightColours::colour(colours.share(p.z()));
+    object->push_back(p.x(), p.y(), p.z(), c.R, c.G, c.B);
   }
   scene->insert(object);
 }
@@ -181,7 +218,9 @@ void write_scene(const Run& run, const PointFilter& filter, const std::string& p
   const Extent extent = extent_of(cloud, run);
   add_ground(extent, &scene);
   look_at(extent, &scene);
-  add_cloud(cloud, &scene);
+  const HeightColours colours(cloud);
+  add_cloud(cloud, colours, &scene);
+  add_edge_lines(run, colours, &scene);
   add_trajectory(run, &scene);
   const float depth = quantile(cloud.depth, 0.5);
   add_frusta(run, double(depth > 0 ? kFrustumShare * depth : kFrustumShare), &scene);

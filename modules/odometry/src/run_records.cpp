@@ -156,7 +156,8 @@ void RunRecords::revise(std::vector<RevisedKeyframe> keyframes) {
     for (size_t i = 0; i < k.points.size(); ++i) {
       EdgePoint& p = k.points[i];
       p.px = r.points[i].px.cast<float>();
-      p.idepth_sigma *= float(r.points[i].idepth) / p.idepth;
+      // Not by the ratio of the two depths: a point that moves out to infinity is no more certain for it.
+      p.idepth_sigma /= float(r.length_ratio);
       p.idepth = float(r.points[i].idepth);
     }
   }

@@ -15,6 +15,13 @@ void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   y->integer("points_invalid", map.points.invalid);
   y->integer("points_uncertain", map.points.uncertain);
   y->integer("points_unconfirmed", map.points.unconfirmed);
+  int64_t lines = 0, straight = 0, vertices = 0;
+  for (const KeyframeRecord& k : run.keyframes)
+    for (const EdgeLine& line : k.lines)
+      ++lines, straight += line.is_straight, vertices += int64_t(line.vertices.size());
+  y->integer("lines", lines);
+  y->integer("lines_straight", straight);
+  y->integer("line_vertices", vertices);
   y->number("median_depth", map.median_depth, 6);
   y->number("voxel_size", map.resolution, 6);
   y->number("voxel_range", map.max_range, 6);
