@@ -1,0 +1,21 @@
+#include "help.h"
+
+#include <cstring>
+
+namespace edgevo::app {
+
+void add_help_command(CLI::App& app) {
+  app.add_subcommand("help", "what a sub-command does, and its options");
+}
+
+std::vector<char*> help_as_option(int argc, char** argv) {
+  static char help_option[] = "--help";
+  std::vector<char*> words(argv, argv + argc);
+  if (argc < 2 || std::strcmp(argv[1], "help") != 0) return words;
+  words.resize(1);
+  if (argc > 2) words.push_back(argv[2]);
+  words.push_back(help_option);
+  return words;
+}
+
+}  // namespace edgevo::app
