@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -110,17 +111,63 @@ void add_cloud(const Cloud& cloud, mrpt::opengl::COpenGLScene* scene) {
   for (const auto& p : cloud.points) {
     float r = 0, g = 0, b = 0;
     // Not from 0: the darkest blue cannot be seen on the gray of the viewers.
-    mrpt::img::colormap(mrpt::img::cmJET, 0.15f + 0.85f * std::clamp((p.z() - low) / span, 0.f, 1.f), r, g, b);
+    mrpt::img::colormap(mrpt::img::cmJET, 0.15f + 0.85f * std::clamp((p.z() - low) / span, 0.f, 1.f), r, g,
+                        b);
     object->push_back(p.x(), p.y(), p.z(), r, g, b);
   }
   scene->insert(object);
 }
 
-void add_ground(mrpt::opengl::COpenGLScene* scene) {
-  auto grid = mrpt::opengl::CGridPlaneXY::Create(-20, 20, -20, 20, 0, 1);
+// The box that holds the path and nine tenths of the edges along each axis: the few that are far off do not
+// count.
+struct Extent {
+  Eigen::Vector3f low{-1, -1, -1}, high{1, 1, 1};
+
+  Eigen::Vector3f centre() const { return 0.5f * (low + high); }
+  float width() const { return std::max({high.x() - low.x(), high.y() - low.y(), 1e-6f}); }
+};
+
+Extent extent_of(const Cloud& cloud, const Run& run) {
+  Points path;
+  const SE3 T_map = T_map_world(run);
+  for (const FrameRecord& f : run.frames)
+    if (f.T_world_cam && f.T_world_cam->is_finite())
+      path.push_back((T_map * f.T_world_cam->translation()).cast<float>());
+  Extent e;
+  for (int axis = 0; axis < 3 && !path.empty(); ++axis) {
+    std::vector<float> along, edges;
+    for (const auto& p : path) along.push_back(p[axis]);
+    for (const auto& p : cloud.points) edges.push_back(p[axis]);
+    if (!edges.empty()) along.insert(along.end(), {quantile(edges, 0.05), quantile(edges, 0.95)});
+    e.low[axis] = *std::min_element(along.begin(), along.end());
+    e.high[axis] = *std::max_element(along.begin(), along.end());
+  }
+  return e;
+}
+
+// Lines a power of ten apart, ten to a hundred over the width of what there is.
+void add_ground(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
+  const float step = std::pow(10.f, std::floor(std::log10(extent.width())) - 1);
+  const auto outward = [&](float from, float to) {
+    return step * (to > from ? std::ceil(to / step) : std::floor(to / step));
+  };
+  const Eigen::Vector3f c = extent.centre();
+  auto grid = mrpt::opengl::CGridPlaneXY::Create(
+      outward(c.x(), extent.low.x()), outward(c.x(), extent.high.x()), outward(c.y(), extent.low.y()),
+      outward(c.y(), extent.high.y()), 0, step);
   grid->setColor_u8(mrpt::img::TColor(200, 200, 200));
   scene->insert(grid);
-  scene->insert(mrpt::opengl::stock_objects::CornerXYZSimple(1.0f));
+  scene->insert(mrpt::opengl::stock_objects::CornerXYZSimple(step));
+}
+
+// Viewers begin with the camera of the main viewport: all is in sight, from behind the start and above.
+void look_at(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
+  const Eigen::Vector3f c = extent.centre();
+  mrpt::opengl::CCamera& camera = scene->getViewport()->getCamera();
+  camera.setPointingAt(c.x(), c.y(), c.z());
+  camera.setZoomDistance(1.5f * extent.width());
+  camera.setAzimuthDegrees(-150);
+  camera.setElevationDegrees(40);
 }
 
 }  // namespace
@@ -131,7 +178,9 @@ void write_scene(const Run& run, const PointFilter& filter, const std::string& p
   constexpr float kFrustumShare = 0.05f;
   const Cloud cloud = gather(run, filter, std::max(options.max_points, 1));
   mrpt::opengl::COpenGLScene scene;
-  add_ground(&scene);
+  const Extent extent = extent_of(cloud, run);
+  add_ground(extent, &scene);
+  look_at(extent, &scene);
   add_cloud(cloud, &scene);
   add_trajectory(run, &scene);
   const float depth = quantile(cloud.depth, 0.5);

@@ -1,6 +1,7 @@
 #include "edgevo/mrpt_bridge/scene_writer.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/opengl/CCamera.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CPointCloudColoured.h>
 #include <mrpt/opengl/CSetOfLines.h>
@@ -53,6 +54,28 @@ TEST_F(SceneWriterTest, ManyPointsAreThinnedOut) {
   options.max_points = 4;
   auto scene = written(testing::small_run(), options);
   EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 4u);
+}
+
+// Whatever the unit is: the whole lies in front of the camera that a viewer begins with, and fills its view.
+TEST_F(SceneWriterTest, CameraSeesAll) {
+  for (const double unit : {0.01, 1.0, 300.0}) {
+    edgevo::Run run = testing::small_run();
+    for (auto& frame : run.frames)
+      if (frame.T_world_cam)
+        frame.T_world_cam = SE3(frame.T_world_cam->rotation(), unit * frame.T_world_cam->translation());
+    for (auto& k : run.keyframes) {
+      k.T_world_cam = SE3(k.T_world_cam.rotation(), unit * k.T_world_cam.translation());
+      for (auto& p : k.points) p.idepth = float(p.idepth / unit);
+    }
+    auto scene = written(run);
+    const mrpt::opengl::CCamera& camera = scene.getViewport()->getCamera();
+    const auto box = object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0")->getBoundingBox();
+    const double far = (box.max - box.min).norm();
+    EXPECT_GT(camera.getZoomDistance(), 0.9 * far);
+    EXPECT_LT(camera.getZoomDistance(), 20 * far);
+    const mrpt::math::TPoint3D aim(camera.getPointingAtX(), camera.getPointingAtY(), camera.getPointingAtZ());
+    EXPECT_LT((0.5 * (box.max + box.min) - aim).norm(), 0.6 * camera.getZoomDistance());
+  }
 }
 
 TEST_F(SceneWriterTest, EmptyRunGivesAScene) {
