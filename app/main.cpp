@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done; 2 bad usage or bad input; 3 finished, but tracking failed for most of the "
       "sequence.");
-  std::vector<char*> words = edgevo::app::help_as_option(argc, argv);
+  std::vector<char*> words = edgevo::app::help_as_option(app, argc, argv);
   try {
     app.parse(int(words.size()), words.data());
     return action();

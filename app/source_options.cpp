@@ -36,7 +36,7 @@ void add_image_scale(CLI::App& command, SourceOptions* options) {
   command
       .add_option(
           "--image-scale", options->image_scale,
-          "scale the images, 0.01 to 1 (default: 1; where they are wider than 1755 px, to a width of 1241)")
+          "scale the images, 0.01 to 1 (default: 1; where they are wider than 2482 px, to a width of 1241)")
       ->check(number_between(0.01, 1));
 }
 

@@ -70,7 +70,7 @@ class ScaledSource : public ImageSource {
 }  // namespace
 
 double usual_image_scale(int width) {
-  return width > kMeasuredWidth * M_SQRT2 ? double(kMeasuredWidth) / width : 1;
+  return width > 2 * kMeasuredWidth ? double(kMeasuredWidth) / width : 1;
 }
 
 std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, double scale) {

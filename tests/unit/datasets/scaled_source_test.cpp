@@ -61,8 +61,8 @@ TEST_F(ScaledImages, AreToldAndKnowTheirSize) {
 TEST_F(ScaledImages, OnlyWhereTheyAreLarge) {
   EXPECT_EQ(usual_image_scale(640), 1);
   EXPECT_EQ(usual_image_scale(1241), 1);
-  EXPECT_EQ(usual_image_scale(1755), 1);
-  EXPECT_DOUBLE_EQ(usual_image_scale(1920) * 1920, 1241);
+  EXPECT_EQ(usual_image_scale(2482), 1);
+  EXPECT_DOUBLE_EQ(usual_image_scale(2560) * 2560, 1241);
   EXPECT_DOUBLE_EQ(usual_image_scale(7680) * 7680, 1241);
   options_.image_scale = 0;  // the usual one
   EXPECT_EQ(open_source(options_)->camera().pinhole.width, 80);
