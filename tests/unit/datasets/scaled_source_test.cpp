@@ -28,22 +28,22 @@ class ScaledImages : public ::testing::Test {
 };
 
 TEST_F(ScaledImages, ShowTheSameThroughTheirCamera) {
-  options_.image_scale = 0.25;
+  options_.image_scale = 0.5;
   const auto source = open_source(options_);
   const Camera camera = source->camera();
-  EXPECT_EQ(camera.pinhole.width, 20);
-  EXPECT_EQ(camera.pinhole.height, 10);
-  EXPECT_DOUBLE_EQ(camera.pinhole.fx, 15);
-  EXPECT_DOUBLE_EQ(camera.pinhole.fy, 12.5);
+  EXPECT_EQ(camera.pinhole.width, 40);
+  EXPECT_EQ(camera.pinhole.height, 20);
+  EXPECT_DOUBLE_EQ(camera.pinhole.fx, 30);
+  EXPECT_DOUBLE_EQ(camera.pinhole.fy, 25);
   EXPECT_DOUBLE_EQ(camera.distortion.k1, 0.1);
   const auto frames = test::read_all(*source);
   ASSERT_EQ(frames.size(), 2u);
   const GrayImage& image = frames[1].image;
-  ASSERT_EQ(image.width, 20);
+  ASSERT_EQ(image.width, 40);
   // The edge lies between the pixels on both sides of the centre, as before.
-  EXPECT_DOUBLE_EQ(camera.pinhole.cx, 7.5);
-  EXPECT_EQ(image.view().at(7, 5), 0);
-  EXPECT_EQ(image.view().at(8, 5), 200);
+  EXPECT_DOUBLE_EQ(camera.pinhole.cx, 15.5);
+  EXPECT_EQ(image.view().at(15, 10), 0);
+  EXPECT_EQ(image.view().at(16, 10), 200);
   EXPECT_TRUE(frames[1].image_path.empty());  // no file holds this image
   EXPECT_EQ(frames[1].index, 1);
 }
