@@ -10,9 +10,9 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/evaluation/bench_table.h"
 #include "edgevo/simulation/relight.h"
-#include "edgevo_build_info.h"
 #include "option_checks.h"
 #include "signals.h"
+#include "version.h"
 
 namespace edgevo::app {
 namespace {
@@ -28,8 +28,6 @@ struct Progression {
   std::optional<InputError> first_failure;
   int ended() const { return ran + taken; }
 };
-
-std::string version() { return std::string(build_info::kVersion) + " " + build_info::kGitHash + " " + build_info::kBuildType; }
 
 // As the operating system names it.
 std::string processor_name() {

@@ -1,36 +1,46 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "commands.h"
+#include "edgevo/calibration/calibrate_camera.h"
+#include "edgevo/calibration/calibration_picture.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/open_source.h"
 #include "edgevo/datasets/run_calibration.h"
 #include "option_checks.h"
+#include "progress.h"
+#include "signals.h"
 
 namespace edgevo::app {
 namespace {
 
 struct CalibrateArguments {
-  std::string run, out, camera_file;
+  std::string source, out, camera_file;
+  std::string chessboard, charuco, dictionary;
+  double square_m = 1, marker_m = 0;
+  SourceOptions images;
 };
 
 RunCalibration calibration_as_asked(const CalibrateArguments& args) {
-  RunCalibration run = read_run_calibration(args.run);
+  RunCalibration run = read_run_calibration(args.source);
   if (args.camera_file.empty()) return run;
   const Camera camera = read_camera_file(args.camera_file);
   if (camera.pinhole.width != run.camera.pinhole.width || camera.pinhole.height != run.camera.pinhole.height)
-    throw InputError(args.camera_file, "its image size is not that of the run", "give the camera file that the run was given");
+    throw InputError(args.camera_file, "its image size is not that of the run",
+                     "give the camera file that the run was given");
   run.camera = camera;
   return run;
 }
 
 std::string finding(const CameraRefinement& c) {
   if (c.state == CameraRefinement::State::kInsignificant)
-    return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) + ", " +
-           std::to_string(c.keyframes) + " keyframes): the camera is left as it was";
-  return "residual k1 " + fixed(c.k1, 4) + " +- " + fixed(c.sigma, 4) + " (one standard deviation), from " + std::to_string(c.keyframes) +
-         " keyframes";
+    return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
+           ", " + std::to_string(c.keyframes) + " keyframes): the camera is left as it was";
+  return "residual k1 " + fixed(c.k1, 4) + " +- " + fixed(c.sigma, 4) + " (one standard deviation), from " +
+         std::to_string(c.keyframes) + " keyframes";
 }
 
 void print_lens(const char* name, const Distortion& d) {
@@ -41,11 +51,16 @@ void print_change(const Camera& before, const FoldedCamera& after) {
   std::printf("  %-7s %11s %11s %11s %11s %11s\n", "", "k1", "k2", "p1", "p2", "k3");
   print_lens("before", before.distortion);
   print_lens("after", after.camera.distortion);
-  std::printf("image points move by up to %.2f px; this one lens is within %.4f px of both together, rms %.4f px\n", after.max_shift_px,
-              after.max_error_px, after.rms_error_px);
+  std::printf(
+      "image points move by up to %.2f px; this one lens is within %.4f px of both together, rms %.4f px\n",
+      after.max_shift_px, after.max_error_px, after.rms_error_px);
 }
 
-int calibrate(const CalibrateArguments& args) {
+void print_use(const std::string& file) {
+  std::printf("%s: a camera file for --camera, MRPT, OpenCV and ROS\n", file.c_str());
+}
+
+int calibrate_from_run(const CalibrateArguments& args) {
   const RunCalibration run = calibration_as_asked(args);
   const FoldedCamera corrected = corrected_camera(run);
   const std::string found = finding(run.refinement);
@@ -53,20 +68,117 @@ int calibrate(const CalibrateArguments& args) {
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
   if (run.refinement.k1 != 0) print_change(run.camera, corrected);
   if (run.refinement.shutter.readout_s != 0)
-    std::printf("the shutter rolls, read-out %.4f s: no camera file says that; give it with --set camera.readout_s=%.4f\n",
-                run.refinement.shutter.readout_s, run.refinement.shutter.readout_s);
-  std::printf("%s: a camera file for --camera, MRPT, OpenCV and ROS\n", args.out.c_str());
+    std::printf(
+        "the shutter rolls, read-out %.4f s: no camera file says that; give it with --set "
+        "camera.readout_s=%.4f\n",
+        run.refinement.shutter.readout_s, run.refinement.shutter.readout_s);
+  print_use(args.out);
   return 0;
+}
+
+Board board_as_asked(const CalibrateArguments& args) {
+  const bool charuco = !args.charuco.empty();
+  Board board = charuco ? board_of_size(args.charuco, true, "--charuco")
+                        : board_of_size(args.chessboard, false, "--chessboard");
+  board.square_m = args.square_m;
+  board.marker_m = args.marker_m;
+  if (!args.dictionary.empty()) board.dictionary = args.dictionary;
+  return board;
+}
+
+BoardViews views_as_asked(const CalibrateArguments& args) {
+  const BoardFinder finder(board_as_asked(args));
+  SourceOptions options = args.images;
+  options.path = args.source;
+  options.any_camera = true;
+  const auto source = open_source(options);
+  listen_to_signals();
+  Progress progress("looking for the board", source->size());
+  return collect_views(*source, finder, [&, done = 0]() mutable {
+    progress.update(++done);
+    return !interrupted();
+  });
+}
+
+std::string picture_beside(const std::string& camera_file) {
+  return std::filesystem::path(camera_file).replace_extension(".png").string();
+}
+
+void print_calibration(const CameraCalibration& c, const BoardViews& views) {
+  const Pinhole& p = c.camera.pinhole;
+  std::printf("the board is in %d of %d images; %zu different views used, %zu left out for their residuals\n",
+              views.seen, views.images, c.views.size(), c.left_out.size());
+  std::printf("fx %.2f fy %.2f +- %.2f px, cx %.2f cy %.2f +- %.2f px (one standard deviation)\n", p.fx, p.fy,
+              c.sigma_f_px, p.cx, p.cy, c.sigma_c_px);
+  const Distortion& d = c.camera.distortion;
+  std::printf("k1 %.5f k2 %.5f p1 %.5f p2 %.5f k3 %.5f; residuals %.3f px rms\n", d.k1, d.k2, d.p1, d.p2,
+              d.k3, c.rms_px);
+  for (const std::string& what : c.lacking) std::printf("lacking: %s\n", what.c_str());
+}
+
+int calibrate_from_board(const CalibrateArguments& args) {
+  const BoardViews views = views_as_asked(args);
+  const CameraCalibration c = calibrate_camera(views, args.source);
+  const std::string picture = picture_beside(args.out);
+  write_file(args.out,
+             camera_yaml(c.camera, "Calibrated by edgevo: " + std::to_string(c.views.size()) +
+                                       " views of a board, residuals " + fixed(c.rms_px, 3) + " px rms"));
+  write_file(picture, calibration_picture(c));
+  print_calibration(c, views);
+  std::printf("%s: corners and residuals\n", picture.c_str());
+  print_use(args.out);
+  return 0;
+}
+
+int calibrate(const CalibrateArguments& args) {
+  return args.chessboard.empty() && args.charuco.empty() ? calibrate_from_run(args)
+                                                         : calibrate_from_board(args);
+}
+
+void add_board_options(CLI::App& command, CalibrateArguments* args) {
+  CLI::Option* chessboard =
+      command.add_option("--chessboard", args->chessboard,
+                         "SOURCE shows a chessboard of COLUMNSxROWS inner corners, such as 9x6");
+  CLI::Option* charuco = command
+                             .add_option("--charuco", args->charuco,
+                                         "SOURCE shows a ChArUco board of COLUMNSxROWS squares, such as 7x5")
+                             ->excludes(chessboard);
+  command
+      .add_option("--square", args->square_m,
+                  "side of a square of the board, metres (default 1: the camera is the same)")
+      ->check(positive_number());
+  command.add_option("--marker", args->marker_m, "side of a marker of the ChArUco board, metres")
+      ->check(positive_number())
+      ->needs(charuco);
+  command
+      .add_option("--dictionary", args->dictionary,
+                  "of the markers: OpenCV's, such as 4x4_50 (default) or 6x6_250")
+      ->needs(charuco);
+  command.add_option("--every", args->images.every, "of a video: only each N-th image")
+      ->check(whole_number(1));
 }
 
 }  // namespace
 
 void add_calibrate_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("calibrate", "a camera file with the lens distortion that a run has found");
+  CLI::App* command = app.add_subcommand(
+      "calibrate",
+      "a camera file: from images of a chessboard, or with the lens distortion that a run has found");
   auto args = std::make_shared<CalibrateArguments>();
-  command->add_option("RUN", args->run, "the folder of results of a finished `edgevo run`")->required();
-  command->add_option("-o,--out", args->out, "camera file to write (YAML)")->required()->check(path_given());
-  command->add_option("--camera", args->camera_file, "the camera file that the run was given (default: as the run noted it)");
+  command
+      ->add_option("SOURCE", args->source,
+                   "the folder of results of a finished `edgevo run`; with --chessboard or --charuco a "
+                   "folder of images or a "
+                   "video of the board")
+      ->required();
+  command
+      ->add_option("-o,--out", args->out,
+                   "camera file to write (YAML); from a board also a picture of its residuals, .png")
+      ->required()
+      ->check(path_given());
+  command->add_option("--camera", args->camera_file,
+                      "of a run: the camera file that it was given (default: as the run noted it)");
+  add_board_options(*command, args.get());
   command->callback([=] { *action = [=] { return calibrate(*args); }; });
 }
 

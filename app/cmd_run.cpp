@@ -3,7 +3,6 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/datasets/open_source.h"
 #include "edgevo/drive/drive.h"
 #include "edgevo/report/latency_figures.h"
 #include "edgevo/results/run_outputs.h"
@@ -50,6 +49,7 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
   info.notes = {{"seed", std::to_string(args.seed)},
                 {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
+  for (const auto& told : to_be_told(source)) info.notes.push_back(told);
   return info;
 }
 
@@ -113,7 +113,7 @@ bool mostly_failed(const Run& run) {
 int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
   const ScaleSource scale = parse_scale_source(args.scale);
-  const std::unique_ptr<ImageSource> source = open_source(args.source);
+  const std::unique_ptr<ImageSource> source = open_and_tell(args.source);
   RunScaling scaling(scale, *source, params.scale);
   RunOutputs outputs(args.out, source->camera(), params.map);
   listen_to_signals();
@@ -142,6 +142,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   auto args = std::make_shared<RunArguments>();
   args->command_line = std::move(command_line);
   add_source_options(*command, &args->source);
+  add_image_scale(*command, &args->source);
   command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")
       ->required()
       ->check(path_given());

@@ -2,11 +2,11 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/program_folder.h"
 
 namespace edgevo::app {
 namespace {
@@ -14,11 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Beside this program, as the build and the installation put them.
-fs::path companion() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  return self.parent_path() / "edgevo-servo";
-}
+fs::path companion() { return program_folder() / "edgevo-servo"; }
 
 [[noreturn]] void become(const fs::path& program, const std::vector<std::string>& words) {
   std::vector<char*> argv;
@@ -26,7 +22,7 @@ fs::path companion() {
   argv.push_back(nullptr);
   execv(program.c_str(), argv.data());
   throw InputError(program.string(), "cannot be run: " + std::string(std::strerror(errno)),
-                   "it comes with a build that has ViSP (EDGEVO_WITH_VISP=ON)");
+                   "install the package edgevo-servo, or build with ViSP (EDGEVO_WITH_VISP=ON)");
 }
 
 }  // namespace

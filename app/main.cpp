@@ -4,7 +4,9 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "help.h"
 #include "option_checks.h"
+#include "version.h"
 
 namespace {
 
@@ -21,7 +23,7 @@ int main(int argc, char** argv) {
   CLI::App app("Monocular edge visual odometry: from the images of one moving camera to a trajectory and an edge map.");
   app.name("edgevo");
   app.require_subcommand(1);
-  app.set_version_flag("--version", EDGEVO_VERSION);
+  app.set_version_flag("--version", edgevo::app::version_text());
   edgevo::app::Action action;
   edgevo::app::add_run_command(app, &action, std::vector<std::string>(argv, argv + argc));
   edgevo::app::add_import_command(app, &action);
@@ -34,15 +36,20 @@ int main(int argc, char** argv) {
   edgevo::app::add_map_command(app, &action);
   edgevo::app::add_bench_command(app, &action);
   edgevo::app::add_servo_command(app, &action);
+  edgevo::app::add_help_command(app);
+  app.footer(
+      "Exit codes: 0 done; 2 bad usage or bad input; 3 finished, but tracking failed for most of the "
+      "sequence.");
+  std::vector<char*> words = edgevo::app::help_as_option(app, argc, argv);
   try {
-    app.parse(argc, argv);
+    app.parse(int(words.size()), words.data());
     return action();
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);
   } catch (const CLI::CallForVersion& e) {
     return app.exit(e);
   } catch (const CLI::ParseError& e) {
-    return report(edgevo::app::explain(app, e, argc, argv).c_str());
+    return report(edgevo::app::explain(app, e, int(words.size()), words.data()).c_str());
   } catch (const edgevo::InputError& e) {
     return report(e.what());
   } catch (const std::bad_alloc&) {

@@ -8,16 +8,17 @@
 set -eu
 
 # compiler and tools | mathematics, images | MRPT, ViSP, OctoMap and the tools that open our files | command line, JSON, tests |
-# planners (for a test) | plots of `edgevo study` | tests of what opens a window
+# planners (for a test) | plots of `edgevo study` | tests of what opens a window | manual pages and packages
 PACKAGES="
 build-essential cmake ninja-build git
-libeigen3-dev libopencv-dev libceres-dev zlib1g-dev
+libeigen3-dev libopencv-dev libceres-dev zlib1g-dev libexif-dev
 libmrpt-maps-dev libmrpt-gui-dev libmrpt-hwdrivers-dev mrpt-apps
 libvisp-dev liboctomap-dev octomap-tools
 libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev
 libompl-dev libfcl-dev libmrpt-nav-dev
 gnuplot-nox
 xvfb xdotool imagemagick
+help2man file
 "
 
 fail() {

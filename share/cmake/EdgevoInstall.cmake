@@ -1,15 +1,28 @@
-# Install rules: the exported CMake package, parameters and what else stands beside the binaries.
+# Install rules: the exported CMake package, parameters and what else stands beside the binaries. Components are those of
+# EdgevoPackages.cmake.
 include(CMakePackageConfigHelpers)
 set(EDGEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
 set(EDGEVO_MRPT_COMPONENTS containers obs maps opengl poses img io gui)  # of all modules together
-install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR})
+install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
+if(TARGET edgevo_visp_bridge)
+  install(EXPORT edgevoVispTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT visp_devel)
+endif()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cmake.in
   ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake
-  DESTINATION ${EDGEVO_PACKAGE_DIR})
-install(DIRECTORY params datasets share/bench share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
-install(PROGRAMS share/install_dependencies.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
+  DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
+install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel)
+
+set(EDGEVO_DATA_DIR ${CMAKE_INSTALL_DATADIR}/edgevo)
+install(DIRECTORY params datasets share/bench DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program USE_SOURCE_PERMISSIONS)
+install(PROGRAMS share/install_dependencies.sh DESTINATION ${EDGEVO_DATA_DIR} COMPONENT devel)
 file(GLOB EDGEVO_INI_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/share/*.ini)
-install(FILES ${EDGEVO_INI_FILES} DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo)
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${EDGEVO_INI_FILES} DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
+
+# The pages lie as in the source tree, so that their links hold.
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
+install(DIRECTORY share/doc share/lab share/bench DESTINATION ${CMAKE_INSTALL_DOCDIR}/share COMPONENT doc
+  FILES_MATCHING PATTERN *.md PATTERN *.gif)
+install(DIRECTORY modules params datasets DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc
+  FILES_MATCHING PATTERN README.md PATTERN src EXCLUDE PATTERN include EXCLUDE PATTERN scenes EXCLUDE)

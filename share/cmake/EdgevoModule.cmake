@@ -1,7 +1,14 @@
-# edgevo_add_module(NAME [PUBLIC targets...] [PRIVATE targets...])
+# edgevo_add_module(NAME [GPL] [PUBLIC targets...] [PRIVATE targets...])
 # One library edgevo::NAME from modules/NAME/{include,src}, folders within src included; PUBLIC and PRIVATE name what it links.
+# GPL: it links ViSP, and is exported and packaged apart from what is under the BSD licence.
 function(edgevo_add_module name)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "GPL" "" "PUBLIC;PRIVATE" ${ARGN})
+  set(export edgevoTargets)
+  set(component devel)
+  if(ARG_GPL)
+    set(export edgevoVispTargets)
+    set(component visp_devel)
+  endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   if(NOT sources)
     return()
@@ -15,9 +22,9 @@ function(edgevo_add_module name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  install(TARGETS ${target} EXPORT edgevoTargets
+  install(TARGETS ${target} EXPORT ${export} COMPONENT ${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${component})
 endfunction()
 
 # edgevo_add_tests(MODULE [LINKS targets...])

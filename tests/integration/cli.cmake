@@ -17,6 +17,10 @@ if(NOT EDGEVO_SANITIZE)
     edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
   endforeach()
 endif()
+edgevo_add_cli_test(help)
+if(NOT BUILD_SHARED_LIBS AND NOT EDGEVO_SANITIZE)
+  edgevo_add_cli_test(packages)
+endif()
 edgevo_add_cli_test(interrupt FIXTURES_REQUIRED cli_scenes RUN_SERIAL TRUE)
 
 # Tests in C++ on the same sequences; each one process, since they share what they set up.
@@ -35,7 +39,8 @@ edgevo_add_scene_test(mount LINKS edgevo::results edgevo::evaluation)
 # The plug-in for MRPT's programs, loaded as they do.
 find_package(MRPT REQUIRED COMPONENTS hwdrivers maps)
 find_package(octomap REQUIRED)
-edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath ${CMAKE_DL_LIBS})
+edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath opencv_imgcodecs opencv_videoio
+  ${CMAKE_DL_LIBS})
 target_compile_definitions(test_plugin PRIVATE EDGEVO_PLUGIN="$<TARGET_FILE:edgevo_plugin>")
 add_dependencies(test_plugin edgevo_plugin)
 

@@ -23,6 +23,9 @@ complains "none.txt" "$edgevo" eval none.txt "$desk/groundtruth_tum.txt"
 for range in 5 9:5 1000:1001; do complains "--frames" run "$desk" -o out --frames=$range; done
 for every in 0 2.5 99999999999; do complains "--every.*whole number" run "$desk" -o out --every=$every; done
 complains "--seed.*whole number" run "$desk" -o out --seed=-1
+for fov in 0 180 wide; do complains "--fov.*number from 1 to 179" run "$desk/images" -o out --fov=$fov; done
+complains "image-scale.*number from 0.01 to 1" run "$desk" -o out --image-scale=2
+complains "image-scale 0.010: leaves nothing" run "$desk" -o out --image-scale=0.01
 for fps in 0 x; do complains "--fps.*larger than 0" run "$desk" -o out --fps=$fps; done
 
 # Parameters: the nearest name, the range, the file and its line.

@@ -44,4 +44,44 @@ grep -v '^  state:' run/summary.yaml >off/summary.yaml
 complains "state of self_calibration" "$edgevo" calibrate off -o none.yaml
 complains "image size is not that of the run" "$edgevo" calibrate run --camera "$scenes/desk/camera.txt" -o none.yaml
 complains "no/such/camera.yaml" "$edgevo" calibrate run -o no/such/camera.yaml
+
+# From images of a board, seen by a camera of 400 px without a lens from twelve sides (more: tests/unit/calibration).
+awk 'BEGIN { print "P2 288 216 255"
+  for (y = 0; y < 216; ++y) for (x = 0; x < 288; ++x) { i = int(x / 24); j = int(y / 24)
+    print (i > 0 && i < 11 && j > 0 && j < 8 && (i + j) % 2 == 0) ? 25 : 230 } }' >board.pgm
+# view TURN TIP X Y Z: where the picture's four corners are seen.
+view() {
+  awk -v a="$1" -v b="$2" -v tx="$3" -v ty="$4" -v tz="$5" 'BEGIN { a *= 0.0174533; b *= 0.0174533
+    for (k = 0; k < 4; ++k) { X = k % 2 ? 288 : 0; Y = k > 1 ? 216 : 0; x = (X - 144) / 800; y = (Y - 108) / 800
+      p = x * cos(a) + y * sin(b) * sin(a) + tx; q = y * cos(b) + ty; r = -x * sin(a) + y * sin(b) * cos(a) + tz
+      printf "%d,%d %.4f,%.4f ", X, Y, 400 * p / r + 240, 400 * q / r + 180 } }'
+}
+mkdir board
+while read -r name pose; do
+  convert-im6.q16 board.pgm -virtual-pixel background -background gray45 -define distort:viewport=480x360+0+0 \
+    -distort Perspective "$(view $pose)" -colorspace Gray "board/$name.png"
+done <<END
+a -30 -28 0 0 0.5
+b 0 -28 0.02 0 0.5
+c 30 -25 0 0.03 0.5
+d -32 2 0.05 0 0.45
+e 2 1 -0.03 0 0.45
+f 30 0 -0.02 0.02 0.45
+g -28 28 0 0.02 0.5
+h 3 30 0.02 -0.02 0.5
+i 28 26 0 0 0.5
+j -15 10 -0.12 -0.07 0.6
+k 15 -10 0.12 0.08 0.6
+l -10 -15 0.12 -0.08 0.6
+END
+run_code 0 "$edgevo" calibrate board --chessboard 9x6 -o board.yaml
+sed 's/^/      /' stdout
+below "difference of its focal length from 400 px" "$(sed -n 's/^fx \([0-9.]*\) .*/\1/p' stdout | awk '{ d = $1 - 400; print d < 0 ? -d : d }')" 4
+check "the picture of its residuals" "$(convert-im6.q16 board.png -format %w info:)" -eq 1000
+run_code 0 "$edgevo" info board --camera board.yaml
+complains "the board is in none of 12 images; check its size" "$edgevo" calibrate "$scenes/desk/images" --chessboard 9x6 --every 5 -o none.yaml
+complains "chessboard 9: is not COLUMNSxROWS" "$edgevo" calibrate "$scenes/desk/images" --chessboard 9 -o none.yaml
+complains "dictionary 4x4_5: is not known; did you mean 4x4_50" "$edgevo" calibrate "$scenes/desk/images" --charuco 7x5 --square 0.03 --marker 0.02 \
+  --dictionary 4x4_5 -o none.yaml
+check "no camera file from these" "$(ls none.yaml none.png 2>/dev/null | wc -l)" -eq 0
 finish

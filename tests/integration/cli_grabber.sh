@@ -12,18 +12,29 @@ for tool in rawlog-grabber rawlog-edit observations2map bt2vrml; do
 done
 mkfifo keys
 
-# grab INI [SECONDS]: records until the source ends, or presses a key after that time. Leaves said, $rawlog and what rawlog-edit counts in it.
+# grab INI [END...]: records until the source ends, or until END... returns. Leaves said, $rawlog and what rawlog-edit counts in it.
 grab() {
+  ini=$1
+  shift
   rm -rf edges_*
   exec 3<>keys
-  timeout 120 rawlog-grabber -p "$plugin" "$1" <&3 >said 2>&1 &
+  timeout 120 rawlog-grabber -p "$plugin" "$ini" <&3 >said 2>&1 &
   grabber=$!
-  [ -z "${2:-}" ] || { sleep "$2"; echo >keys; }
+  "$@"
   wait $grabber
   check "rawlog-grabber's exit code" $? -eq 0
   exec 3<&-
   rawlog=$(ls edges_*.rawlog)
   rawlog-edit --info -i "$rawlog" >info.log 2>&1 </dev/null
+}
+press_a_key() { sleep 4; echo >keys; }
+# As Ctrl-C, which a shell's background jobs ignore; timeout(1) hands it on.
+terminate() {
+  for try in $(seq 200); do
+    [ "$(ls edges_*_Images 2>/dev/null | wc -l)" -lt 3 ] || break
+    sleep 0.1
+  done
+  kill -TERM $grabber
 }
 observations() { sed -n "s|^Sensor (Label/Occurs.*: *$1 / *\([0-9]*\) /.*|\1|p" info.log; }
 says() { if grep -q -e "$1" said; then ok "says: $1"; else fail "no '$1' in: $(grep -v Saved said | tail -5)"; fi; }
@@ -55,12 +66,19 @@ below "difference of the recorded poses from the live ones" "$(paste live.txt re
 # A folder as the camera, ended by a key while the grabber holds observations that it would drop.
 ini rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|
   s|^GRABBER_PERIOD_MS = .*|GRABBER_PERIOD_MS = 1500|; s|^process_rate = .*|process_rate = 10|"
-grab edgevo.ini 4
+grab edgevo.ini press_a_key
 says "observations that rawlog-grabber had left were appended"
 taken=$(sed -n 's/^\[FOLDER\] \([0-9]*\) frames,.*/\1/p' said)
 check "images that were taken" "$taken" -ge 2
 check "images in the rawlog" "$(observations CAM0)" -eq "$taken"
 check "image files" "$(ls edges_*_Images | wc -l)" -eq "$taken"
+
+# The same ended by a signal.
+grab edgevo.ini terminate
+says "\[FOLDER\] interrupted, after"
+taken=$(sed -n 's/.*interrupted; all \([0-9]*\) frames are in the rawlog.*/\1/p' said)
+check "images that were taken" "$taken" -ge 3
+check "images in the rawlog" "$(observations CAM0)" -eq "$taken"
 
 # A camera that stops: an image in the middle is missing.
 copy_sequence "$street" stops

@@ -15,6 +15,10 @@
 #include <mrpt/serialization/CArchive.h>
 #include <octomap/OcTree.h>
 
+#include <csignal>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "support/temp_folder.h"
@@ -169,6 +173,23 @@ class Sensor : public Plugin {
     import_rawlog(*open_source(options), folder_ / "desk.rawlog");
     return "grabber_type = rawlog\nrawlog_file = " + (folder_ / "desk.rawlog") + "\n";
   }
+  // The keys for a video of the desk's first frames, and its calibration.
+  std::string video_of_desk(int frames) const {
+    const std::string video = folder_ / "desk.avi", desk = EDGEVO_TEST_SCENES "/desk/";
+    cv::VideoWriter writer(video, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20, {640, 480});
+    for (int i = 0; i < frames; ++i)
+      writer.write(cv::imread(desk + "images/00000" + std::to_string(i) + ".png"));
+    return "grabber_type = ffmpeg\nffmpeg_url = " + video + "\ncalibration_file = " + desk + "camera.txt\n";
+  }
+  // Takes what the sensor has, as rawlog-grabber does, up to `times` times.
+  static std::string reason_of_end(CGenericSensor& sensor, int times) {
+    try {
+      for (int i = 0; i < times; ++i, sensor.getObservations()) sensor.doProcess();
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+    return "not ended";
+  }
   static std::string why_refused(const std::string& keys) {
     try {
       load(keys)->initialize();
@@ -215,6 +236,28 @@ TEST_F(Sensor, HandsOutImagePoseAndPoints) {
   EXPECT_GE(poses, 20);
   EXPECT_GE(scans, 2);
   EXPECT_GE(points, 200u * size_t(scans));
+}
+
+// CCameraSensor gives nothing at the end of a video, for ever.
+TEST_F(Sensor, EndsWithItsVideo) {
+  const auto sensor = load(video_of_desk(8));
+  sensor->initialize();
+  EXPECT_THAT(reason_of_end(*sensor, 12),
+              HasSubstr("[S] grabber_type ffmpeg: no more images (end of the video"));
+}
+
+TEST_F(Sensor, EndsAtCtrlC) {
+  const auto sensor = load(desk(6) + "at_end = wait\n");
+  sensor->initialize();
+  EXPECT_EQ(reason_of_end(*sensor, 2), "not ended");
+  ASSERT_EQ(std::raise(SIGINT), 0);
+  EXPECT_THAT(reason_of_end(*sensor, 2), HasSubstr("[S] interrupted; all 2 frames are in the rawlog"));
+}
+
+TEST_F(Sensor, WaitsAtTheEndIfToldTo) {
+  const auto sensor = load(desk(2) + "at_end = wait\n");
+  sensor->initialize();
+  EXPECT_EQ(reason_of_end(*sensor, 6), "not ended");
 }
 
 TEST_F(Sensor, SaysInOneLineWhatIsWrong) {

@@ -5,6 +5,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "layouts/layout.h"
@@ -46,6 +47,12 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   return open_video(options);
 }
 
+bool is_assumed(const ImageSource& source) {
+  for (const auto& [name, value] : source.details())
+    if (name == kAssumed) return true;
+  return false;
+}
+
 int parse_frame_number(const std::string& text, const std::string& where) {
   const double value = parse_number(text, where);
   if (value < 0 || value > std::numeric_limits<int>::max() || value != int(value))
@@ -67,7 +74,13 @@ void set_frame_range(const std::string& text, SourceOptions* options) {
 }
 
 std::unique_ptr<ImageSource> open_source(const SourceOptions& options) {
-  return subsample(open_whole(options), options);
+  auto source = open_whole(options);
+  if (options.fov_deg && !is_assumed(*source))
+    throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
+                     "leave it out, or give another calibration with --camera");
+  const double scale =
+      options.image_scale == 0 ? usual_image_scale(source->camera().pinhole.width) : options.image_scale;
+  return scale_images(subsample(std::move(source), options), scale);
 }
 
 }  // namespace edgevo

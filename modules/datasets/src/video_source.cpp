@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "assumed_camera.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
 #include "rate.h"
@@ -42,14 +43,18 @@ GrayImage to_gray(const cv::Mat& bgr) {
   return gray;
 }
 
+FirstImage size_of(const cv::VideoCapture& capture) {
+  return {"", int(capture.get(cv::CAP_PROP_FRAME_WIDTH)), int(capture.get(cv::CAP_PROP_FRAME_HEIGHT))};
+}
+
 // cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well
 // before its own count is told as damaged; counts are estimates, so a few frames are not.
 class VideoSource : public ImageSource {
  public:
   VideoSource(const SourceOptions& options, cv::VideoCapture capture)
       : path_(options.path),
-        camera_(choose_camera(options, "")),
         capture_(std::move(capture)),
+        camera_(choose_or_assume_camera(options, "", size_of(capture_), &details_)),
         rate_(choose_rate(options.fps, capture_.get(cv::CAP_PROP_FPS))) {
     const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
     if (count >= 1 && count < kMostFrames) count_ = int(count);
@@ -58,8 +63,10 @@ class VideoSource : public ImageSource {
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return count_; }
   std::string kind() const override { return "video"; }
-  std::vector<std::pair<std::string, std::string>> details() const override {
-    return {{"times", rate_.says}};
+  Details details() const override {
+    Details all = details_;
+    all.emplace_back("times", rate_.says);
+    return all;
   }
 
   std::optional<Frame> next() override {
@@ -91,8 +98,9 @@ class VideoSource : public ImageSource {
 
  private:
   std::string path_;
-  Camera camera_;
   cv::VideoCapture capture_;
+  Details details_;
+  Camera camera_;
   Rate rate_;
   std::optional<int> count_;
   int index_ = 0;
@@ -101,13 +109,14 @@ class VideoSource : public ImageSource {
 
 class LiveCamera : public ImageSource {
  public:
-  LiveCamera(const SourceOptions& options, const Camera& camera, GrabImage grab)
-      : path_(options.path), camera_(camera), grab_(std::move(grab)) {}
+  LiveCamera(const SourceOptions& options, const Camera& camera, GrabImage grab, const Details& details)
+      : path_(options.path), camera_(camera), grab_(std::move(grab)), details_(details) {}
 
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return std::nullopt; }
   std::string kind() const override { return "live camera"; }
   bool is_live() const override { return true; }
+  Details details() const override { return details_; }
 
   std::optional<Frame> next() override {
     if (done_) return std::nullopt;
@@ -135,6 +144,7 @@ class LiveCamera : public ImageSource {
   std::string path_;
   Camera camera_;
   GrabImage grab_;
+  Details details_;
   Timestamp previous_;
   int index_ = 0;
   bool done_ = false;
@@ -161,17 +171,20 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const double index = parse_number(number, options.path);
   if (index < 0 || index > kLastCamera || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
-  const Camera camera = choose_camera(options, "");
+  if (!options.fov_deg) choose_camera(options, "");  // without one there is nothing to open
   const auto capture = std::make_shared<cv::VideoCapture>();
   if (!capture->open(int(index)))
     throw InputError(options.path, "the camera does not open", "check that it is plugged in");
+  Details details;
+  const Camera camera = choose_or_assume_camera(options, "", size_of(*capture), &details);
   capture->set(cv::CAP_PROP_FRAME_WIDTH, camera.pinhole.width);
   capture->set(cv::CAP_PROP_FRAME_HEIGHT, camera.pinhole.height);
-  return play_live(options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); });
+  return play_live(options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); }, details);
 }
 
-std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab) {
-  return std::make_unique<LiveCamera>(options, camera, std::move(grab));
+std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab,
+                                       const Details& details) {
+  return std::make_unique<LiveCamera>(options, camera, std::move(grab), details);
 }
 
 }  // namespace edgevo

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "edgevo/core/image_source.h"
+#include "assumed_camera.h"
 #include "edgevo/datasets/open_source.h"
 
 namespace edgevo {
@@ -18,6 +19,7 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options);
 /// Waits for the next image; false: there is none.
 using GrabImage = std::function<bool(cv::Mat*)>;
 /// What open_live_camera() plays, from any grabber.
-std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab);
+std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab,
+                                       const Details& details = {});
 
 }  // namespace edgevo

@@ -197,7 +197,8 @@ void add_ground(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   scene->insert(mrpt::opengl::stock_objects::CornerXYZSimple(step));
 }
 
-// Viewers begin with the camera of the main viewport: all is in sight, from behind the start and above.
+// The main viewport's own camera has all in sight, from behind the start and above. A program of yours begins with it;
+// SceneViewer3D 2.5.8 has a camera of its own, at the origin.
 void look_at(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   const Eigen::Vector3f c = extent.centre();
   mrpt::opengl::CCamera& camera = scene->getViewport()->getCamera();

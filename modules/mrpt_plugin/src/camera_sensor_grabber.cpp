@@ -2,15 +2,34 @@
 
 #include <mrpt/hwdrivers/CCameraSensor.h>
 
+#include <chrono>
+#include <thread>
+
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "one_line.h"
+#include "stop_signal.h"
 
 namespace edgevo {
 namespace {
+
+using Grabbed = std::vector<mrpt::serialization::CSerializable::Ptr>;
+
+// CCameraSensor hands out nothing, at once and for ever, at the end of a video, and for a moment where a
+// stream falters. Asked so often, with a pause between, it has had a second: no camera waits that long.
+constexpr int kEmptyGrabs = 50;
+constexpr std::chrono::milliseconds kPause{20};
+
+mrpt::obs::CObservation::Ptr image_among(const Grabbed& grabbed) {
+  for (const auto& object : grabbed) {
+    const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
+    if (observation && find_image(*observation)) return observation;
+  }
+  return nullptr;
+}
 
 class CameraSensorGrabber : public Grabber {
  public:
@@ -44,22 +63,22 @@ class CameraSensorGrabber : public Grabber {
   }
 
  private:
-  /// Null when there are no more. With grab_decimation CCameraSensor hands out nothing for the frames that it
-  /// leaves out.
+  /// Null when there are no more, or Ctrl-C came meanwhile. With grab_decimation CCameraSensor hands out null
+  /// objects for the frames that it leaves out.
   mrpt::obs::CObservation::Ptr grab_until_an_image_comes() {
     try {
-      for (;;) {
-        std::vector<mrpt::serialization::CSerializable::Ptr> grabbed;
+      why_ended_ = "end of the video, or the stream has stopped";
+      for (int empty = 0; empty < kEmptyGrabs && !stop_asked();) {
+        Grabbed grabbed;
         sensor_.getNextFrame(grabbed);
-        for (const auto& object : grabbed) {
-          const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
-          if (observation && find_image(*observation)) return observation;
-        }
+        if (const auto image = image_among(grabbed)) return image;
+        empty = grabbed.empty() ? empty + 1 : 0;
+        if (grabbed.empty()) std::this_thread::sleep_for(kPause);
       }
     } catch (const std::exception& e) {
       why_ended_ = one_line(e);
-      return nullptr;
     }
+    return nullptr;
   }
 
   void take_calibration_from(const mrpt::obs::CObservation& observation) {

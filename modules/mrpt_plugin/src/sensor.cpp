@@ -10,6 +10,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "one_line.h"
+#include "stop_signal.h"
 
 namespace edgevo {
 
@@ -60,6 +61,7 @@ void CEdgeVoSensor::setPathForExternalImages(const std::string& directory) {
 
 void CEdgeVoSensor::initialize() {
   m_state = ssError;  // until all is open
+  listen_for_stop();
   name_section([&] { open(); });
   m_state = ssWorking;
 }
@@ -83,6 +85,7 @@ void CEdgeVoSensor::open() {
 
 void CEdgeVoSensor::doProcess() {
   if (!odometry_) throw std::runtime_error("CEdgeVoSensor: initialize() comes first");
+  if (why_ended_.empty() && stop_asked()) end("interrupted");
   if (!why_ended_.empty()) return end_when_all_is_written();
   tail_.all_written();  // lets go of what was written
   try {
@@ -91,7 +94,7 @@ void CEdgeVoSensor::doProcess() {
     else
       end("end of the input");
   } catch (const std::exception& e) {
-    end(one_line(e));
+    end(stop_asked() ? "interrupted" : one_line(e));
   }
 }
 
@@ -119,7 +122,8 @@ void CEdgeVoSensor::end(const std::string& why) {
 }
 
 void CEdgeVoSensor::end_when_all_is_written() {
-  if (!config_.stop_at_end || !tail_.all_written()) return;
+  const bool to_end = config_.stop_at_end || stop_asked();
+  if (!to_end || !tail_.all_written()) return;
   throw std::runtime_error("[" + section_ + "] " + why_ended_ + "; all " + std::to_string(frames_) +
                            " frames are in the rawlog");
 }

@@ -5,6 +5,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
+#include "edgevo/core/program_folder.h"
 #include "motion.h"
 #include "scene_params.h"
 #include "worlds.h"
@@ -14,8 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where scenes lie: the source tree while one works in it, else what was installed.
-std::vector<fs::path> scene_folders() { return {EDGEVO_SCENE_SOURCE_DIR, EDGEVO_SCENE_INSTALL_DIR}; }
+// Where scenes lie: the source tree while one works in it, else what was installed, with the program (PREFIX/bin) or
+// for a program of another's.
+std::vector<fs::path> scene_folders() {
+  return {
+#ifdef EDGEVO_SCENE_SOURCE_DIR
+      EDGEVO_SCENE_SOURCE_DIR,
+#endif
+      program_folder().parent_path() / "share/edgevo/datasets/scenes", EDGEVO_SCENE_INSTALL_DIR};
+}
 
 fs::path find_scene(const std::string& name_or_path) {
   std::error_code ignored;

@@ -56,7 +56,7 @@ TEST_F(SceneWriterTest, ManyPointsAreThinnedOut) {
   EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 4u);
 }
 
-// Whatever the unit is: the whole lies in front of the camera that a viewer begins with, and fills its view.
+// Whatever the unit is: the whole lies in front of the camera of the scene, and fills its view.
 TEST_F(SceneWriterTest, CameraSeesAll) {
   for (const double unit : {0.01, 1.0, 300.0}) {
     edgevo::Run run = testing::small_run();

@@ -1,6 +1,7 @@
 // `edgevo` layout: images/, times.txt, camera.txt, groundtruth_tum.txt.
 #include <filesystem>
 
+#include "assumed_camera.h"
 #include "edgevo/core/error.h"
 #include "layout.h"
 
@@ -25,7 +26,8 @@ Sequence read_edgevo_layout(const SourceOptions& options) {
                      "write seconds, one line an image, or give " + images + " with --camera and --fps");
   sequence.times = read_times(times);
   check_counts(sequence.images, sequence.times, times, images);
-  sequence.camera = choose_camera(options, (root / "camera.txt").string());
+  sequence.camera = choose_or_assume_camera(options, (root / "camera.txt").string(), {sequence.images.front()},
+                                            &sequence.details);
   sequence.ground_truth_path = existing((root / "groundtruth_tum.txt").string());
   return sequence;
 }

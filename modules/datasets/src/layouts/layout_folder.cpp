@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "assumed_camera.h"
 #include "layout.h"
 #include "rate.h"
 #include "text_file.h"
@@ -47,7 +48,7 @@ Sequence read_image_folder(const SourceOptions& options) {
   Sequence sequence;
   sequence.kind = "folder of images";
   sequence.images = list_images(options.path);
-  sequence.camera = choose_camera(options, "");
+  sequence.camera = choose_or_assume_camera(options, "", {sequence.images.front()}, &sequence.details);
   if (options.fps == 0) sequence.times = times_from_names(sequence.images);
   if (!sequence.times.empty()) {
     sequence.details.emplace_back("times", "from the names of the images");

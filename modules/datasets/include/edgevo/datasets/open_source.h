@@ -14,7 +14,8 @@
 //   Virtual KITTI         a sequence's folder of either release (virtual_kitti.h); 2.0.3: sensor_label Camera_0 (default), Camera_1
 //   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
 //   any other file        a video, by OpenCV; needs a camera file
-// A camera file given by the user wins over the source's own calibration.
+// A camera file given by the user wins over the source's own calibration. Where there is neither, --fov or the focal
+// length in a photo's EXIF data makes a camera to start with.
 //
 // Frames come out as the camera took them (gray, distorted) in time order, numbered from 0 in the whole
 // source. Opening reads lists and calibration, not the images (but the first one, where the calibration does
@@ -35,7 +36,14 @@ struct SourceOptions {
   std::optional<int> last;   ///< nullopt: to the end
   int every = 1;   ///< and of these each every-th, beginning with `first`; the others are not decoded
   double fps = 0;  ///< frames a second, for sources without times; 0: the video's own rate, else 30
+  std::optional<double> fov_deg;  ///< over the image's width, for a source without a calibration
+  bool any_camera = false;  ///< the images alone are wanted: the camera need not be known, and may be made up
+  double image_scale = 1;   ///< of the images (scaled_source.h); 0: the usual one for their width
 };
+
+/// Names in ImageSource::details() for what a user must be told: how the camera was guessed, and that images were scaled.
+constexpr const char* kAssumed = "camera assumed";
+constexpr const char* kScaled = "images scaled";
 
 /// Sets first and last from "A:B", "A:" or ":B" (half-open, A < B). Throws InputError.
 void set_frame_range(const std::string& text, SourceOptions* options);

@@ -1,0 +1,88 @@
+#include "edgevo/datasets/scaled_source.h"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/datasets/open_source.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kMeasuredWidth = 1241;
+constexpr int kLeastSide = 16;  // of which a pyramid leaves nothing
+
+// Centres of pixels are at whole numbers, so that edges of the image are at -0.5.
+Camera scaled(const Camera& camera, int width, int height) {
+  const Pinhole& p = camera.pinhole;
+  const double x = double(width) / p.width, y = double(height) / p.height;
+  Camera small = camera;
+  small.pinhole = {p.fx * x, p.fy * y, (p.cx + 0.5) * x - 0.5, (p.cy + 0.5) * y - 0.5, width, height};
+  return small;
+}
+
+GrayImage scaled(const GrayImage& image, int width, int height) {
+  GrayImage small{width, height, std::vector<uint8_t>(size_t(width) * size_t(height))};
+  const cv::Mat from(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
+  cv::Mat to(height, width, CV_8UC1, small.pixels.data());
+  cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+std::string size_of(const Pinhole& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }
+
+class ScaledSource : public ImageSource {
+ public:
+  ScaledSource(std::unique_ptr<ImageSource> inner, int width, int height)
+      : inner_(std::move(inner)), camera_(scaled(inner_->camera(), width, height)) {}
+
+  const Camera& camera() const override { return camera_; }
+  std::optional<SE3> T_vehicle_cam() const override { return inner_->T_vehicle_cam(); }
+  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
+  std::optional<int> size() const override { return inner_->size(); }
+  std::string kind() const override { return inner_->kind(); }
+  bool is_live() const override { return inner_->is_live(); }
+  std::string label() const override { return inner_->label(); }
+  std::vector<std::pair<std::string, std::string>> details() const override {
+    auto all = inner_->details();
+    all.emplace_back(kScaled,
+                     "from " + size_of(inner_->camera().pinhole) + " to " + size_of(camera_.pinhole));
+    return all;
+  }
+  std::vector<Timestamp> times() const override { return inner_->times(); }
+  std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
+
+  std::optional<Frame> next() override {
+    auto frame = inner_->next();
+    if (!frame) return std::nullopt;
+    frame->image = scaled(frame->image, camera_.pinhole.width, camera_.pinhole.height);
+    frame->image_path.clear();
+    return frame;
+  }
+  bool skip() override { return inner_->skip(); }
+
+ private:
+  std::unique_ptr<ImageSource> inner_;
+  Camera camera_;
+};
+
+}  // namespace
+
+double usual_image_scale(int width) {
+  return width > 2 * kMeasuredWidth ? double(kMeasuredWidth) / width : 1;
+}
+
+std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, double scale) {
+  if (scale == 1) return inner;
+  const Pinhole& p = inner->camera().pinhole;
+  if (!(scale >= 0.01 && scale < 1))
+    throw InputError("--image-scale " + fixed(scale, 3), "is out of range", "give 0.01 to 1");
+  const int width = int(std::lround(scale * p.width)), height = int(std::lround(scale * p.height));
+  if (std::min(width, height) < kLeastSide)
+    throw InputError("--image-scale " + fixed(scale, 3), "leaves nothing of images of " + size_of(p),
+                     "give a larger one");
+  return std::make_unique<ScaledSource>(std::move(inner), width, height);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Makes the pictures of the documentation from a rendered street: share/doc/pictures/make.sh [EDGEVO]
+# Needs Xvfb, xdotool and ImageMagick (share/install_dependencies.sh). Some minutes; no display.
+#   run.gif      `edgevo run --view`: path and map from above, the frame with its edges by inverse depth (blue far, red near)
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+edgevo=$(realpath "${1:-$here/../../../build/release/bin/edgevo}")
+work=$(mktemp -d)
+trap 'kill $xvfb 2>/dev/null || true; rm -rf "$work"' EXIT
+cd "$work"
+
+Xvfb -displayfd 3 -nolisten tcp -screen 0 1280x1000x24 3>display 2>xvfb.log &
+xvfb=$!
+until [ -s display ]; do kill -0 $xvfb && sleep 0.2; done
+DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1 GDK_BACKEND=x11 HOME=$work
+export DISPLAY LIBGL_ALWAYS_SOFTWARE GDK_BACKEND HOME
+
+# window TITLE: waits for a window whose title holds that regular expression, and prints its number.
+window() { until xdotool search --name "$1" 2>/dev/null | tail -1 | grep .; do sleep 0.5; done; }
+key() { xdotool windowfocus "$view" key "$1"; }
+# The number of the frame that the window shows.
+shown() { xdotool getwindowname "$view" | sed 's/.*frame \([0-9]*\).*/\1/'; }
+
+animate() {
+  "$edgevo" run street -o run --view --quiet &
+  run=$!
+  view=$(window '^edgevo: frame')
+  key space
+  until xdotool getwindowname "$view" | grep -q paused; do sleep 0.2; done
+  while last=$(shown) && [ "$last" -lt 70 ]; do
+    key s
+    until [ "$(shown)" -gt "$last" ]; do sleep 0.1; done
+    [ $((last % 2)) -eq 0 ] || import -window "$view" "frame$(printf %03d "$last").png"
+  done
+  key space
+  wait $run
+  convert-im6.q16 -delay 15 -loop 0 frame*.png -resize 520x +dither -colors 32 -layers OptimizeTransparency "$here/run.gif"
+}
+
+"$edgevo" simulate street --frames 0:75 -o street
+animate
+ls -l "$here"

@@ -1,0 +1,83 @@
+#pragma once
+// Images of a flat board through a known lens: nine rays a pixel into a texture.
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/image.h"
+#include "edgevo/core/random.h"
+#include "edgevo/core/se3.h"
+
+namespace edgevo::test {
+
+/// 480 x 360 with a lens that bends its corners by 10 px.
+inline Camera known_camera() {
+  Camera camera;
+  camera.pinhole = {402, 398, 246, 175, 480, 360};
+  camera.distortion = {-0.21, 0.06, 0.001, -0.0005, 0};
+  return camera;
+}
+
+/// A board from (0, 0) to the size of its texture, from above: x right, y down, z away from the viewer.
+class DrawnBoard {
+ public:
+  DrawnBoard(const Camera& camera, cv::Mat texture, double px_per_m)
+      : camera_(camera), texture_(std::move(texture)), px_per_m_(px_per_m) {
+    for (int y = 0; y < kSub * camera.pinhole.height; ++y)
+      for (int x = 0; x < kSub * camera.pinhole.width; ++x) rays_.push_back(ray({sub(x), sub(y)}));
+  }
+
+  Eigen::Vector3d centre() const {
+    return {0.5 * texture_.cols / px_per_m_, 0.5 * texture_.rows / px_per_m_, 0};
+  }
+
+  /// With a little noise, as a camera has.
+  GrayImage seen_from(const SE3& T_cam_board) const {
+    const SE3 T_board_cam = T_cam_board.inverse();
+    const Pinhole& p = camera_.pinhole;
+    std::vector<float> sums(size_t(p.width) * size_t(p.height));
+    for (size_t i = 0; i < rays_.size(); ++i) {
+      const size_t columns = size_t(kSub * p.width), x = i % columns / kSub, y = i / columns / kSub;
+      sums[y * size_t(p.width) + x] += brightness(T_board_cam, rays_[i]);
+    }
+    Random random(7);
+    GrayImage image{p.width, p.height, {}};
+    for (const float sum : sums)
+      image.pixels.push_back(cv::saturate_cast<uint8_t>(sum / float(kSub * kSub) + float(random.normal())));
+    return image;
+  }
+
+ private:
+  static constexpr int kSub = 3;
+  static double sub(int i) { return (i + 0.5) / kSub - 0.5; }
+  Eigen::Vector3d ray(const Eigen::Vector2d& px) const {
+    Eigen::Vector2d x = Eigen::Vector2d::Constant(1e3);  // beside the board
+    (void)camera_.undistort(camera_.pinhole.ray(px).head<2>(), &x);
+    return {x.x(), x.y(), 1};
+  }
+  float brightness(const SE3& T_board_cam, const Eigen::Vector3d& ray) const {
+    constexpr float kAround = 110;
+    const Eigen::Vector3d from = T_board_cam.translation(), along = T_board_cam.rotation() * ray;
+    const Eigen::Vector3d at = px_per_m_ * (from - along * (from.z() / along.z()));
+    const int x = int(std::floor(at.x())), y = int(std::floor(at.y()));
+    return x < 0 || y < 0 || x >= texture_.cols || y >= texture_.rows ? kAround
+                                                                      : float(texture_.at<uint8_t>(y, x));
+  }
+
+  Camera camera_;
+  cv::Mat texture_;
+  double px_per_m_;
+  std::vector<Eigen::Vector3d> rays_;
+};
+
+/// Turned and tipped by these angles (degrees) around `centre`, a point of the board that stands at
+/// `centre_cam`.
+inline SE3 board_pose(const Eigen::Vector3d& centre, double turn, double tip,
+                      const Eigen::Vector3d& centre_cam) {
+  const double deg = M_PI / 180;
+  const Eigen::Quaterniond R = Eigen::AngleAxisd(turn * deg, Eigen::Vector3d::UnitY()) *
+                               Eigen::AngleAxisd(tip * deg, Eigen::Vector3d::UnitX());
+  return SE3(R, centre_cam - R * centre);
+}
+
+}  // namespace edgevo::test

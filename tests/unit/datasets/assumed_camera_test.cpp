@@ -1,0 +1,126 @@
+// Images without a calibration: --fov, or what a photo says of its lens.
+#include "assumed_camera.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "edgevo/datasets/describe.h"
+#include "edgevo/datasets/open_source.h"
+#include "unit/datasets/temp_sequence.h"
+
+namespace edgevo {
+namespace {
+
+using test::TempFolder;
+using ::testing::HasSubstr;
+
+// A TIFF header, one entry that points to the EXIF part, and there the focal length in 35 mm terms (tag A405,
+// a short).
+std::string exif_segment(int mm) {
+  using namespace std::string_literals;
+  std::string tiff = "MM\0\x2a\0\0\0\x08"s +
+                     "\0\x01"
+                     "\x87\x69\0\x04\0\0\0\x01\0\0\0\x1a"
+                     "\0\0\0\0"s +
+                     "\0\x01"
+                     "\xa4\x05\0\x03\0\0\0\x01"s;
+  tiff += char(mm >> 8);
+  tiff += char(mm & 255);
+  tiff += "\0\0\0\0\0\0"s;
+  const std::string body = "Exif\0\0"s + tiff;
+  const size_t length = body.size() + 2;
+  return "\xff\xe1"s + char(length >> 8) + char(length & 255) + body;
+}
+
+// `mm` < 0: without EXIF data.
+void write_jpeg(const std::string& path, int mm) {
+  std::vector<uint8_t> bytes;
+  cv::imencode(".jpg", cv::Mat(90, 120, CV_8UC1, cv::Scalar(100)), bytes);
+  std::string text(bytes.begin(), bytes.end());
+  if (mm >= 0) text.insert(2, exif_segment(mm));  // behind the mark that begins an image
+  test::write_text(path, text);
+}
+
+std::string assumption(const ImageSource& source) {
+  for (const auto& [name, value] : source.details())
+    if (name == kAssumed) return value;
+  return "none";
+}
+
+class AssumedCamera : public ::testing::Test {
+ protected:
+  std::unique_ptr<ImageSource> photos(int mm) {
+    for (int i = 0; i < 3; ++i) write_jpeg(folder_ / ("photos/" + std::to_string(i) + ".jpg"), mm);
+    options_.path = folder_ / "photos";
+    return open_source(options_);
+  }
+  TempFolder folder_;
+  SourceOptions options_;
+};
+
+TEST_F(AssumedCamera, HasTheAngleThatIsGiven) {
+  options_.fov_deg = 70;
+  const auto source = photos(-1);
+  const Pinhole& p = source->camera().pinhole;
+  EXPECT_EQ(p.width, 120);
+  EXPECT_EQ(p.height, 90);
+  EXPECT_NEAR(2 * std::atan(60 / p.fx) * 180 / M_PI, 70, 1e-9);
+  EXPECT_EQ(p.fx, p.fy);
+  EXPECT_EQ(p.cx, 59.5);
+  EXPECT_EQ(p.cy, 44.5);
+  EXPECT_NEAR(field_of_view_deg(source->camera()).first, 70, 1);
+  EXPECT_THAT(assumption(*source), HasSubstr("by --fov: f 86 px, no lens distortion"));
+  EXPECT_EQ(test::read_all(*source).size(), 3u);
+}
+
+TEST_F(AssumedCamera, FollowsThePhotosFocalLength) {
+  const auto source = photos(26);
+  EXPECT_NEAR(source->camera().pinhole.fx, 26 / 43.267 * 150, 1e-9);  // 150 px from corner to corner
+  EXPECT_THAT(assumption(*source), HasSubstr("26 mm in terms of 35 mm film"));
+}
+
+TEST_F(AssumedCamera, NeedsSomethingToGoBy) {
+  const auto why = [&](int mm) -> std::string {
+    try {
+      photos(mm);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "not refused";
+  };
+  EXPECT_THAT(why(-1), HasSubstr("no calibration; give the camera's file with --camera"));
+  EXPECT_THAT(why(0), HasSubstr("or its angle with --fov"));  // EXIF's way to say that it is not known
+  options_.any_camera = true;
+  EXPECT_EQ(photos(-1)->camera().pinhole.width, 120);
+}
+
+TEST_F(AssumedCamera, StandsBehindTheCalibration) {
+  test::write_text(folder_ / "camera.txt", "100 100 60 45 0 0 0 0 120 90");
+  options_.camera_file = folder_ / "camera.txt";
+  const auto source = photos(26);
+  EXPECT_EQ(source->camera().pinhole.fx, 100);
+  EXPECT_EQ(assumption(*source), "none");
+}
+
+// The layout's own calibration gives way to --fov, but where a layout always has one --fov must be a mistake.
+TEST_F(AssumedCamera, InsteadOfASourcesOwn) {
+  test::write_images(folder_ / "own/images", 2);
+  test::write_text(folder_ / "own/times.txt", test::make_times(2));
+  test::write_text(folder_ / "own/camera.txt", test::kCameraLine);
+  options_.path = folder_ / "own";
+  EXPECT_EQ(open_source(options_)->camera().pinhole.fx, 20);
+  options_.fov_deg = 90;
+  EXPECT_NEAR(open_source(options_)->camera().pinhole.fx, 12, 1e-9);
+  test::write_images(folder_ / "kitti/image_0", 2);
+  test::write_text(folder_ / "kitti/times.txt", "0\n0.1\n");
+  test::write_text(folder_ / "kitti/calib.txt", "P0: 20 0 12 0 0 20 8 0 0 0 1 0\n");
+  options_.path = folder_ / "kitti";
+  try {
+    open_source(options_);
+    FAIL() << "--fov was taken";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("has its own calibration; leave it out"));
+  }
+}
+
+}  // namespace
+}  // namespace edgevo
