@@ -5,9 +5,10 @@
 (() => {
 const kMovingMs = 22;         // of a picture while the view moves: 30 to 60 pictures a second with what the browser adds
 const kRestMs = 160;          // without a movement until all is drawn
-const kHalfView = Math.tan(25 * Math.PI / 180);  // half of the view's height, at distance 1
+const kHalfView = Math.tan(25 * Math.PI / 180);  // half of the view's shorter side, at distance 1
 const kNearest = 0.002;       // of the view's distance: nothing nearer is drawn
 const kTurn = 0.008;          // radians a pixel of dragging
+const kFewPoints = 40000;     // so few are drawn larger
 const kPickPx = 9;            // a pointer hits a point within so many pixels
 const kPoint = 0, kJoint = 1, kLineStart = 2;  // what is drawn at a vertex: a dot, a line from the one before, nothing
 
@@ -91,7 +92,8 @@ function rampColors(map, name) {
   const colors = new Uint32Array(256);
   for (let i = 0; i < 256; ++i) {
     const gray = 56 + Math.round(i * 199 / 255);  // black would not be seen before the dark
-    colors[i] = name === "gray" ? packColor(gray, gray, gray) : packColor(map.ramp[3 * i], map.ramp[3 * i + 1], map.ramp[3 * i + 2]);
+    const light = k => 36 + Math.round(map.ramp[3 * i + k] * 219 / 255);
+    colors[i] = name === "gray" ? packColor(gray, gray, gray) : packColor(light(0), light(1), light(2));
   }
   return colors;
 }
@@ -117,7 +119,7 @@ function axesOf(view) {
 
 // From the map to pixels: x right, y down, depth along the view.
 function projection(view, width, height) {
-  const {right, up, ahead, eye} = axesOf(view), f = 0.5 * height / kHalfView, nearest = kNearest * view.distance;
+  const {right, up, ahead, eye} = axesOf(view), f = 0.5 * Math.min(width, height) / kHalfView, nearest = kNearest * view.distance;
   return (x, y, z, out) => {
     x -= eye[0], y -= eye[1], z -= eye[2];
     const depth = ahead[0] * x + ahead[1] * y + ahead[2] * z;
@@ -167,9 +169,10 @@ class Picture {
 // vertex would cost more than all else.
 function drawMap(picture, map, colors, view, step) {
   const {right, up, ahead, eye} = axesOf(view), {xyz, kind, count} = map, w = picture.width, h = picture.height;
-  const f = 0.5 * h / kHalfView, cx = 0.5 * w, cy = 0.5 * h, nearest = kNearest * view.distance;
+  const f = 0.5 * Math.min(w, h) / kHalfView, cx = 0.5 * w, cy = 0.5 * h, nearest = kNearest * view.distance;
   const [ex, ey, ez] = eye, [rx, ry] = right, [ux, uy, uz] = up, [ax, ay, az] = ahead;
-  const sizeAt = 0.0019 * view.extent * f;  // pixels of a point at depth 1
+  const sizeAt = 0.0014 * view.extent * f;  // pixels of a point at depth 1
+  const least = count < kFewPoints ? 2 : 1;
   let px = 0, py = 0, pn = 0, last = -2;
   const project = i => {
     const x = xyz[3 * i] - ex, y = xyz[3 * i + 1] - ey, z = xyz[3 * i + 2] - ez, depth = ax * x + ay * y + az * z;
@@ -179,7 +182,7 @@ function drawMap(picture, map, colors, view, step) {
     px = cx + f * (rx * x + ry * y) * pn;
     py = cy - f * (ux * x + uy * y + uz * z) * pn;
   };
-  const sizeOf = nearness => Math.max(1, Math.min(5, Math.round(sizeAt * nearness)));
+  const sizeOf = nearness => Math.max(least, Math.min(5, Math.round(sizeAt * nearness)));
   for (let i = 0; i < count; i += step) {
     if (kind[i] === kJoint) {
       if (last !== i - 1) project(i - 1);
@@ -267,7 +270,7 @@ function circle(context, p, radius) {
 
 function startOf(map) {
   const ways = [map.xyz, map.path].filter(v => v.length > 0), box = [0, 1, 2].map(k => {
-    const parts = ways.map((v, i) => spread(v, 3, k, i === 0 && v === map.xyz ? 0.04 : 0, v === map.xyz ? 0.96 : 1));
+    const parts = ways.map(v => spread(v, 3, k, v === map.xyz ? 0.07 : 0, v === map.xyz ? 0.93 : 1));
     return [Math.min(...parts.map(p => p[0])), Math.max(...parts.map(p => p[1]))];
   });
   const extent = Math.max(1e-6, Math.hypot(...box.map(([low, high]) => high - low)));
@@ -380,7 +383,8 @@ class MapView {
   // By pixels: what is at the target follows the pointer.
   shift(dx, dy) {
     this.move(v => {
-      const {right, up} = axesOf(v), unit = 2 * kHalfView * v.distance / Math.max(1, this.canvas.clientHeight);
+      const {right, up} = axesOf(v), side = Math.min(this.canvas.clientWidth, this.canvas.clientHeight);
+      const unit = 2 * kHalfView * v.distance / Math.max(1, side);
       v.target = v.target.map((t, i) => t + unit * (dy * up[i] - dx * right[i]));
     });
   }

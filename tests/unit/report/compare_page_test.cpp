@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "edgevo/evaluation/evaluate.h"
 #include "support/temp_folder.h"
 
 namespace edgevo {

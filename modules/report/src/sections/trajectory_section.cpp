@@ -90,7 +90,7 @@ std::string drift_table(const std::optional<Drift>& drift) {
   for (size_t i = 0; i < drift->lengths_m.size(); ++i) {
     const Drift::OfLength& d = drift->by_length[i];
     if (d.stretches == 0) continue;
-    rows.push_back({fixed(drift->lengths_m[i], 1) + " m", std::to_string(d.stretches), fixed(d.mean_cm_per_m, 2),
+    rows.push_back({fixed(drift->lengths_m[i], drift->lengths_m[i] < 2 ? 3 : 1) + " m", std::to_string(d.stretches), fixed(d.mean_cm_per_m, 2),
                     fixed(d.median_cm_per_m, 2), fixed(d.max_cm_per_m, 2)});
   }
   return "<h3>Drift by length of the stretch</h3>\n" +
