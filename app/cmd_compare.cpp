@@ -31,15 +31,20 @@ int compare(const CompareArguments& args) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("compare", "several finished runs on one page: a table, the worst first, and their paths");
+  CLI::App* command = app.add_subcommand(
+      "compare", "several finished runs on one page: a table, the worst first, and their paths");
   auto args = std::make_shared<CompareArguments>();
   command
       ->add_option("RUN", args->runs,
                    "folders of finished runs, or folders that hold many, such as -o of `edgevo bench`")
       ->required();
-  command->add_option("-o,--out", args->out, "page to write (HTML, one file)")->required()->check(path_given());
-  command->add_option("--truth", args->ground_truth,
-                      "ground truth of all of them (default: what each run noted)")->check(path_given());
+  command->add_option("-o,--out", args->out, "page to write (HTML, one file)")
+      ->required()
+      ->check(path_given());
+  command
+      ->add_option("--truth", args->ground_truth,
+                   "ground truth of all of them (default: what each run noted)")
+      ->check(path_given());
   command->callback([=] { *action = [=] { return compare(*args); }; });
 }
 

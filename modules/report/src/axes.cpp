@@ -49,8 +49,8 @@ std::string svg_open(double height, const std::string& kind, bool stretched) {
 }
 
 std::string x_label(double share, const std::string& text, int number) {
-  return std::string("<span class=\"x") + (number % 2 == 1 ? " odd" : "") + "\" style=\"left:" +
-         fixed(100 * share, 2) + "%\">" + html_escaped(text) + "</span>\n";
+  return std::string("<span class=\"x") + (number % 2 == 1 ? " odd" : "") +
+         "\" style=\"left:" + fixed(100 * share, 2) + "%\">" + html_escaped(text) + "</span>\n";
 }
 
 std::string y_label(double share, const std::string& text) {

@@ -1,8 +1,8 @@
 #pragma once
 // What charts and plans share: ranges of values, axes with ticks, the SVG of lines, labels beside it.
 //
-// In a page a drawing is an <svg> that is stretched to the width there is, and its labels are HTML over it, placed by
-// percent, so that they keep their size on a telephone and on paper.
+// In a page a drawing is an <svg> that is stretched to the width there is, and its labels are HTML over it,
+// placed by percent, so that they keep their size on a telephone and on paper.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -43,8 +43,8 @@ std::string tick_label(double v, double step);
 std::string grid_line(double x0, double y0, double x1, double y1);
 /// `stretched`: takes whatever width and height it is given.
 std::string svg_open(double height, const std::string& kind, bool stretched);
-/// A label of the x axis `share` of the way to the right, or of the y axis `share` of the way down. Those of the x axis
-/// with odd `number` give way in narrow windows.
+/// A label of the x axis `share` of the way to the right, or of the y axis `share` of the way down. Those of
+/// the x axis with odd `number` give way in narrow windows.
 std::string x_label(double share, const std::string& text, int number);
 std::string y_label(double share, const std::string& text);
 /// Names and colours beside each other.

@@ -94,8 +94,8 @@ std::string labels_beside(const Plot& plot) {
   for (double t : y_ticks(plot))
     html += y_label((plot.y.range.high - t) / plot.y.range.span(), tick_label(t, step_of(y_ticks(plot))));
   for (double t : x_ticks(plot))
-    html += x_label((t - plot.x.range.low) / plot.x.range.span(), tick_label(t, step_of(x_ticks(plot))) + " s",
-                    number++);
+    html += x_label((t - plot.x.range.low) / plot.x.range.span(),
+                    tick_label(t, step_of(x_ticks(plot))) + " s", number++);
   return html;
 }
 
@@ -120,7 +120,8 @@ std::string path_of(const std::vector<double>& xs, const std::vector<double>& ys
   bool drawing = false;
   for (size_t i = 0; i < xs.size(); ++i) {
     const bool there = std::isfinite(ys[i]);
-    if (there) d += (drawing ? "L" : "M") + svg_number(x(xs[i])) + ' ' + svg_number(std::max(y(ys[i]), y.at_high));
+    if (there)
+      d += (drawing ? "L" : "M") + svg_number(x(xs[i])) + ' ' + svg_number(std::max(y(ys[i]), y.at_high));
     // A single value between two gaps is a dot.
     if (there && !drawing && (i + 1 == xs.size() || !std::isfinite(ys[i + 1]))) d += "h0.1";
     drawing = there;
@@ -170,10 +171,10 @@ std::string values_of(const TimeChart& thin) {
   const Range range = x_range(thin.x);
   std::string series;
   for (const Series& s : thin.series)
-    series += (series.empty() ? "" : ",") + ("{\"name\":" + json_text(s.name)) + ",\"color\":" + json_text(s.color) +
-              ",\"y\":" + json_list(s.y) + "}";
-  return "{\"range\":" + json_list({range.low, range.high}) + ",\"x\":" + json_list(thin.x) + ",\"series\":[" +
-         series + "]}";
+    series += (series.empty() ? "" : ",") + ("{\"name\":" + json_text(s.name)) +
+              ",\"color\":" + json_text(s.color) + ",\"y\":" + json_list(s.y) + "}";
+  return "{\"range\":" + json_list({range.low, range.high}) + ",\"x\":" + json_list(thin.x) +
+         ",\"series\":[" + series + "]}";
 }
 
 }  // namespace
@@ -182,10 +183,10 @@ std::string draw(const TimeChart& all) {
   const TimeChart thin = thinned(all);
   const Plot plot = plot_in(thin, 0, kWidth, 0, kPlotHeight);
   return "<div class=\"chart\" tabindex=\"0\" role=\"figure\" aria-label=\"" + html_escaped(all.y_name) +
-         " over time; arrow keys read it\" data-chart=\"" + html_escaped(values_of(thin)) + "\">\n<p class=\"name\">" +
-         html_escaped(all.y_name) + "</p>\n" + legend_of(all) + "<div class=\"plot\">" +
-         svg_open(kPlotHeight, "chart", true) + time_grid(plot) + lines_of(plot) + "</svg>\n" + labels_beside(plot) +
-         "</div></div>\n";
+         " over time; arrow keys read it\" data-chart=\"" + html_escaped(values_of(thin)) +
+         "\">\n<p class=\"name\">" + html_escaped(all.y_name) + "</p>\n" + legend_of(all) +
+         "<div class=\"plot\">" + svg_open(kPlotHeight, "chart", true) + time_grid(plot) + lines_of(plot) +
+         "</svg>\n" + labels_beside(plot) + "</div></div>\n";
 }
 
 std::string draw_svg(const TimeChart& all) {

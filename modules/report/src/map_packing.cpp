@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kBlock = 1024;      // vertices: the boxes of so many add 2 %
+constexpr size_t kBlock = 1024;        // vertices: the boxes of so many add 2 %
 constexpr size_t kLongestPiece = 256;  // vertices of a line that are kept or left out together
 
 // Bytes in the order of the page, whatever the machine's.
@@ -63,8 +63,12 @@ void pack_block(const MapVertex* begin, const MapVertex* end, Bytes* boxes, Byte
     for (int i = 0; i < 3; ++i) positions->u16(steps_of(v->position[i], box.low[i], box.step[i]));
 }
 
-std::string entry(const std::string& name, const std::string& value) { return "\"" + name + "\":\"" + value + "\",\n"; }
-std::string entry(const std::string& name, double value) { return "\"" + name + "\":" + fixed(value, 9) + ",\n"; }
+std::string entry(const std::string& name, const std::string& value) {
+  return "\"" + name + "\":\"" + value + "\",\n";
+}
+std::string entry(const std::string& name, double value) {
+  return "\"" + name + "\":" + fixed(value, 9) + ",\n";
+}
 
 std::string packed_positions(const std::vector<MapVertex>& vertices) {
   Bytes boxes, positions;
@@ -98,7 +102,8 @@ std::string packed_joints(const std::vector<MapVertex>& vertices) {
   Bytes bits;
   for (size_t i = 0; i < vertices.size(); i += 8) {
     unsigned eight = 0;
-    for (size_t k = i; k < std::min(i + 8, vertices.size()); ++k) eight |= unsigned(vertices[k].joined) << (k - i);
+    for (size_t k = i; k < std::min(i + 8, vertices.size()); ++k)
+      eight |= unsigned(vertices[k].joined) << (k - i);
     bits.u8(uint8_t(eight));
   }
   return entry("joined", bits.text());
@@ -156,7 +161,8 @@ std::vector<MapVertex> thinned(const std::vector<MapVertex>& vertices, size_t mo
     const size_t end = end_of_piece(vertices, begin);
     due += share * double(end - begin);
     if (double(kept.size() + end - begin) <= due) {
-      kept.insert(kept.end(), vertices.begin() + std::ptrdiff_t(begin), vertices.begin() + std::ptrdiff_t(end));
+      kept.insert(kept.end(), vertices.begin() + std::ptrdiff_t(begin),
+                  vertices.begin() + std::ptrdiff_t(end));
       kept[kept.size() - (end - begin)].joined = false;  // the piece before may be gone
     }
     begin = end;
@@ -166,9 +172,10 @@ std::vector<MapVertex> thinned(const std::vector<MapVertex>& vertices, size_t mo
 
 std::string packed(const MapView& view) {
   const std::vector<MapVertex>& v = view.vertices;
-  return "{" + entry("unit", view.unit) + packed_positions(v) + packed_sigmas(v) + packed_grays(v) + packed_joints(v) +
-         packed_hosts(v) + packed_way("path", view.path) + packed_way("truth", view.truth) +
-         packed_seconds(view.seconds) + packed_keyframes(view.keyframes) + "\"ramp\":\"" + packed_ramp() + "\"}";
+  return "{" + entry("unit", view.unit) + packed_positions(v) + packed_sigmas(v) + packed_grays(v) +
+         packed_joints(v) + packed_hosts(v) + packed_way("path", view.path) +
+         packed_way("truth", view.truth) + packed_seconds(view.seconds) + packed_keyframes(view.keyframes) +
+         "\"ramp\":\"" + packed_ramp() + "\"}";
 }
 
 }  // namespace edgevo

@@ -15,9 +15,12 @@ float sigma_of(const EdgePoint& p, const Eigen::Vector3d& p_cam) {
 
 std::string count_statement(size_t shown, size_t all) {
   const std::string count = std::to_string(shown) + (shown == 1 ? " vertex" : " vertices") + " of the map";
-  return shown == all ? count + "."
-                      : count + ", taken evenly from " + std::to_string(all) + ": all are in the run's edges.ply.";
+  return shown == all
+             ? count + "."
+             : count + ", taken evenly from " + std::to_string(all) + ": all are in the run's edges.ply.";
 }
+
+std::string script_html(const char* script) { return "<script>" + std::string(script) + "</script>\n"; }
 
 }  // namespace
 
@@ -41,8 +44,8 @@ std::string draw(const MapView& all) {
   view.vertices = thinned(all.vertices, kMostMapVertices);
   return "<div class=\"map3d\">\n" + std::string(assets::kMapViewHtml) +
          note_html(count_statement(view.vertices.size(), all.vertices.size())) +
-         "<script type=\"application/json\">" + packed(view) + "</script>\n</div>\n<script>" + assets::kMapViewJs +
-         "</script>\n";
+         "<script type=\"application/json\">" + packed(view) + "</script>\n</div>\n" +
+         script_html(assets::kMapDataJs) + script_html(assets::kMapDrawingJs) + script_html(assets::kMapViewJs);
 }
 
 }  // namespace edgevo

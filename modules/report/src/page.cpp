@@ -21,7 +21,8 @@ bool between(const std::string& text, const std::string& open, const std::string
 // Links to the sections of `body`, as section_html wrote them.
 std::string contents_of(const std::string& body) {
   std::string links, id, title;
-  for (size_t at = 0; between(body, "<section id=\"", "\"><h2>", &at, &id) && between(body, "<h2>", "</h2>", &at, &title);)
+  for (size_t at = 0;
+       between(body, "<section id=\"", "\"><h2>", &at, &id) && between(body, "<h2>", "</h2>", &at, &title);)
     links += "<a href=\"#" + id + "\">" + title + "</a>\n";
   return links.empty() ? "" : "<nav class=\"contents\" aria-label=\"contents\">\n" + links + "</nav>\n";
 }
@@ -48,16 +49,18 @@ std::string html_escaped(const std::string& text) {
 std::string page_html(const std::string& title, const std::string& subtitle, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\"><title>" +
-         html_escaped(title) + "</title><style>\n" + assets::kPageCss + "</style></head><body><main>\n<header><h1>" +
-         html_escaped(title) + "</h1><p>" + html_escaped(subtitle) + "</p></header>\n" + contents_of(body) + body +
-         "</main>\n<script>" + assets::kPageJs + "</script></body></html>\n";
+         html_escaped(title) + "</title><style>\n" + assets::kPageCss +
+         "</style></head><body><main>\n<header><h1>" + html_escaped(title) + "</h1><p>" +
+         html_escaped(subtitle) + "</p></header>\n" + contents_of(body) + body + "</main>\n<script>" +
+         assets::kPageJs + "</script></body></html>\n";
 }
 
 std::string section_html(const std::string& id, const std::string& title, const std::string& body) {
   return "<section id=\"" + id + "\"><h2>" + html_escaped(title) + "</h2>\n" + body + "</section>\n";
 }
 
-std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows) {
+std::string table_html(const std::vector<std::string>& header,
+                       const std::vector<std::vector<std::string>>& rows) {
   const auto row = [](const std::vector<std::string>& cells, const std::string& tag) {
     std::string html = "<tr>";
     for (const std::string& cell : cells) html += "<" + tag + ">" + html_escaped(cell) + "</" + tag + ">";

@@ -79,8 +79,8 @@ std::string plan_line(const PlanLine& line, const PlanAxes& axes) {
     for (size_t i = 0; i < piece.size(); ++i)
       d += (i == 0 ? "M" : "L") + svg_number(axes.left(piece[i].second)) + ' ' +
            svg_number(axes.forward(piece[i].first));
-  return "<path class=\"line\" style=\"stroke:" + line.color + (line.dashed ? "\" stroke-dasharray=\"7 5" : "") +
-         "\" d=\"" + d + "\"/>\n";
+  return "<path class=\"line\" style=\"stroke:" + line.color +
+         (line.dashed ? "\" stroke-dasharray=\"7 5" : "") + "\" d=\"" + d + "\"/>\n";
 }
 
 // What page.js tells under the pointer: where on the ground it is.
@@ -95,7 +95,8 @@ std::string place_of(const PlanAxes& axes, const std::string& unit) {
 std::string draw(const Plan& plan) {
   const PlanAxes axes = plan_axes(plan);
   std::vector<std::pair<std::string, std::string>> entries;
-  for (const PlanLine& line : plan.lines) entries.emplace_back(line.name, line.color);
+  for (const PlanLine& line : plan.lines)
+    if (!line.name.empty()) entries.emplace_back(line.name, line.color);
   if (!plan.points.empty()) entries.emplace_back("edge points", "var(--dots,#b9bfca)");
   std::string html = "<div class=\"plan\" role=\"figure\" aria-label=\"from above\" data-plan=\"" +
                      html_escaped(place_of(axes, plan.unit)) + "\">\n<p class=\"name\">" +

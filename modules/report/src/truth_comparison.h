@@ -14,7 +14,7 @@ struct TruthComparison {
   double metres_per_unit = 1;  ///< that the alignment multiplied the run with; 1 for a run in metres
   AbsoluteError error;         ///< after the alignment: Sim(3), or SE(3) for a run in metres
   std::vector<std::optional<Eigen::Vector3d>>
-      p_world;  ///< true position at each frame, in the run's world; metres
+      p_world;                 ///< true position at each frame, in the run's world; metres
   std::optional<Drift> drift;  ///< as `edgevo eval` gives it; none where the truth does not move
 };
 

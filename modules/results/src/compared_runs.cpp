@@ -34,7 +34,8 @@ fs::path common_parent(const std::vector<std::string>& folders) {
     const fs::path path = plain(folder).parent_path();
     return std::mismatch(common.begin(), common.end(), path.begin(), path.end()).first == common.end();
   };
-  while (common.has_relative_path() && !std::all_of(folders.begin(), folders.end(), holds)) common = common.parent_path();
+  while (common.has_relative_path() && !std::all_of(folders.begin(), folders.end(), holds))
+    common = common.parent_path();
   return common;
 }
 
@@ -78,7 +79,8 @@ std::vector<ComparedRun> compared_runs(const std::vector<std::string>& paths, co
     rows.push_back(row_of(read_finished_run(folder), common, plain(page).parent_path()));
     if (!ground_truth.empty()) rows.back().ground_truth = ground_truth;
   }
-  const bool any = std::any_of(rows.begin(), rows.end(), [](const ComparedRun& r) { return r.problem.empty(); });
+  const bool any =
+      std::any_of(rows.begin(), rows.end(), [](const ComparedRun& r) { return r.problem.empty(); });
   if (!any) throw InputError(rows.front().name, "cannot be compared: " + rows.front().problem, "");
   return rows;
 }

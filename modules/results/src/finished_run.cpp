@@ -21,7 +21,9 @@ bool holds(const fs::path& folder, const char* file) {
   return fs::is_regular_file(folder / file, ignored);
 }
 
-bool is_run(const fs::path& folder) { return holds(folder, "trajectory_tum.txt") || holds(folder, "frames.csv"); }
+bool is_run(const fs::path& folder) {
+  return holds(folder, "trajectory_tum.txt") || holds(folder, "frames.csv");
+}
 
 void add_runs(const fs::path& folder, std::vector<std::string>* found) {
   if (is_run(folder)) {
@@ -101,7 +103,8 @@ void read_frames(FinishedRun* run) {
   run->cpu_ms = ms / run->frames;
 }
 
-// The lines of one group of a YAML file, the others blank: its other groups may be what parse_block_yaml refuses.
+// The lines of one group of a YAML file, the others blank: its other groups may be what parse_block_yaml
+// refuses.
 std::string group_of(const std::string& yaml, const std::string& group) {
   std::istringstream lines(yaml);
   std::string kept;
@@ -149,7 +152,8 @@ bool has_poses(const std::string& tum) {
 }
 
 void read_poses(FinishedRun* run) {
-  const std::string path = (fs::path(run->folder) / "trajectory_tum.txt").string(), text = read_file(path, kRemedy);
+  const std::string path = (fs::path(run->folder) / "trajectory_tum.txt").string(),
+                    text = read_file(path, kRemedy);
   if (has_poses(text)) run->trajectory = parse_trajectory(text, path);
   run->trajectory.path = path;
 }

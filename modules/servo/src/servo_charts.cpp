@@ -57,10 +57,11 @@ std::vector<TimeChart> loop_charts(const ServoResult& r) {
   return {servo_chart(r, "speed, mm/s",
                       {{{"speed", palette::kPurple, {}},
                         [](const auto& row) { return 1000 * norm(row.command.velocity, 0); }}}),
-          servo_chart(r, "ms",
-                      {{{"age of the pose", palette::kBlue, {}}, [](const auto& row) { return 1000 * row.age_s; }},
-                       {{"odometry", palette::kOrange, {}},
-                        [](const auto& row) { return row.latency_s > 0 ? 1000 * row.latency_s : kNone; }}})};
+          servo_chart(
+              r, "ms",
+              {{{"age of the pose", palette::kBlue, {}}, [](const auto& row) { return 1000 * row.age_s; }},
+               {{"odometry", palette::kOrange, {}},
+                [](const auto& row) { return row.latency_s > 0 ? 1000 * row.latency_s : kNone; }}})};
 }
 
 std::string state_ribbon(const ServoResult& r) {
@@ -80,7 +81,8 @@ std::string state_ribbon(const ServoResult& r) {
 
 Plan path_plan(const ServoResult& r) {
   Plan plan{"mm", {}, {}};
-  PlanLine away{"moved away by hand", palette::kGray, true, {{}}}, servo{"steered", palette::kBlue, false, {{}}};
+  PlanLine away{"moved away by hand", palette::kGray, true, {{}}},
+      servo{"steered", palette::kBlue, false, {{}}};
   const ServoRow* taught = nullptr;
   for (const ServoRow& row : r.rows)
     if (row.phase == Phase::kAway && !taught) taught = &row;
@@ -99,7 +101,8 @@ std::string convergence_svg(const ServoResult& r, const ServoParams& params) {
   int row = 0;
   for (const TimeChart& chart : error_charts(r, params)) {
     const std::string svg = draw_svg(chart);
-    inner += "<g transform=\"translate(0 " + std::to_string(200 * row++) + ")\">" + svg.substr(svg.find('>') + 1);
+    inner +=
+        "<g transform=\"translate(0 " + std::to_string(200 * row++) + ")\">" + svg.substr(svg.find('>') + 1);
     inner.erase(inner.rfind("</svg>"));
     inner += "</g>\n";
   }

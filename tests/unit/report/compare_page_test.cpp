@@ -29,17 +29,18 @@ std::string tum_of(const Trajectory& t) {
   std::string text;
   for (const StampedPose& p : t.poses) {
     const Eigen::Vector3d& v = p.T_world_cam.translation();
-    text += to_string(p.time) + ' ' + std::to_string(v.x()) + ' ' + std::to_string(v.y()) + ' ' + std::to_string(v.z()) +
-            " 0 0 0 1\n";
+    text += to_string(p.time) + ' ' + std::to_string(v.x()) + ' ' + std::to_string(v.y()) + ' ' +
+            std::to_string(v.z()) + " 0 0 0 1\n";
   }
   return text;
 }
 
 class ComparePage : public ::testing::Test {
  protected:
+  void SetUp() override {
+    for (const char* name : {"truth.txt", "copy.txt"}) std::ofstream(folder_ / name) << tum_of(drive_with(0));
+  }
   ComparedRun run(const std::string& name, double wave, const std::string& truth = "truth.txt") {
-    std::ofstream(folder_ / "truth.txt") << tum_of(drive_with(0));
-    std::ofstream(folder_ / "copy.txt") << tum_of(drive_with(0));
     ComparedRun r;
     r.name = name;
     r.frames = 100, r.keyframes = 20, r.segments = 1, r.cpu_ms = 12.5;

@@ -18,7 +18,8 @@ using ::testing::HasSubstr;
 std::vector<MapVertex> row_of_points(size_t count) {
   std::vector<MapVertex> vertices(count);
   for (size_t i = 0; i < count; ++i)
-    vertices[i] = {{float(i), float(i % 7), -1.0f}, 0.01f * float(1 + i % 50), uint8_t(i), false, int(i / 100)};
+    vertices[i] = {
+        {float(i), float(i % 7), -1.0f}, 0.01f * float(1 + i % 50), uint8_t(i), false, int(i / 100)};
   return vertices;
 }
 
@@ -59,7 +60,8 @@ TEST(MapPacking, PositionsAreExactToAStepOfTheirBlock) {
   for (size_t i = 0; i < 2 * block; ++i)
     for (size_t k = 0; k < 3; ++k) {
       const float* box = &boxes[6 * (i / block)];
-      EXPECT_NEAR(box[k] + float(steps[3 * i + k]) * box[3 + k], view.vertices[i].position[int(k)], 0.011) << i;
+      EXPECT_NEAR(box[k] + float(steps[3 * i + k]) * box[3 + k], view.vertices[i].position[int(k)], 0.011)
+          << i;
     }
 }
 
@@ -72,7 +74,8 @@ TEST(MapPacking, SigmasKeepTheirRatio) {
   const double low = number_of(json, "sigma_low"), ratio = number_of(json, "sigma_high") / low;
   EXPECT_EQ(codes[3], 0);
   for (size_t i = 4; i < 200; ++i)
-    EXPECT_NEAR(low * std::pow(ratio, (double(uint8_t(codes[i])) - 1) / 254) / double(view.vertices[i].sigma), 1, 0.01);
+    EXPECT_NEAR(low * std::pow(ratio, (double(uint8_t(codes[i])) - 1) / 254) / double(view.vertices[i].sigma),
+                1, 0.01);
 }
 
 TEST(MapPacking, HostsAndJoints) {
@@ -129,7 +132,8 @@ TEST(MapPacking, ThinsOneEndlessLine) {
   EXPECT_LE(thin.size(), 5000u);
   EXPECT_GE(thin.size(), 4700u);
   for (size_t i = 1; i < thin.size(); ++i)
-    EXPECT_EQ(thin[i].joined, thin[i].position.x() == thin[i - 1].position.x() + 1) << "no line across what was left out";
+    EXPECT_EQ(thin[i].joined, thin[i].position.x() == thin[i - 1].position.x() + 1)
+        << "no line across what was left out";
 }
 
 TEST(MapView, TellsWhatWasLeftOut) {
@@ -146,8 +150,12 @@ TEST(MapView, HasThePointsOfTheMapFiles) {
   const std::vector<MapVertex> vertices = map_points(made.run, filter);
   EXPECT_EQ(int(vertices.size()), count_points(made.run, filter).kept);
   for (const MapVertex& v : vertices) {
-    EXPECT_NEAR(std::max(std::abs(v.position.y()) / 2, std::abs(v.position.z()) / 1.5f), 1, 1e-3) << "on a wall of the corridor";
-    EXPECT_LT(v.sigma / (v.position - made.run.keyframes[size_t(v.keyframe)].T_world_cam.translation().cast<float>()).norm(), 3);
+    EXPECT_NEAR(std::max(std::abs(v.position.y()) / 2, std::abs(v.position.z()) / 1.5f), 1, 1e-3)
+        << "on a wall of the corridor";
+    EXPECT_LT(v.sigma / (v.position -
+                         made.run.keyframes[size_t(v.keyframe)].T_world_cam.translation().cast<float>())
+                            .norm(),
+              3);
   }
 }
 

@@ -65,14 +65,17 @@ TEST(RunReport, ShowsTheMapInTheUnitOfItsPath) {
   const std::string metric =
       report_html({made.run, info_with_truth(made.run, folder), {}, {}, {}, {}, points});
   EXPECT_THAT(metric, HasSubstr("\"unit\":\"m\""));
-  const auto sigma = [](const std::string& html) { return std::atof(html.c_str() + html.find("sigma_high") + 12); };
+  const auto sigma = [](const std::string& html) {
+    return std::atof(html.c_str() + html.find("sigma_high") + 12);
+  };
   EXPECT_NEAR(sigma(metric), 2.5 * sigma(plain), 1e-4);
 }
 
 TEST(RunReport, LinksToItsSections) {
   const testing::SyntheticRun made = testing::synthetic_run();
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
-  for (const char* id : {"next", "trajectory", "space", "edges", "map", "states", "timing", "scale", "parameters"}) {
+  for (const char* id :
+       {"next", "trajectory", "space", "edges", "map", "states", "timing", "scale", "parameters"}) {
     EXPECT_THAT(html, HasSubstr("<a href=\"#" + std::string(id) + "\">"));
     EXPECT_THAT(html, HasSubstr("<section id=\"" + std::string(id) + "\">"));
   }

@@ -63,7 +63,8 @@ TEST_F(ComparedRuns, AHalfWrittenOneIsARowAmongOthers) {
 TEST_F(ComparedRuns, WhatHoldsNoRunIsTold) {
   EXPECT_THAT(message_of([&] { compared({(temp_ / "nothing")}); }), HasSubstr("nothing: is no folder"));
   fs::create_directories(folder_);
-  EXPECT_THAT(message_of([&] { compared({folder_.string()}); }), HasSubstr("no run has left its results there"));
+  EXPECT_THAT(message_of([&] { compared({folder_.string()}); }),
+              HasSubstr("no run has left its results there"));
   EXPECT_THAT(message_of([&] { compared_runs({run_at("a").string()}, (temp_ / "no.txt"), "page.html"); }),
               HasSubstr("no.txt: cannot be read"));
 }

@@ -32,7 +32,8 @@ std::vector<Group> groups_of(const std::vector<RunFigures>& figures) {
   std::vector<Group> groups;
   for (const RunFigures& f : figures) {
     if (!f.evaluation) continue;
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.front()->truth == f.truth; });
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& g) { return g.front()->truth == f.truth; });
     if (group == groups.end()) group = groups.insert(groups.end(), Group());
     group->push_back(&f);
   }
@@ -43,10 +44,12 @@ PlanLine line_of(const std::string& name, const char* color, const GroundPath& p
   return {name, color, false, {thinned(path, kMostPoints)}};
 }
 
-// All of a small group, or the worst and the best of a large one, in colours of their own; the others pale below them.
+// All of a small group, or the worst and the best of a large one, in colours of their own; the others pale
+// below them.
 Plan plan_of(const Group& group) {
-  static const char* const kColors[kMostNamed] = {palette::kRed,    palette::kOrange, palette::kAmber, palette::kPurple,
-                                                  palette::kViolet, palette::kTeal,   palette::kGreen, palette::kBlue};
+  static const char* const kColors[kMostNamed] = {palette::kRed,    palette::kOrange, palette::kAmber,
+                                                  palette::kPurple, palette::kViolet, palette::kTeal,
+                                                  palette::kGreen,  palette::kBlue};
   Plan plan{"m", {}, {}};
   const size_t drawn = std::min(group.size(), kMostLines);
   const bool all_named = drawn <= kMostNamed;
@@ -55,16 +58,22 @@ Plan plan_of(const Group& group) {
   plan.lines.push_back(line_of("ground truth", palette::kInk, group.front()->truth_path));
   for (size_t i = drawn; i-- > 0;) {
     const bool named = all_named || i == 0 || i + 1 == drawn;
-    if (named) plan.lines.push_back(line_of(group[i]->run->name, kColors[i == 0 ? 0 : std::min(i, kMostNamed - 1)], group[i]->path));
+    if (named)
+      plan.lines.push_back(
+          line_of(group[i]->run->name, kColors[i == 0 ? 0 : std::min(i, kMostNamed - 1)], group[i]->path));
   }
   return plan;
 }
 
 std::string overlay_section(const Group& group, size_t number) {
-  const std::string title = group.size() == 1 ? group.front()->run->name : std::to_string(group.size()) + " runs with one ground truth";
+  const std::string title = group.size() == 1 ? group.front()->run->name
+                                              : std::to_string(group.size()) + " runs with one ground truth";
   std::string body = draw(plan_of(group));
-  body += note_html("Each path is aligned with the truth by its own Sim(3); forward is where the true camera looked at first." +
-                    std::string(group.size() > kMostLines ? " Drawn are the " + std::to_string(kMostLines) + " worst." : ""));
+  body += note_html(
+      "Each path is aligned with the truth by its own Sim(3); forward is where the true camera looked at "
+      "first." +
+      std::string(group.size() > kMostLines ? " Drawn are the " + std::to_string(kMostLines) + " worst."
+                                            : ""));
   return section_html("paths" + std::to_string(number), title, body);
 }
 
@@ -78,11 +87,14 @@ double median_ate_percent(const std::vector<RunFigures>& figures) {
 }
 
 std::string tiles(const std::vector<RunFigures>& figures) {
-  const auto count = [&](auto holds) { return std::to_string(std::count_if(figures.begin(), figures.end(), holds)); };
+  const auto count = [&](auto holds) {
+    return std::to_string(std::count_if(figures.begin(), figures.end(), holds));
+  };
   std::vector<std::pair<std::string, std::string>> tiles{
       {std::to_string(figures.size()), figures.size() == 1 ? "run" : "runs"},
       {count([](const RunFigures& f) { return f.evaluation.has_value(); }), "compared with ground truth"},
-      {count([](const RunFigures& f) { return !f.run->problem.empty() || !f.note.empty(); }), "without figures, though they should have them"},
+      {count([](const RunFigures& f) { return !f.run->problem.empty() || !f.note.empty(); }),
+       "without figures, though they should have them"},
       {count([](const RunFigures& f) { return f.run->segments > 1; }), "in more than one segment"}};
   if (const double median = median_ate_percent(figures); median == median)
     tiles.emplace_back(fixed(median, 3) + " %", "median ATE, of the path");
@@ -95,13 +107,16 @@ std::string compare_html(const std::vector<ComparedRun>& runs) {
   const std::vector<RunFigures> figures = worst_first(runs);
   std::string body =
       tiles(figures) +
-      section_html("runs", "Runs, the worst first",
-                   note_html("A click on a heading sorts by it. Figures are those of edgevo eval; the worst is the one with "
-                             "the largest error relative to its path.") +
-                       run_table_html(figures));
+      section_html(
+          "runs", "Runs, the worst first",
+          note_html(
+              "A click on a heading sorts by it. Figures are those of edgevo eval; the worst is the one with "
+              "the largest error relative to its path.") +
+              run_table_html(figures));
   size_t number = 0;
   for (const Group& group : groups_of(figures)) body += overlay_section(group, ++number);
-  return page_html("edgevo compare", std::to_string(runs.size()) + (runs.size() == 1 ? " run" : " runs"), body);
+  return page_html("edgevo compare", std::to_string(runs.size()) + (runs.size() == 1 ? " run" : " runs"),
+                   body);
 }
 
 }  // namespace edgevo

@@ -15,7 +15,7 @@ using GroundPath = std::vector<std::pair<double, double>>;  ///< (forward, left)
 
 struct RunFigures {
   const ComparedRun* run = nullptr;
-  std::string note;                                ///< why there is no error figure; empty: there is, or no truth is known
+  std::string note;  ///< why there is no error figure; empty: there is, or no truth is known
   std::optional<TrajectoryEvaluation> evaluation;  ///< against the ground truth
   std::shared_ptr<const Trajectory> truth;         ///< the same object for runs with equal ground truth
   GroundPath path;        ///< aligned with the truth in metres, or in the run's own unit
@@ -40,8 +40,8 @@ class GroundTruths {
 
 RunFigures figures_of(const ComparedRun& run, GroundTruths* truths);
 
-/// True where `a` is to stand before `b`: what could not be read; then what has no error figure though the truth is
-/// known; then by the error relative to the path; then, without truth, by the frames without a pose.
+/// True where `a` is to stand before `b`: what could not be read; then what has no error figure though the
+/// truth is known; then by the error relative to the path; then, without truth, by the frames without a pose.
 bool is_worse(const RunFigures& a, const RunFigures& b);
 
 }  // namespace edgevo

@@ -29,25 +29,30 @@ const std::vector<Column>& columns() {
       {"with pose", "%", "of them", 1, [](const RunFigures& f) { return f.completion_percent(); }},
       {"ATE", "m", "RMSE after Sim(3)", 4,
        [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.rmse; }); }},
-      {"ATE", "% of path", "the same over the length of the true path", 3, [](const RunFigures& f) { return f.ate_percent(); }},
+      {"ATE", "% of path", "the same over the length of the true path", 3,
+       [](const RunFigures& f) { return f.ate_percent(); }},
       {"drift", "cm/m", "mean over stretches, scale re-corrected every 200 frames", 2,
        [](const RunFigures& f) {
          return if_evaluated(f, [](const auto& e) { return e.drift ? e.drift->mean_cm_per_m : kNone; });
        }},
       {"scale", "m/unit", "metres that one unit of the run is", 4,
        [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.scale; }); }},
-      {"scale drift", "x", "scale at the end over that at the start", 4, [](const RunFigures& f) { return f.scale_drift(); }},
+      {"scale drift", "x", "scale at the end over that at the start", 4,
+       [](const RunFigures& f) { return f.scale_drift(); }},
       {"CPU", "ms", "of the odometry a frame", 1, [](const RunFigures& f) { return f.run->cpu_ms; }},
       {"keyframes", "", "", 0, [](const RunFigures& f) { return f.run->keyframes; }},
-      {"lost", "frames", "without a pose after the first that has one", 0, [](const RunFigures& f) { return f.run->lost; }},
-      {"segments", "", "more than one: the map was lost and begun anew", 0, [](const RunFigures& f) { return f.run->segments; }},
+      {"lost", "frames", "without a pose after the first that has one", 0,
+       [](const RunFigures& f) { return f.run->lost; }},
+      {"segments", "", "more than one: the map was lost and begun anew", 0,
+       [](const RunFigures& f) { return f.run->segments; }},
   };
   return all;
 }
 
 std::string sort_button(const std::string& name, const std::string& unit, const std::string& help) {
-  return "<th scope=\"col\"><button type=\"button\"" + (help.empty() ? "" : " title=\"" + html_escaped(help) + "\"") + ">" +
-         html_escaped(name) + (unit.empty() ? "" : "<br>" + html_escaped(unit)) + "</button></th>";
+  return "<th scope=\"col\"><button type=\"button\"" +
+         (help.empty() ? "" : " title=\"" + html_escaped(help) + "\"") + ">" + html_escaped(name) +
+         (unit.empty() ? "" : "<br>" + html_escaped(unit)) + "</button></th>";
 }
 
 std::string header() {
@@ -58,8 +63,11 @@ std::string header() {
 
 std::string name_of(const ComparedRun& run) {
   const std::string name = html_escaped(run.name);
-  const std::string link = run.link.empty() ? name : "<a href=\"" + html_escaped(run.link) + "\">" + name + "</a>";
-  return link + (run.source.empty() || run.source == run.name ? "" : "<br><small>" + html_escaped(run.source) + "</small>");
+  const std::string link =
+      run.link.empty() ? name : "<a href=\"" + html_escaped(run.link) + "\">" + name + "</a>";
+  return link + (run.source.empty() || run.source == run.name
+                     ? ""
+                     : "<br><small>" + html_escaped(run.source) + "</small>");
 }
 
 std::string cell(const Column& column, const RunFigures& f) {
@@ -68,14 +76,23 @@ std::string cell(const Column& column, const RunFigures& f) {
   return "<td data-value=\"" + fixed(value, 9) + "\">" + fixed(value, column.decimals) + "</td>";
 }
 
+std::string figures_row(const RunFigures& f) {
+  std::string html;
+  for (const Column& c : columns()) html += cell(c, f);
+  return html;
+}
+
+std::string problem_row(const std::string& problem) {
+  return "<td class=\"bad\" colspan=\"" + std::to_string(columns().size()) + "\">" + html_escaped(problem) +
+         "</td>";
+}
+
 std::string row(const RunFigures& f) {
   const ComparedRun& run = *f.run;
-  const std::string note = run.problem.empty() ? f.note : run.problem;
-  std::string html = "<tr><td class=\"small\">" + small_path_svg(f.path, f.truth_path) + "</td><td data-value=\"" +
-                     html_escaped(run.name) + "\">" + name_of(run) +
-                     (note.empty() ? "" : "<br><span class=\"bad\">" + html_escaped(note) + "</span>") + "</td>";
-  for (const Column& c : columns()) html += run.problem.empty() ? cell(c, f) : "<td>-</td>";
-  return html + "</tr>\n";
+  return "<tr><td class=\"small\">" + small_path_svg(f.path, f.truth_path) + "</td><td data-value=\"" +
+         html_escaped(run.name) + "\">" + name_of(run) +
+         (f.note.empty() ? "" : "<br><span class=\"bad\">" + html_escaped(f.note) + "</span>") + "</td>" +
+         (run.problem.empty() ? figures_row(f) : problem_row(run.problem)) + "</tr>\n";
 }
 
 }  // namespace

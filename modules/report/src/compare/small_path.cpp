@@ -29,7 +29,8 @@ struct Frame {
 std::string line(const GroundPath& path, const Frame& frame, const char* color, const char* width) {
   std::string d;
   for (const auto& p : thinned(path, kMostPoints)) d += (d.empty() ? "M" : "L") + frame.at(p);
-  return "<path fill=\"none\" style=\"stroke:" + std::string(color) + ";stroke-width:" + width + "\" d=\"" + d + "\"/>";
+  return "<path fill=\"none\" style=\"stroke:" + std::string(color) + ";stroke-width:" + width + "\" d=\"" +
+         d + "\"/>";
 }
 
 }  // namespace

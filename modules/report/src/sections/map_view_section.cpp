@@ -33,8 +33,12 @@ bool has_any(const std::vector<std::optional<Eigen::Vector3d>>& way) {
 std::string map_view_section(const ReportInput& in, const ShownPath& path) {
   if (in.map_vertices.empty() && !has_any(path.estimate))
     return section_html("space", "Map in 3D", note_html("There is neither a path nor a point to show."));
-  MapView view{path.unit, in_unit_of(path, in.map_vertices), keyframes_of(in.run, path), seconds_of(in.run),
-               path.estimate, {}};
+  MapView view{path.unit,
+               in_unit_of(path, in.map_vertices),
+               keyframes_of(in.run, path),
+               seconds_of(in.run),
+               path.estimate,
+               {}};
   if (has_any(path.truth)) view.truth = path.truth;
   return section_html("space", "Map in 3D", draw(view));
 }

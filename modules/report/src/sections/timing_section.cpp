@@ -29,8 +29,9 @@ std::string stage_table(const Run& run) {
 }  // namespace
 
 std::string timing_section(const Run& run) {
-  static const char* const kColors[] = {palette::kBlue, palette::kGreen, palette::kAmber, palette::kPurple, palette::kOrange,
-                                        palette::kTeal, palette::kViolet, palette::kSlate, palette::kPink, palette::kOlive};
+  static const char* const kColors[] = {palette::kBlue,   palette::kGreen, palette::kAmber,  palette::kPurple,
+                                        palette::kOrange, palette::kTeal,  palette::kViolet, palette::kSlate,
+                                        palette::kPink,   palette::kOlive};
   if (stages_of(run).empty()) return section_html("timing", "Time", note_html("No stage ran."));
   TimeChart chart;
   chart.y_name = "CPU ms a frame";

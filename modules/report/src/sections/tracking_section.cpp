@@ -64,7 +64,8 @@ std::string drawn_if_any(const TimeChart& chart) {
 std::string keyframe_rules(const Run& run) {
   std::map<std::string, std::pair<int, int>> count;  // keyframes, other frames
   for (const FrameRecord& f : run.frames)
-    if (!f.keyframe_rule.empty()) ++(f.is_keyframe ? count[f.keyframe_rule].first : count[f.keyframe_rule].second);
+    if (!f.keyframe_rule.empty())
+      ++(f.is_keyframe ? count[f.keyframe_rule].first : count[f.keyframe_rule].second);
   if (count.empty()) return "";
   std::vector<std::vector<std::string>> rows;
   for (const auto& [rule, n] : count)
@@ -78,15 +79,15 @@ std::string tracking_section(const Run& run) {
   Ribbon ribbon{seconds_of(run), {}};
   for (const FrameRecord& f : run.frames) ribbon.color.push_back(color_of(f.state));
   const auto aligned = [](const FrameRecord& f, double value) { return f.inlier_share > 0 ? value : kNone; };
-  const TimeChart inliers =
-      chart_of(run, "inlier share", palette::kBlue, [&](const auto& f) { return aligned(f, f.inlier_share); });
-  const TimeChart residual =
-      chart_of(run, "residual, px", palette::kPurple, [&](const auto& f) { return aligned(f, f.residual_px); });
+  const TimeChart inliers = chart_of(run, "inlier share", palette::kBlue,
+                                     [&](const auto& f) { return aligned(f, f.inlier_share); });
+  const TimeChart residual = chart_of(run, "residual, px", palette::kPurple,
+                                      [&](const auto& f) { return aligned(f, f.residual_px); });
   const TimeChart edges =
       chart_of(run, "edge pixels", palette::kSlate, [](const auto& f) { return double(f.edges); });
-  return section_html(
-      "states", "Tracking over the run",
-      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) + draw(edges) + keyframe_rules(run));
+  return section_html("states", "Tracking over the run",
+                      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) +
+                          draw(edges) + keyframe_rules(run));
 }
 
 }  // namespace edgevo

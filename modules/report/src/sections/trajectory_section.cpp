@@ -79,7 +79,8 @@ TimeChart error_chart(const Run& run, const ShownPath& path) {
   chart.from_zero = true;
   Series error{"error", palette::kRed, {}};
   for (size_t i = 0; i < path.estimate.size(); ++i)
-    error.y.push_back(path.estimate[i] && path.truth[i] ? (*path.estimate[i] - *path.truth[i]).norm() : kNone);
+    error.y.push_back(path.estimate[i] && path.truth[i] ? (*path.estimate[i] - *path.truth[i]).norm()
+                                                        : kNone);
   chart.series = {error};
   return chart;
 }
@@ -90,15 +91,17 @@ std::string drift_table(const std::optional<Drift>& drift) {
   for (size_t i = 0; i < drift->lengths_m.size(); ++i) {
     const Drift::OfLength& d = drift->by_length[i];
     if (d.stretches == 0) continue;
-    rows.push_back({fixed(drift->lengths_m[i], drift->lengths_m[i] < 2 ? 3 : 1) + " m", std::to_string(d.stretches), fixed(d.mean_cm_per_m, 2),
-                    fixed(d.median_cm_per_m, 2), fixed(d.max_cm_per_m, 2)});
+    rows.push_back({fixed(drift->lengths_m[i], drift->lengths_m[i] < 2 ? 3 : 1) + " m",
+                    std::to_string(d.stretches), fixed(d.mean_cm_per_m, 2), fixed(d.median_cm_per_m, 2),
+                    fixed(d.max_cm_per_m, 2)});
   }
   return "<h3>Drift by length of the stretch</h3>\n" +
          table_html({"stretch", "number", "mean cm/m", "median", "max"}, rows) +
          note_html("All lengths together: " + fixed(drift->mean_cm_per_m, 2) + " cm/m, over " +
-                   std::to_string(drift->stretches) + " stretches of a true path of " + fixed(drift->path_m, 1) +
-                   " m, the scale re-corrected every " +
-                   std::to_string(EvaluationOptions().rescale_block_frames) + " frames, as edgevo eval does it.");
+                   std::to_string(drift->stretches) + " stretches of a true path of " +
+                   fixed(drift->path_m, 1) + " m, the scale re-corrected every " +
+                   std::to_string(EvaluationOptions().rescale_block_frames) +
+                   " frames, as edgevo eval does it.");
 }
 
 std::string error_part(const Run& run, const ShownPath& path, const TruthComparison& truth) {

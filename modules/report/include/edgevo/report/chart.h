@@ -1,6 +1,6 @@
 #pragma once
-// Charts over time: pure functions, the same bytes every time, nothing to load. In a page they are as wide as it is,
-// with labels that stay readable, and assets/page.js tells the values under the pointer.
+// Charts over time: pure functions, the same bytes every time, nothing to load. In a page they are as wide as
+// it is, with labels that stay readable, and assets/page.js tells the values under the pointer.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #pragma once
-// The frame of a report page: one HTML file with its style and script, contents, sections, figures with their pictures
-// inside. For reports of any command. It looks right in windows from 320 pixels on, in the dark and on paper.
+// The frame of a report page: one HTML file with its style and script, contents, sections, figures with their
+// pictures inside. For reports of any command. It looks right in windows from 320 pixels on, in the dark and
+// on paper.
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -15,7 +16,8 @@ std::string page_html(const std::string& title, const std::string& subtitle, con
 /// A titled part of the page; `title` is plain text, `body` HTML.
 std::string section_html(const std::string& id, const std::string& title, const std::string& body);
 /// A table that scrolls by itself where the window is narrow; plain text.
-std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
+std::string table_html(const std::vector<std::string>& header,
+                       const std::vector<std::vector<std::string>>& rows);
 /// A row of figures: value and what it is, plain text.
 std::string tiles_html(const std::vector<std::pair<std::string, std::string>>& tiles);
 /// A small gray paragraph of plain text.

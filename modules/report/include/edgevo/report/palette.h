@@ -1,10 +1,10 @@
 #pragma once
-// The colours of charts by name: in a page they follow light, dark and print (assets/page.css), in an SVG file of its own
-// they are the values after the comma.
+// The colours of charts by name: in a page they follow light, dark and print (assets/page.css), in an SVG
+// file of its own they are the values after the comma.
 
 namespace edgevo::palette {
 
-constexpr const char* kInk = "var(--ink,#222222)";  ///< ground truth
+constexpr const char* kInk = "var(--ink,#222222)";    ///< ground truth
 constexpr const char* kBlue = "var(--blue,#1f5fbf)";  ///< the estimate
 constexpr const char* kPaleBlue = "var(--pale-blue,#c3d3ec)";
 constexpr const char* kGreen = "var(--green,#2e9e5b)";

@@ -23,7 +23,8 @@ struct ReportInput {
   EdgePictures pictures;
   std::vector<std::string> not_written;  ///< files of the run that could not be
   MapReport map = {};                    ///< what the map files hold
-  std::vector<MapVertex> map_vertices = {};  ///< shown in 3D; map frame and unit of the run (map_points, or lines)
+  std::vector<MapVertex> map_vertices =
+      {};  ///< shown in 3D; map frame and unit of the run (map_points, or lines)
 };
 
 std::string report_html(const ReportInput& input);
