@@ -6,7 +6,7 @@
 . "$(dirname "$0")/cli_common.sh"
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 
-# probe REPORT [WIDTH]: opens a copy that writes what it finds into attributes of its body, and leaves the page as the
+# probe REPORT [WIDTH [SETTINGS]]: opens a copy that writes what it finds into attributes of its body, and leaves the page as the
 # browser has it in ./dom.
 cat >probe.js <<'EOF'
 document.body.dataset.errors = 0;
@@ -22,6 +22,7 @@ addEventListener("load", () => {
   found.wide = document.documentElement.scrollWidth > innerWidth;
   const texts = all("section *").filter(e => e.textContent.trim() && size(e).width > 0);
   found.smallest = Math.min(...texts.map(e => parseFloat(getComputedStyle(e).fontSize)));
+  found.background = getComputedStyle(document.body).backgroundColor;
   found.loaded = performance.getEntriesByType("resource").filter(r => !r.name.startsWith("data:")).length;
   for (const chart of all("[data-chart]").slice(0, 1)) {
     press(chart, "ArrowRight"), press(chart, "ArrowRight");
@@ -66,7 +67,7 @@ EOF
 probe() {
   sed 's|</body></html>||' "$1" >probe.html
   { echo '<script>'; cat probe.js; echo '</script></body></html>'; } >>probe.html
-  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --window-size="${2:-1200}",900 \
+  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --window-size="${2:-1200}",900 --blink-settings="${3:-}" \
     --user-data-dir="$work/profile" --dump-dom "file://$work/probe.html" >dom 2>browser.log ||
     fail "the browser: $(tail -n 3 browser.log)"
 }
@@ -128,7 +129,9 @@ check "colours for other values" "$(found recolored)" -eq 3
 check "layers that can be hidden" "$(found layers)" -eq 5
 check "a point is read" "$(found picked | grep -c \
   '^x .* m (forward, left, up); ± .* gray [0-9]*; keyframe [0-9]* (frame [0-9]*); colour: height')" -eq 1
-probe street/report.html 500
+check "a bright page" "$(found background | tr -d 'rgb( )' | cut -d, -f1)" -gt 200
+probe street/report.html 500 preferredColorScheme=0
+check "a dark page where that is preferred" "$(found background | tr -d 'rgb( )' | cut -d, -f1)" -lt 50
 check "drawings in a narrow window" "$(found drawings)" -eq 10
 check "wider than a narrow window" "$(found wide | grep -c false)" -eq 1
 check "smallest text there, px" "$(found smallest | cut -d. -f1)" -ge 12

@@ -74,14 +74,15 @@ const MapDrawing = (() => {
 
   // Every `step`-th vertex; a line needs the one before, too. The loop knows the projection by heart: a call
   // for each vertex would cost more than all else.
-  function drawMap(picture, map, colors, view, step) {
+  function drawMap(picture, map, colors, view, step, sharp) {
     const {right, up, ahead, eye} = axesOf(view), {xyz, kind, count} = map, w = picture.width,
                              h = picture.height;
     const f = 0.5 * Math.min(w, h) / kHalfView, cx = 0.5 * w, cy = 0.5 * h,
           nearest = kNearest * view.distance;
     const [ex, ey, ez] = eye, [rx, ry] = right, [ux, uy, uz] = up, [ax, ay, az] = ahead;
     const sizeAt = 0.0014 * view.extent * f;  // pixels of a point at depth 1
-    const least = count < kFewPoints ? 2 : 1;
+    const least = Math.round(sharp * (count < kFewPoints ? 2 : 1)), most = Math.round(4 * sharp);
+    const lineWidth = Math.round(1.5 * sharp);
     let px = 0, py = 0, pn = 0, last = -2;
     const project = i => {
       const x = xyz[3 * i] - ex, y = xyz[3 * i + 1] - ey, z = xyz[3 * i + 2] - ez,
@@ -92,13 +93,14 @@ const MapDrawing = (() => {
       px = cx + f * (rx * x + ry * y) * pn;
       py = cy - f * (ux * x + uy * y + uz * z) * pn;
     };
-    const sizeOf = nearness => Math.max(least, Math.min(5, Math.round(sizeAt * nearness)));
+    const sizeOf = nearness => Math.max(least, Math.min(most, Math.round(sizeAt * nearness)));
     for (let i = 0; i < count; i += step) {
       if (kind[i] === kJoint) {
         if (last !== i - 1) project(i - 1);
         const x0 = px, y0 = py, n0 = pn;
         project(i);
-        if (n0 > 0 && pn > 0) picture.line(x0, y0, n0, px, py, pn, Math.min(2, sizeOf(pn)), colors[i]);
+        if (n0 > 0 && pn > 0)
+          picture.line(x0, y0, n0, px, py, pn, Math.min(lineWidth, sizeOf(pn)), colors[i]);
       } else {
         project(i);
         if (kind[i] === kPoint && pn > 0) picture.dot(px, py, pn, sizeOf(pn), colors[i]);

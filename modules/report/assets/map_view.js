@@ -98,7 +98,7 @@
       this.picture.resize(width, height);
       this.picture.clear();
       if (this.layers.map)
-        MapDrawing.drawMap(this.picture, this.map, this.colors, this.view, moving ? this.step : 1);
+        MapDrawing.drawMap(this.picture, this.map, this.colors, this.view, moving ? this.step : 1, sharp);
       this.context.putImageData(this.picture.image, 0, 0);
       this.drawLines(width, height, sharp);
       if (moving) this.pace(performance.now() - began);

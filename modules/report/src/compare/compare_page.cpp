@@ -65,16 +65,24 @@ Plan plan_of(const Group& group) {
   return plan;
 }
 
+// Their common source, where they have one.
+std::string title_of(const Group& group) {
+  if (group.size() == 1) return group.front()->run->name;
+  const std::string& source = group.front()->run->source;
+  const bool same =
+      std::all_of(group.begin(), group.end(), [&](const auto* f) { return f->run->source == source; });
+  return (same && !source.empty() ? source + ": " : "") + std::to_string(group.size()) +
+         " runs with one ground truth";
+}
+
 std::string overlay_section(const Group& group, size_t number) {
-  const std::string title = group.size() == 1 ? group.front()->run->name
-                                              : std::to_string(group.size()) + " runs with one ground truth";
   std::string body = draw(plan_of(group));
   body += note_html(
       "Each path is aligned with the truth by its own Sim(3); forward is where the true camera looked at "
       "first." +
       std::string(group.size() > kMostLines ? " Drawn are the " + std::to_string(kMostLines) + " worst."
                                             : ""));
-  return section_html("paths" + std::to_string(number), title, body);
+  return section_html("paths" + std::to_string(number), title_of(group), body);
 }
 
 double median_ate_percent(const std::vector<RunFigures>& figures) {
