@@ -129,7 +129,7 @@ void read_summary(FinishedRun* run) {
 // A job of a benchmark: OUT/SEQUENCE/VARIANT/seedN, the ground truth beside the seeds.
 void read_job(FinishedRun* run) {
   const fs::path variant = fs::absolute(run->folder).lexically_normal().parent_path();
-  run->source = (variant.parent_path().filename() / variant.filename()).string();
+  run->source = variant.parent_path().filename().string();
   if (holds(variant, "groundtruth_tum.txt")) run->ground_truth = (variant / "groundtruth_tum.txt").string();
 }
 

@@ -65,9 +65,8 @@ std::string name_of(const ComparedRun& run) {
   const std::string name = html_escaped(run.name);
   const std::string link =
       run.link.empty() ? name : "<a href=\"" + html_escaped(run.link) + "\">" + name + "</a>";
-  return link + (run.source.empty() || run.source == run.name
-                     ? ""
-                     : "<br><small>" + html_escaped(run.source) + "</small>");
+  return link +
+         (run.name.rfind(run.source, 0) == 0 ? "" : "<br><small>" + html_escaped(run.source) + "</small>");
 }
 
 std::string cell(const Column& column, const RunFigures& f) {

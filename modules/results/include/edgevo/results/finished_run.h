@@ -13,7 +13,7 @@ namespace edgevo {
 struct FinishedRun {
   std::string folder;
   std::string problem;       ///< in a line, why it cannot be compared: half written, spoilt
-  std::string source;        ///< what was run: path of the source, or sequence and variant of a benchmark
+  std::string source;        ///< what was run: path of the source, or sequence of a benchmark
   std::string report;        ///< path of its own page; empty if there is none
   std::string ground_truth;  ///< path of a trajectory file; empty if none is known, or it is there no more
   int frames = 0;            ///< put in
