@@ -44,6 +44,12 @@ void evaluate_trajectory(const BenchJob& job, const std::string& truth_text, Tri
   }
 }
 
+// For `edgevo compare`: one file for the seeds of a variant.
+void keep_ground_truth(const BenchJob& job, const std::string& truth_text) {
+  if (!truth_text.empty())
+    write_file((fs::path(job.folder).parent_path() / "groundtruth_tum.txt").string(), truth_text);
+}
+
 void begin_folder(const BenchJob& job) {
   make_output_folder(job.folder);
   std::error_code ignored;
@@ -91,6 +97,7 @@ std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::
   write_file(in_folder(job, "frames.csv"), frames_csv(driven.run));
   Trial trial = trial_of(driven.run, driven.cpu_s);
   evaluate_trajectory(job, input.ground_truth(), &trial);
+  keep_ground_truth(job, input.ground_truth());
   write_file(in_folder(job, "result.yaml"), write_params(figures_of(&trial)));
   write_file(in_folder(job, "job.yaml"), job.description);
   return trial;

@@ -34,6 +34,12 @@ same "trajectory of run and of bench" single/trajectory_tum.txt out/recorded/nor
 below "ATE of eval and of bench, their difference" "$(awk -v a="$(ate single "$scenes/desk")" -v b="$(sed -n 's/^ate_m: //p' out/recorded/normal/seed7/result.yaml)" \
   'BEGIN { print (a - b) * (a - b) }')" 1e-12
 
+# All of it on one page: a row a job, the seeds of a variant laid over each other.
+run_code 0 "$edgevo" compare out -o out/compare.html
+check "rows of the page" "$(grep -c '<tr><td class="small"><svg' out/compare.html)" -eq 8
+check "overlays of a sequence" "$(grep -c '<h2>recorded: 2 runs with one ground truth</h2>' out/compare.html)" -eq 1
+check "jobs that were compared with it" "$(grep -c '<b>8</b><span>compared with ground truth' out/compare.html)" -eq 1
+
 cp out/table.csv first.csv
 cp out/table.md first.md
 run_code 0 "$edgevo" bench list.yaml -o out --data "$scenes"

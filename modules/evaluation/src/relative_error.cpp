@@ -76,6 +76,17 @@ std::optional<double> stretch_drift(const std::vector<EvaluatedFrame>& frames, c
   return 100.0 * E.translation().norm() / length_m;
 }
 
+double mean(const std::vector<double>& v) {
+  double sum = 0;
+  for (double d : v) sum += d;
+  return sum / double(v.size());
+}
+
+Drift::OfLength figures_of(const std::vector<double>& drifts) {
+  if (drifts.empty()) return {};
+  return {mean(drifts), median(drifts), *std::max_element(drifts.begin(), drifts.end()), int(drifts.size())};
+}
+
 }  // namespace
 
 std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames, const std::vector<MatchedPose>& metric_matches,
@@ -86,8 +97,9 @@ std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames, const std:
   Drift result;
   result.path_m = path.length();
   result.lengths_m = drift_lengths(path.length());
-  std::vector<double> drifts;
-  for (double length : result.lengths_m)
+  std::vector<double> all;
+  for (double length : result.lengths_m) {
+    std::vector<double> drifts;
     for (int a = 0; a < int(path.frames.size()); ++a) {
       const int b = end_of_stretch(path, a, length);
       if (b < 0) break;
@@ -98,12 +110,13 @@ std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames, const std:
       result.capped += d && *d > cap_cm_per_m;
       drifts.push_back(std::min(d.value_or(cap_cm_per_m), cap_cm_per_m));
     }
-  if (drifts.empty()) return std::nullopt;
-  result.stretches = int(drifts.size());
-  double sum = 0;
-  for (double d : drifts) sum += d;
-  result.mean_cm_per_m = sum / double(drifts.size());
-  result.median_cm_per_m = median(drifts);
+    result.by_length.push_back(figures_of(drifts));
+    all.insert(all.end(), drifts.begin(), drifts.end());
+  }
+  if (all.empty()) return std::nullopt;
+  result.stretches = int(all.size());
+  result.mean_cm_per_m = mean(all);
+  result.median_cm_per_m = median(all);
   return result;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
-// What charts and plans share: ranges of values, axes with ticks, and the SVG of lines and labels.
+// What charts and plans share: ranges of values, axes with ticks, the SVG of lines, labels beside it.
+//
+// In a page a drawing is an <svg> that is stretched to the width there is, and its labels are HTML over it,
+// placed by percent, so that they keep their size on a telephone and on paper.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -8,8 +11,7 @@
 
 namespace edgevo {
 
-// Units of the drawings: their width, and the room around what is drawn.
-constexpr double kWidth = 1000, kLeft = 72, kRight = 10, kTop = 8, kBottom = 28;
+constexpr double kWidth = 1000;  // units of a drawing
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -31,15 +33,26 @@ struct Axis {
 /// Steps of 1, 2 or 5 times a power of ten that lie in [low, high], about `count` of them. Empty unless low <
 /// high.
 std::vector<double> nice_ticks(double low, double high, int count);
+/// From one tick to the next; 1 where there is no other.
+double step_of(const std::vector<double>& ticks);
 
 /// A coordinate, to a tenth.
 std::string svg_number(double v);
 /// With as many decimals as ticks `step` apart need.
 std::string tick_label(double v, double step);
-std::string text_at(double x, double y, const std::string& anchor, const std::string& text);
 std::string grid_line(double x0, double y0, double x1, double y1);
-std::string svg_open(double height, const std::string& kind);
-/// Names and colours below each other.
+/// `stretched`: takes whatever width and height it is given.
+std::string svg_open(double height, const std::string& kind, bool stretched);
+/// A label of the x axis `share` of the way to the right, or of the y axis `share` of the way down. Those of
+/// the x axis with odd `number` give way in narrow windows.
+std::string x_label(double share, const std::string& text, int number);
+std::string y_label(double share, const std::string& text);
+/// Names and colours beside each other.
 std::string legend(const std::vector<std::pair<std::string, std::string>>& name_and_color);
+
+/// [1,2.5,null]: six significant digits, null for what is not finite.
+std::string json_list(const std::vector<double>& values);
+/// A text in its quotes.
+std::string json_text(const std::string& text);
 
 }  // namespace edgevo

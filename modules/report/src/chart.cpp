@@ -10,7 +10,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kChartHeight = 190;
+constexpr double kPlotHeight = 154;
+// Room around the plot of a drawing that holds its own labels.
+constexpr double kLeft = 72, kRight = 10, kTop = 8, kBottom = 28;
 constexpr size_t kMaxColumns = 600;  // of a chart: more frames than that are drawn as means
 
 // The mean of each stretch of `per` values; NaN where none is finite.
@@ -63,23 +65,53 @@ Range x_range(const std::vector<double>& x) {
   return range;
 }
 
-std::string time_axes(const Axis& x, const Axis& y, const std::string& y_name) {
+// A chart as it is drawn, and where.
+struct Plot {
+  TimeChart chart;
+  Axis x, y;
+};
+
+Plot plot_in(const TimeChart& thin, double left, double right, double top, double bottom) {
+  Plot plot{thin, {x_range(thin.x), left, right}, {}};
+  if (plot.chart.stacked) stack(&plot.chart);
+  plot.y = {y_range(plot.chart), bottom, top};
+  return plot;
+}
+
+std::vector<double> y_ticks(const Plot& plot) { return nice_ticks(plot.y.range.low, plot.y.range.high, 4); }
+std::vector<double> x_ticks(const Plot& plot) { return nice_ticks(plot.x.range.low, plot.x.range.high, 10); }
+
+std::string time_grid(const Plot& p) {
   std::string svg;
-  const auto y_ticks = nice_ticks(y.range.low, y.range.high, 4);
-  for (double t : y_ticks) {
-    svg += grid_line(kLeft, y(t), kWidth - kRight, y(t));
-    svg +=
-        text_at(kLeft - 6, y(t) + 4, "end", tick_label(t, y_ticks.size() > 1 ? y_ticks[1] - y_ticks[0] : 1));
-  }
-  const auto x_ticks = nice_ticks(x.range.low, x.range.high, 10);
-  for (double t : x_ticks) {
-    svg += grid_line(x(t), kChartHeight - kBottom, x(t), kChartHeight - kBottom + 4);
-    svg += text_at(x(t), kChartHeight - kBottom + 18, "middle",
-                   tick_label(t, x_ticks.size() > 1 ? x_ticks[1] - x_ticks[0] : 1) + " s");
-  }
-  return svg + "<text class=\"name\" transform=\"translate(13 " +
-         svg_number(0.5 * (kChartHeight - kBottom + kTop)) + ") rotate(-90)\" text-anchor=\"middle\">" +
-         html_escaped(y_name) + "</text>\n";
+  for (double t : y_ticks(p)) svg += grid_line(p.x.at_low, p.y(t), p.x.at_high, p.y(t));
+  for (double t : x_ticks(p)) svg += grid_line(p.x(t), p.y.at_low, p.x(t), p.y.at_low - 5);
+  return svg;
+}
+
+std::string labels_beside(const Plot& plot) {
+  std::string html;
+  int number = 0;
+  for (double t : y_ticks(plot))
+    html += y_label((plot.y.range.high - t) / plot.y.range.span(), tick_label(t, step_of(y_ticks(plot))));
+  for (double t : x_ticks(plot))
+    html += x_label((t - plot.x.range.low) / plot.x.range.span(),
+                    tick_label(t, step_of(x_ticks(plot))) + " s", number++);
+  return html;
+}
+
+std::string text_at(double x, double y, const std::string& anchor, const std::string& text) {
+  return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" text-anchor=\"" + anchor + "\">" +
+         html_escaped(text) + "</text>\n";
+}
+
+std::string labels_within(const Plot& p) {
+  std::string svg;
+  for (double t : y_ticks(p))
+    svg += text_at(p.x.at_low - 6, p.y(t) + 4, "end", tick_label(t, step_of(y_ticks(p))));
+  for (double t : x_ticks(p))
+    svg += text_at(p.x(t), p.y.at_low + 18, "middle", tick_label(t, step_of(x_ticks(p))) + " s");
+  return svg + "<text transform=\"translate(13 " + svg_number(0.5 * (p.y.at_low + p.y.at_high)) +
+         ") rotate(-90)\" text-anchor=\"middle\">" + html_escaped(p.chart.y_name) + "</text>\n";
 }
 
 std::string path_of(const std::vector<double>& xs, const std::vector<double>& ys, const Axis& x,
@@ -88,7 +120,8 @@ std::string path_of(const std::vector<double>& xs, const std::vector<double>& ys
   bool drawing = false;
   for (size_t i = 0; i < xs.size(); ++i) {
     const bool there = std::isfinite(ys[i]);
-    if (there) d += (drawing ? "L" : "M") + svg_number(x(xs[i])) + ' ' + svg_number(std::max(y(ys[i]), kTop));
+    if (there)
+      d += (drawing ? "L" : "M") + svg_number(x(xs[i])) + ' ' + svg_number(std::max(y(ys[i]), y.at_high));
     // A single value between two gaps is a dot.
     if (there && !drawing && (i + 1 == xs.size() || !std::isfinite(ys[i + 1]))) d += "h0.1";
     drawing = there;
@@ -97,14 +130,14 @@ std::string path_of(const std::vector<double>& xs, const std::vector<double>& ys
 }
 
 std::string line_of(const Series& s, const std::vector<double>& xs, const Axis& x, const Axis& y) {
-  return "<path class=\"line\" stroke=\"" + s.color + "\" d=\"" + path_of(xs, s.y, x, y) + "\"/>\n";
+  return "<path class=\"line\" style=\"stroke:" + s.color + "\" d=\"" + path_of(xs, s.y, x, y) + "\"/>\n";
 }
 
 // From the sum of the series below up to its own; drawn from the topmost down, each over the one above.
 std::string area_of(const Series& s, const std::vector<double>& xs, const Axis& x, const Axis& y) {
   if (xs.empty()) return "";
   const std::string base = svg_number(y(0));
-  return "<path class=\"area\" fill=\"" + s.color + "\" d=\"" + path_of(xs, s.y, x, y) + 'L' +
+  return "<path class=\"area\" style=\"fill:" + s.color + "\" d=\"" + path_of(xs, s.y, x, y) + 'L' +
          svg_number(x(xs.back())) + ' ' + base + 'L' + svg_number(x(xs.front())) + ' ' + base + "Z\"/>\n";
 }
 
@@ -115,34 +148,66 @@ std::string legend_of(const TimeChart& chart) {
   return legend(entries);
 }
 
+std::string lines_of(const Plot& p) {
+  std::string svg;
+  const std::vector<Series>& series = p.chart.series;
+  if (p.chart.stacked)
+    for (auto s = series.rbegin(); s != series.rend(); ++s) svg += area_of(*s, p.chart.x, p.x, p.y);
+  else
+    for (const Series& s : series) svg += line_of(s, p.chart.x, p.x, p.y);
+  return svg;
+}
+
+// "var(--blue,#1f5fbf)" -> "#1f5fbf": programs that are no browsers know no variables.
+TimeChart in_plain_colors(TimeChart chart) {
+  for (Series& s : chart.series)
+    if (const size_t comma = s.color.find(','); s.color.rfind("var(", 0) == 0 && comma != std::string::npos)
+      s.color = s.color.substr(comma + 1, s.color.size() - comma - 2);
+  return chart;
+}
+
+// What page.js tells under the pointer.
+std::string values_of(const TimeChart& thin) {
+  const Range range = x_range(thin.x);
+  std::string series;
+  for (const Series& s : thin.series)
+    series += (series.empty() ? "" : ",") + ("{\"name\":" + json_text(s.name)) +
+              ",\"color\":" + json_text(s.color) + ",\"y\":" + json_list(s.y) + "}";
+  return "{\"range\":" + json_list({range.low, range.high}) + ",\"x\":" + json_list(thin.x) +
+         ",\"series\":[" + series + "]}";
+}
+
 }  // namespace
 
 std::string draw(const TimeChart& all) {
-  TimeChart chart = thinned(all);
-  if (chart.stacked) stack(&chart);
-  const Axis x{x_range(chart.x), kLeft, kWidth - kRight};
-  const Axis y{y_range(chart), kChartHeight - kBottom, kTop};
-  std::string svg = legend_of(chart) + svg_open(kChartHeight, "chart") + time_axes(x, y, chart.y_name);
-  if (chart.stacked)
-    for (auto s = chart.series.rbegin(); s != chart.series.rend(); ++s) svg += area_of(*s, chart.x, x, y);
-  else
-    for (const Series& s : chart.series) svg += line_of(s, chart.x, x, y);
-  return svg + "</svg>\n";
+  const TimeChart thin = thinned(all);
+  const Plot plot = plot_in(thin, 0, kWidth, 0, kPlotHeight);
+  return "<div class=\"chart\" tabindex=\"0\" role=\"figure\" aria-label=\"" + html_escaped(all.y_name) +
+         " over time; arrow keys read it\" data-chart=\"" + html_escaped(values_of(thin)) +
+         "\">\n<p class=\"name\">" + html_escaped(all.y_name) + "</p>\n" + legend_of(all) +
+         "<div class=\"plot\">" + svg_open(kPlotHeight, "chart", true) + time_grid(plot) + lines_of(plot) +
+         "</svg>\n" + labels_beside(plot) + "</div></div>\n";
+}
+
+std::string draw_svg(const TimeChart& all) {
+  const Plot plot = plot_in(thinned(in_plain_colors(all)), kLeft, kWidth - kRight, kTop, kTop + kPlotHeight);
+  return svg_open(kTop + kPlotHeight + kBottom, "chart", false) + time_grid(plot) + labels_within(plot) +
+         lines_of(plot) + "</svg>\n";
 }
 
 std::string draw(const Ribbon& ribbon) {
   constexpr double kHeight = 16;
-  const Axis x{x_range(ribbon.x), kLeft, kWidth - kRight};
-  std::string svg = svg_open(kHeight, "ribbon");
+  const Axis x{x_range(ribbon.x), 0, kWidth};
+  std::string svg = svg_open(kHeight, "ribbon", true);
   for (size_t begin = 0; begin < ribbon.x.size();) {
     size_t end = begin + 1;
     while (end < ribbon.x.size() && ribbon.color[end] == ribbon.color[begin]) ++end;
-    const double from = x(ribbon.x[begin]), to = end < ribbon.x.size() ? x(ribbon.x[end]) : kWidth - kRight;
+    const double from = x(ribbon.x[begin]), to = end < ribbon.x.size() ? x(ribbon.x[end]) : kWidth;
     svg += "<rect x=\"" + svg_number(from) + "\" y=\"2.0\" width=\"" + svg_number(std::max(to - from, 1.0)) +
-           "\" height=\"12.0\" fill=\"" + ribbon.color[begin] + "\"/>\n";
+           "\" height=\"12.0\" style=\"fill:" + ribbon.color[begin] + "\"/>\n";
     begin = end;
   }
-  return svg + "</svg>\n";
+  return "<div class=\"strip\"><div class=\"plot\">" + svg + "</svg></div></div>\n";
 }
 
 }  // namespace edgevo

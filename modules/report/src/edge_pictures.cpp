@@ -4,6 +4,8 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "color_ramp.h"
+
 namespace edgevo {
 namespace {
 
@@ -74,22 +76,11 @@ cv::Mat undistorted(const std::string& path, const UndistortionMaps& maps) {
   return out;
 }
 
-// Colours of 0 to 255, from far to near.
-const cv::Mat& color_table() {
-  static const cv::Mat table = [] {
-    cv::Mat ramp(1, 256, CV_8U), colors;
-    for (int i = 0; i < 256; ++i) ramp.at<uchar>(0, i) = uchar(i);
-    cv::applyColorMap(ramp, colors, cv::COLORMAP_TURBO);
-    return colors;
-  }();
-  return table;
-}
-
 cv::Scalar color_of(double idepth, const EdgePictures& range) {
   const double span = std::max(range.idepth_high - range.idepth_low, 1e-12);
   const double share = std::clamp((idepth - range.idepth_low) / span, 0.0, 1.0);
-  const cv::Vec3b c = color_table().at<cv::Vec3b>(0, int(255 * share));
-  return {double(c[0]), double(c[1]), double(c[2])};
+  const auto& [red, green, blue] = color_ramp()[size_t(255 * share)];
+  return {double(blue), double(green), double(red)};
 }
 
 cv::Mat paint(const cv::Mat& gray, const std::vector<SeenPoint>& points, const EdgePictures& range) {
@@ -129,15 +120,6 @@ EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const Poin
     result.pictures.push_back({keyframe.frame_index, keyframe.time, int(seen[i].size()), std::move(jpeg)});
   }
   return result;
-}
-
-std::string idepth_gradient_css() {
-  std::string css = "linear-gradient(to right";
-  for (int i = 0; i < 256; i += 15) {
-    const cv::Vec3b c = color_table().at<cv::Vec3b>(0, i);
-    css += ",rgb(" + std::to_string(c[2]) + ',' + std::to_string(c[1]) + ',' + std::to_string(c[0]) + ')';
-  }
-  return css + ')';
 }
 
 }  // namespace edgevo

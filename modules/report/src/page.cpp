@@ -1,50 +1,30 @@
 #include "edgevo/report/page.h"
 
+#include "assets.h"
+#include "base64.h"
 #include "edgevo_build_info.h"
 
 namespace edgevo {
 namespace {
 
-const char* const kStyle = R"(
-:root{color-scheme:light}
-body{font:15px/1.5 system-ui,sans-serif;color:#1c2330;background:#f4f5f7;margin:0}
-main{max-width:1060px;margin:0 auto;padding:24px 20px 60px}
-h1{font-size:24px;margin:0 0 2px}h2{font-size:18px;margin:0 0 10px}
-header p{margin:0 0 18px;color:#596273;overflow-wrap:anywhere}
-section{background:#fff;border:1px solid #dfe3ea;border-radius:8px;padding:16px 18px;margin:0 0 16px}
-.tiles{display:grid;grid-template-columns:repeat(auto-fill,minmax(150px,1fr));gap:10px;margin:0 0 16px}
-.tiles div{background:#fff;border:1px solid #dfe3ea;border-radius:8px;padding:10px 12px}
-.tiles b{display:block;font-size:20px}.tiles span{color:#596273;font-size:13px}
-svg{display:block;width:100%;height:auto;margin:0 0 8px;overflow:visible}
-svg text{font:12px system-ui,sans-serif;fill:#596273}
-.grid{stroke:#e6e9ef;fill:none}.line{fill:none;stroke-width:1.8;stroke-linejoin:round;stroke-linecap:round}
-.dots{stroke:#b9bfca;stroke-width:1.7;stroke-linecap:round;fill:none}
-.legend{margin:2px 0 6px;font-size:13px;color:#596273}.legend span{margin-right:14px;white-space:nowrap}
-.legend i{display:inline-block;width:11px;height:11px;border-radius:3px;margin-right:5px;vertical-align:-1px}
-.edges{display:grid;grid-template-columns:repeat(auto-fill,minmax(310px,1fr));gap:12px}
-figure{margin:0}figure img{width:100%;height:auto;border-radius:4px;display:block}
-figcaption{font-size:13px;color:#596273}
-.scale{height:12px;border-radius:3px}.ends{display:flex;justify-content:space-between;font-size:13px;color:#596273;margin-bottom:10px}
-code,pre{font:13px ui-monospace,monospace;background:#f4f5f7;border-radius:4px}
-code{padding:1px 5px;overflow-wrap:anywhere}pre{padding:12px;overflow:auto;max-height:420px}
-table{border-collapse:collapse;font-size:14px}td,th{padding:3px 14px 3px 0;text-align:right;border-bottom:1px solid #eef0f4}
-td:first-child,th:first-child{text-align:left}li{margin-bottom:6px}.note{color:#596273;font-size:13px}.bad{color:#b3261e}
-)";
+// From `open` behind `*at` up to `close`; false if there is none. `*at` is then behind it.
+bool between(const std::string& text, const std::string& open, const std::string& close, size_t* at,
+             std::string* found) {
+  const size_t begin = text.find(open, *at);
+  const size_t end = begin == std::string::npos ? begin : text.find(close, begin + open.size());
+  if (end == std::string::npos) return false;
+  *found = text.substr(begin + open.size(), end - begin - open.size());
+  *at = end;
+  return true;
+}
 
-std::string base64(const std::vector<uint8_t>& bytes) {
-  static const char* const kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (size_t i = 0; i < bytes.size(); i += 3) {
-    const size_t left = bytes.size() - i;
-    const unsigned group = unsigned(bytes[i]) << 16 | unsigned(left > 1 ? bytes[i + 1] : 0) << 8 |
-                           unsigned(left > 2 ? bytes[i + 2] : 0);
-    text += kDigits[group >> 18];
-    text += kDigits[group >> 12 & 63];
-    text += left > 1 ? kDigits[group >> 6 & 63] : '=';
-    text += left > 2 ? kDigits[group & 63] : '=';
-  }
-  return text;
+// Links to the sections of `body`, as section_html wrote them.
+std::string contents_of(const std::string& body) {
+  std::string links, id, title;
+  for (size_t at = 0;
+       between(body, "<section id=\"", "\"><h2>", &at, &id) && between(body, "<h2>", "</h2>", &at, &title);)
+    links += "<a href=\"#" + id + "\">" + title + "</a>\n";
+  return links.empty() ? "" : "<nav class=\"contents\" aria-label=\"contents\">\n" + links + "</nav>\n";
 }
 
 }  // namespace
@@ -69,13 +49,26 @@ std::string html_escaped(const std::string& text) {
 std::string page_html(const std::string& title, const std::string& subtitle, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\"><title>" +
-         html_escaped(title) + "</title><style>" + kStyle + "</style></head><body><main>\n<header><h1>" +
-         html_escaped(title) + "</h1><p>" + html_escaped(subtitle) + "</p></header>\n" + body +
-         "</main></body></html>\n";
+         html_escaped(title) + "</title><style>\n" + assets::kPageCss +
+         "</style></head><body><main>\n<header><h1>" + html_escaped(title) + "</h1><p>" +
+         html_escaped(subtitle) + "</p></header>\n" + contents_of(body) + body + "</main>\n<script>" +
+         assets::kPageJs + "</script></body></html>\n";
 }
 
 std::string section_html(const std::string& id, const std::string& title, const std::string& body) {
   return "<section id=\"" + id + "\"><h2>" + html_escaped(title) + "</h2>\n" + body + "</section>\n";
+}
+
+std::string table_html(const std::vector<std::string>& header,
+                       const std::vector<std::vector<std::string>>& rows) {
+  const auto row = [](const std::vector<std::string>& cells, const std::string& tag) {
+    std::string html = "<tr>";
+    for (const std::string& cell : cells) html += "<" + tag + ">" + html_escaped(cell) + "</" + tag + ">";
+    return html + "</tr>\n";
+  };
+  std::string html = "<div class=\"table\"><table>" + row(header, "th");
+  for (const auto& cells : rows) html += row(cells, "td");
+  return html + "</table></div>\n";
 }
 
 std::string tiles_html(const std::vector<std::pair<std::string, std::string>>& tiles) {

@@ -23,35 +23,43 @@ PlanAxes plan_axes(const Plan& plan) {
   if (left.empty()) left.add(0), forward.add(0);
   const double margin = 0.06 * std::max({left.span(), forward.span(), 1e-3});
   left.low -= margin, left.high += margin, forward.low -= margin, forward.high += margin;
-  const double width = kWidth - kLeft - kRight;
-  double scale = width / left.span();
+  double scale = kWidth / left.span();
   const double height = std::clamp(forward.span() * scale, 260.0, 620.0);
   scale = std::min(scale, height / forward.span());
   const auto centred = [](Range r, double span) {
     const double middle = 0.5 * (r.low + r.high);
     return Range{middle - 0.5 * span, middle + 0.5 * span};
   };
-  return {{centred(left, width / scale), kWidth - kRight, kLeft},
-          {centred(forward, height / scale), kTop + height, kTop},
-          kTop + height + kBottom};
+  return {{centred(left, kWidth / scale), kWidth, 0}, {centred(forward, height / scale), height, 0}, height};
 }
 
-std::string plan_grid(const PlanAxes& axes, const std::string& unit) {
+std::vector<double> left_ticks(const PlanAxes& axes) {
+  return nice_ticks(axes.left.range.low, axes.left.range.high, 8);
+}
+
+// As far apart as those of the other axis.
+std::vector<double> forward_ticks(const PlanAxes& axes) {
+  const double step = step_of(left_ticks(axes));
+  std::vector<double> ticks;
+  for (double k = std::ceil(axes.forward.range.low / step); k * step <= axes.forward.range.high; ++k)
+    ticks.push_back(k * step);
+  return ticks;
+}
+
+std::string plan_grid(const PlanAxes& axes) {
   std::string svg;
-  const double bottom = axes.height - kBottom;
-  const auto ticks = nice_ticks(axes.left.range.low, axes.left.range.high, 8);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
-  for (double t : ticks) {
-    svg += grid_line(axes.left(t), kTop, axes.left(t), bottom);
-    svg += text_at(axes.left(t), bottom + 18, "middle", tick_label(t, step));
-  }
-  for (double t = std::ceil(axes.forward.range.low / step) * step; t <= axes.forward.range.high; t += step) {
-    svg += grid_line(kLeft, axes.forward(t), kWidth - kRight, axes.forward(t));
-    svg += text_at(kLeft - 6, axes.forward(t) + 4, "end", tick_label(std::round(t / step) * step, step));
-  }
-  return svg + "<text class=\"name\" transform=\"translate(13 " + svg_number(0.5 * bottom) +
-         ") rotate(-90)\" text-anchor=\"middle\">" + html_escaped("forward, " + unit) + "</text>\n" +
-         text_at(kWidth - kRight, bottom - 6, "end", "left, " + unit);
+  for (double t : left_ticks(axes)) svg += grid_line(axes.left(t), 0, axes.left(t), axes.height);
+  for (double t : forward_ticks(axes)) svg += grid_line(0, axes.forward(t), kWidth, axes.forward(t));
+  return svg;
+}
+
+std::string plan_labels(const PlanAxes& axes) {
+  const double step = step_of(left_ticks(axes));
+  std::string html;
+  int number = 0;
+  for (double t : left_ticks(axes)) html += x_label(axes.left(t) / kWidth, tick_label(t, step), number++);
+  for (double t : forward_ticks(axes)) html += y_label(axes.forward(t) / axes.height, tick_label(t, step));
+  return html;
 }
 
 std::string plan_points(const Plan& plan, const PlanAxes& axes) {
@@ -71,8 +79,15 @@ std::string plan_line(const PlanLine& line, const PlanAxes& axes) {
     for (size_t i = 0; i < piece.size(); ++i)
       d += (i == 0 ? "M" : "L") + svg_number(axes.left(piece[i].second)) + ' ' +
            svg_number(axes.forward(piece[i].first));
-  return "<path class=\"line\" stroke=\"" + line.color + (line.dashed ? "\" stroke-dasharray=\"7 5" : "") +
-         "\" d=\"" + d + "\"/>\n";
+  return "<path class=\"line\" style=\"stroke:" + line.color +
+         (line.dashed ? "\" stroke-dasharray=\"7 5" : "") + "\" d=\"" + d + "\"/>\n";
+}
+
+// What page.js tells under the pointer: where on the ground it is.
+std::string place_of(const PlanAxes& axes, const std::string& unit) {
+  return "{\"left\":" + json_list({axes.left.range.high, axes.left.range.low}) +
+         ",\"forward\":" + json_list({axes.forward.range.high, axes.forward.range.low}) +
+         ",\"unit\":" + json_text(unit) + "}";
 }
 
 }  // namespace
@@ -80,12 +95,16 @@ std::string plan_line(const PlanLine& line, const PlanAxes& axes) {
 std::string draw(const Plan& plan) {
   const PlanAxes axes = plan_axes(plan);
   std::vector<std::pair<std::string, std::string>> entries;
-  for (const PlanLine& line : plan.lines) entries.emplace_back(line.name, line.color);
-  if (!plan.points.empty()) entries.emplace_back("edge points", "#b9bfca");
-  std::string svg =
-      legend(entries) + svg_open(axes.height, "plan") + plan_grid(axes, plan.unit) + plan_points(plan, axes);
-  for (const PlanLine& line : plan.lines) svg += plan_line(line, axes);
-  return svg + "</svg>\n";
+  for (const PlanLine& line : plan.lines)
+    if (!line.name.empty()) entries.emplace_back(line.name, line.color);
+  if (!plan.points.empty()) entries.emplace_back("edge points", "var(--dots,#b9bfca)");
+  std::string html = "<div class=\"plan\" role=\"figure\" aria-label=\"from above\" data-plan=\"" +
+                     html_escaped(place_of(axes, plan.unit)) + "\">\n<p class=\"name\">" +
+                     html_escaped("forward up, left to the left, " + plan.unit) + "</p>\n" + legend(entries) +
+                     "<div class=\"plot\">" + svg_open(axes.height, "plan", false) + plan_grid(axes) +
+                     plan_points(plan, axes);
+  for (const PlanLine& line : plan.lines) html += plan_line(line, axes);
+  return html + "</svg>\n" + plan_labels(axes) + "</div></div>\n";
 }
 
 }  // namespace edgevo

@@ -9,6 +9,7 @@
 #include "edgevo/report/stage_times.h"
 #include "sections/edges_section.h"
 #include "sections/map_section.h"
+#include "sections/map_view_section.h"
 #include "sections/scale_section.h"
 #include "sections/timing_section.h"
 #include "sections/tracking_section.h"
@@ -59,7 +60,8 @@ std::string report_html(const ReportInput& in) {
   const std::optional<TruthComparison> truth =
       compare_with_truth(in.run, in.info.ground_truth_path, &why_not);
   std::string body = tiles(in.run, truth) + advice_section(in) + trajectory_section(in, truth, why_not) +
-                     edges_section(in) + map_section(in.run, in.map);
+                     map_view_section(in, path_of(in.run, truth)) + edges_section(in) +
+                     map_section(in.run, in.map);
   if (!in.run.frames.empty()) body += tracking_section(in.run) + timing_section(in.run);
   body += scale_section(in.run) + parameters_html(in.info.command_line, in.info.params_yaml, in.info.notes);
   return page_html("edgevo run", in.info.source_kind + " " + in.info.source_path, body);

@@ -1,6 +1,7 @@
 #include "truth_comparison.h"
 
 #include "edgevo/core/error.h"
+#include "edgevo/evaluation/evaluate.h"
 
 namespace edgevo {
 namespace {
@@ -19,6 +20,15 @@ InputFrames input_of(const Run& run) {
   return input;
 }
 
+std::optional<Drift> drift_of(const Association& association) {
+  const EvaluationOptions options;
+  const std::optional<AbsoluteError> whole = ate_sim3(association.matches);
+  if (!whole) return std::nullopt;
+  const std::vector<MatchedPose> metric =
+      rescale_blocks(association.matches, options.rescale_block_frames, whole->scale);
+  return drift(association.frames, metric, options.drift_cap_cm_per_m);
+}
+
 std::optional<TruthComparison> compare(const Run& run, const Trajectory& truth) {
   const Association association = associate(estimate_of(run), truth, input_of(run));
   const Points estimated = estimate_points(association.matches),
@@ -28,7 +38,7 @@ std::optional<TruthComparison> compare(const Run& run, const Trajectory& truth) 
   const std::optional<AbsoluteError> error =
       run.is_metric() ? ate_se3(association.matches) : ate_sim3(association.matches);
   if (!T_truth_run || !error) return std::nullopt;
-  TruthComparison comparison{T_truth_run->scale, *error, {}};
+  TruthComparison comparison{T_truth_run->scale, *error, {}, drift_of(association)};
   for (const EvaluatedFrame& frame : association.frames)
     comparison.p_world.push_back(
         frame.T_gt ? std::optional<Eigen::Vector3d>(T_truth_run->rigid.inverse() * frame.T_gt->translation())

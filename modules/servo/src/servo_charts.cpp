@@ -4,6 +4,8 @@
 #include <functional>
 #include <limits>
 
+#include "edgevo/report/palette.h"
+
 namespace edgevo {
 namespace {
 
@@ -33,7 +35,7 @@ double norm(const vpColVector& v, unsigned begin) {
 }  // namespace
 
 std::vector<TimeChart> error_charts(const ServoResult& r, const ServoParams& params) {
-  const Series truth{"true", "#222222", {}}, believed{"as the loop sees it", "#1f5fbf", {}};
+  const Series truth{"true", palette::kInk, {}}, believed{"as the loop sees it", palette::kBlue, {}};
   if (params.law == "ibvs")
     return {
         servo_chart(r, "from goal, mm", {{truth, [](const auto& row) { return row.true_mm; }}}),
@@ -53,12 +55,13 @@ std::vector<TimeChart> error_charts(const ServoResult& r, const ServoParams& par
 
 std::vector<TimeChart> loop_charts(const ServoResult& r) {
   return {servo_chart(r, "speed, mm/s",
-                      {{{"speed", "#a0408a", {}},
+                      {{{"speed", palette::kPurple, {}},
                         [](const auto& row) { return 1000 * norm(row.command.velocity, 0); }}}),
-          servo_chart(r, "ms",
-                      {{{"age of the pose", "#1f5fbf", {}}, [](const auto& row) { return 1000 * row.age_s; }},
-                       {{"odometry", "#d06a2c", {}},
-                        [](const auto& row) { return row.latency_s > 0 ? 1000 * row.latency_s : kNone; }}})};
+          servo_chart(
+              r, "ms",
+              {{{"age of the pose", palette::kBlue, {}}, [](const auto& row) { return 1000 * row.age_s; }},
+               {{"odometry", palette::kOrange, {}},
+                [](const auto& row) { return row.latency_s > 0 ? 1000 * row.latency_s : kNone; }}})};
 }
 
 std::string state_ribbon(const ServoResult& r) {
@@ -66,9 +69,9 @@ std::string state_ribbon(const ServoResult& r) {
   for (const ServoRow& row : r.rows) {
     if (row.phase != Phase::kServo) continue;
     ribbon.x.push_back(row.time_s);
-    ribbon.color.push_back(!row.command.stop.empty()               ? "#d0342c"
-                           : row.state == TrackingState::kDegraded ? "#e0a100"
-                                                                   : "#2e9e5b");
+    ribbon.color.push_back(!row.command.stop.empty()               ? palette::kRed
+                           : row.state == TrackingState::kDegraded ? palette::kAmber
+                                                                   : palette::kGreen);
   }
   return "<p class=\"legend\"><span><i style=\"background:#2e9e5b\"></i>steered, TRACKING</span> <span><i "
          "style=\"background:#e0a100\"></i>steered, "
@@ -78,7 +81,8 @@ std::string state_ribbon(const ServoResult& r) {
 
 Plan path_plan(const ServoResult& r) {
   Plan plan{"mm", {}, {}};
-  PlanLine away{"moved away by hand", "#8a94a6", true, {{}}}, servo{"steered", "#1f5fbf", false, {{}}};
+  PlanLine away{"moved away by hand", palette::kGray, true, {{}}},
+      servo{"steered", palette::kBlue, false, {{}}};
   const ServoRow* taught = nullptr;
   for (const ServoRow& row : r.rows)
     if (row.phase == Phase::kAway && !taught) taught = &row;
@@ -96,9 +100,9 @@ std::string convergence_svg(const ServoResult& r, const ServoParams& params) {
   std::string inner;
   int row = 0;
   for (const TimeChart& chart : error_charts(r, params)) {
-    const std::string html = draw(chart);
-    inner += "<g transform=\"translate(0 " + std::to_string(200 * row++) + ")\">" +
-             html.substr(html.find('>', html.find("<svg")) + 1);
+    const std::string svg = draw_svg(chart);
+    inner +=
+        "<g transform=\"translate(0 " + std::to_string(200 * row++) + ")\">" + svg.substr(svg.find('>') + 1);
     inner.erase(inner.rfind("</svg>"));
     inner += "</g>\n";
   }

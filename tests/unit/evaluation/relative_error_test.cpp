@@ -33,6 +33,22 @@ TEST(Drift, AStepTooLongByTwoPercentIsTwoCentimetresAMetre) {
   EXPECT_EQ(d.capped + d.without_poses, 0);
 }
 
+TEST(Drift, IsToldByTheLengthOfTheStretch) {
+  Association a = straight(201, 1.0);
+  for (size_t i = 100; i < a.matches.size(); ++i)  // one jump of a metre in the middle
+    a.matches[i].T_est = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 0, 0)) * a.matches[i].T_est;
+  const Drift d = drift(a.frames, a.matches, kCap).value();
+  ASSERT_EQ(d.by_length.size(), d.lengths_m.size());
+  int stretches = 0;
+  for (size_t i = 0; i < d.by_length.size(); ++i) {
+    EXPECT_NEAR(d.by_length[i].max_cm_per_m, 100 / d.lengths_m[i], 1e-9);
+    EXPECT_NEAR(d.by_length[i].mean_cm_per_m, 100.0 / d.by_length[i].stretches, 1e-9) << "as many see it as it has metres";
+    stretches += d.by_length[i].stretches;
+  }
+  EXPECT_EQ(stretches, d.stretches);
+  EXPECT_EQ(drift(straight(451, 1.01).frames, straight(451, 1.01).matches, kCap)->by_length.back().stretches, 0) << "800 m";
+}
+
 TEST(Drift, ASidewaysTurnGivesTheChord) {
   // Estimate turned by phi in its own frame half-way: constant heading error makes no relative error before or after,
   // only stretches across the turn see it. With every pose turned alike nothing is left.

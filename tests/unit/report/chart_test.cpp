@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axes.h"
+#include "edgevo/report/palette.h"
 
 namespace edgevo {
 namespace {
@@ -36,6 +37,38 @@ TEST(ReportCharts, GapsAndLongSeries) {
   EXPECT_THAT(svg, ::testing::Not(HasSubstr("nan")));
   const size_t line = svg.find("class=\"line\"");
   EXPECT_EQ(std::count(svg.begin() + std::ptrdiff_t(line), svg.end(), 'M'), 2) << "one gap, two pieces";
+}
+
+TimeChart two_series() {
+  TimeChart chart;
+  chart.y_name = "metres";
+  chart.x = {0, 0.5, 1};
+  chart.series = {{"estimate", palette::kBlue, {1, std::nan(""), 3}}, {"truth", "#222222", {1, 2.25, 3}}};
+  return chart;
+}
+
+TEST(ReportCharts, CarryTheValuesThatThePointerTells) {
+  const std::string html = draw(two_series());
+  EXPECT_THAT(html, HasSubstr("&quot;range&quot;:[0,1]"));
+  EXPECT_THAT(html, HasSubstr("&quot;x&quot;:[0,0.5,1]"));
+  EXPECT_THAT(html, HasSubstr("&quot;name&quot;:&quot;estimate&quot;"));
+  EXPECT_THAT(html, HasSubstr("&quot;y&quot;:[1,null,3]"));
+  EXPECT_THAT(html, HasSubstr("stroke:var(--blue,#1f5fbf)"));
+  EXPECT_THAT(html, ::testing::Not(HasSubstr("<text"))) << "text in a stretched drawing is stretched";
+}
+
+TEST(ReportCharts, StackedValuesAreThoseOfEachSeriesAlone) {
+  TimeChart chart = two_series();
+  chart.stacked = true;
+  EXPECT_THAT(draw(chart), HasSubstr("&quot;y&quot;:[1,2.25,3]"));
+}
+
+TEST(ReportCharts, AFileOfItsOwnNeedsNoStyleSheet) {
+  const std::string svg = draw_svg(two_series());
+  EXPECT_THAT(svg, ::testing::StartsWith("<svg"));
+  EXPECT_THAT(svg, HasSubstr("stroke:#1f5fbf"));
+  EXPECT_THAT(svg, HasSubstr(">0.5 s</text>"));
+  EXPECT_THAT(svg, ::testing::Not(HasSubstr("var(")));
 }
 
 }  // namespace

@@ -12,25 +12,73 @@ namespace edgevo {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+
+// 2.5 times as large as the run.
+std::string truth_of(const Run& run) {
+  std::string truth;
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam) continue;
+    const Eigen::Vector3d p = 2.5 * f.T_world_cam->translation();
+    const Eigen::Vector4d q = f.T_world_cam->rotation().coeffs();
+    truth += to_string(f.time);
+    for (double v : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) truth += ' ' + std::to_string(v);
+    truth += '\n';
+  }
+  return truth;
+}
+
+RunInfo info_with_truth(const Run& run, const test::TempFolder& folder) {
+  std::ofstream(folder / "truth.txt") << truth_of(run);
+  RunInfo info;
+  info.ground_truth_path = folder / "truth.txt";
+  return info;
+}
 
 TEST(RunReport, ComparesWithGroundTruth) {
   const testing::SyntheticRun made = testing::synthetic_run();
   const test::TempFolder folder;
-  std::string truth;
-  for (const FrameRecord& f : made.run.frames) {
-    if (!f.T_world_cam) continue;
-    const Eigen::Vector3d p = 2.5 * f.T_world_cam->translation();
-    truth += to_string(f.time);
-    for (double v : {p.x(), p.y(), p.z(), 0.0, 0.0, 0.0, 1.0}) truth += ' ' + std::to_string(v);
-    truth += '\n';
-  }
-  std::ofstream(folder / "truth.txt") << truth;
-  RunInfo info;
-  info.ground_truth_path = folder / "truth.txt";
+  const RunInfo info = info_with_truth(made.run, folder);
   const std::string html = report_html({made.run, info, {}, {}, {}});
   EXPECT_THAT(html, HasSubstr("one unit of the run is 2.5000 m"));
   EXPECT_THAT(html, HasSubstr("0.000 m</b><span>ATE, Sim(3)"));
   EXPECT_THAT(html, HasSubstr("stroke-dasharray"));
+}
+
+TEST(RunReport, ShowsTheErrorOverTimeAndTheDriftByLength) {
+  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::TempFolder folder;
+  const std::string html = report_html({made.run, info_with_truth(made.run, folder), {}, {}, {}});
+  EXPECT_THAT(html, HasSubstr("distance from the truth, m over time"));
+  EXPECT_THAT(html, HasSubstr("Drift by length of the stretch"));
+  EXPECT_THAT(html, HasSubstr("<td>6.6 m</td>")) << "30 % of a path of 22 m";
+  EXPECT_THAT(report_html({made.run, RunInfo(), {}, {}, {}}), Not(HasSubstr("Drift by length")));
+}
+
+TEST(RunReport, ShowsTheMapInTheUnitOfItsPath) {
+  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::TempFolder folder;
+  const std::vector<MapVertex> points = map_points(made.run, PointFilter());
+  const std::string plain = report_html({made.run, RunInfo(), {}, {}, {}, {}, points});
+  EXPECT_THAT(plain, HasSubstr("\"unit\":\"units\""));
+  EXPECT_THAT(plain, HasSubstr(std::to_string(points.size()) + " vertices of the map."));
+  const std::string metric =
+      report_html({made.run, info_with_truth(made.run, folder), {}, {}, {}, {}, points});
+  EXPECT_THAT(metric, HasSubstr("\"unit\":\"m\""));
+  const auto sigma = [](const std::string& html) {
+    return std::atof(html.c_str() + html.find("sigma_high") + 12);
+  };
+  EXPECT_NEAR(sigma(metric), 2.5 * sigma(plain), 1e-4);
+}
+
+TEST(RunReport, LinksToItsSections) {
+  const testing::SyntheticRun made = testing::synthetic_run();
+  const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
+  for (const char* id :
+       {"next", "trajectory", "space", "edges", "map", "states", "timing", "scale", "parameters"}) {
+    EXPECT_THAT(html, HasSubstr("<a href=\"#" + std::string(id) + "\">"));
+    EXPECT_THAT(html, HasSubstr("<section id=\"" + std::string(id) + "\">"));
+  }
 }
 
 TEST(RunReport, TellsWhichRulesCalledForKeyframes) {

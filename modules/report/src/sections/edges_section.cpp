@@ -1,5 +1,6 @@
 #include "edges_section.h"
 
+#include "color_ramp.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/report/page.h"
 
@@ -11,7 +12,7 @@ std::string edges_section(const ReportInput& in) {
     return section_html("edges", "Edges",
                         note_html("There is no keyframe with points and an image to show."));
   const std::string unit = in.run.is_metric() ? " m" : " units";
-  std::string body = "<div class=\"scale\" style=\"background:" + idepth_gradient_css() +
+  std::string body = "<div class=\"scale\" style=\"background:" + color_ramp_css() +
                      "\"></div><div class=\"ends\"><span>far, " + fixed(1 / p.idepth_low, 2) + unit +
                      "</span><span>inverse depth</span><span>near, " + fixed(1 / p.idepth_high, 2) + unit +
                      "</span></div>\n<div class=\"edges\">\n";

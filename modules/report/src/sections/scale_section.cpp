@@ -5,6 +5,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
+#include "edgevo/report/palette.h"
 #include "edgevo/scale/scale_source.h"
 
 namespace edgevo {
@@ -51,8 +52,8 @@ TimeChart scale_chart(const Run& run) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   TimeChart chart;
   chart.y_name = "metres per unit";
-  Series upper{"one deviation more", "#c3d3ec", {}}, lower{"one less", "#c3d3ec", {}},
-      live{"known when the frame came", "#e0a100", {}}, all{"measured", "#1f5fbf", {}};
+  Series upper{"one deviation more", palette::kPaleBlue, {}}, lower{"one less", palette::kPaleBlue, {}},
+      live{"known when the frame came", palette::kAmber, {}}, all{"measured", palette::kBlue, {}};
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const FrameScale& f = run.scale.frames[i];
     chart.x.push_back(seconds_between(run.frames.front().time, run.frames[i].time));

@@ -6,6 +6,7 @@
 #include "edgevo/report/chart.h"
 #include "edgevo/report/latency_figures.h"
 #include "edgevo/report/page.h"
+#include "edgevo/report/palette.h"
 #include "edgevo/report/stage_times.h"
 #include "frame_times.h"
 
@@ -13,26 +14,24 @@ namespace edgevo {
 namespace {
 
 std::string stage_table(const Run& run) {
-  std::string html =
-      "<table><tr><th>stage</th><th>frames</th><th>mean ms</th><th>median</th><th>95 "
-      "%</th><th>max</th></tr>\n";
+  std::vector<std::vector<std::string>> rows;
   for (auto [name, ms] : stage_times(run)) {
     std::sort(ms.begin(), ms.end());
     double sum = 0;
     for (double v : ms) sum += v;
-    html += "<tr><td>" + html_escaped(name) + "</td><td>" + std::to_string(ms.size()) + "</td>";
+    rows.push_back({name, std::to_string(ms.size())});
     for (double v : {sum / double(ms.size()), percentile(ms, 0.5), percentile(ms, 0.95), ms.back()})
-      html += "<td>" + fixed(v, 2) + "</td>";
-    html += "</tr>\n";
+      rows.back().push_back(fixed(v, 2));
   }
-  return html + "</table>\n";
+  return table_html({"stage", "frames", "mean ms", "median", "95 %", "max"}, rows);
 }
 
 }  // namespace
 
 std::string timing_section(const Run& run) {
-  static const char* const kColors[] = {"#1f5fbf", "#2e9e5b", "#e0a100", "#a0408a", "#d06a2c",
-                                        "#2aa3b8", "#7b5fc4", "#5b6b80", "#b8426a", "#8c9a3a"};
+  static const char* const kColors[] = {palette::kBlue,   palette::kGreen, palette::kAmber,  palette::kPurple,
+                                        palette::kOrange, palette::kTeal,  palette::kViolet, palette::kSlate,
+                                        palette::kPink,   palette::kOlive};
   if (stages_of(run).empty()) return section_html("timing", "Time", note_html("No stage ran."));
   TimeChart chart;
   chart.y_name = "CPU ms a frame";

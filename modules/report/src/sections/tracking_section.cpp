@@ -8,6 +8,7 @@
 
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
+#include "edgevo/report/palette.h"
 #include "frame_times.h"
 
 namespace edgevo {
@@ -18,13 +19,13 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 std::string color_of(TrackingState state) {
   switch (state) {
     case TrackingState::kTracking:
-      return "#2e9e5b";
+      return palette::kGreen;
     case TrackingState::kDegraded:
-      return "#e0a100";
+      return palette::kAmber;
     case TrackingState::kLost:
-      return "#d0342c";
+      return palette::kRed;
     case TrackingState::kBootstrapping:
-      return "#8a94a6";
+      return palette::kGray;
   }
   return "";
 }
@@ -63,13 +64,13 @@ std::string drawn_if_any(const TimeChart& chart) {
 std::string keyframe_rules(const Run& run) {
   std::map<std::string, std::pair<int, int>> count;  // keyframes, other frames
   for (const FrameRecord& f : run.frames)
-    if (!f.keyframe_rule.empty()) ++(f.is_keyframe ? count[f.keyframe_rule].first : count[f.keyframe_rule].second);
+    if (!f.keyframe_rule.empty())
+      ++(f.is_keyframe ? count[f.keyframe_rule].first : count[f.keyframe_rule].second);
   if (count.empty()) return "";
-  std::string html = "<table><tr><th>keyframe called for by</th><th>keyframes</th><th>put off, or returned to one</th></tr>\n";
+  std::vector<std::vector<std::string>> rows;
   for (const auto& [rule, n] : count)
-    html += "<tr><td>" + html_escaped(rule) + "</td><td>" + std::to_string(n.first) + "</td><td>" + std::to_string(n.second) +
-            "</td></tr>\n";
-  return html + "</table>\n";
+    rows.push_back({rule, std::to_string(n.first), std::to_string(n.second)});
+  return table_html({"keyframe called for by", "keyframes", "put off, or returned to one"}, rows);
 }
 
 }  // namespace
@@ -78,15 +79,15 @@ std::string tracking_section(const Run& run) {
   Ribbon ribbon{seconds_of(run), {}};
   for (const FrameRecord& f : run.frames) ribbon.color.push_back(color_of(f.state));
   const auto aligned = [](const FrameRecord& f, double value) { return f.inlier_share > 0 ? value : kNone; };
-  const TimeChart inliers =
-      chart_of(run, "inlier share", "#1f5fbf", [&](const auto& f) { return aligned(f, f.inlier_share); });
-  const TimeChart residual =
-      chart_of(run, "residual, px", "#a0408a", [&](const auto& f) { return aligned(f, f.residual_px); });
+  const TimeChart inliers = chart_of(run, "inlier share", palette::kBlue,
+                                     [&](const auto& f) { return aligned(f, f.inlier_share); });
+  const TimeChart residual = chart_of(run, "residual, px", palette::kPurple,
+                                      [&](const auto& f) { return aligned(f, f.residual_px); });
   const TimeChart edges =
-      chart_of(run, "edge pixels", "#5b6b80", [](const auto& f) { return double(f.edges); });
-  return section_html(
-      "states", "Tracking over the run",
-      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) + draw(edges) + keyframe_rules(run));
+      chart_of(run, "edge pixels", palette::kSlate, [](const auto& f) { return double(f.edges); });
+  return section_html("states", "Tracking over the run",
+                      state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) +
+                          draw(edges) + keyframe_rules(run));
 }
 
 }  // namespace edgevo

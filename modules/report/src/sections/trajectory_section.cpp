@@ -4,8 +4,10 @@
 #include <limits>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/evaluation/evaluate.h"
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
+#include "edgevo/report/palette.h"
 #include "edgevo/report/plan.h"
 #include "frame_times.h"
 
@@ -14,8 +16,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr size_t kMaxPlanPoints = 6000;
-const char* const kEstimateColor = "#1f5fbf";
-const char* const kTruthColor = "#222222";
+const char* const kEstimateColor = palette::kBlue;
+const char* const kTruthColor = palette::kInk;
 
 // Pieces between gaps and between segments.
 PlanLine plan_line(const std::string& name, const char* color, const Run& run,
@@ -69,6 +71,43 @@ TimeChart position_chart(const Run& run, const ShownPath& path, int axis) {
   return chart;
 }
 
+// Distance of each frame from where it truly was.
+TimeChart error_chart(const Run& run, const ShownPath& path) {
+  TimeChart chart;
+  chart.y_name = "distance from the truth, " + path.unit;
+  chart.x = seconds_of(run);
+  chart.from_zero = true;
+  Series error{"error", palette::kRed, {}};
+  for (size_t i = 0; i < path.estimate.size(); ++i)
+    error.y.push_back(path.estimate[i] && path.truth[i] ? (*path.estimate[i] - *path.truth[i]).norm()
+                                                        : kNone);
+  chart.series = {error};
+  return chart;
+}
+
+std::string drift_table(const std::optional<Drift>& drift) {
+  if (!drift) return "";
+  std::vector<std::vector<std::string>> rows;
+  for (size_t i = 0; i < drift->lengths_m.size(); ++i) {
+    const Drift::OfLength& d = drift->by_length[i];
+    if (d.stretches == 0) continue;
+    rows.push_back({fixed(drift->lengths_m[i], drift->lengths_m[i] < 2 ? 3 : 1) + " m",
+                    std::to_string(d.stretches), fixed(d.mean_cm_per_m, 2), fixed(d.median_cm_per_m, 2),
+                    fixed(d.max_cm_per_m, 2)});
+  }
+  return "<h3>Drift by length of the stretch</h3>\n" +
+         table_html({"stretch", "number", "mean cm/m", "median", "max"}, rows) +
+         note_html("All lengths together: " + fixed(drift->mean_cm_per_m, 2) + " cm/m, over " +
+                   std::to_string(drift->stretches) + " stretches of a true path of " +
+                   fixed(drift->path_m, 1) + " m, the scale re-corrected every " +
+                   std::to_string(EvaluationOptions().rescale_block_frames) +
+                   " frames, as edgevo eval does it.");
+}
+
+std::string error_part(const Run& run, const ShownPath& path, const TruthComparison& truth) {
+  return "<h3>Error over time</h3>\n" + draw(error_chart(run, path)) + drift_table(truth.drift);
+}
+
 std::string truth_statement(const Run& run, const std::optional<TruthComparison>& truth,
                             const std::string& why_not) {
   if (!truth)
@@ -98,6 +137,7 @@ std::string trajectory_section(const ReportInput& in, const std::optional<TruthC
   std::string body =
       truth_statement(in.run, truth, why_not) + "<h3>From above</h3>\n" + draw(plan) + "<h3>Over time</h3>\n";
   for (int axis = 0; axis < 3; ++axis) body += draw(position_chart(in.run, path, axis));
+  if (truth) body += error_part(in.run, path, *truth);
   return section_html("trajectory", "Trajectory", body);
 }
 

@@ -11,8 +11,8 @@ void export_report(ExportContext* context, const std::string& path) {
   const PointFilter& points = context->params.occupancy.points;
   const EdgePictures pictures =
       draw_edge_pictures(context->run, *context->camera, points, image_path, kPictures);
-  write_file(path, report_html(
-                       {context->run, *context->info, points, pictures, context->not_written, context->map}));
+  write_file(path, report_html({context->run, *context->info, points, pictures, context->not_written,
+                                context->map, map_points(context->run, points)}));
 }
 
 void export_summary(ExportContext* context, const std::string& path) {

@@ -1,6 +1,7 @@
 #include "summary.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "edgevo_build_info.h"
@@ -32,6 +33,8 @@ void write_source(const RunInfo& info, YamlWriter* y) {
   y->open("source");
   y->text("kind", info.source_kind);
   y->text("path", info.source_path);
+  if (!info.ground_truth_path.empty())
+    y->text("ground_truth", std::filesystem::absolute(info.ground_truth_path).lexically_normal().string());
   y->boolean("interrupted", info.interrupted);
   y->close();
 }

@@ -23,6 +23,12 @@ struct Drift {
   int without_poses = 0;       ///< capped for missing poses
   double path_m = 0;           ///< length of the true path over the input
   std::vector<double> lengths_m;
+  /// The same for each of these lengths alone, in their order.
+  struct OfLength {
+    double mean_cm_per_m = 0, median_cm_per_m = 0, max_cm_per_m = 0;
+    int stretches = 0;  ///< 0: none fits, the figures say nothing
+  };
+  std::vector<OfLength> by_length;
 };
 
 /// `metric_matches` are Association::matches with T_est in metres (rescale_blocks), `frames` Association::frames.

@@ -32,7 +32,4 @@ struct EdgePictures {
 EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
                                 const std::function<std::string(int frame_index)>& image_path, int count);
 
-/// Colours from idepth_low to idepth_high as a CSS gradient, so that the legend is the colour map itself.
-std::string idepth_gradient_css();
-
 }  // namespace edgevo

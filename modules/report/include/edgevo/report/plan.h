@@ -1,6 +1,6 @@
 #pragma once
-// A drawing from above as inline SVG: pure functions, the same bytes every time, no script and nothing to
-// load.
+// A drawing from above for a page: pure functions, the same bytes every time, nothing to load. assets/page.js
+// tells where on the ground the pointer is.
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,7 +9,7 @@ namespace edgevo {
 
 /// A line on the ground; gaps between its pieces.
 struct PlanLine {
-  std::string name, color;
+  std::string name, color;  ///< without a name it is not in the legend; colours: palette.h
   bool dashed = false;
   std::vector<std::vector<std::pair<double, double>>> pieces;  ///< (forward, left) points
 };

@@ -11,6 +11,7 @@
 
 #include "edgevo/report/edge_pictures.h"
 #include "edgevo/report/map_report.h"
+#include "edgevo/report/map_view.h"
 #include "edgevo/report/run_info.h"
 
 namespace edgevo {
@@ -22,6 +23,8 @@ struct ReportInput {
   EdgePictures pictures;
   std::vector<std::string> not_written;  ///< files of the run that could not be
   MapReport map = {};                    ///< what the map files hold
+  std::vector<MapVertex> map_vertices =
+      {};  ///< shown in 3D; map frame and unit of the run (map_points, or lines)
 };
 
 std::string report_html(const ReportInput& input);

@@ -1,0 +1,51 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "commands.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/report/compare_page.h"
+#include "edgevo/results/compared_runs.h"
+#include "option_checks.h"
+
+namespace edgevo::app {
+namespace {
+
+struct CompareArguments {
+  std::vector<std::string> runs;
+  std::string out, ground_truth;
+};
+
+int compare(const CompareArguments& args) {
+  const std::vector<ComparedRun> runs = compared_runs(args.runs, args.ground_truth, args.out);
+  make_output_folder(std::filesystem::absolute(args.out).parent_path().string());
+  write_file(args.out, compare_html(runs));
+  int spoilt = 0;
+  for (const ComparedRun& run : runs) spoilt += !run.problem.empty();
+  std::printf("%s: %d run%s", args.out.c_str(), int(runs.size()), runs.size() == 1 ? "" : "s");
+  if (spoilt > 0) std::printf(", of which %d cannot be compared; their rows say why", spoilt);
+  std::printf("\n");
+  return 0;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, Action* action) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "several finished runs on one page: a table, the worst first, and their paths");
+  auto args = std::make_shared<CompareArguments>();
+  command
+      ->add_option("RUN", args->runs,
+                   "folders of finished runs, or folders that hold many, such as -o of `edgevo bench`")
+      ->required();
+  command->add_option("-o,--out", args->out, "page to write (HTML, one file)")
+      ->required()
+      ->check(path_given());
+  command
+      ->add_option("--truth", args->ground_truth,
+                   "ground truth of all of them (default: what each run noted)")
+      ->check(path_given());
+  command->callback([=] { *action = [=] { return compare(*args); }; });
+}
+
+}  // namespace edgevo::app

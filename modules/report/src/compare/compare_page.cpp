@@ -1,0 +1,130 @@
+#include "edgevo/report/compare_page.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo/report/page.h"
+#include "edgevo/report/palette.h"
+#include "edgevo/report/plan.h"
+#include "run_figures.h"
+#include "run_table.h"
+#include "small_path.h"
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kMostLines = 40;    // of one drawing: more cannot be told apart
+constexpr size_t kMostNamed = 8;     // lines with a colour of their own
+constexpr size_t kMostPoints = 400;  // of a line
+
+using Group = std::vector<const RunFigures*>;  // runs with the same truth, the worst first
+
+std::vector<RunFigures> worst_first(const std::vector<ComparedRun>& runs) {
+  std::vector<RunFigures> figures;
+  GroundTruths truths;
+  for (const ComparedRun& run : runs) figures.push_back(figures_of(run, &truths));
+  std::stable_sort(figures.begin(), figures.end(), is_worse);
+  return figures;
+}
+
+std::vector<Group> groups_of(const std::vector<RunFigures>& figures) {
+  std::vector<Group> groups;
+  for (const RunFigures& f : figures) {
+    if (!f.evaluation) continue;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const Group& g) { return g.front()->truth == f.truth; });
+    if (group == groups.end()) group = groups.insert(groups.end(), Group());
+    group->push_back(&f);
+  }
+  return groups;
+}
+
+PlanLine line_of(const std::string& name, const char* color, const GroundPath& path) {
+  return {name, color, false, {thinned(path, kMostPoints)}};
+}
+
+// All of a small group, or the worst and the best of a large one, in colours of their own; the others pale
+// below them.
+Plan plan_of(const Group& group) {
+  static const char* const kColors[kMostNamed] = {palette::kRed,    palette::kOrange, palette::kAmber,
+                                                  palette::kPurple, palette::kViolet, palette::kTeal,
+                                                  palette::kGreen,  palette::kBlue};
+  Plan plan{"m", {}, {}};
+  const size_t drawn = std::min(group.size(), kMostLines);
+  const bool all_named = drawn <= kMostNamed;
+  for (size_t i = 1; !all_named && i + 1 < drawn; ++i)
+    plan.lines.push_back(line_of(i == 1 ? "others" : "", palette::kPaleBlue, group[i]->path));
+  plan.lines.push_back(line_of("ground truth", palette::kInk, group.front()->truth_path));
+  for (size_t i = drawn; i-- > 0;) {
+    const bool named = all_named || i == 0 || i + 1 == drawn;
+    if (named)
+      plan.lines.push_back(
+          line_of(group[i]->run->name, kColors[i == 0 ? 0 : std::min(i, kMostNamed - 1)], group[i]->path));
+  }
+  return plan;
+}
+
+// Their common source, where they have one.
+std::string title_of(const Group& group) {
+  if (group.size() == 1) return group.front()->run->name;
+  const std::string& source = group.front()->run->source;
+  const bool same =
+      std::all_of(group.begin(), group.end(), [&](const auto* f) { return f->run->source == source; });
+  return (same && !source.empty() ? source + ": " : "") + std::to_string(group.size()) +
+         " runs with one ground truth";
+}
+
+std::string overlay_section(const Group& group, size_t number) {
+  std::string body = draw(plan_of(group));
+  body += note_html(
+      "Each path is aligned with the truth by its own Sim(3); forward is where the true camera looked at "
+      "first." +
+      std::string(group.size() > kMostLines ? " Drawn are the " + std::to_string(kMostLines) + " worst."
+                                            : ""));
+  return section_html("paths" + std::to_string(number), title_of(group), body);
+}
+
+double median_ate_percent(const std::vector<RunFigures>& figures) {
+  std::vector<double> values;
+  for (const RunFigures& f : figures)
+    if (f.ate_percent() == f.ate_percent()) values.push_back(f.ate_percent());
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(values.begin(), values.end());
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
+std::string tiles(const std::vector<RunFigures>& figures) {
+  const auto count = [&](auto holds) {
+    return std::to_string(std::count_if(figures.begin(), figures.end(), holds));
+  };
+  std::vector<std::pair<std::string, std::string>> tiles{
+      {std::to_string(figures.size()), figures.size() == 1 ? "run" : "runs"},
+      {count([](const RunFigures& f) { return f.evaluation.has_value(); }), "compared with ground truth"},
+      {count([](const RunFigures& f) { return !f.run->problem.empty() || !f.note.empty(); }),
+       "without figures, though they should have them"},
+      {count([](const RunFigures& f) { return f.run->segments > 1; }), "in more than one segment"}};
+  if (const double median = median_ate_percent(figures); median == median)
+    tiles.emplace_back(fixed(median, 3) + " %", "median ATE, of the path");
+  return tiles_html(tiles);
+}
+
+}  // namespace
+
+std::string compare_html(const std::vector<ComparedRun>& runs) {
+  const std::vector<RunFigures> figures = worst_first(runs);
+  std::string body =
+      tiles(figures) +
+      section_html(
+          "runs", "Runs, the worst first",
+          note_html(
+              "A click on a heading sorts by it. Figures are those of edgevo eval; the worst is the one with "
+              "the largest error relative to its path.") +
+              run_table_html(figures));
+  size_t number = 0;
+  for (const Group& group : groups_of(figures)) body += overlay_section(group, ++number);
+  return page_html("edgevo compare", std::to_string(runs.size()) + (runs.size() == 1 ? " run" : " runs"),
+                   body);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,105 @@
+#include "run_table.h"
+
+#include <functional>
+#include <limits>
+
+#include "assets.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/report/page.h"
+#include "small_path.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+struct Column {
+  const char *name, *unit, *help;
+  int decimals;
+  std::function<double(const RunFigures&)> value;  // NaN: none
+};
+
+double if_evaluated(const RunFigures& f, const std::function<double(const TrajectoryEvaluation&)>& value) {
+  return f.evaluation ? value(*f.evaluation) : kNone;
+}
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> all{
+      {"frames", "", "put in", 0, [](const RunFigures& f) { return f.run->frames; }},
+      {"with pose", "%", "of them", 1, [](const RunFigures& f) { return f.completion_percent(); }},
+      {"ATE", "m", "RMSE after Sim(3)", 4,
+       [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.rmse; }); }},
+      {"ATE", "% of path", "the same over the length of the true path", 3,
+       [](const RunFigures& f) { return f.ate_percent(); }},
+      {"drift", "cm/m", "mean over stretches, scale re-corrected every 200 frames", 2,
+       [](const RunFigures& f) {
+         return if_evaluated(f, [](const auto& e) { return e.drift ? e.drift->mean_cm_per_m : kNone; });
+       }},
+      {"scale", "m/unit", "metres that one unit of the run is", 4,
+       [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.scale; }); }},
+      {"scale drift", "x", "scale at the end over that at the start", 4,
+       [](const RunFigures& f) { return f.scale_drift(); }},
+      {"CPU", "ms", "of the odometry a frame", 1, [](const RunFigures& f) { return f.run->cpu_ms; }},
+      {"keyframes", "", "", 0, [](const RunFigures& f) { return f.run->keyframes; }},
+      {"lost", "frames", "without a pose after the first that has one", 0,
+       [](const RunFigures& f) { return f.run->lost; }},
+      {"segments", "", "more than one: the map was lost and begun anew", 0,
+       [](const RunFigures& f) { return f.run->segments; }},
+  };
+  return all;
+}
+
+std::string sort_button(const std::string& name, const std::string& unit, const std::string& help) {
+  return "<th scope=\"col\"><button type=\"button\"" +
+         (help.empty() ? "" : " title=\"" + html_escaped(help) + "\"") + ">" + html_escaped(name) +
+         (unit.empty() ? "" : "<br>" + html_escaped(unit)) + "</button></th>";
+}
+
+std::string header() {
+  std::string html = "<thead><tr><th scope=\"col\">path</th>" + sort_button("run", "", "");
+  for (const Column& c : columns()) html += sort_button(c.name, c.unit, c.help);
+  return html + "</tr></thead>\n";
+}
+
+std::string name_of(const ComparedRun& run) {
+  const std::string name = html_escaped(run.name);
+  const std::string link =
+      run.link.empty() ? name : "<a href=\"" + html_escaped(run.link) + "\">" + name + "</a>";
+  return link +
+         (run.name.rfind(run.source, 0) == 0 ? "" : "<br><small>" + html_escaped(run.source) + "</small>");
+}
+
+std::string cell(const Column& column, const RunFigures& f) {
+  const double value = column.value(f);
+  if (value != value) return "<td>-</td>";
+  return "<td data-value=\"" + fixed(value, 9) + "\">" + fixed(value, column.decimals) + "</td>";
+}
+
+std::string figures_row(const RunFigures& f) {
+  std::string html;
+  for (const Column& c : columns()) html += cell(c, f);
+  return html;
+}
+
+std::string problem_row(const std::string& problem) {
+  return "<td class=\"bad\" colspan=\"" + std::to_string(columns().size()) + "\">" + html_escaped(problem) +
+         "</td>";
+}
+
+std::string row(const RunFigures& f) {
+  const ComparedRun& run = *f.run;
+  return "<tr><td class=\"small\">" + small_path_svg(f.path, f.truth_path) + "</td><td data-value=\"" +
+         html_escaped(run.name) + "\">" + name_of(run) +
+         (f.note.empty() ? "" : "<br><span class=\"bad\">" + html_escaped(f.note) + "</span>") + "</td>" +
+         (run.problem.empty() ? figures_row(f) : problem_row(run.problem)) + "</tr>\n";
+}
+
+}  // namespace
+
+std::string run_table_html(const std::vector<RunFigures>& runs) {
+  std::string html = "<div class=\"table\"><table class=\"runs\">" + header() + "<tbody>\n";
+  for (const RunFigures& f : runs) html += row(f);
+  return html + "</tbody></table></div>\n<script>" + assets::kCompareJs + "</script>\n";
+}
+
+}  // namespace edgevo
