@@ -65,9 +65,20 @@ const MapDrawing = (() => {
       if ((x0 < 0 && x1 < 0) || (y0 < 0 && y1 < 0) || (x0 > w && x1 > w) || (y0 > h && y1 > h)) return;
       const steps = Math.max(1, Math.ceil(Math.max(Math.abs(dx), Math.abs(dy))));
       if (steps > 4 * (w + h)) return;  // through the eye
+      if (size === 1)
+        return this.thinLine(x0, y0, near0, dx / steps, dy / steps, (near1 - near0) / steps, steps, color);
       for (let k = 0; k <= steps; ++k) {
         const s = k / steps;
         this.dot(x0 + s * dx, y0 + s * dy, near0 + s * (near1 - near0), size, color);
+      }
+    }
+    // Most lines of a large map: one pixel wide, from (x, y) in steps of (dx, dy).
+    thinLine(x, y, nearness, dx, dy, dn, steps, color) {
+      const {width, height, pixels} = this, all = this.nearness;
+      for (let k = 0; k <= steps; ++k, x += dx, y += dy, nearness += dn) {
+        if (x < 0 || y < 0 || x >= width || y >= height) continue;
+        const at = (y | 0) * width + (x | 0);
+        if (nearness > all[at]) all[at] = nearness, pixels[at] = color;
       }
     }
   }
@@ -82,7 +93,6 @@ const MapDrawing = (() => {
     const [ex, ey, ez] = eye, [rx, ry] = right, [ux, uy, uz] = up, [ax, ay, az] = ahead;
     const sizeAt = 0.0014 * view.extent * f;  // pixels of a point at depth 1
     const least = Math.round(sharp * (count < kFewPoints ? 2 : 1)), most = Math.round(4 * sharp);
-    const lineWidth = Math.round(1.5 * sharp);
     let px = 0, py = 0, pn = 0, last = -2;
     const project = i => {
       const x = xyz[3 * i] - ex, y = xyz[3 * i + 1] - ey, z = xyz[3 * i + 2] - ez,
@@ -99,8 +109,7 @@ const MapDrawing = (() => {
         if (last !== i - 1) project(i - 1);
         const x0 = px, y0 = py, n0 = pn;
         project(i);
-        if (n0 > 0 && pn > 0)
-          picture.line(x0, y0, n0, px, py, pn, Math.min(lineWidth, sizeOf(pn)), colors[i]);
+        if (n0 > 0 && pn > 0) picture.line(x0, y0, n0, px, py, pn, least, colors[i]);
       } else {
         project(i);
         if (kind[i] === kPoint && pn > 0) picture.dot(px, py, pn, sizeOf(pn), colors[i]);
