@@ -33,12 +33,15 @@ std::vector<size_t> choose_keyframes(const Run& run, const PointFilter& filter, 
 void add_seen(const Run& run, const KeyframeRecord& host, const SE3& T_cam_world, const PointFilter& filter,
               std::vector<SeenPoint>* seen) {
   const SE3 T_cam_host = T_cam_world * host.T_world_cam;
-  for (const EdgePoint& p : host.points) {
-    if (!filter.keeps(p)) continue;
+  const auto add = [&](const auto& p) {
     const Eigen::Vector3d p_cam = T_cam_host * point_in_camera(run.pinhole, p);
     if (p_cam.z() > 0 && run.pinhole.contains(run.pinhole.project(p_cam)))
       seen->push_back({run.pinhole.project(p_cam), 1 / p_cam.z()});
-  }
+  };
+  for (const EdgePoint& p : host.points)
+    if (filter.keeps(p)) add(p);
+  for (const EdgeLine& line : host.lines)
+    for (const EdgeVertex& v : line.vertices) add(v);
 }
 
 // Far to near, so that near points are drawn over far ones.

@@ -8,9 +8,21 @@
 namespace edgevo {
 namespace {
 
-// The depth is what is uncertain: the point moves along its ray by as much, relatively.
-float sigma_of(const EdgePoint& p, const Eigen::Vector3d& p_cam) {
+// The depth is what is uncertain: the point moves along its ray by as much, relatively. `p`: EdgePoint, EdgeVertex.
+template <typename Seen>
+float sigma_of(const Seen& p, const Eigen::Vector3d& p_cam) {
   return float(p_cam.norm() * double(p.idepth_sigma) / double(p.idepth));
+}
+
+void add_line(const EdgeLine& line, const Pinhole& pinhole, const SE3& T_map_cam, int keyframe,
+              std::vector<MapVertex>* vertices) {
+  bool joined = false;
+  for (const EdgeVertex& v : line.vertices) {
+    const Eigen::Vector3d p_cam = point_in_camera(pinhole, v);
+    const auto gray = uint8_t((v.gray_dark + v.gray_bright) / 2);
+    vertices->push_back({(T_map_cam * p_cam).cast<float>(), sigma_of(v, p_cam), gray, joined, keyframe});
+    joined = true;
+  }
 }
 
 std::string count_statement(size_t shown, size_t all) {
@@ -35,6 +47,15 @@ std::vector<MapVertex> map_points(const Run& run, const PointFilter& filter) {
       vertices.push_back({(T_map_cam * p_cam).cast<float>(), sigma_of(p, p_cam), p.gray, false, int(k)});
     }
   }
+  return vertices;
+}
+
+std::vector<MapVertex> map_lines(const Run& run) {
+  std::vector<MapVertex> vertices;
+  const SE3 T_map = T_map_world(run);
+  for (size_t k = 0; k < run.keyframes.size(); ++k)
+    for (const EdgeLine& line : run.keyframes[k].lines)
+      add_line(line, run.pinhole, T_map * run.keyframes[k].T_world_cam, int(k), &vertices);
   return vertices;
 }
 

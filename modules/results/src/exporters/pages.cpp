@@ -4,6 +4,16 @@
 #include "summary/summary.h"
 
 namespace edgevo {
+namespace {
+
+// As edges.ply has them: the points, then the lines.
+std::vector<MapVertex> map_vertices(const Run& run, const PointFilter& points) {
+  std::vector<MapVertex> vertices = map_points(run, points), lines = map_lines(run);
+  vertices.insert(vertices.end(), lines.begin(), lines.end());
+  return vertices;
+}
+
+}  // namespace
 
 void export_report(ExportContext* context, const std::string& path) {
   constexpr int kPictures = 6;
@@ -12,7 +22,7 @@ void export_report(ExportContext* context, const std::string& path) {
   const EdgePictures pictures =
       draw_edge_pictures(context->run, *context->camera, points, image_path, kPictures);
   write_file(path, report_html({context->run, *context->info, points, pictures, context->not_written,
-                                context->map, map_points(context->run, points)}));
+                                context->map, map_vertices(context->run, points)}));
 }
 
 void export_summary(ExportContext* context, const std::string& path) {

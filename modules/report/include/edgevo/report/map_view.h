@@ -45,6 +45,9 @@ constexpr size_t kMostMapVertices = 300'000;
 /// run.
 std::vector<MapVertex> map_points(const Run& run, const PointFilter& filter);
 
+/// The lines of the edge map, keyframe after keyframe, in the unit of the run.
+std::vector<MapVertex> map_lines(const Run& run);
+
 /// HTML with its script: one a page. A view without vertices and without a path gives nothing.
 std::string draw(const MapView& view);
 
