@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/run_calibration.h"
 #include "option_checks.h"
@@ -13,6 +14,7 @@ namespace {
 
 struct CalibrateArguments {
   std::string run, out, camera_file;
+  bool force = false;
 };
 
 RunCalibration calibration_as_asked(const CalibrateArguments& args) {
@@ -46,6 +48,7 @@ void print_change(const Camera& before, const FoldedCamera& after) {
 }
 
 int calibrate(const CalibrateArguments& args) {
+  check_not_there(args.out, args.force);
   const RunCalibration run = calibration_as_asked(args);
   const FoldedCamera corrected = corrected_camera(run);
   const std::string found = finding(run.refinement);
@@ -67,6 +70,7 @@ void add_calibrate_command(CLI::App& app, Action* action) {
   command->add_option("RUN", args->run, "the folder of results of a finished `edgevo run`")->required();
   command->add_option("-o,--out", args->out, "camera file to write (YAML)")->required()->check(path_given());
   command->add_option("--camera", args->camera_file, "the camera file that the run was given (default: as the run noted it)");
+  add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return calibrate(*args); }; });
 }
 

@@ -1,5 +1,6 @@
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
 #include "edgevo/occupancy/edge_ply.h"
+#include "edgevo/occupancy/map_size.h"
 #include "exporters.h"
 
 namespace edgevo {
@@ -9,7 +10,8 @@ void export_points(ExportContext* context, const std::string& path) {
 }
 
 void export_full_octree(ExportContext* context, const std::string& path) {
-  context->octree.emplace(context->run, context->params.occupancy);
+  check_map_size(context->run, context->params.occupancy, free_memory(), path);
+  context->octree.emplace(context->run, context->params.occupancy, context->on_keyframe_mapped);
   context->map.octree = context->octree->stats();
   context->octree->write_ot(path);
 }
