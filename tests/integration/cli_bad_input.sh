@@ -1,15 +1,20 @@
 #!/bin/sh
-# Some eighty bad inputs as a hurried user gives them: devices, pipes, torn and empty files, numbers that are none, outputs that
+# Some sixty bad inputs as a hurried user gives them: devices, pipes, torn and empty files, numbers that are none, outputs that
 # cannot be. None crashes, hangs or destroys; each gives one clear line and exit code 2.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk result=$scenes/runs/desk
 # bad WORDS COMMAND...: within half a minute.
 bad() {
-  words=$1
+  pattern=$1
   shift
-  complains "$words" timeout 30 "$@"
+  complains "$pattern" timeout 30 "$@"
 }
-run() { bad "$1" "$edgevo" run "$2" -o out --quiet $3 $4; }
+# run WORDS SOURCE [OPTION...]
+run() {
+  words=$1 source=$2
+  shift 2
+  bad "$words" "$edgevo" run "$source" -o out --quiet "$@"
+}
 nothing_left() { check "outputs that were begun" "$(ls -d out out.rawlog out_Images 2>/dev/null | wc -l)" -eq 0; }
 mkfifo pipe pipe.rawlog pipe.yaml
 mkdir folder
@@ -23,17 +28,12 @@ camera "zero: cannot be read: it is a device or a pipe" /dev/zero
 camera "pipe: cannot be read: it is a device or a pipe" pipe
 camera "folder: cannot be read: Is a directory" folder
 camera "empty.*camera\|empty: " empty
-camera "noise" noise
-camera "torn.png" torn.png
-camera "no/such: cannot be read: No such file" no/such
 truncate -s 3G huge
 camera "huge: cannot be read: it is larger than 2 GB" huge
 numbers() { echo "$2" >numbers.txt && camera "numbers.txt.*$1" numbers.txt; }
 numbers "not a finite number" "nan 500 320 240 0 0 0 0 640 480"
 numbers "above a million" "1e30 500 320 240 0 0 0 0 640 480"
 numbers "below one pixel" "0.78 1.04 320 240 0 0 0 0 640 480"
-numbers "is not a number" "fx fy 320 240 0 0 0 0 640 480"
-numbers "fields instead of" "500 500 320 240"
 numbers "principal point" "500 500 3200 240 0 0 0 0 640 480"
 numbers "" "500 500 320 240 0 0 0 0 1e12 480"
 numbers "not a finite number\|is not a number" "500 500 320 240 1e999 0 0 0 640 480"
@@ -44,16 +44,12 @@ camera "torn.yaml" torn.yaml
 
 # Parameters.
 run "urandom: cannot be read: it is a device" "$desk" --params /dev/urandom
-run "pipe.yaml: cannot be read: it is a device or a pipe" "$desk" --params pipe.yaml
 run "noise" "$desk" --params noise
-run "folder: cannot be read" "$desk" --params folder
-for value in nan inf 1e999 -1 0x10 "''" 99999999999999999999; do run "canny_percentile" "$desk" --set edges.canny_percentile=$value; done
-run "scale.*number" "$desk" --scale factor=nan
+for value in nan 1e999; do run "canny_percentile" "$desk" --set edges.canny_percentile=$value; done
 run "scale.*number" "$desk" --scale factor=1e999
 run "neither stop nor skip" "$desk" --on-bad-frame perhaps
 run "on-bad-frame" "$desk" --on-bad-frame
 run "frames" "$desk" --frames 99999999999999999999:
-run "frames" "$desk" --frames a:b
 run "needs --realtime\|requires --realtime" "$desk" --pace 30
 
 # Sources.
@@ -62,7 +58,6 @@ source_of "zero: is a device or a pipe, not a file" /dev/zero --camera "$desk/ca
 source_of "pipe: is a device or a pipe" pipe --camera "$desk/camera.txt"
 source_of "pipe.rawlog: is a device or a pipe" pipe.rawlog
 source_of "noise: is neither a rawlog nor a video" noise --camera "$desk/camera.txt"
-source_of "empty: is neither a rawlog nor a video" empty --camera "$desk/camera.txt"
 cp torn.png picture.rawlog
 source_of "picture.rawlog" picture.rawlog
 cp noise noise.rawlog
@@ -71,7 +66,6 @@ mkdir box.rawlog
 source_of "box.rawlog.*no images" box.rawlog
 ln -s /nowhere dangling
 source_of "dangling: no such file" dangling
-source_of "no such file" ""
 # sequence NAME: the first frames of the desk, to be spoilt.
 sequence() { rm -rf "$1" && copy_sequence "$desk" "$1" 0 5; }
 sequence lines && echo "1.0" >>lines/times.txt
@@ -98,8 +92,6 @@ nothing_left
 
 # Outputs.
 out() { bad "$1" "$edgevo" run "$desk" -o "$2" --quiet; }
-out "empty: is a file" empty
-out "cannot be created" empty/out
 out "cannot be created" /proc/out
 out "cannot be created\|cannot be written" "$(printf 'x%.0s' $(seq 300))"
 out "dangling" dangling
@@ -111,20 +103,15 @@ bad "zero: cannot be read: it is a device" "$edgevo" eval "$result/trajectory_tu
 bad "noise" "$edgevo" eval noise "$desk/groundtruth_tum.txt"
 echo "0 0 0 nan 0 0 0 1" >nan.txt
 bad "not finite" "$edgevo" eval nan.txt "$desk/groundtruth_tum.txt"
-for resolution in nan 0 -1 1e999 x; do bad "resolution.*number" "$edgevo" map "$result" -o out --resolution=$resolution; done
+for resolution in nan 1e999; do bad "resolution.*number" "$edgevo" map "$result" -o out --resolution=$resolution; done
 bad "reach only .*; give a resolution of" "$edgevo" map "$result" -o out --resolution 0.0000001
-bad "edges.ply: cannot be read" "$edgevo" map empty -o out
 bad "empty: no run was cut off here" "$edgevo" finish empty
-bad "no run was cut off here" "$edgevo" finish nowhere
 mkdir garbage && cp noise garbage/unfinished_run.bin
 bad "is not whole, or of another version" "$edgevo" finish garbage
 bad "pipe.yaml: cannot be read: it is a device or a pipe" "$edgevo" bench pipe.yaml -o out
-bad "noise" "$edgevo" bench noise -o out
 bad "zero" "$edgevo" simulate /dev/zero -o out
-bad "noise" "$edgevo" simulate noise -o out
 bad "empty" "$edgevo" calibrate empty -o out
 bad "is a device or a pipe" "$edgevo" import pipe out.rawlog
-bad "is a device or a pipe" "$edgevo" relight /dev/zero -o out
 bad "is a device or a pipe" "$edgevo" info pipe
 nothing_left
 finish

@@ -80,7 +80,7 @@ remember same
 for out in same/images same same/out alias/images ./same/../same/images; do
   complains "its own source same, which writing would change; give a place apart" run same -o $out
 done
-complains "same/images: lies inside its own source" run apart -o same/images/out
+complains "same/images/out: lies inside its own source" run apart -o same/images/out
 complains "alias: holds its own source" run alias/images -o alias --camera same/camera.txt
 complains "holds its own source" run same -o .
 complains "its own source" "$edgevo" import same same/x.rawlog
@@ -88,7 +88,7 @@ complains "its own source" "$edgevo" import clip.rawlog clip.rawlog --force
 complains "its own source" "$edgevo" relight same -o same/images --force
 complains "its own source" run clip.rawlog -o clip_Images --force
 complains "its own source" run out/playback.rawlog -o out
-printf 'seeds: [1]\nsequences:\n  same:\n    source: same\n' >list.yaml
+printf 'seeds: 1\nsequences:\n  same:\n    source: same\n' >list.yaml
 complains "its own source" "$edgevo" bench list.yaml -o same/bench
 unchanged same
 

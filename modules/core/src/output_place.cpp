@@ -12,8 +12,10 @@ namespace fs = std::filesystem;
 
 // Without links and dots, and without a slash at the end.
 fs::path resolved(const fs::path& path) {
-  std::error_code ignored;
-  const fs::path whole = fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  fs::path whole = fs::weakly_canonical(absolute, error);
+  if (error) whole = absolute.lexically_normal();  // a name too long, a folder that may not be looked into
   return whole.has_filename() ? whole : whole.parent_path();
 }
 

@@ -13,9 +13,11 @@ bool GrowingFile::open(const std::string& path) {
   close();
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   // The lock goes with the program, however that ends.
-  if (file_ >= 0 && (flock(file_, LOCK_EX | LOCK_NB) != 0 || ftruncate(file_, 0) != 0)) close();
+  if (file_ >= 0 && (flock(file_, LOCK_EX | LOCK_NB) != 0 || !empty_it())) close();
   return is_open();
 }
+
+bool GrowingFile::empty_it() { return lseek(file_, 0, SEEK_END) <= 0 || ftruncate(file_, 0) == 0; }
 
 bool GrowingFile::append(std::string_view bytes) {
   while (is_open() && !bytes.empty()) {

@@ -25,6 +25,8 @@ class GrowingFile {
   static bool is_growing(const std::string& path);
 
  private:
+  bool empty_it();
+
   int file_ = -1;
 };
 

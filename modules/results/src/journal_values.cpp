@@ -98,6 +98,15 @@ void visit_frame(Visit& v, Frame& f) {
   v.maybe(f.latency_ms, [&](auto& ms) { v.plain(ms); });
 }
 
+template <class Visit, class Line>
+void visit_line(Visit& v, Line& line) {
+  v.list(line.vertices, [&](auto& p) {
+    visit_numbers(v, p.px);
+    v.plain(p.idepth), v.plain(p.idepth_sigma), v.plain(p.gray_dark), v.plain(p.gray_bright);
+  });
+  v.plain(line.keyframes), v.plain(line.is_straight), v.plain(line.is_outline);
+}
+
 template <class Visit, class Keyframe>
 void visit_keyframe(Visit& v, Keyframe& k) {
   v.plain(k.frame_index), v.plain(k.time), v.plain(k.segment), v.pose(k.T_world_cam);
@@ -105,6 +114,7 @@ void visit_keyframe(Visit& v, Keyframe& k) {
     visit_numbers(v, p.px), visit_numbers(v, p.normal);
     v.plain(p.idepth), v.plain(p.idepth_sigma), v.plain(p.observations), v.plain(p.gray);
   });
+  v.list(k.lines, [&](auto& line) { visit_line(v, line); });
 }
 
 template <class Visit, class Refinement>

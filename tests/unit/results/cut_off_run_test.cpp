@@ -7,6 +7,7 @@
 #include <set>
 
 #include "edgevo/core/output_place.h"
+#include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/results/run_journal.h"
 #include "edgevo/results/run_params.h"
 #include "settle.h"
@@ -32,7 +33,9 @@ CutOffRun moved_run() {
     f.T_world_cam_live = at(i);
     cut_off.run.frames.push_back(f);
   }
-  cut_off.run.keyframes = {{2, {}, 0, at(3), {}}, {6, {}, 0, at(9), {}}};
+  cut_off.run.keyframes.resize(2);
+  cut_off.run.keyframes[0].frame_index = 2, cut_off.run.keyframes[0].T_world_cam = at(3);
+  cut_off.run.keyframes[1].frame_index = 6, cut_off.run.keyframes[1].T_world_cam = at(9);
   return cut_off;
 }
 
@@ -99,9 +102,10 @@ TEST_F(CutOffRunTest, EveryFileOfARunIsWritten) {
   const edgevo::Run run = finish_cut_off_run(folder_.string());
   EXPECT_EQ(run.frames.size(), 40u);
   EXPECT_EQ(names_in(folder_.string()), whole) << "the same files, and no journal any more";
-  for (const std::string& name : whole) {
-    if (name != "playback_Images") EXPECT_GT(content(folder_ / name).size(), 100u) << name;
-  }
+  for (const std::string& name : whole)
+    if (name != "playback_Images") {
+      EXPECT_GT(content(folder_ / name).size(), 100u) << name;
+    }
   EXPECT_EQ(lines_of(content(folder_ / "frames.csv")).size(), 41u);
   const auto summary = mrpt::containers::yaml::FromFile((folder_ / "summary.yaml").string());
   EXPECT_TRUE(summary["source"]["interrupted"].as<bool>());

@@ -23,6 +23,14 @@ class RunJournalTest : public WrittenRun {
  protected:
   RunJournalTest() { fs::create_directories(folder_); }
 
+  static EdgeLine some_line() {
+    EdgeLine line;
+    line.vertices = {{{1, 2}, 0.5f, 0.1f, 3, 4}, {{5, 6}, 0.7f, 0.2f, 7, 8}};
+    line.keyframes = 9;
+    line.is_outline = true;
+    return line;
+  }
+
   JournalHeader header() const {
     JournalHeader h;
     h.info.command_line = {"edgevo", "run", "a \"quoted\" folder"};
@@ -89,6 +97,20 @@ TEST_F(RunJournalTest, PosesThatABootstrapFoundLaterAreInIt) {
   for (FrameRecord& f : frames) f.T_world_cam_live = SE3(Eigen::Quaterniond::Identity(), {0.5, 0, double(f.index)});
   journal.add_frame(frames[5]);
   EXPECT_EQ(so_far().frames[3].T_world_cam_live->translation().z(), 3);
+}
+
+TEST_F(RunJournalTest, GivesTheLinesOfAKeyframeBack) {
+  SettledKeyframes settled;
+  settled.keyframes = {made_.run.keyframes[0]};
+  settled.keyframes[0].lines = {some_line()};
+  RunJournal(folder_.string(), header()).add_keyframes(settled);
+  const EdgeLine line = read().run.keyframes.at(0).lines.at(0);
+  EXPECT_EQ(line.vertices.at(1).px, Eigen::Vector2f(5, 6));
+  EXPECT_EQ(line.vertices.at(1).idepth_sigma, 0.2f);
+  EXPECT_EQ(line.vertices.at(1).gray_bright, 8);
+  EXPECT_EQ(line.keyframes, 9);
+  EXPECT_TRUE(line.is_outline);
+  EXPECT_FALSE(line.is_straight);
 }
 
 TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
