@@ -65,7 +65,8 @@ uint64_t key_of(const Eigen::Vector3d& p, double cell) {
 double crossed_cells(const std::vector<MapRay>& rays, double cell) {
   std::vector<uint64_t> keys;
   for (const MapRay& r : rays) {
-    const int steps = std::max(1, int(std::ceil((r.to - r.from).norm() / cell)));
+    // Twice a cell: octomap's walk along a ray leaves out no corner.
+    const int steps = std::max(1, int(std::ceil(2 * (r.to - r.from).norm() / cell)));
     for (int i = 0; i <= steps; ++i)
       keys.push_back(key_of(r.from + (r.to - r.from) * (double(i) / steps), cell));
   }
@@ -82,7 +83,7 @@ struct Growth {
 
 Growth growth_of(const std::vector<MapRay>& rays, double resolution) {
   Growth growth;
-  growth.cell = std::max(resolution, total_length(rays) / kMostSamples);
+  growth.cell = std::max(resolution, 2 * total_length(rays) / kMostSamples);
   growth.cells = crossed_cells(rays, growth.cell);
   const double coarser = std::max(1.0, crossed_cells(rays, 2 * growth.cell));
   growth.power = std::clamp(std::log2(growth.cells / coarser), 1.0, 3.0);

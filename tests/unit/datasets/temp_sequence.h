@@ -100,7 +100,9 @@ inline int frames_before_error(ImageSource& source, const std::string& part) {
     }
   });
   EXPECT_THAT(message, ::testing::HasSubstr(part));
-  if (!may_go_on) EXPECT_FALSE(source.next().has_value()) << "not at its end after a throw";
+  if (!may_go_on) {
+    EXPECT_FALSE(source.next().has_value()) << "not at its end after a throw";
+  }
   return count;
 }
 

@@ -27,7 +27,7 @@ std::string complaint(const Run& run, const std::string& resolution, double free
 }
 
 TEST(MapSize, IsNeitherMuchTooSmallNorMuchTooLarge) {
-  const Run run = testing::pole_and_wall(10, 8).run;
+  const edgevo::Run run = testing::pole_and_wall(10, 8).run;
   for (const char* resolution : {"0.4", "0.2", "0.1", "0.05"}) {
     const OctreeStats made = OctreeMap(run, params_at(resolution)).stats();
     const double voxels = double(made.occupied_voxels + made.free_voxels);
@@ -38,7 +38,7 @@ TEST(MapSize, IsNeitherMuchTooSmallNorMuchTooLarge) {
 }
 
 TEST(MapSize, WhatCannotBeHeldIsRefusedWithAResolutionThatCan) {
-  const Run run = testing::pole_and_wall(3, 3).run;
+  const edgevo::Run run = testing::pole_and_wall(3, 3).run;
   EXPECT_EQ(complaint(run, "0.1", 1e9), "");
   const std::string message = complaint(run, "0.002", 1e9);
   EXPECT_THAT(message, HasSubstr("run: voxels of 0.0020 would take about"));
@@ -49,13 +49,13 @@ TEST(MapSize, WhatCannotBeHeldIsRefusedWithAResolutionThatCan) {
 }
 
 TEST(MapSize, WhatReachesOnlyAroundTheOriginIsRefused) {
-  const Run run = testing::pole_and_wall(3, 3).run;
+  const edgevo::Run run = testing::pole_and_wall(3, 3).run;
   EXPECT_THAT(complaint(run, "0.0001", 1e18), HasSubstr("reach only 3.3 from the origin"));
 }
 
 TEST(MapSize, AnEmptyRunIsSmall) {
-  EXPECT_EQ(estimate_map_size(Run(), params_at("0.0001")).voxels, 0);
-  EXPECT_EQ(complaint(Run(), "0.0001", 1), "");
+  EXPECT_EQ(estimate_map_size(edgevo::Run(), params_at("0.0001")).voxels, 0);
+  EXPECT_EQ(complaint(edgevo::Run(), "0.0001", 1), "");
   EXPECT_GT(free_memory(), 0);
 }
 
