@@ -37,13 +37,15 @@ void add_linked_folders(const fs::path& folder, std::vector<fs::path>* places) {
 // MRPT's names for the folder of a rawlog's images.
 void add_image_folders(const fs::path& rawlog, std::vector<fs::path>* places) {
   const std::string stem = (rawlog.parent_path() / rawlog.stem()).string();
+  std::error_code ignored;
   for (const char* suffix : {"_Images", "_images", "_IMAGES"})
-    if (fs::exists(stem + suffix)) places->push_back(resolved(stem + suffix));
+    if (fs::exists(stem + suffix, ignored)) places->push_back(resolved(stem + suffix));
 }
 
 std::vector<fs::path> places_of(const std::string& source) {
   std::vector<fs::path> places{resolved(source)};
-  if (fs::is_directory(source)) add_linked_folders(source, &places);
+  std::error_code ignored;
+  if (fs::is_directory(source, ignored)) add_linked_folders(source, &places);
   if (fs::path(source).extension() == ".rawlog") add_image_folders(source, &places);
   return places;
 }

@@ -18,6 +18,11 @@ const MapParams& checked(const MapParams& map) {
   return map;
 }
 
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
 bool has_pose(const Run& run) {
   return std::any_of(run.frames.begin(), run.frames.end(),
                      [](const auto& f) { return f.T_world_cam.has_value(); });
@@ -31,7 +36,7 @@ RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, 
       camera(camera_of_images),
       options(asked),
       earlier(path, asked.force),
-      was_there(std::filesystem::exists(path)),
+      was_there(is_there(path)),
       folder(path),
       text_reserve(path, kTextBytes),
       summary_reserve(path, kSummaryBytes) {}
