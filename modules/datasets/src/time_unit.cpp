@@ -47,6 +47,7 @@ TimeUnit time_unit_of(const std::vector<double>& times) {
 }
 
 bool parse_time(const std::string& text, const TimeUnit& unit, Timestamp* t) {
+  if (text.find_first_of("0123456789") == std::string::npos) return false;
   if (unit.decimals == 0) return parse_seconds(text, t);
   if (text.find_first_of("eE") == std::string::npos) return parse_seconds(shifted(text, unit.decimals), t);
   return parse_seconds(text + "e-" + std::to_string(unit.decimals), t);  // two exponents: no number
