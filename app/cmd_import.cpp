@@ -45,7 +45,8 @@ void add_import_command(CLI::App& app, Action* action) {
       app.add_subcommand("import", "turn a source into an MRPT rawlog with its images beside it");
   auto args = std::make_shared<ImportArguments>();
   add_source_options(*command, &args->source);
-  command->add_option("OUT.rawlog", args->rawlog, "the rawlog to write; its images go to OUT_Images")->required();
+  command->add_option("OUT.rawlog", args->rawlog, "the rawlog to write; its images go to OUT_Images")
+      ->required();
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return import(*args); }; });
 }

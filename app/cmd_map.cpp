@@ -54,8 +54,8 @@ void check_output(const MapArguments& args) {
 
 void print_size(const Run& run, const MapParams& params) {
   const MapSize size = estimate_map_size(run, params.occupancy);
-  std::fprintf(stderr, "voxels of %g: about %.2g million, %.2g GB of memory\n", size.resolution, size.voxels / 1e6,
-               size.bytes / 1e9);
+  std::fprintf(stderr, "voxels of %g: about %.2g million, %.2g GB of memory\n", size.resolution,
+               size.voxels / 1e6, size.bytes / 1e9);
 }
 
 MapReport write_maps(const Run& run, const MapParams& params, const std::string& out) {

@@ -86,7 +86,8 @@ class VehicleOdometry {
 
 int run(const std::string& rawlog, const std::string& out, const std::string& folder) {
   mrpt::io::CFileGZInputStream file;
-  if (!std::filesystem::is_regular_file(rawlog) || !file.open(rawlog)) throw edgevo::InputError(rawlog, "cannot be read", "give a rawlog");
+  if (!std::filesystem::is_regular_file(rawlog) || !file.open(rawlog))
+    throw edgevo::InputError(rawlog, "cannot be read", "give a rawlog");
   set_image_folder(rawlog);
   auto archive = mrpt::serialization::archiveFrom(file);
   VehicleOdometry odometry(folder);

@@ -6,8 +6,8 @@
 
 #include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/image_names.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/image_names.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "text_file.h"
@@ -31,7 +31,8 @@ class SequenceSource : public ImageSource {
 
   std::optional<Frame> next() override {
     if (position_ >= sequence_.images.size()) return std::nullopt;
-    const size_t i = std::exchange(position_, sequence_.images.size());  // stays at the end if its time is wrong
+    const size_t i =
+        std::exchange(position_, sequence_.images.size());  // stays at the end if its time is wrong
     const std::string& path = sequence_.images[i];
     const Timestamp time = sequence_.times[i];
     if (previous_) check_time_increases(*previous_, time, path + " (frame " + std::to_string(i) + ")");

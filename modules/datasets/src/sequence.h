@@ -29,8 +29,8 @@ std::unique_ptr<ImageSource> play(Sequence sequence);
 /// InputError if there are none.
 std::vector<std::string> list_images(const std::string& folder);
 
-/// Times, one decimal number a line: seconds, or the finer unit that they seem to be in (time_unit.h), which `details`
-/// then tells (nullptr: nobody asks). Throws InputError.
+/// Times, one decimal number a line: seconds, or the finer unit that they seem to be in (time_unit.h), which
+/// `details` then tells (nullptr: nobody asks). Throws InputError.
 std::vector<Timestamp> read_times(const std::string& path, Details* details);
 
 /// The same from the texts of a list's times.

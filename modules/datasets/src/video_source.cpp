@@ -44,7 +44,8 @@ GrayImage to_gray(const cv::Mat& bgr) {
   return gray;
 }
 
-// A transport stream is a row of packets of one size, each opened by one byte; its frames are not counted anywhere.
+// A transport stream is a row of packets of one size, each opened by one byte; its frames are not counted
+// anywhere.
 bool ends_within_a_packet(const std::string& path) {
   constexpr std::streamoff kPacket = 188;
   constexpr char kSync = 0x47;
@@ -102,7 +103,8 @@ class VideoSource : public ImageSource {
                        "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
                        "the video is damaged; convert it again");
     if (ends_within_a_packet(path_))
-      throw InputError(path_, "is cut short: it ends within a packet after " + std::to_string(index_) + " frames",
+      throw InputError(path_,
+                       "is cut short: it ends within a packet after " + std::to_string(index_) + " frames",
                        "copy it again, if there is more of it");
     return false;
   }

@@ -73,7 +73,8 @@ void PlaybackWriter::adopt_images(int last) {
   for (const auto& entry : fs::directory_iterator(fs::path(folder_) / kImageFolder, ignored)) {
     const std::string name = entry.path().filename().string();
     int index = 0;
-    if (std::sscanf(name.c_str(), kImageStem, &index) == 1 && index <= last) images_.emplace_back(index, name);
+    if (std::sscanf(name.c_str(), kImageStem, &index) == 1 && index <= last)
+      images_.emplace_back(index, name);
   }
   std::sort(images_.begin(), images_.end());
 }

@@ -10,9 +10,9 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
-#include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/vehicle_track_reader.h"
 #include "rawlog_images_folder.h"
 #include "rawlog_survey.h"
@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A recorder that filled in milliseconds as seconds, or seconds as ticks: the odometry goes on, but knows no speed.
+// A recorder that filled in milliseconds as seconds, or seconds as ticks: the odometry goes on, but knows no
+// speed.
 std::string doubt_about_times(const std::vector<Timestamp>& times) {
   constexpr double kShortest = 1e-4, kLongest = 5;  // seconds from image to image: no video's
   if (times.size() < 3) return {};

@@ -94,8 +94,8 @@ void clear_sequence(const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (!fs::exists(folder + "/SOURCE.md", ignored)) return;
-  for (const char* name : {"images", "depth", "correspondences", "times.txt", "camera.txt", "groundtruth_tum.txt",
-                           "SOURCE.md"})
+  for (const char* name :
+       {"images", "depth", "correspondences", "times.txt", "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
     fs::remove_all(fs::path(folder) / name, ignored);
 }
 

@@ -39,7 +39,8 @@ class OutputPlace : public ::testing::Test {
 };
 
 TEST_F(OutputPlace, IsNeitherInItsSourceNorAroundIt) {
-  for (const char* inside : {"sequence/images", "sequence/images/new", "sequence/out", "other/../sequence/out"})
+  for (const char* inside :
+       {"sequence/images", "sequence/images/new", "sequence/out", "other/../sequence/out"})
     EXPECT_THAT(apart("sequence", inside), HasSubstr("lies inside its own source")) << inside;
   EXPECT_THAT(apart("sequence", "sequence/"), HasSubstr("is its own source"));
   EXPECT_THAT(apart("sequence", "."), HasSubstr("holds its own source"));
@@ -67,7 +68,8 @@ TEST_F(OutputPlace, WhatIsNoPathIsApart) {
 
 TEST_F(OutputPlace, WhatIsThereIsKeptUnlessForced) {
   fs::create_symlink("/nowhere", in("dangling"));
-  EXPECT_THAT(error_of([&] { check_not_there(in("clip.rawlog"), false); }), HasSubstr("is there already; give"));
+  EXPECT_THAT(error_of([&] { check_not_there(in("clip.rawlog"), false); }),
+              HasSubstr("is there already; give"));
   EXPECT_THAT(error_of([&] { check_not_there(in("dangling"), false); }), HasSubstr("is there already"));
   EXPECT_NO_THROW(check_not_there(in("clip.rawlog"), true));
   EXPECT_NO_THROW(check_not_there(in("new.rawlog"), false));

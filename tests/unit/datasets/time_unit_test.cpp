@@ -17,8 +17,8 @@ TEST(TimeUnit, IsToldByTheUsualStep) {
 }
 
 TEST(TimeUnit, IsToldByNumbersSince1970) {
-  for (const auto& [factor, name] : {std::pair(1.0, "seconds"), {1e3, "milliseconds"}, {1e6, "microseconds"},
-                                     {1e9, "nanoseconds"}}) {
+  for (const auto& [factor, name] :
+       {std::pair(1.0, "seconds"), {1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {
     EXPECT_EQ(unit_of({1.7e9 * factor}), name);
     EXPECT_EQ(unit_of({1.7e9 * factor, (1.7e9 + 0.1) * factor, (1.7e9 + 0.2) * factor}), name);
   }

@@ -13,7 +13,8 @@ namespace {
 // Blank images, a hundred of them; or as many as it gives before it breaks. Those of `bad` cannot be used.
 class BlankSource : public ImageSource {
  public:
-  explicit BlankSource(int breaks_at = -1, std::set<int> bad = {}) : breaks_at_(breaks_at), bad_(std::move(bad)) {
+  explicit BlankSource(int breaks_at = -1, std::set<int> bad = {})
+      : breaks_at_(breaks_at), bad_(std::move(bad)) {
     camera_.pinhole = {50, 50, 32, 24, 64, 48};
   }
 
@@ -28,7 +29,8 @@ class BlankSource : public ImageSource {
     if (given_ == 100) return std::nullopt;
     const int index = given_++;
     if (bad_.count(index))
-      throw BadFrame(index, Timestamp::from_seconds(0.1 * index), InputError("an image", "is torn", "mend it"));
+      throw BadFrame(index, Timestamp::from_seconds(0.1 * index),
+                     InputError("an image", "is torn", "mend it"));
     return Frame{index, Timestamp::from_seconds(0.1 * index),
                  GrayImage{64, 48, std::vector<uint8_t>(64 * 48, 90)}};
   }

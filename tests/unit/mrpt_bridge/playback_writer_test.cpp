@@ -158,7 +158,8 @@ TEST_F(PlaybackWriterTest, LinksHoldWhenSourceAndRunMoveTogether) {
   write_png(path("tree/data/source.png"), frame(1).image);
   PlaybackWriter(path("tree/out"), camera()).add_frame_link(0, path("tree/data/source.png"));
   fs::rename(path("tree"), path("moved"));
-  EXPECT_EQ(read_gray_image(path("moved/out/playback_Images/frame_000000.png")).pixels, frame(1).image.pixels);
+  EXPECT_EQ(read_gray_image(path("moved/out/playback_Images/frame_000000.png")).pixels,
+            frame(1).image.pixels);
 }
 
 TEST_F(PlaybackWriterTest, CopiesStandAlone) {

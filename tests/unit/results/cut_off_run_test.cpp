@@ -17,8 +17,8 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::content;
+using ::testing::HasSubstr;
 using testing::lines_of;
 
 SE3 at(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
@@ -111,14 +111,16 @@ TEST_F(CutOffRunTest, EveryFileOfARunIsWritten) {
   EXPECT_TRUE(summary["source"]["interrupted"].as<bool>());
   EXPECT_THAT(summary["notes"]["cut_off"].as<std::string>(), HasSubstr("after 40 frames"));
   EXPECT_EQ(summary["trajectory"]["keyframes"].as<int>(), 8);
-  EXPECT_THAT(message_of([&] { finish_cut_off_run(folder_.string()); }), HasSubstr("no run was cut off here"));
+  EXPECT_THAT(message_of([&] { finish_cut_off_run(folder_.string()); }),
+              HasSubstr("no run was cut off here"));
 }
 
 TEST_F(CutOffRunTest, AGivenScaleIsApplied) {
   leave_half_a_run("factor=3");
   const edgevo::Run run = finish_cut_off_run(folder_.string());
   EXPECT_TRUE(run.is_metric());
-  EXPECT_NEAR(run.frames[39].T_world_cam->translation().z() - run.frames[38].T_world_cam->translation().z(), 0.6, 0.01);
+  EXPECT_NEAR(run.frames[39].T_world_cam->translation().z() - run.frames[38].T_world_cam->translation().z(),
+              0.6, 0.01);
 }
 
 TEST_F(CutOffRunTest, TheNextRunMayTakeItsPlace) {

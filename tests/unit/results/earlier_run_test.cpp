@@ -13,9 +13,9 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::content;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::content;
 
 class EarlierRunTest : public WrittenRun {
  protected:
@@ -33,7 +33,9 @@ class EarlierRunTest : public WrittenRun {
     run.keyframes.clear();
     return run;
   }
-  std::string trajectory(const char* where = "") const { return content(folder_ / where / "trajectory_tum.txt"); }
+  std::string trajectory(const char* where = "") const {
+    return content(folder_ / where / "trajectory_tum.txt");
+  }
 };
 
 TEST_F(EarlierRunTest, ARunThatDoesNotBeginChangesNothing) {
@@ -54,7 +56,8 @@ TEST_F(EarlierRunTest, NothingOfItIsLeftAfterTheNextRun) {
   edgevo::Run shorter = made_.run;
   shorter.frames.resize(10);
   write(folder_, shorter, made_.camera);
-  for (const char* gone : {"scale.csv", "trajectory_vehicle_tum.txt", "playback_Images/frame_000020.png", kEarlierRun})
+  for (const char* gone :
+       {"scale.csv", "trajectory_vehicle_tum.txt", "playback_Images/frame_000020.png", kEarlierRun})
     EXPECT_FALSE(fs::exists(folder_ / gone)) << gone;
   EXPECT_EQ(content(folder_ / "my_notes.txt"), "by hand");
 }
@@ -87,8 +90,9 @@ TEST_F(EarlierRunTest, AFolderOfSomethingElseIsRefused) {
 TEST_F(EarlierRunTest, ARunThatWasCutOffIsNotWrittenOver) {
   fs::create_directories(folder_);
   write_file((folder_ / kRunJournal).string(), "what it had");
-  EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }),
-              HasSubstr("was cut off before its results were written; `edgevo finish " + folder_.string() + "`"));
+  EXPECT_THAT(
+      message_of([&] { write(folder_, made_.run, made_.camera); }),
+      HasSubstr("was cut off before its results were written; `edgevo finish " + folder_.string() + "`"));
   EXPECT_EQ(content(folder_ / kRunJournal), "what it had");
 }
 
@@ -97,7 +101,8 @@ TEST_F(EarlierRunTest, TwoRunsDoNotWriteIntoOneFolder) {
   GrowingFile journal;
   ASSERT_TRUE(journal.open((folder_ / kRunJournal).string()));
   for (const bool force : {false, true})
-    EXPECT_THAT(message_of([&] { EarlierRun(folder_.string(), force); }), HasSubstr("another run is writing there"));
+    EXPECT_THAT(message_of([&] { EarlierRun(folder_.string(), force); }),
+                HasSubstr("another run is writing there"));
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::content;
+using ::testing::HasSubstr;
 
 constexpr int kSettleLater = 6;  // keyframes that are still in the window
 
@@ -66,7 +66,10 @@ class RunJournalTest : public WrittenRun {
 };
 
 TEST_F(RunJournalTest, GivesEverythingBack) {
-  { RunJournal journal(folder_.string(), header()); write_all(&journal); }
+  {
+    RunJournal journal(folder_.string(), header());
+    write_all(&journal);
+  }
   const CutOffRun back = read();
   EXPECT_EQ(back.header.info.command_line, header().info.command_line);
   EXPECT_EQ(back.header.info.notes, header().info.notes);
@@ -94,7 +97,8 @@ TEST_F(RunJournalTest, PosesThatABootstrapFoundLaterAreInIt) {
   for (FrameRecord& f : frames) f.T_world_cam_live = std::nullopt;
   for (int i = 0; i < 5; ++i) journal.add_frame(frames[size_t(i)]);
   EXPECT_FALSE(so_far().frames[3].T_world_cam_live);
-  for (FrameRecord& f : frames) f.T_world_cam_live = SE3(Eigen::Quaterniond::Identity(), {0.5, 0, double(f.index)});
+  for (FrameRecord& f : frames)
+    f.T_world_cam_live = SE3(Eigen::Quaterniond::Identity(), {0.5, 0, double(f.index)});
   journal.add_frame(frames[5]);
   EXPECT_EQ(so_far().frames[3].T_world_cam_live->translation().z(), 3);
 }
@@ -120,7 +124,8 @@ TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
     RunJournal journal(folder_.string(), header());
     journal.add_keyframes(settled);
     settled.revision = 1;
-    for (KeyframeRecord& k : settled.keyframes) k.T_world_cam = SE3(Eigen::Quaterniond::Identity(), {7, 8, 9});
+    for (KeyframeRecord& k : settled.keyframes)
+      k.T_world_cam = SE3(Eigen::Quaterniond::Identity(), {7, 8, 9});
     journal.add_keyframes(settled);
     EXPECT_EQ(journal.settled(), 2u);
     EXPECT_EQ(journal.revision(), 1);
@@ -135,7 +140,10 @@ TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
 }
 
 TEST_F(RunJournalTest, EndsAnywhereAndIsReadUpToThere) {
-  { RunJournal journal(folder_.string(), header()); write_all(&journal); }
+  {
+    RunJournal journal(folder_.string(), header());
+    write_all(&journal);
+  }
   const std::string all = bytes();
   size_t frames = 0;
   for (size_t length = 400; length < all.size(); length += all.size() / 150) {
@@ -149,7 +157,10 @@ TEST_F(RunJournalTest, EndsAnywhereAndIsReadUpToThere) {
 }
 
 TEST_F(RunJournalTest, DamageEndsItAndIsNeverTakenForAFrame) {
-  { RunJournal journal(folder_.string(), header()); write_all(&journal); }
+  {
+    RunJournal journal(folder_.string(), header());
+    write_all(&journal);
+  }
   const std::string all = bytes();
   Random random(5);
   int refused = 0;

@@ -10,8 +10,9 @@ namespace edgevo {
 /// "x.rawlog": the user wants a rawlog, not a folder.
 bool names_rawlog(const std::string& path);
 
-/// Throws InputError when a sequence is not to be written to `out`, a folder or OUT.rawlog with its images beside it: it
-/// lies in its own source or around it, or, unless `force`, something is there already. `source` may be empty.
+/// Throws InputError when a sequence is not to be written to `out`, a folder or OUT.rawlog with its images
+/// beside it: it lies in its own source or around it, or, unless `force`, something is there already.
+/// `source` may be empty.
 void check_sequence_output(const std::string& source, const std::string& out, bool force);
 
 /// Writes the rawlog, its images and, unless it is empty, `ground_truth_tum` beside it; makes the folder it

@@ -22,9 +22,9 @@ struct MapParams {
   void check() const { occupancy.check(), grid.check(); }
 };
 
-/// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz into `folder`, which is made if need be. One that cannot
-/// be written does not keep the others from being tried; the first failure is thrown (InputError). An octree that the free memory
-/// does not hold is not begun.
+/// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz into `folder`, which is made if need
+/// be. One that cannot be written does not keep the others from being tried; the first failure is thrown
+/// (InputError). An octree that the free memory does not hold is not begun.
 MapReport write_map_files(const Run& run, const MapParams& params, const std::string& folder,
                           const OnKeyframeMapped& on_keyframe_mapped = {});
 
