@@ -6,6 +6,7 @@
 
 #include "edgevo/core/block_yaml.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/datasets/subsample.h"
@@ -71,6 +72,10 @@ BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, c
     if (!sequence.params.empty()) read_params_file(below(beside, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
   });
   if (is_scene && !camera_text_.empty()) throw InputError(where, "a scene has its own camera", "leave `camera` out");
+}
+
+void BenchInput::check_output(const std::string& out) const {
+  if (scene_.empty()) check_apart(source_.path, out);
 }
 
 void BenchInput::render() {

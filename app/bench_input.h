@@ -26,6 +26,8 @@ class BenchInput {
   const BenchSequence& sequence() const { return sequence_; }
   /// All that a job's result depends on but its variant and seed, as YAML.
   std::string description() const;
+  /// Throws InputError when `out` lies in the source, or around it.
+  void check_output(const std::string& out) const;
   /// Forgets rendered images.
   void release() { clip_.reset(); }
 

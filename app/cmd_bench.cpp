@@ -103,6 +103,7 @@ int bench(const BenchArguments& args) {
       parse_bench_list(read_file(args.list, "give a list such as share/bench/rendered.yaml"), args.list, relight_kinds());
   std::vector<BenchInput> inputs;
   for (const BenchSequence& sequence : list.sequences) inputs.emplace_back(sequence, args.data, args.list);
+  for (const BenchInput& input : inputs) input.check_output(args.out);
   make_output_folder(args.out);
   listen_to_signals();
   Progression all;

@@ -7,6 +7,7 @@
 #include "edgevo/calibration/calibration_picture.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/datasets/run_calibration.h"
@@ -22,6 +23,7 @@ struct CalibrateArguments {
   std::string chessboard, charuco, dictionary;
   double square_m = 1, marker_m = 0;
   SourceOptions images;
+  bool force = false;
 };
 
 RunCalibration calibration_as_asked(const CalibrateArguments& args) {
@@ -131,6 +133,7 @@ int calibrate_from_board(const CalibrateArguments& args) {
 }
 
 int calibrate(const CalibrateArguments& args) {
+  check_not_there(args.out, args.force);
   return args.chessboard.empty() && args.charuco.empty() ? calibrate_from_run(args)
                                                          : calibrate_from_board(args);
 }
@@ -179,6 +182,7 @@ void add_calibrate_command(CLI::App& app, Action* action) {
   command->add_option("--camera", args->camera_file,
                       "of a run: the camera file that it was given (default: as the run noted it)");
   add_board_options(*command, args.get());
+  add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return calibrate(*args); }; });
 }
 

@@ -4,10 +4,13 @@
 
 #include "commands.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
+#include "edgevo/occupancy/map_size.h"
 #include "edgevo/results/run_maps.h"
 #include "edgevo/results/run_params.h"
 #include "option_checks.h"
+#include "progress.h"
 
 namespace edgevo::app {
 namespace {
@@ -18,6 +21,7 @@ struct MapArguments {
   std::string run, out, params_file;
   std::vector<std::string> settings;
   std::optional<double> resolution, max_range;
+  bool force = false;
 };
 
 MapParams params_as_asked(const MapArguments& args) {
@@ -39,10 +43,33 @@ void print_map(const Run& run, const MapReport& report, const std::string& out) 
   std::printf("grid of %d x %d cells: %s\n", report.grid->width, report.grid->height, report.grid->statement.c_str());
 }
 
+// The maps of one run do not go into the folder of another.
+void check_output(const MapArguments& args) {
+  std::error_code ignored;
+  if (fs::equivalent(args.run, args.out, ignored)) return;
+  const bool is_of_a_run = fs::exists(fs::path(args.out) / "edges.ply", ignored);
+  const std::vector<std::string> marks{"edges.ot", "edges.bt"};
+  check_folder_is_ours(args.out, is_of_a_run ? std::vector<std::string>() : marks, args.force);
+}
+
+void print_size(const Run& run, const MapParams& params) {
+  const MapSize size = estimate_map_size(run, params.occupancy);
+  std::fprintf(stderr, "voxels of %g: about %.2g million, %.2g GB of memory\n", size.resolution,
+               size.voxels / 1e6, size.bytes / 1e9);
+}
+
+MapReport write_maps(const Run& run, const MapParams& params, const std::string& out) {
+  Progress progress("mapping keyframes", int(run.keyframes.size()));
+  return write_map_files(run, params, out, [&](int done) { progress.update(done); });
+}
+
 int map(const MapArguments& args) {
   const MapParams params = params_as_asked(args);
+  check_output(args);
   const Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
-  const MapReport report = write_map_files(run, params, args.out);
+  check_map_size(run, params.occupancy, free_memory(), args.run);
+  print_size(run, params);
+  const MapReport report = write_maps(run, params, args.out);
   print_map(run, report, args.out);
   return 0;
 }
@@ -61,6 +88,7 @@ void add_map_command(CLI::App& app, Action* action) {
   command->add_option("--max-range", args->max_range, "nothing farther from its keyframe is mapped, unit of the run")->check(positive_number());
   command->add_option("--params", args->params_file, "YAML file of parameters; of it, occupancy and grid count");
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")->take_all();
+  add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return map(*args); }; });
 }
 

@@ -1,9 +1,7 @@
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
-#include "edgevo/core/error.h"
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/folder_export.h"
@@ -15,21 +13,15 @@
 namespace edgevo::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct RelightOptions {
   SourceOptions source;
   std::string out, kind = "mixed";
   uint64_t seed = 1;
+  bool force = false;
 };
 
-void check_output(const RelightOptions& options) {
-  std::error_code ignored;
-  if (fs::weakly_canonical(options.source.path, ignored) == fs::weakly_canonical(options.out, ignored))
-    throw InputError(options.out, "would overwrite its own source", "give another name for the output");
-}
-
 int write_folder(RelitSource& source, const RelightOptions& options, const std::string& truth, Progress& progress) {
+  clear_sequence(options.out);
   FolderWriter writer(options.out, source.camera());
   int count = 0;
   while (const std::optional<Frame> frame = source.next()) {
@@ -43,7 +35,7 @@ int write_folder(RelitSource& source, const RelightOptions& options, const std::
 }
 
 int relight(const RelightOptions& options) {
-  check_output(options);
+  check_sequence_output(options.source.path, options.out, options.force);
   const Relight effect(options.kind, options.seed);
   auto opened = open_source(options.source);
   const std::string truth = ground_truth_tum(options.source, *opened);
@@ -72,6 +64,7 @@ void add_relight_command(CLI::App& app, Action* action) {
   command->add_option("--seed", options->seed, "how the light changes follows from it")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))
       ->capture_default_str();
+  add_force(*command, &options->force);
   command->callback([=] { *action = [=] { return relight(*options); }; });
 }
 

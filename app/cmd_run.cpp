@@ -3,13 +3,14 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/drive/drive.h"
-#include "edgevo/report/latency_figures.h"
 #include "edgevo/results/run_outputs.h"
 #include "edgevo/results/run_params.h"
 #include "edgevo/scale/run_scaling.h"
 #include "edgevo/viewer/run_view.h"
 #include "option_checks.h"
+#include "print_run.h"
 #include "progress.h"
 #include "signals.h"
 #include "source_options.h"
@@ -25,6 +26,8 @@ struct RunArguments {
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false, view = false;
+  OnBadFrame on_bad_frame = OnBadFrame::kSkip;
+  OutputOptions outputs;
   Pace pace;
   std::vector<std::string> command_line;
 };
@@ -37,6 +40,12 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
   return params;
+}
+
+OnBadFrame parse_on_bad_frame(const std::string& text) {
+  if (text == "skip") return OnBadFrame::kSkip;
+  if (text == "stop") return OnBadFrame::kStop;
+  throw InputError("--on-bad-frame " + text, "is neither stop nor skip", "give one of them");
 }
 
 RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams params) {
@@ -53,12 +62,13 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
-// What is to be done after each frame: keep its image for the playback, measure the scale, show the frame,
-// and show how far we are.
+// What is to be done after each frame: keep its image for the playback and what was found on disk, measure
+// the scale, show the frame, and show how far we are.
 std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
                                                          RunView* view, std::optional<Progress>& progress) {
   return [&outputs, &scaling, view, &progress, done = 0](const DrivenFrame& driven) mutable {
     if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
+    outputs.add_record(driven.record, driven.odometry);
     scaling.add_frame(driven.record, driven.odometry);
     if (progress) progress->update(++done);
     return !view || view->show(driven, interrupted);
@@ -79,29 +89,35 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
   options.odometry.seed = args.seed;
   options.odometry.realtime = args.realtime;
   options.pace = args.pace;
+  options.on_bad_frame = args.on_bad_frame;
   options.stop = interrupted;
-  if (!args.quiet)
-    options.odometry.log = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); };
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
+  if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
   const auto view = view_as_asked(args, source);
   return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
 }
 
-void print_summary(const Run& run, const std::string& out) {
-  size_t posed = 0, lost = 0, points = 0, lines = 0;
-  int segments = 0;
-  for (const FrameRecord& f : run.frames) {
-    posed += f.T_world_cam.has_value();
-    lost += f.state == TrackingState::kLost;
-    segments = std::max(segments, f.segment + 1);
-  }
-  for (const KeyframeRecord& k : run.keyframes) points += k.points.size(), lines += k.lines.size();
-  std::printf(
-      "%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points, %zu lines; scale %s\n",
-      run.frames.size(), posed, lost, segments, run.keyframes.size(), points, lines, run.scale_source.c_str());
-  if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
-  std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());
+// A run without a frame: nothing is written, and what the folder holds stays.
+[[noreturn]] void throw_without_frames(const RunArguments& args, const Drive& driven) {
+  if (driven.broken) std::rethrow_exception(driven.broken);
+  if (interrupted()) throw InputError(args.out, "interrupted before the first frame", "nothing was written");
+  throw InputError(args.source.path, "gave no frame", "see `edgevo info` for what is in it");
+}
+
+void note_end(const Drive& driven, RunInfo* info) {
+  info->interrupted = driven.broken || interrupted();
+  if (driven.left_out == 0) return;
+  info->notes.emplace_back(
+      "left_out", std::to_string(driven.left_out) +
+                      " frame(s) whose images could not be used; the first: " + driven.first_left_out);
+}
+
+void print_end(const Drive& driven) {
+  if (interrupted()) std::printf("interrupted after %zu frames\n", driven.run.frames.size());
+  if (driven.left_out > 0)
+    std::printf("%d of %zu frames left out; the first: %s\n", driven.left_out, driven.run.frames.size(),
+                driven.first_left_out.c_str());
 }
 
 bool mostly_failed(const Run& run) {
@@ -110,29 +126,37 @@ bool mostly_failed(const Run& run) {
   return 2 * posed < run.frames.size();
 }
 
+void print_failure(const RunArguments& args, const RunOutputs& outputs) {
+  const std::string earlier = outputs.earlier_run();
+  std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv%s\n",
+               args.source.path.c_str(), args.out.c_str(),
+               earlier.empty() ? "" : ("; the run before is kept in " + earlier).c_str());
+}
+
 int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
   const ScaleSource scale = parse_scale_source(args.scale);
+  check_apart(args.source.path, args.out);
   const std::unique_ptr<ImageSource> source = open_and_tell(args.source);
   RunScaling scaling(scale, *source, params.scale);
-  RunOutputs outputs(args.out, source->camera(), params.map);
+  RunInfo info = describe(args, *source, params);
+  RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
+  outputs.keep_journal({info, args.scale, scaling.track(), source->T_vehicle_cam()});
   listen_to_signals();
   Drive driven = drive_as_asked(args, *source, params.odometry, scaling, outputs);
   Run& result = driven.run;
+  if (result.frames.empty()) throw_without_frames(args, driven);
   scaling.apply(&result);
-  RunInfo info = describe(args, *source, params);
-  info.interrupted = driven.broken || interrupted();
+  note_end(driven, &info);
   outputs.finish(result, info);
-  if (!args.quiet) print_summary(result, args.out);
+  if (!args.quiet) print_end(driven);
+  if (!args.quiet) print_run(result, args.out);
   if (driven.broken) std::rethrow_exception(driven.broken);
   if (!result.scale.problem.empty())
     throw InputError(args.out, "the results are in an arbitrary unit", result.scale.problem);
-  if (mostly_failed(result)) {
-    std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv\n",
-                 args.source.path.c_str(), args.out.c_str());
-    return kMostlyFailed;
-  }
-  return kDone;
+  if (!mostly_failed(result)) return kDone;
+  print_failure(args, outputs);
+  return kMostlyFailed;
 }
 
 }  // namespace
@@ -143,7 +167,10 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   args->command_line = std::move(command_line);
   add_source_options(*command, &args->source);
   add_image_scale(*command, &args->source);
-  command->add_option("-o,--out", args->out, "folder for the results; made if it is not there")
+  command
+      ->add_option("-o,--out", args->out,
+                   "folder for the results; made if it is not there. An earlier run in it stays until this "
+                   "one has a pose")
       ->required()
       ->check(path_given());
   command->add_option("--params", args->params_file,
@@ -174,10 +201,21 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_flag(
       "--view", args->view,
       "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
+  command->add_option_function<std::string>(
+      "--on-bad-frame", [args](const std::string& text) { args->on_bad_frame = parse_on_bad_frame(text); },
+      "an image that cannot be used: skip (default) leaves it out, as a camera that missed it would, since "
+      "one bad "
+      "image in hours must not cost the rest; frames.csv and summary.yaml name it. stop ends the run there, "
+      "with "
+      "all results so far. The first image has to be good either way");
+  command->add_flag("--copy-images", args->outputs.copy_images,
+                    "the images of the playback are copied, not linked: OUT then stands alone");
+  command->add_flag("--force", args->outputs.force,
+                    "write into a folder that holds something else than a run, or a run that was cut off");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
   command->footer(
       "Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a "
-      "source.");
+      "source. What a run that was killed had found, `edgevo finish OUT` writes.");
   command->callback([=] { *action = [=] { return run(*args); }; });
 }
 

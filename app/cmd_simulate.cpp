@@ -20,7 +20,7 @@ struct SimulateOptions {
   std::string scene, out, frames;
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
-  bool depth = false, correspondences = false;
+  bool depth = false, correspondences = false, force = false;
 };
 
 // "A:B", "A:" or ":B"; empty: all.
@@ -70,8 +70,10 @@ int simulate(const SimulateOptions& options) {
   set_range(options.frames, &range);
   if (options.correspondences && names_rawlog(options.out))
     throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
+  check_sequence_output("", options.out, options.force);
   const auto renderer = std::make_shared<const SceneRenderer>(scene_as_asked(options));
   const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
+  if (!names_rawlog(options.out)) clear_sequence(options.out);
   if (options.correspondences) write_correspondences(*renderer, options.out, range.begin, range.begin + count);
   std::string done = options.out + ": " + std::to_string(count) + " frames with exact ground truth" + (options.depth ? " and depth" : "");
   {
@@ -106,6 +108,7 @@ void add_simulate_command(CLI::App& app, Action* action) {
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
   command->add_flag("--correspondences", options->correspondences,
                     "write where each edge pixel of a frame is seen in the next one (correspondences/*.csv)");
+  add_force(*command, &options->force);
   command->callback([=] { *action = [=] { return simulate(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/study/study_report.h"
 #include "option_checks.h"
 #include "progress.h"
@@ -17,6 +18,7 @@ struct StudyCommand {
   std::string out, scene = "street", frames;
   SourceOptions source;
   StudyOptions options;
+  bool force = false;
 };
 
 void set_frames(const std::string& text, StudyOptions* options) {
@@ -29,6 +31,8 @@ void set_frames(const std::string& text, StudyOptions* options) {
 
 int study(StudyCommand command) {
   set_frames(command.frames, &command.options);
+  check_apart(command.source.path, command.out);
+  check_folder_is_ours(command.out, {"study.md"}, command.force);
   const auto frames = command.source.path.empty() ? rendered_frames(command.scene) : virtual_kitti_frames(command.source);
   check_study(*frames, command.options);
   make_output_folder(command.out);
@@ -77,6 +81,7 @@ void add_study_command(CLI::App& app, Action* action) {
   command->add_option("--seed", c->options.seed, "of points, noise and light")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))
       ->capture_default_str();
+  add_force(*command, &c->force);
   command->callback([=] { *action = [=] { return study(*c); }; });
 }
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", edgevo::app::version_text());
   edgevo::app::Action action;
   edgevo::app::add_run_command(app, &action, std::vector<std::string>(argv, argv + argc));
+  edgevo::app::add_finish_command(app, &action);
   edgevo::app::add_import_command(app, &action);
   edgevo::app::add_info_command(app, &action);
   edgevo::app::add_eval_command(app, &action);

@@ -86,6 +86,10 @@ CLI::Validator path_given() {
   return {check, "", "path"};
 }
 
+void add_force(CLI::App& command, bool* force) {
+  command.add_flag("--force", *force, "write over what is there already, whatever it is");
+}
+
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   if (commands.empty()) {

@@ -18,6 +18,9 @@ CLI::Validator number_between(double least, double most);
 /// "names no folder": an empty word, as an unset variable of a script leaves it.
 CLI::Validator path_given();
 
+/// --force: what is there already may be written over.
+void add_force(CLI::App& command, bool* force);
+
 /// What was wrong with the command line, with the nearest name for a misspelt command or option.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv);
 

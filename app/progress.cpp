@@ -14,6 +14,13 @@ Progress::~Progress() {
   if (drawn_) std::fputc('\n', stderr);
 }
 
+void Progress::say(const std::string& line) {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+  std::fprintf(stderr, "%s\n", line.c_str());
+  drawn_ = false;
+  last_ = {};  // the next update draws again
+}
+
 void Progress::update(int done) {
   const auto now = Clock::now();
   const bool is_last = total_ && done >= *total_;

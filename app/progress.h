@@ -17,6 +17,8 @@ class Progress {
 
   /// `done` frames so far; redraws at most ten times a second.
   void update(int done);
+  /// A line of its own, above the progress.
+  void say(const std::string& line);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/servo/closed_loop.h"
 #include "edgevo/servo/servo_outputs.h"
 #include "edgevo/simulation/relight.h"
@@ -22,7 +23,7 @@ struct Options {
   std::string out, params_file, latency = "measured";
   std::vector<std::string> settings;
   ServoParams servo;
-  bool quiet = false;
+  bool quiet = false, force = false;
   std::vector<std::string> command_line;
 };
 
@@ -56,6 +57,7 @@ void add_options(CLI::App& app, Options* o) {
                  "YAML file of parameters of the odometry, over those of params/servo.yaml");
   app.add_option("--set", o->settings, "one parameter of the odometry, GROUP.KEY=VALUE; may be given again")
       ->take_all();
+  add_force(app, &o->force);
   app.add_flag("--quiet", o->quiet, "print nothing but errors");
 }
 
@@ -90,6 +92,7 @@ int servo(Options o) {
   set_latency(o.latency, &o.servo);
   check_light(o.servo.light);
   OdometryParams params = odometry_params(o);
+  check_folder_is_ours(o.out, {"servo.csv"}, o.force);
   RunFolder folder(o.out);
   listen_to_signals();
   ServoRunInfo info{o.servo, write_params([&](ParamVisitor& v) { params.visit(v); }, 2), o.command_line};

@@ -17,6 +17,7 @@
 #include <mrpt/poses/CPose3DInterpolator.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -85,7 +86,8 @@ class VehicleOdometry {
 
 int run(const std::string& rawlog, const std::string& out, const std::string& folder) {
   mrpt::io::CFileGZInputStream file;
-  if (!file.open(rawlog)) throw edgevo::InputError(rawlog, "cannot be read", "give a rawlog");
+  if (!std::filesystem::is_regular_file(rawlog) || !file.open(rawlog))
+    throw edgevo::InputError(rawlog, "cannot be read", "give a rawlog");
   set_image_folder(rawlog);
   auto archive = mrpt::serialization::archiveFrom(file);
   VehicleOdometry odometry(folder);
@@ -104,6 +106,12 @@ int run(const std::string& rawlog, const std::string& out, const std::string& fo
   return 0;
 }
 
+// MRPT adds call stacks below it.
+std::string first_line(const std::string& text) {
+  const size_t begin = std::min(text.find_first_not_of("\r\n"), text.size());
+  return text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -114,7 +122,7 @@ int main(int argc, char** argv) {
   try {
     return run(argv[1], argv[2], argc == 4 ? argv[3] : "");
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "mrpt_loop: %s\n", e.what());
+    std::fprintf(stderr, "mrpt_loop: %s\n", first_line(e.what()).c_str());
     return 2;
   }
 }

@@ -1,12 +1,13 @@
 #!/bin/sh
-# A source that breaks in the middle: one line, exit code 2, and the results of the frames before it are there.
+# A source that breaks in the middle: one line, exit code 2, and the results of the frames before it are there. A single image
+# that is bad is left out, unless the run is told to stop there.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk
 
 # broken SOURCE WORDS: 20 good frames, then the fault.
 broken() {
   rm -rf out
-  complains "$2" "$edgevo" run "$1" -o out --quiet
+  complains "$2" "$edgevo" run "$1" -o out --quiet --on-bad-frame stop
   results_kept out 20
 }
 image=000020.png
@@ -35,6 +36,28 @@ copy_sequence "$desk" gone 0 30
 ln -sf /nowhere/$image gone/images/$image
 broken gone "images/$image: the image"
 
+# left_out SOURCE WORDS: by default the run goes on behind the bad image; table and summary say so.
+left_out() {
+  rm -rf out
+  run_code 0 "$edgevo" run "$1" -o out
+  check "rows, $1" "$(rows out)" -eq 30
+  check "its row" "$(sed -n 22p out/frames.csv | grep -c "^20,.*,left out: .*$2")" -eq 1
+  check "rows that are left out" "$(grep -c ',left out: ' out/frames.csv)" -eq 1
+  check "poses behind it" "$(tail -9 out/frames.csv | awk -F, '$4 >= 0' | wc -l)" -eq 9
+  check "summary.yaml" "$(grep -c "left_out: .1 frame(s) .*$2" out/summary.yaml)" -eq 1
+  check "the line on stdout" "$(grep -c "^1 of 30 frames left out; the first: .*$2" stdout)" -eq 1
+  check "images of the playback" "$(ls out/playback_Images | wc -l)" -eq 29
+}
+left_out text "the image does not decode"
+left_out size "the image is 320x240"
+left_out gone "the image is missing"
+"$edgevo" import "$desk" bad.rawlog --frames 0:30 >/dev/null || fail "import"
+cp text/images/$image bad_Images/$image
+left_out bad.rawlog "the image does not decode"
+run_code 0 "$edgevo" run text -o out --quiet --realtime
+check "rows in two threads" "$(rows out)" -eq 30
+check "latency of a frame that was left out" "$(sed -n 22p out/frames.csv | cut -d, -f11 | tr -d '\n' | wc -c)" -eq 0
+
 # Rawlogs. The images lie beside them, so that the objects are small.
 "$edgevo" import "$desk" whole.rawlog --frames 0:20 >/dev/null || fail "import"
 ln -s whole_Images tail_Images
@@ -52,7 +75,7 @@ broken unknown.rawlog "unknown.rawlog.*after 20 objects: .*unknown class 'ns::CO
 broken garbage.rawlog "garbage.rawlog.*after 20 objects: "
 
 # Cut in its compressed form, the rawlog loses some of its last objects as well: what came whole is kept.
-"$edgevo" import "$desk" whole.rawlog --frames 0:40 >/dev/null || fail "import"
+"$edgevo" import "$desk" whole.rawlog --frames 0:40 --force >/dev/null || fail "import"
 head -c $(($(wc -c <whole.rawlog) * 9 / 10)) whole.rawlog >cut_gz.rawlog
 rm -rf out
 complains "cut_gz.rawlog.*the file is cut short" "$edgevo" run cut_gz.rawlog -o out --quiet

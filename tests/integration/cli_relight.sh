@@ -60,6 +60,6 @@ same "times of the frames that are left" times_left dropped/times.txt
 
 # What cannot be.
 complains "kind vignet.*did you mean.*vignette\|vignet" "$edgevo" relight seq -o x --kind vignet
-complains "would overwrite its own source" "$edgevo" relight seq -o ./seq
-complains "would overwrite its own source" "$edgevo" relight seq.rawlog -o seq.rawlog
+complains "is its own source" "$edgevo" relight seq -o ./seq
+complains "its own source" "$edgevo" relight seq.rawlog -o seq.rawlog
 finish

@@ -48,6 +48,16 @@ foreach(file IN ITEMS edges.ply edges.bt playback.rawlog report.html summary.yam
   endif()
 endforeach()
 
+# What is no rawlog is told in one line.
+foreach(source IN ITEMS nothere path.txt)
+  execute_process(COMMAND ${WORK}/build/mrpt_loop ${WORK}/${source} ${WORK}/x.txt RESULT_VARIABLE result ERROR_VARIABLE error)
+  string(REGEX MATCHALL "\n" lines "${error}")
+  list(LENGTH lines count)
+  if(NOT result EQUAL 2 OR NOT count EQUAL 1 OR NOT error MATCHES "^mrpt_loop: ")
+    message(FATAL_ERROR "mrpt_loop on ${source}: code ${result}, '${error}'")
+  endif()
+endforeach()
+
 # ViSP: taught, steered, and stopped when the images end.
 if(EXISTS ${WORK}/build/visp_loop)
   run(COMMAND ${WORK}/build/visp_loop ${SEQUENCE} 0.4 OUTPUT said)

@@ -17,6 +17,8 @@ constexpr double kErrorSquare = 1e-26;
 constexpr double kFoldedOver = 1e-6;
 // What an inverse may be wrong by: a millionth of a pixel at 1000 px of focal length.
 constexpr double kInverseError = 1e-9;
+// Pixels; no lens on a sensor is outside: one pixel is a view of 180 degrees, a million a telescope's.
+constexpr double kShortestFocal = 1, kLongestFocal = 1e6;
 
 }  // namespace
 
@@ -71,6 +73,10 @@ void Camera::check(const std::string& where) const {
                                 " is not positive", "give width and height in pixels");
   if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx) || !std::isfinite(p.fy))
     throw InputError(where, "focal lengths must be positive numbers", "give fx fy in pixels");
+  for (const double f : {p.fx, p.fy})
+    if (f < kShortestFocal || f > kLongestFocal)
+      throw InputError(where, "a focal length is below one pixel or above a million",
+                       "give fx fy in pixels, not in millimetres or as shares of the width");
   if (!(p.cx > 0 && p.cx < p.width && p.cy > 0 && p.cy < p.height))
     throw InputError(where, "the principal point lies outside the image", "give cx cy in pixels");
   const Distortion& d = distortion;

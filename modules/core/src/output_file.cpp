@@ -61,8 +61,10 @@ void write_file(const std::string& path, std::string_view bytes) {
 void make_output_folder(const std::string& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
-  if (!error && std::filesystem::is_directory(path)) return;
-  const bool is_file = std::filesystem::exists(path) && !std::filesystem::is_directory(path);
+  std::error_code unknown;
+  const bool is_folder = std::filesystem::is_directory(path, unknown);
+  if (!error && is_folder) return;
+  const bool is_file = std::filesystem::exists(path, unknown) && !is_folder;
   throw InputError(
       path, is_file ? "is a file, but a folder is needed here" : "cannot be created: " + error.message(),
       "give the path of a folder that can be created or written to");

@@ -42,6 +42,9 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
   if (fs::is_directory(options.path, ignored)) return open_folder(options);
+  if (!fs::is_regular_file(options.path, ignored))
+    throw InputError(options.path, "is a device or a pipe, not a file",
+                     "give a file or a folder; a live camera is camera:N");
   if (fs::path(options.path).extension() == ".rawlog") return open_rawlog_file(options);
   refuse_label(options);
   return open_video(options);

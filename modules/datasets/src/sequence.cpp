@@ -4,12 +4,14 @@
 #include <cctype>
 #include <filesystem>
 
+#include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/image_names.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/image_names.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "text_file.h"
+#include "time_unit.h"
 
 namespace edgevo {
 namespace {
@@ -29,15 +31,20 @@ class SequenceSource : public ImageSource {
 
   std::optional<Frame> next() override {
     if (position_ >= sequence_.images.size()) return std::nullopt;
-    const size_t i = std::exchange(position_, sequence_.images.size());  // stays at the end if a check throws
+    const size_t i =
+        std::exchange(position_, sequence_.images.size());  // stays at the end if its time is wrong
     const std::string& path = sequence_.images[i];
     const Timestamp time = sequence_.times[i];
     if (previous_) check_time_increases(*previous_, time, path + " (frame " + std::to_string(i) + ")");
-    GrayImage image = read_gray_image(path);
-    check_image_size(image, sequence_.camera.pinhole, path);
     previous_ = time;
-    position_ = i + 1;
-    return Frame{int(i), time, std::move(image), path};
+    position_ = i + 1;  // a bad image does not end the sequence
+    try {
+      GrayImage image = read_gray_image(path);
+      check_image_size(image, sequence_.camera.pinhole, path);
+      return Frame{int(i), time, std::move(image), path};
+    } catch (const InputError& e) {
+      throw BadFrame(int(i), time, e);
+    }
   }
   bool skip() override {
     if (position_ >= sequence_.images.size()) return false;
@@ -77,14 +84,20 @@ std::vector<std::string> list_images(const std::string& folder) {
   return names;
 }
 
-std::vector<Timestamp> read_times(const std::string& path) {
+std::vector<Timestamp> read_times(const std::string& path, Details* details) {
+  return parse_times_of(split_lines(read_text_file(path), path), details);
+}
+
+std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& lines, Details* details) {
+  std::vector<std::string> texts;
+  for (const TextLine& line : lines) texts.push_back(line.text);
   std::vector<Timestamp> times;
-  for (const TextLine& line : split_lines(read_text_file(path), path)) {
-    Timestamp t;
-    if (!parse_seconds(line.text, &t))
-      throw InputError(line.where, "is not a time", "write seconds, one number a line");
-    times.push_back(t);
-  }
+  TimeUnit unit{};
+  size_t bad = 0;
+  if (!parse_times(texts, &times, &unit, &bad))
+    throw InputError(lines[bad].where, "is not a time", "write seconds, one number a line");
+  if (unit.decimals > 0 && details)
+    details->emplace_back("times", std::string("in ") + unit.name + ", by their size and steps");
   return times;
 }
 

@@ -8,8 +8,11 @@
 
 #include "edgevo/core/image_source.h"
 #include "edgevo/datasets/open_source.h"
+#include "text_file.h"
 
 namespace edgevo {
+
+using Details = std::vector<std::pair<std::string, std::string>>;  ///< name and value, for `edgevo info`
 
 struct Sequence {
   std::string kind;
@@ -17,7 +20,7 @@ struct Sequence {
   std::vector<Timestamp> times;     ///< one for each; whether they increase is checked frame by frame
   Camera camera;
   std::string ground_truth_path;  ///< TUM format; may be empty
-  std::vector<std::pair<std::string, std::string>> details;
+  Details details;
 };
 
 std::unique_ptr<ImageSource> play(Sequence sequence);
@@ -26,8 +29,12 @@ std::unique_ptr<ImageSource> play(Sequence sequence);
 /// InputError if there are none.
 std::vector<std::string> list_images(const std::string& folder);
 
-/// Times, one decimal number of seconds a line. Throws InputError.
-std::vector<Timestamp> read_times(const std::string& path);
+/// Times, one decimal number a line: seconds, or the finer unit that they seem to be in (time_unit.h), which
+/// `details` then tells (nullptr: nobody asks). Throws InputError.
+std::vector<Timestamp> read_times(const std::string& path, Details* details);
+
+/// The same from the texts of a list's times.
+std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& times, Details* details);
 
 /// Throws InputError unless `times` and `images` are as many.
 void check_counts(const std::vector<std::string>& images, const std::vector<Timestamp>& times,

@@ -2,11 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
 
 namespace edgevo {
 namespace {
@@ -27,15 +26,7 @@ std::string quote(std::string_view text) {
   return result + (text.size() > 40 ? "...'" : "'");
 }
 
-std::string read_text_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  std::error_code ignored;
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw InputError(path, "cannot be read", "check the path");
-  text << file.rdbuf();
-  return text.str();
-}
+std::string read_text_file(const std::string& path) { return read_file(path, "check the path"); }
 
 std::vector<TextLine> split_lines(const std::string& text, const std::string& path) {
   std::vector<TextLine> lines;

@@ -2,11 +2,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "assumed_camera.h"
+#include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
 #include "rate.h"
@@ -47,6 +49,18 @@ FirstImage size_of(const cv::VideoCapture& capture) {
   return {"", int(capture.get(cv::CAP_PROP_FRAME_WIDTH)), int(capture.get(cv::CAP_PROP_FRAME_HEIGHT))};
 }
 
+// A transport stream is a row of packets of one size, each opened by one byte; its frames are not counted
+// anywhere.
+bool ends_within_a_packet(const std::string& path) {
+  constexpr std::streamoff kPacket = 188;
+  constexpr char kSync = 0x47;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  for (const std::streamoff at : {std::streamoff(0), kPacket, 2 * kPacket})
+    if (!file.seekg(at) || file.get() != kSync) return false;
+  return size % kPacket != 0;
+}
+
 // cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well
 // before its own count is told as damaged; counts are estimates, so a few frames are not.
 class VideoSource : public ImageSource {
@@ -74,13 +88,15 @@ class VideoSource : public ImageSource {
     cv::Mat pixels;
     const int index = index_ - 1;
     const std::string where = path_ + ", frame " + std::to_string(index);
-    done_ = true;  // stays so if a check throws
-    if (!capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
-      throw InputError(where, "the image does not decode", "convert the video again");
-    Frame frame{index, rate_.time(index), to_gray(pixels)};
-    check_image_size(frame.image, camera_.pinhole, where);
-    done_ = false;
-    return frame;
+    try {
+      if (!capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
+        throw InputError(where, "the image does not decode", "convert the video again");
+      Frame frame{index, rate_.time(index), to_gray(pixels)};
+      check_image_size(frame.image, camera_.pinhole, where);
+      return frame;
+    } catch (const InputError& e) {
+      throw BadFrame(index, rate_.time(index), e);
+    }
   }
   bool skip() override {
     if (done_) return false;
@@ -93,6 +109,10 @@ class VideoSource : public ImageSource {
       throw InputError(path_,
                        "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
                        "the video is damaged; convert it again");
+    if (ends_within_a_packet(path_))
+      throw InputError(path_,
+                       "is cut short: it ends within a packet after " + std::to_string(index_) + " frames",
+                       "copy it again, if there is more of it");
     return false;
   }
 

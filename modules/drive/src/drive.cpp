@@ -5,6 +5,7 @@
 
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/drive/keeping_up.h"
+#include "lenient_source.h"
 
 namespace edgevo {
 namespace {
@@ -20,37 +21,63 @@ double cpu_seconds(Work&& work) {
 using OnFrame = std::function<bool(const DrivenFrame&)>;
 using Stop = std::function<bool()>;
 
-void feed(ImageSource& source, const Stop& stop, Odometry& odometry, const OnFrame& on_frame, Drive* drive) {
-  while (!stop()) {
+// What a drive works with, from its first frame to its last.
+struct Course {
+  LenientSource& source;
+  Odometry& odometry;
+  const OdometryOptions& options;
+  const Stop& stop;
+  const OnFrame& on_frame;
+  Drive* drive;
+};
+
+void say(const Course& c, const Frame& frame, const std::string& what) {
+  if (c.options.log) c.options.log("frame " + std::to_string(frame.index) + ": " + what);
+}
+
+const FrameRecord& leave_out(const Course& c, const Frame& frame) {
+  const std::string reason = c.source.take_reason(frame.index);
+  if (c.drive->left_out++ == 0) c.drive->first_left_out = reason;
+  say(c, frame, "left out: " + reason);
+  return c.odometry.pass_over(frame, "left out: " + reason);
+}
+
+const FrameRecord& process(const Course& c, const Frame& frame) {
+  if (frame.image.empty()) return leave_out(c, frame);
+  const FrameRecord* record = nullptr;
+  c.drive->cpu_s += cpu_seconds([&] { record = &c.odometry.process(frame); });
+  return *record;
+}
+
+void feed(const Course& c, ImageSource& source) {
+  while (!c.stop()) {
     const std::optional<Frame> frame = source.next();
-    if (!frame) break;
-    const FrameRecord* record = nullptr;
-    drive->cpu_s += cpu_seconds([&] { record = &odometry.process(*frame); });
-    if (!on_frame({*frame, *record, odometry})) break;
+    if (!frame || !c.on_frame({*frame, process(c, *frame), c.odometry})) break;
   }
 }
 
-void pass_over(const FedFrame& fed, const OdometryOptions& options, Odometry& odometry,
-               KeepingUp* keeping_up) {
+void pass_over(const Course& c, const FedFrame& fed, KeepingUp* keeping_up) {
   for (const Frame& dropped : fed.dropped) {
-    odometry.pass_over(dropped, "dropped: the odometry was behind the camera");
+    c.odometry.pass_over(dropped, "dropped: the odometry was behind the camera");
     keeping_up->note_dropped();
   }
-  if (!fed.dropped.empty() && options.log)
-    options.log("frame " + std::to_string(fed.frame.index) + ": " + std::to_string(fed.dropped.size()) +
-                " frame(s) before it dropped, the odometry is behind the camera");
+  if (!fed.dropped.empty())
+    say(c, fed.frame,
+        std::to_string(fed.dropped.size()) +
+            " frame(s) before it dropped, the odometry is behind the camera");
 }
 
-void feed_realtime(LiveFeed& feed, const OdometryOptions& options, const Stop& stop, Odometry& odometry,
-                   const OnFrame& on_frame, KeepingUp* keeping_up, Drive* drive) {
-  while (!stop()) {
-    const std::optional<FedFrame> fed = feed.next(stop);
+void feed_realtime(const Course& c, LiveFeed& feed, KeepingUp* keeping_up) {
+  while (!c.stop()) {
+    const std::optional<FedFrame> fed = feed.next(c.stop);
     if (!fed) break;
-    pass_over(*fed, options, odometry, keeping_up);
-    const FrameRecord* record = nullptr;
-    drive->cpu_s += cpu_seconds([&] { record = &odometry.process(fed->frame); });
-    keeping_up->note_done(fed->due_s, fed->handed_s, feed.now_s());
-    if (!on_frame({fed->frame, *record, odometry})) break;
+    pass_over(c, *fed, keeping_up);
+    const FrameRecord& record = process(c, fed->frame);
+    if (fed->frame.image.empty())
+      keeping_up->note_left_out();
+    else
+      keeping_up->note_done(fed->due_s, fed->handed_s, feed.now_s());
+    if (!c.on_frame({fed->frame, record, c.odometry})) break;
   }
 }
 
@@ -75,17 +102,19 @@ Drive drive(ImageSource& source, const OdometryParams& params, const DriveOption
   if (source.is_live() || asked.pace.kind != Pace::Kind::kAtOnce) options.max_frames_ahead = 3;
   const Stop stop = asked.stop ? asked.stop : [] { return false; };
   Odometry odometry(source.camera(), params, options);
+  LenientSource lenient(source);
+  ImageSource& frames = asked.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   Drive result;
+  const Course course{lenient, odometry, options, stop, on_frame, &result};
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
   if (options.realtime) {
-    LiveFeed live_feed(source, asked.pace);
+    LiveFeed live_feed(frames, asked.pace);
     KeepingUp keeping_up(source.is_live() ? "that of the camera" : describe(asked.pace));
-    result.broken = broken_by(
-        stop, [&] { feed_realtime(live_feed, options, stop, odometry, on_frame, &keeping_up, &result); });
+    result.broken = broken_by(stop, [&] { feed_realtime(course, live_feed, &keeping_up); });
     finish();
     keeping_up.write_to(&result.run);
   } else {
-    result.broken = broken_by(stop, [&] { feed(source, stop, odometry, on_frame, &result); });
+    result.broken = broken_by(stop, [&] { feed(course, frames); });
     finish();
   }
   result.run.T_vehicle_cam = source.T_vehicle_cam();

@@ -13,13 +13,13 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kReplaceImage = "restore the image or leave the frame out with --frames A:B";
+constexpr const char* kReplaceImage = "restore the image, or `edgevo run` it with --on-bad-frame skip";
 
 std::string read_bytes(const std::string& path) {
   std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, ignored))  // a folder opens, but throws when read
-    throw InputError(path, "the image is missing or cannot be read", kReplaceImage);
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);  // opening a pipe would wait for ever
+  std::ifstream file(is_file ? path : std::string(), std::ios::binary);
+  if (!file) throw InputError(path, "the image is missing or cannot be read", kReplaceImage);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -20,9 +20,20 @@ namespace fs = std::filesystem;
 // MRPT looks for the images of NAME.rawlog in NAME_Images.
 constexpr const char* kImageFolder = "playback_Images";
 constexpr const char* kRawlog = "playback.rawlog";
+constexpr char kImageStem[] = "frame_%06d";
 
 [[noreturn]] void fail(const fs::path& path, const std::error_code& error) {
   throw InputError(path.string(), "cannot be written: " + error.message(), "move it away or give another -o");
+}
+
+// Relative where image and link have more than the root in common.
+fs::path link_target(const std::string& image_path, const fs::path& link_folder) {
+  std::error_code ignored;
+  const fs::path absolute = fs::absolute(image_path, ignored);
+  const fs::path image = fs::weakly_canonical(absolute.parent_path(), ignored) / absolute.filename();
+  const fs::path folder = fs::weakly_canonical(fs::absolute(link_folder, ignored), ignored);
+  const bool share_a_folder = *std::next(image.begin()) == *std::next(folder.begin());
+  return share_a_folder ? image.lexically_relative(folder) : image;
 }
 
 }  // namespace
@@ -42,14 +53,35 @@ void PlaybackWriter::add_frame_link(int frame_index, const std::string& image_pa
   const std::string name = prepare_image(frame_index, fs::path(image_path).extension().string());
   const fs::path link = fs::path(folder_) / kImageFolder / name;
   std::error_code error;
-  fs::create_symlink(fs::absolute(image_path), link, error);
+  fs::create_symlink(link_target(image_path, link.parent_path()), link, error);
   if (error) fail(link, error);
   images_.emplace_back(frame_index, name);
 }
 
+void PlaybackWriter::add_frame_copy(int frame_index, const std::string& image_path) {
+  const std::string name = prepare_image(frame_index, fs::path(image_path).extension().string());
+  const fs::path copy = fs::path(folder_) / kImageFolder / name;
+  std::error_code error, ignored;
+  fs::copy_file(image_path, copy, error);
+  if (error) fs::remove(copy, ignored);  // half of it
+  if (error) fail(copy, error);
+  images_.emplace_back(frame_index, name);
+}
+
+void PlaybackWriter::adopt_images(int last) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::path(folder_) / kImageFolder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    int index = 0;
+    if (std::sscanf(name.c_str(), kImageStem, &index) == 1 && index <= last)
+      images_.emplace_back(index, name);
+  }
+  std::sort(images_.begin(), images_.end());
+}
+
 std::string PlaybackWriter::prepare_image(int frame_index, const std::string& extension) {
   char stem[32];
-  std::snprintf(stem, sizeof stem, "frame_%06d", frame_index);
+  std::snprintf(stem, sizeof stem, kImageStem, frame_index);
   const std::string name = stem + extension;
   // A link that an earlier run left must go, or writing through it would change the image of the source.
   const fs::path path = fs::path(folder_) / kImageFolder / name;

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/order_statistics.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
-#include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/vehicle_track_reader.h"
 #include "rawlog_images_folder.h"
 #include "rawlog_survey.h"
@@ -18,6 +21,18 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
+
+// A recorder that filled in milliseconds as seconds, or seconds as ticks: the odometry goes on, but knows no
+// speed.
+std::string doubt_about_times(const std::vector<Timestamp>& times) {
+  constexpr double kShortest = 1e-4, kLongest = 5;  // seconds from image to image: no video's
+  if (times.size() < 3) return {};
+  std::vector<double> steps;
+  for (size_t i = 1; i < times.size(); ++i) steps.push_back(seconds_between(times[i - 1], times[i]));
+  const double usual = median(std::move(steps));
+  if (usual > kShortest && usual < kLongest) return {};
+  return fixed(usual, 7) + " s from image to image: was another unit recorded as seconds?";
+}
 
 std::vector<std::string> labels(const RawlogSurvey& survey) {
   std::vector<std::string> result;
@@ -82,7 +97,9 @@ class RawlogSource : public ImageSource {
 
  private:
   std::optional<RawlogImage> advance();
-  Frame read(const RawlogImage& image);
+  void check(const RawlogImage& image, const std::string& where) const;
+  /// The frame, but for its number.
+  Frame read(const RawlogImage& image, const std::string& where);
   std::string file_of(const mrpt::img::CImage& image) const;
 
   std::string path_;
@@ -107,6 +124,8 @@ std::vector<std::pair<std::string, std::string>> RawlogSource::details() const {
   for (const auto& [name, count] : survey_.others)
     others += (others.empty() ? "" : ", ") + std::to_string(count) + " " + name;
   if (!others.empty()) result.emplace_back("other observations", others);
+  if (const std::string doubt = doubt_about_times(chosen_.times); !doubt.empty())
+    result.emplace_back("times", doubt);
   if (!survey_.complete) result.emplace_back("note", "the rawlog is long; counted are its first 256 MB");
   if (!survey_.damage.empty()) result.emplace_back("damage", survey_.damage);
   return result;
@@ -128,26 +147,34 @@ std::optional<RawlogImage> RawlogSource::advance() {
 std::optional<Frame> RawlogSource::next() {
   const auto image = advance();
   if (!image) return std::nullopt;
-  done_ = true;  // stays so if read() throws
-  Frame frame = read(*image);
+  const std::string where = path_ + ", frame " + std::to_string(index_) + " of " + chosen_.label;
+  done_ = true;  // stays so if check() throws
+  check(*image, where);
   done_ = false;
-  ++index_;
-  return frame;
+  previous_ = image->time;
+  const int index = index_++;
+  try {
+    Frame frame = read(*image, where);
+    frame.index = index;
+    return frame;
+  } catch (const InputError& e) {
+    throw BadFrame(index, image->time, e);
+  }
 }
 
-Frame RawlogSource::read(const RawlogImage& image) {
-  const std::string where = path_ + ", frame " + std::to_string(index_) + " of " + chosen_.label;
+void RawlogSource::check(const RawlogImage& image, const std::string& where) const {
   if (!image.has_time) throw InputError(where, "it has no time", "record it with a time stamp");
   if (previous_) check_time_increases(*previous_, image.time, where);
   if (!own_calibration_ && *image.camera != chosen_.camera)
     throw InputError(where, "the calibration differs from that of the first frame",
                      "give one for all with --camera");
+}
+
+Frame RawlogSource::read(const RawlogImage& image, const std::string& where) {
   std::string file = file_of(*image.image);
   GrayImage pixels = file.empty() ? from_mrpt(*image.image, where) : read_gray_image(file);
-  Frame frame{index_, image.time, std::move(pixels), std::move(file)};
-  check_image_size(frame.image, camera_.pinhole, where);
-  previous_ = image.time;
-  return frame;
+  check_image_size(pixels, camera_.pinhole, where);
+  return {0, image.time, std::move(pixels), std::move(file)};
 }
 
 // Where an external image lies; empty for one inside the rawlog. An absolute name stays what it is.

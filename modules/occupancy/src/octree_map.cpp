@@ -3,14 +3,13 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <sstream>
 #include <vector>
 
-#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
+#include "map_lengths.h"
 #include "octree_file.h"
 #include "segment_inserter.h"
 
@@ -18,28 +17,6 @@ namespace edgevo {
 namespace {
 
 using octomap::OcTree;
-
-// Unit of the run: voxels of an empty map, of which nothing tells a size.
-constexpr double kResolutionWithoutPoints = 0.1;
-
-double median_depth(const Run& run, const PointFilter& filter) {
-  std::vector<double> depths;
-  for (const KeyframeRecord& keyframe : run.keyframes)
-    for (const EdgePoint& p : keyframe.points)
-      if (filter.keeps(p)) depths.push_back(1.0 / double(p.idepth));
-  return median(std::move(depths));
-}
-
-// Two significant digits, so that "auto" gives a length that one can read and type again.
-double round_to_two_digits(double x) {
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
-  return std::round(x / unit) * unit;
-}
-
-double length_or_share(double given, double share, double median, double without_points) {
-  if (given > 0) return given;
-  return median > 0 ? round_to_two_digits(share * median) : without_points;
-}
 
 std::unique_ptr<OcTree> empty_tree(double resolution, const OccupancyParams& params) {
   auto tree = std::make_unique<OcTree>(resolution);
@@ -82,7 +59,7 @@ void merge_when_doubled(OcTree* tree, size_t* size_after_merging) {
 }
 
 void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionLimits& limits, OcTree* tree,
-                    OctreeStats* stats) {
+                    OctreeStats* stats, const OnKeyframeMapped& on_keyframe) {
   const SE3 T_map = T_map_world(run);
   SegmentInserter inserter(run.pinhole, limits, tree, stats);
   for (const KeyframeRecord* keyframe : keyframes) inserter.note_points(*keyframe, T_map * keyframe->T_world_cam);
@@ -92,6 +69,7 @@ void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionL
     inserter.insert(*keyframe, T_map * keyframe->T_world_cam);
     merge_when_doubled(tree, &size_after_merging);
     stats->batch_ms.push_back(thread_cpu_ms() - start);
+    if (on_keyframe) on_keyframe(stats->batches);
   }
 }
 
@@ -104,21 +82,20 @@ void count_voxels(const OcTree& tree, OctreeStats* stats) {
 
 }  // namespace
 
-OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params) {
+OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params, const OnKeyframeMapped& on_keyframe) {
   params.check();
   stats_.points = count_points(run, params.points);
-  stats_.median_depth = median_depth(run, params.points);
-  stats_.resolution = length_or_share(params.given_resolution(), params.resolution_share, stats_.median_depth,
-                                      kResolutionWithoutPoints);
-  stats_.max_range =
-      length_or_share(params.given_max_range(), params.max_range_share, stats_.median_depth, 0);
+  const MapLengths lengths = map_lengths(run, params);
+  stats_.median_depth = lengths.median_depth;
+  stats_.resolution = lengths.resolution;
+  stats_.max_range = lengths.max_range;
   const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma,
                                params.carve_stop_sigmas, params.carve_neighbours, params.carve_neighbour_share};
 
   tree_ = empty_tree(stats_.resolution, params);
   for (const auto& [segment, keyframes] : keyframes_by_segment(run)) {
     auto own = empty_tree(stats_.resolution, params);
-    insert_segment(run, keyframes, limits, own.get(), &stats_);
+    insert_segment(run, keyframes, limits, own.get(), &stats_, on_keyframe);
     if (tree_->size() == 0)
       tree_ = std::move(own);
     else

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 
@@ -11,6 +12,15 @@ namespace edgevo {
 namespace fs = std::filesystem;
 
 bool names_rawlog(const std::string& path) { return fs::path(path).extension() == ".rawlog"; }
+
+void check_sequence_output(const std::string& source, const std::string& out, bool force) {
+  check_apart(source, out);
+  if (!names_rawlog(out)) return check_folder_is_ours(out, {}, force);
+  const std::string images = rawlog_stem(out) + "_Images";
+  check_apart(source, images);
+  check_not_there(out, force);
+  check_folder_is_ours(images, {}, force);
+}
 
 int write_rawlog(ImageSource& source, const std::string& rawlog, const std::string& ground_truth_tum,
                  const std::function<void(int)>& on_frame_done) {

@@ -17,9 +17,11 @@ double camera_height_of(const Run& run, const GridParams& params) {
   return 0;
 }
 
-MapReport write_map_files(const Run& run, const MapParams& params, const std::string& path) {
+MapReport write_map_files(const Run& run, const MapParams& params, const std::string& path,
+                          const OnKeyframeMapped& on_keyframe_mapped) {
   RunFolder folder(path);
   ExportContext context{run, params};
+  context.on_keyframe_mapped = on_keyframe_mapped;
   export_files([](FileKind kind) { return kind == FileKind::kMap; }, &context, &folder);
   folder.tell_failures();
   return context.map;

@@ -1,11 +1,11 @@
 #include "edgevo/results/run_outputs.h"
 
-#include <optional>
+#include <algorithm>
+#include <filesystem>
 
-#include "edgevo/mrpt_bridge/playback_writer.h"
-#include "edgevo/results/run_folder.h"
 #include "export_files.h"
-#include "space_reserve.h"
+#include "journal_format.h"
+#include "run_outputs_impl.h"
 
 namespace edgevo {
 namespace {
@@ -18,38 +18,69 @@ const MapParams& checked(const MapParams& map) {
   return map;
 }
 
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+bool has_pose(const Run& run) {
+  return std::any_of(run.frames.begin(), run.frames.end(),
+                     [](const auto& f) { return f.T_world_cam.has_value(); });
+}
+
 }  // namespace
 
-struct RunOutputs::Impl {
-  Impl(const std::string& path, const Camera& camera_of_images, const MapParams& map)
-      : params(checked(map)),
-        camera(camera_of_images),
-        folder(path),
-        text_reserve(path, kTextBytes),
-        summary_reserve(path, kSummaryBytes),
-        playback(path, camera_of_images) {}
+RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, const MapParams& map,
+                       const OutputOptions& asked)
+    : params(checked(map)),
+      camera(camera_of_images),
+      options(asked),
+      earlier(path, asked.force),
+      was_there(is_there(path)),
+      folder(path),
+      text_reserve(path, kTextBytes),
+      summary_reserve(path, kSummaryBytes) {}
 
-  ResourceMeter meter;
-  MapParams params;
-  Camera camera;
-  RunFolder folder;
-  SpaceReserve text_reserve, summary_reserve;
-  PlaybackWriter playback;
-  bool images_failed = false;
-};
+void RunOutputs::Impl::begin() {
+  if (playback) return;
+  earlier.set_aside();
+  playback.emplace(folder.path(), camera);
+  if (journal_header) live.emplace(folder.path(), *journal_header);
+}
 
-RunOutputs::RunOutputs(const std::string& folder, const Camera& camera, const MapParams& map)
-    : impl_(std::make_unique<Impl>(folder, camera, map)) {}
+void RunOutputs::Impl::write_image(const Frame& frame, const std::string& image_path) {
+  if (frame.image.empty()) return;
+  if (image_path.empty())
+    playback->add_frame(frame);
+  else if (options.copy_images)
+    playback->add_frame_copy(frame.index, image_path);
+  else
+    playback->add_frame_link(frame.index, image_path);
+}
 
-RunOutputs::~RunOutputs() = default;
+void RunOutputs::Impl::remove_if_unused() const {
+  std::error_code not_empty;
+  if (!was_there && !playback) std::filesystem::remove(folder.path(), not_empty);
+}
+
+RunOutputs::RunOutputs(const std::string& folder, const Camera& camera, const MapParams& map,
+                       const OutputOptions& options)
+    : impl_(std::make_unique<Impl>(folder, camera, map, options)) {}
+
+RunOutputs::~RunOutputs() { impl_->remove_if_unused(); }
+
+void RunOutputs::keep_journal(const JournalHeader& header) { impl_->journal_header = header; }
+
+void RunOutputs::adopt(int last_frame) {
+  impl_->playback.emplace(impl_->folder.path(), impl_->camera);
+  impl_->playback->adopt_images(last_frame);
+}
 
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
   if (impl_->images_failed) return false;
+  impl_->begin();
   try {
-    if (image_path.empty())
-      impl_->playback.add_frame(frame);
-    else
-      impl_->playback.add_frame_link(frame.index, image_path);
+    impl_->write_image(frame, image_path);
   } catch (const InputError& e) {
     impl_->images_failed = true;
     impl_->folder.note_failure("playback_Images", e);
@@ -57,14 +88,28 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
   return !impl_->images_failed;
 }
 
+void RunOutputs::add_record(const FrameRecord& record, const Odometry& odometry) {
+  impl_->begin();
+  if (record.T_world_cam_live && impl_->earlier.is_set_aside()) impl_->earlier.remove();
+  if (impl_->live) impl_->live->add(record, odometry);
+}
+
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
-  ExportContext context{run, impl_->params, &info, &impl_->camera, &impl_->playback, &impl_->meter};
+  impl_->begin();
+  if (has_pose(run)) impl_->earlier.remove();
+  ExportContext context{run, impl_->params, &info, &impl_->camera, &*impl_->playback, &impl_->meter};
   context.use_of_run = impl_->meter.so_far();
   impl_->text_reserve.release();
   export_files([](FileKind kind) { return kind != FileKind::kSummary; }, &context, &impl_->folder);
   impl_->summary_reserve.release();
   export_files([](FileKind kind) { return kind == FileKind::kSummary; }, &context, &impl_->folder);
   impl_->folder.tell_failures();
+  std::error_code ignored;
+  std::filesystem::remove(journal_path(impl_->folder.path()), ignored);
+}
+
+std::string RunOutputs::earlier_run() const {
+  return impl_->earlier.is_set_aside() ? impl_->folder.path_of(kEarlierRun) : std::string();
 }
 
 }  // namespace edgevo

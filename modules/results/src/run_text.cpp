@@ -19,14 +19,6 @@ const std::optional<SE3>& pose_of(const FrameRecord& frame, PoseKind kind) {
 
 bool is_usable(const std::optional<SE3>& T) { return T && T->is_finite(); }
 
-void append_tum_line(const FrameRecord& frame, const SE3& T, std::string* text) {
-  *text += to_string(frame.time);
-  for (int i = 0; i < 3; ++i) append_fixed(&(*text += ' '), T.translation()[i], kDecimals);
-  const Eigen::Vector4d q = T.rotation().coeffs() * (T.rotation().w() < 0 ? -1 : 1);
-  for (int i = 0; i < 4; ++i) append_fixed(&(*text += ' '), q[i], kDecimals);
-  *text += '\n';
-}
-
 std::string one_cell(std::string note) {
   std::replace(note.begin(), note.end(), ',', ';');
   std::replace(note.begin(), note.end(), '"', '\'');
@@ -35,24 +27,33 @@ std::string one_cell(std::string note) {
   return note;
 }
 
-void append_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages, std::string* text) {
-  *text += std::to_string(frame.index) + ',' + to_string(frame.time) + ',' +
-           std::string(to_string(frame.state)) + ',' + std::to_string(frame.segment) + ',' +
-           (frame.is_keyframe ? '1' : '0') + ',';
-  append_fixed(text, frame.inlier_share, 4);
-  append_fixed(&(*text += ','), frame.residual_px, 4);
-  *text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',' + one_cell(frame.keyframe_rule) + ',';
-  if (frame.latency_ms) append_fixed(text, *frame.latency_ms, 3);
-  for (const std::string& stage : stages) {
-    *text += ',';
-    const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
-                                  [&](const auto& s) { return s.first == stage; });
-    if (ran != frame.stage_ms.end()) append_fixed(text, ran->second, 3);
-  }
-  *text += '\n';
+}  // namespace
+
+std::string tum_line(Timestamp time, const SE3& T) {
+  std::string text = to_string(time);
+  for (int i = 0; i < 3; ++i) append_fixed(&(text += ' '), T.translation()[i], kDecimals);
+  const Eigen::Vector4d q = T.rotation().coeffs() * (T.rotation().w() < 0 ? -1 : 1);
+  for (int i = 0; i < 4; ++i) append_fixed(&(text += ' '), q[i], kDecimals);
+  return text + '\n';
 }
 
-}  // namespace
+std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages) {
+  std::string text = std::to_string(frame.index) + ',' + to_string(frame.time) + ',' +
+                     std::string(to_string(frame.state)) + ',' + std::to_string(frame.segment) + ',' +
+                     (frame.is_keyframe ? '1' : '0') + ',';
+  append_fixed(&text, frame.inlier_share, 4);
+  append_fixed(&(text += ','), frame.residual_px, 4);
+  text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',' +
+          one_cell(frame.keyframe_rule) + ',';
+  if (frame.latency_ms) append_fixed(&text, *frame.latency_ms, 3);
+  for (const std::string& stage : stages) {
+    text += ',';
+    const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
+                                  [&](const auto& s) { return s.first == stage; });
+    if (ran != frame.stage_ms.end()) append_fixed(&text, ran->second, 3);
+  }
+  return text + '\n';
+}
 
 std::string trajectory_tum(const Run& run, PoseKind kind) {
   std::string text =
@@ -67,7 +68,7 @@ std::string trajectory_tum(const Run& run, PoseKind kind) {
       "\n"
       "# t tx ty tz qx qy qz qw\n";
   for (const FrameRecord& frame : run.frames)
-    if (const auto& T = pose_of(frame, kind); is_usable(T)) append_tum_line(frame, *T, &text);
+    if (const auto& T = pose_of(frame, kind); is_usable(T)) text += tum_line(frame.time, *T);
   return text;
 }
 
@@ -83,7 +84,7 @@ std::string trajectory_vehicle_tum(const Run& run) {
       "\n"
       "# t tx ty tz qx qy qz qw\n";
   for (const FrameRecord& frame : run.frames)
-    if (is_usable(frame.T_world_cam)) append_tum_line(frame, T_map_vehicle(run, *frame.T_world_cam), &text);
+    if (is_usable(frame.T_world_cam)) text += tum_line(frame.time, T_map_vehicle(run, *frame.T_world_cam));
   return text;
 }
 
@@ -107,7 +108,7 @@ std::string frames_csv(const Run& run) {
   std::string text = "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
-  for (const FrameRecord& frame : run.frames) append_csv_row(frame, stages, &text);
+  for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);
   return text;
 }
 

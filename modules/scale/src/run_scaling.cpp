@@ -44,17 +44,26 @@ VehicleTrack track_for(const ScaleSource& asked, const ImageSource& source) {
 }  // namespace
 
 RunScaling::RunScaling(const ScaleSource& asked, const ImageSource& source, const ScaleParams& params)
+    : RunScaling(asked, track_for(asked, source), source.camera().pinhole, source.T_vehicle_cam(), params) {}
+
+RunScaling::RunScaling(const ScaleSource& asked, VehicleTrack track, const Pinhole& pinhole,
+                       const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params)
     : asked_(asked),
       params_(params),
-      track_(track_for(asked, source)),
-      live_(source.camera().pinhole, asked, track_, source.T_vehicle_cam(), params) {}
+      track_(std::move(track)),
+      live_(pinhole, asked, track_, T_vehicle_cam, params) {}
 
 void RunScaling::add_frame(const FrameRecord& frame, const Odometry& odometry) {
   if (!asked_.is_estimated()) return;
   const SettledKeyframes settled = odometry.settled_keyframes(settled_);
   settled_ += settled.keyframes.size();
+  add_frame(frame, settled.keyframes);
+}
+
+void RunScaling::add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled) {
+  if (!asked_.is_estimated()) return;
   live_.add_frame(frame);
-  for (const KeyframeRecord& keyframe : settled.keyframes) live_.add_keyframe(keyframe);
+  for (const KeyframeRecord& keyframe : settled) live_.add_keyframe(keyframe);
 }
 
 void RunScaling::apply(Run* run) const {

@@ -1,6 +1,7 @@
 #include "edgevo/simulation/folder_export.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <mutex>
 #include <opencv2/imgcodecs.hpp>
 
@@ -87,6 +88,15 @@ std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end) 
   std::string text = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
   for (int i = begin; i < end; ++i) text += pose_line(scene.times[size_t(i)], T_first_scene * scene.T_scene_cam[size_t(i)]);
   return text;
+}
+
+void clear_sequence(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::exists(folder + "/SOURCE.md", ignored)) return;
+  for (const char* name :
+       {"images", "depth", "correspondences", "times.txt", "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
+    fs::remove_all(fs::path(folder) / name, ignored);
 }
 
 FolderWriter::FolderWriter(std::string folder, const Camera& camera) : folder_(std::move(folder)), camera_(camera) {

@@ -156,6 +156,11 @@ TEST(Camera, CheckNamesWhatIsWrong) {
   c = fr1();
   c.pinhole.fx = std::numeric_limits<double>::infinity();
   EXPECT_THAT(complaint(c), HasSubstr("focal lengths must be positive"));
+  for (const double focal : {1e30, 1e-30, 0.8}) {
+    c = fr1();
+    c.pinhole.fx = focal;
+    EXPECT_THAT(complaint(c), HasSubstr("below one pixel or above a million"));
+  }
   c = fr1();
   c.pinhole.cx = 700;
   EXPECT_THAT(complaint(c), HasSubstr("principal point lies outside"));

@@ -1,7 +1,9 @@
 #include "edgevo/core/input_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <string>
 
 #include "edgevo/core/error.h"
@@ -34,6 +36,22 @@ TEST(ReadFile, GivesEveryByteBack) {
 TEST(ReadFile, TellsWhyItCannot) {
   EXPECT_EQ(error_of("/nonexistent/x"), "/nonexistent/x: cannot be read: No such file or directory; give another");
   EXPECT_THAT(error_of(::testing::TempDir()), ::testing::HasSubstr("cannot be read: Is a directory"));
+}
+
+TEST(ReadFile, ReadsNothingThatMayHaveNoEnd) {
+  const test::TempFolder folder;
+  const std::string pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {std::string("/dev/zero"), std::string("/dev/null"), pipe})
+    EXPECT_EQ(error_of(path), path + ": cannot be read: it is a device or a pipe, not a file; give another");
+}
+
+TEST(ReadFile, ReadsNothingThatIsTooLarge) {
+  const test::TempFolder folder;
+  const std::string path = folder / "large";
+  write_file(path, "");
+  std::filesystem::resize_file(path, uintmax_t(5) << 30);  // takes no room
+  EXPECT_THAT(error_of(path), ::testing::HasSubstr("it is larger than 2 GB"));
 }
 
 }  // namespace

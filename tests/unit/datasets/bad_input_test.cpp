@@ -1,5 +1,8 @@
 // Broken input: one clear line (what, where, what to do), and the frames before it are handed out.
 #include "edgevo/datasets/open_source.h"
+
+#include <sys/stat.h>
+
 #include "unit/datasets/temp_sequence.h"
 
 namespace edgevo {
@@ -33,6 +36,16 @@ TEST(BadSource, MissingPath) {
   options.path = "/nowhere/at/all";
   EXPECT_EQ(error_of([&] { open_source(options); }),
             "/nowhere/at/all: no such file or folder; check the path");
+}
+
+TEST(BadSource, DeviceOrPipe) {
+  const TempFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const std::string& path : {std::string("/dev/zero"), folder / "pipe"}) {
+    SourceOptions options;
+    options.path = path;
+    EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("is a device or a pipe, not a file"));
+  }
 }
 
 TEST(BadSource, EmptyFolder) {
@@ -70,6 +83,24 @@ TEST_F(BadFolder, ImageThatIsNoImage) {
   write_text(folder_ / "images/000002.png", "this is text");
   const auto source = open();
   EXPECT_EQ(frames_before_error(*source, "000002.png: the image does not decode"), 2);
+}
+
+TEST_F(BadFolder, ABadImageDoesNotHoldUpThoseBehindIt) {
+  write_text(folder_ / "images/000001.png", "this is text");
+  fs::remove(folder_ / "images/000002.png");
+  fs::create_symlink("/nowhere", folder_ / "images/000002.png");
+  const auto source = open();
+  EXPECT_EQ(source->next()->index, 0);
+  EXPECT_THROW(source->next(), BadFrame);
+  EXPECT_THROW(source->next(), BadFrame);
+  EXPECT_EQ(source->next()->index, 3);
+  EXPECT_FALSE(source->next());
+}
+
+TEST_F(BadFolder, ImageIsAPipe) {
+  fs::remove(folder_ / "images/000002.png");
+  ASSERT_EQ(mkfifo((folder_ / "images/000002.png").c_str(), 0600), 0);
+  EXPECT_EQ(frames_before_error(*open(), "000002.png: the image is missing or cannot be read"), 2);
 }
 
 TEST_F(BadFolder, EmptyImage) {
@@ -115,6 +146,14 @@ TEST_F(BadFolder, CountsThatDiffer) {
   write_text(folder_ / "times.txt", "0\n0.1\n0.2\n");
   EXPECT_THAT(open_error(),
               AllOf(HasSubstr("times.txt: 3 times for 4 images"), HasSubstr("one time for each image")));
+}
+
+TEST_F(BadFolder, TimesInAFinerUnit) {
+  write_text(folder_ / "times.txt", "0\n33\n67\n100\n");
+  const auto source = open();
+  EXPECT_EQ(source->times()[3], Timestamp::from_seconds(0.1));
+  EXPECT_THAT(source->details(), ::testing::Contains(std::pair<std::string, std::string>(
+                                     "times", "in milliseconds, by their size and steps")));
 }
 
 TEST_F(BadFolder, TimeThatIsNone) {

@@ -57,5 +57,21 @@ TEST_F(Video, ThatIsCutShortIsTold) {
   EXPECT_GT(test::frames_before_error(*source, "the video is damaged"), 5);
 }
 
+// Its frames are counted nowhere: only the packet that is not whole tells.
+TEST_F(Video, TransportStreamThatIsCutShortIsTold) {
+  options_.path = folder_ / "clip.ts";
+  cv::VideoWriter writer(options_.path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', 'g', '2'), 25,
+                         cv::Size(48, 32), true);
+  ASSERT_TRUE(writer.isOpened());
+  for (int i = 0; i < 40; ++i) writer.write(cv::Mat(32, 48, CV_8UC3, cv::Scalar::all(5 * i)));
+  writer.release();
+  const size_t frames = test::read_all(*open_source(options_)).size();
+  EXPECT_GT(frames, 30u);
+  const std::string bytes = test::read_text(options_.path);
+  test::write_text(options_.path, bytes.substr(0, bytes.size() * 2 / 3 / 188 * 188 + 100));
+  const auto source = open_source(options_);
+  EXPECT_LT(test::frames_before_error(*source, "is cut short: it ends within a packet"), int(frames));
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -2,15 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
+
+#include "edgevo/core/bad_frame.h"
 
 namespace edgevo {
 namespace {
 
-// Blank images, a hundred of them; or as many as it gives before it breaks.
+// Blank images, a hundred of them; or as many as it gives before it breaks. Those of `bad` cannot be used.
 class BlankSource : public ImageSource {
  public:
-  explicit BlankSource(int breaks_at = -1) : breaks_at_(breaks_at) {
+  explicit BlankSource(int breaks_at = -1, std::set<int> bad = {})
+      : breaks_at_(breaks_at), bad_(std::move(bad)) {
     camera_.pinhole = {50, 50, 32, 24, 64, 48};
   }
 
@@ -24,6 +28,9 @@ class BlankSource : public ImageSource {
     if (given_ == breaks_at_) throw std::runtime_error("the cable");
     if (given_ == 100) return std::nullopt;
     const int index = given_++;
+    if (bad_.count(index))
+      throw BadFrame(index, Timestamp::from_seconds(0.1 * index),
+                     InputError("an image", "is torn", "mend it"));
     return Frame{index, Timestamp::from_seconds(0.1 * index),
                  GrayImage{64, 48, std::vector<uint8_t>(64 * 48, 90)}};
   }
@@ -31,6 +38,7 @@ class BlankSource : public ImageSource {
  private:
   Camera camera_;
   int breaks_at_, given_ = 0;
+  std::set<int> bad_;
 };
 
 bool go_on(const DrivenFrame&) { return true; }
@@ -74,6 +82,46 @@ TEST(Drive, KeepsWhatWasThereBeforeTheSourceBroke) {
     ASSERT_TRUE(driven.broken);
     EXPECT_THROW(std::rethrow_exception(driven.broken), std::runtime_error);
   }
+}
+
+TEST(Drive, LeavesBadFramesOutAndSaysSo) {
+  for (const bool realtime : {false, true}) {
+    BlankSource source(-1, {7, 8, 40});
+    DriveOptions options;
+    options.odometry.realtime = realtime;
+    options.on_bad_frame = OnBadFrame::kSkip;
+    int without_image = 0;
+    const Drive driven = drive(source, {}, options, [&](const DrivenFrame& f) {
+      without_image += f.frame.image.empty();
+      return true;
+    });
+    EXPECT_FALSE(driven.broken);
+    EXPECT_EQ(without_image, 3);
+    EXPECT_EQ(driven.left_out, 3);
+    EXPECT_EQ(driven.first_left_out, "an image: is torn");
+    ASSERT_EQ(driven.run.frames.size(), 100u);
+    EXPECT_EQ(driven.run.frames[40].index, 40);
+    EXPECT_EQ(driven.run.frames[40].note, "left out: an image: is torn");
+    EXPECT_EQ(driven.run.frames[40].latency_ms.has_value(), false);
+    EXPECT_EQ(driven.run.frames[41].latency_ms.has_value(), realtime);
+  }
+}
+
+TEST(Drive, ABadFrameEndsItWhereThatIsAsked) {
+  BlankSource source(-1, {12});
+  const Drive driven = drive(source, {}, {}, go_on);
+  EXPECT_EQ(driven.run.frames.size(), 12u);
+  ASSERT_TRUE(driven.broken);
+  EXPECT_THROW(std::rethrow_exception(driven.broken), BadFrame);
+}
+
+TEST(Drive, ABadFirstFrameMeansAWrongSource) {
+  BlankSource source(-1, {0});
+  DriveOptions options;
+  options.on_bad_frame = OnBadFrame::kSkip;
+  const Drive driven = drive(source, {}, options, go_on);
+  EXPECT_TRUE(driven.run.frames.empty());
+  EXPECT_TRUE(driven.broken);
 }
 
 }  // namespace

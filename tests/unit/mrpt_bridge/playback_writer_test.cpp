@@ -152,6 +152,35 @@ TEST_F(PlaybackWriterTest, LinksLeaveTheSourceAlone) {
   EXPECT_EQ(read_gray_image(path("playback_Images/frame_000000.png")).pixels, frame(0).image.pixels);
 }
 
+TEST_F(PlaybackWriterTest, LinksHoldWhenSourceAndRunMoveTogether) {
+  namespace fs = std::filesystem;
+  fs::create_directories(path("tree/data"));
+  write_png(path("tree/data/source.png"), frame(1).image);
+  PlaybackWriter(path("tree/out"), camera()).add_frame_link(0, path("tree/data/source.png"));
+  fs::rename(path("tree"), path("moved"));
+  EXPECT_EQ(read_gray_image(path("moved/out/playback_Images/frame_000000.png")).pixels,
+            frame(1).image.pixels);
+}
+
+TEST_F(PlaybackWriterTest, CopiesStandAlone) {
+  write_png(path("source.png"), frame(1).image);
+  PlaybackWriter writer(path("out"), camera());
+  writer.add_frame_copy(3, path("source.png"));
+  std::filesystem::remove(path("source.png"));
+  EXPECT_EQ(read_gray_image(writer.image_path(3)).pixels, frame(1).image.pixels);
+  EXPECT_THROW(writer.add_frame_copy(4, path("nowhere.png")), InputError);
+  EXPECT_EQ(writer.image_path(4), "");
+}
+
+TEST_F(PlaybackWriterTest, TakesOverTheImagesThatAreThere) {
+  PlaybackWriter(folder_.string(), camera()).add_frame(frame(12));
+  PlaybackWriter(folder_.string(), camera()).add_frame(frame(1234567));
+  PlaybackWriter writer(folder_.string(), camera());
+  writer.adopt_images(100);
+  EXPECT_EQ(writer.image_path(12), path("playback_Images/frame_000012.png"));
+  EXPECT_EQ(writer.image_path(1234567), "") << "a frame that the run does not hold";
+}
+
 TEST_F(PlaybackWriterTest, SameRunSameBytes) {
   write(small_run());
   const std::string first = bytes("playback.rawlog");

@@ -82,9 +82,11 @@ TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
 }
 
 TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
-  fs::create_directories(folder_);
+  RunOutputs outputs(folder_.string(), made_.camera, {});
+  for (const FrameRecord& frame : made_.run.frames)
+    ASSERT_TRUE(outputs.add_frame(testing::synthetic_frame(made_.camera, frame)));
   fs::create_symlink("/dev/full", folder_ / "frames.csv");
-  EXPECT_EQ(message_of([&] { write(folder_, made_.run, made_.camera); }),
+  EXPECT_EQ(message_of([&] { outputs.finish(made_.run, {}); }),
             (folder_ / "frames.csv").string() +
                 ": cannot be written: No space left on device; free space or give another -o; what was "
                 "written so far is kept");
@@ -98,8 +100,9 @@ TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
 }
 
 TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
-  fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
   RunOutputs outputs(folder_.string(), made_.camera, {});
+  ASSERT_TRUE(outputs.add_frame(testing::synthetic_frame(made_.camera, made_.run.frames[0])));
+  fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
   int added = 0;
   for (const FrameRecord& frame : made_.run.frames) {
     if (!outputs.add_frame(testing::synthetic_frame(made_.camera, frame))) break;

@@ -24,7 +24,7 @@ Sequence read_edgevo_layout(const SourceOptions& options) {
   if (existing(times).empty())
     throw InputError(times, "is missing",
                      "write seconds, one line an image, or give " + images + " with --camera and --fps");
-  sequence.times = read_times(times);
+  sequence.times = read_times(times, &sequence.details);
   check_counts(sequence.images, sequence.times, times, images);
   sequence.camera = choose_or_assume_camera(options, (root / "camera.txt").string(), {sequence.images.front()},
                                             &sequence.details);

@@ -76,7 +76,7 @@ Sequence read_kitti_layout(const SourceOptions& options) {
   Sequence sequence;
   sequence.kind = "KITTI odometry";
   sequence.images = list_images(images);
-  sequence.times = read_times(times);
+  sequence.times = read_times(times, &sequence.details);
   check_counts(sequence.images, sequence.times, times, images);
   sequence.camera = options.camera_file.empty()
                         ? camera_from_projection(read_kitti_projection(options, name),
@@ -94,7 +94,7 @@ std::string kitti_ground_truth(const SourceOptions& options) {
   const std::string poses = kitti_poses_path(options.path);
   if (poses.empty()) return {};
   const std::string times_path = (fs::path(options.path) / "times.txt").string();
-  const auto times = read_times(times_path);
+  const auto times = read_times(times_path, nullptr);
   const auto lines = split_lines(read_text_file(poses), poses);
   if (lines.size() != times.size())
     throw InputError(poses,

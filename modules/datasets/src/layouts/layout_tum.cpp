@@ -6,6 +6,7 @@
 #include "edgevo/datasets/camera_file.h"
 #include "layout.h"
 #include "text_file.h"
+#include "time_unit.h"
 
 namespace edgevo {
 namespace {
@@ -49,14 +50,16 @@ Sequence read_tum_layout(const SourceOptions& options) {
   const std::string list = (root / "rgb.txt").string();
   Sequence sequence;
   sequence.kind = "TUM RGB-D";
+  std::vector<TextLine> times;
   for (const TextLine& line : split_lines(read_text_file(list), list)) {
     const auto fields = split_fields(line.text);
-    Timestamp time;
-    if (fields.size() != 2 || !parse_seconds(fields[0], &time))
+    Timestamp is_number;
+    if (fields.size() != 2 || !parse_time(fields[0], kAnyUnit, &is_number))
       throw InputError(line.where, "is not a time and a file name", "restore rgb.txt");
-    sequence.times.push_back(time);
+    times.push_back({fields[0], line.where});
     sequence.images.push_back((root / fields[1]).string());
   }
+  sequence.times = parse_times_of(times, &sequence.details);
   if (sequence.images.empty()) throw InputError(list, "names no images", "restore rgb.txt");
   sequence.camera = tum_camera(options, &sequence);
   sequence.ground_truth_path = existing((root / "groundtruth.txt").string());

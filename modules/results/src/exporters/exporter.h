@@ -27,6 +27,7 @@ struct ExportContext {
   ResourceUse use_of_run = {};                ///< before the first of these files
   std::optional<OctreeMap> octree = {};       ///< since edges.ot was tried
   MapReport map = {};                         ///< what the map files hold
+  OnKeyframeMapped on_keyframe_mapped = {};   ///< told while the octree is made; may be empty
   std::vector<std::string> not_written = {};  ///< files that could not be, so far
 };
 

@@ -3,6 +3,7 @@
 #include "edgevo/occupancy/color_octree.h"
 #include "edgevo/occupancy/edge_ply.h"
 #include "edgevo/occupancy/line_table.h"
+#include "edgevo/occupancy/map_size.h"
 #include "exporters.h"
 
 namespace edgevo {
@@ -16,7 +17,8 @@ void export_line_table(ExportContext* context, const std::string& path) {
 }
 
 void export_full_octree(ExportContext* context, const std::string& path) {
-  context->octree.emplace(context->run, context->params.occupancy);
+  check_map_size(context->run, context->params.occupancy, free_memory(), path);
+  context->octree.emplace(context->run, context->params.occupancy, context->on_keyframe_mapped);
   context->map.octree = context->octree->stats();
   context->octree->write_ot(path);
 }

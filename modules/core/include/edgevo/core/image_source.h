@@ -39,8 +39,8 @@ class ImageSource {
   /// Ground truth in the TUM format lying beside the images; empty if there is none.
   virtual std::string ground_truth_path() const { return {}; }
 
-  /// The next frame, in time order; nullopt at the end. Throws InputError for an image that does not decode or whose size
-  /// differs from the camera, and for times that do not increase; after a throw the source is at its end.
+  /// The next frame, in time order; nullopt at the end. Throws BadFrame (bad_frame.h) for an image that does not decode
+  /// or has not the camera's size: the next one may come; InputError for times that do not increase: then the source has ended.
   virtual std::optional<Frame> next() = 0;
   /// Passes over the next frame without decoding its image; false at the end.
   virtual bool skip() { return next().has_value(); }

@@ -3,6 +3,7 @@
 // run` and `edgevo bench` have in common.
 #include <exception>
 #include <functional>
+#include <string>
 
 #include "edgevo/core/image_source.h"
 #include "edgevo/core/records.h"
@@ -11,23 +12,33 @@
 
 namespace edgevo {
 
+/// What a frame whose image cannot be used (core/bad_frame.h) does to a drive.
+enum class OnBadFrame {
+  kStop,  ///< ends it, as a source that broke
+  kSkip   ///< it is left out: its row says why, and the motion is foreseen over the gap. Not the first frame
+};
+
 struct Drive {
   Run run;
   double cpu_s = 0;  ///< of the odometry, all threads: `on_frame` is not in it, and reading images only of a
                      ///< realtime run
-  std::exception_ptr broken;  ///< what the source threw, if it did: `run` is the part before
+  int left_out = 0;  ///< frames whose images could not be used
+  std::string first_left_out;  ///< what was wrong with the first of them
+  std::exception_ptr broken;   ///< what the source threw, if it did: `run` is the part before
 };
 
 /// A frame that has gone through the odometry, with what is known then.
 struct DrivenFrame {
-  const Frame& frame;
-  const FrameRecord& record;
+  const Frame& frame;  ///< without image where it was left out
+  const FrameRecord&
+      record;  ///< stays where it is until the drive ends, and may get its pose later (a bootstrap)
   const Odometry& odometry;
 };
 
 struct DriveOptions {
   OdometryOptions odometry;
   Pace pace;  ///< at which a realtime run gets its frames
+  OnBadFrame on_bad_frame = OnBadFrame::kStop;
   std::function<bool()>
       stop;  ///< asked before each frame and while one is waited for: true ends the drive; none: never
 };

@@ -18,6 +18,8 @@ class KeepingUp {
   explicit KeepingUp(const std::string& pace) { sums_.pace = pace; }
   /// A frame that a live camera gave and the odometry did not get.
   void note_dropped();
+  /// A frame whose image could not be used.
+  void note_left_out() { latency_ms_.emplace_back(); }
   /// A frame that was due at `due_s`, handed over at `handed_s`, and had its pose (or none) at `done_s`.
   void note_done(double due_s, double handed_s, double done_s);
   /// Into the frames and the sums of the run that the odometry returned.

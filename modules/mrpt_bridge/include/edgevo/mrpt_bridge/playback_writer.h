@@ -37,9 +37,15 @@ class PlaybackWriter {
 
   /// Writes the image as PNG, lossless. Cost: about 4 ms for 1241x376.
   void add_frame(const Frame& frame);
-  /// Instead of add_frame: links to an image that is on disk already (symbolic, by its absolute path). Costs
-  /// nothing, but the link breaks when the source moves.
+  /// Instead of add_frame: links to an image that is on disk already. The link is relative where both lie
+  /// below one folder other than the root, so that a packed or moved tree of both keeps it; else absolute.
+  /// Costs nothing, but breaks when only one of them moves.
   void add_frame_link(int frame_index, const std::string& image_path);
+  /// Instead: copies the file, byte by byte. For a folder that stands alone.
+  void add_frame_copy(int frame_index, const std::string& image_path);
+  /// The images that are in the folder already, of frames up to the `last`: a run that was cut off has left
+  /// them.
+  void adopt_images(int last);
 
   /// Where the image of a frame lies; empty if it was not added. Logarithmic.
   std::string image_path(int frame_index) const;

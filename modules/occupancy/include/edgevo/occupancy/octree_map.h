@@ -27,6 +27,7 @@
 // OpenMP, whose number of threads octomap's own insertion would reset. A run without points gives an empty,
 // valid map.
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,10 +56,13 @@ struct OctreeStats {
   int64_t occupied_voxels = 0, free_voxels = 0;  ///< of the finest size
 };
 
+/// Told with the number of keyframes inserted so far.
+using OnKeyframeMapped = std::function<void(int)>;
+
 class OctreeMap {
  public:
-  /// Throws InputError for parameters that check() refuses.
-  OctreeMap(const Run& run, const OccupancyParams& params);
+  /// Throws InputError for parameters that check() refuses. How large it gets: map_size.h.
+  OctreeMap(const Run& run, const OccupancyParams& params, const OnKeyframeMapped& on_keyframe = {});
   ~OctreeMap();
   OctreeMap(OctreeMap&&) noexcept;
   OctreeMap& operator=(OctreeMap&&) noexcept;

@@ -10,6 +10,11 @@ namespace edgevo {
 /// "x.rawlog": the user wants a rawlog, not a folder.
 bool names_rawlog(const std::string& path);
 
+/// Throws InputError when a sequence is not to be written to `out`, a folder or OUT.rawlog with its images
+/// beside it: it lies in its own source or around it, or, unless `force`, something is there already.
+/// `source` may be empty.
+void check_sequence_output(const std::string& source, const std::string& out, bool force);
+
 /// Writes the rawlog, its images and, unless it is empty, `ground_truth_tum` beside it; makes the folder it
 /// goes to. Returns the number of frames, of which `on_frame_done` is told as they go. Throws InputError.
 int write_rawlog(ImageSource& source, const std::string& rawlog, const std::string& ground_truth_tum,

@@ -1,6 +1,7 @@
 #pragma once
 // The text files of a run, as strings: pure functions of the run, the same bytes every time.
 #include <string>
+#include <vector>
 
 #include "edgevo/core/records.h"
 
@@ -14,6 +15,9 @@ enum class PoseKind {
 /// TUM format, `t tx ty tz qx qy qz qw`: T_world_cam, one line for each frame that has such a pose, below
 /// comment lines that tell axes and unit. qw >= 0.
 std::string trajectory_tum(const Run& run, PoseKind kind);
+
+/// One line of it.
+std::string tum_line(Timestamp time, const SE3& T);
 
 /// The same format with the final poses of the VEHICLE in the world of the map files (T_map_vehicle), where
 /// it is known how the camera sits on it: x forward, y left, z up at the first pose.
@@ -33,6 +37,8 @@ std::string trajectory_kitti(const Run& run);
 /// not), the stages in the order in which they first ran. A note holds no comma and no quote: both are
 /// replaced, so that every reader can split at commas.
 std::string frames_csv(const Run& run);
+/// One row of it, with the times of these stages.
+std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages);
 
 /// How the metres were found, one row for each frame: index,time,factor,sigma,samples,live_factor,live_sigma.
 /// Factors are metres per unit of the odometry, sigmas relative standard deviations; samples 0: not measured

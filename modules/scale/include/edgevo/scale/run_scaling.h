@@ -1,7 +1,9 @@
 #pragma once
 // The metric scale of a run, as --scale asks for it: what is to be fed with each frame, and what is done with
 // the finished run.
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "edgevo/core/image_source.h"
 #include "edgevo/odometry/odometry.h"
@@ -16,8 +18,16 @@ class RunScaling {
   /// scale source; the source of images recorded no such sensor, or not while its images were taken.
   RunScaling(const ScaleSource& asked, const ImageSource& source, const ScaleParams& params);
 
+  /// The same for a run whose source is gone: what it recorded is given.
+  RunScaling(const ScaleSource& asked, VehicleTrack track, const Pinhole& pinhole,
+             const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params);
+
   /// After each frame.
   void add_frame(const FrameRecord& frame, const Odometry& odometry);
+  /// The same, with the keyframes that have settled since the frame before.
+  void add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled);
+  /// What the sensor recorded that the scale is measured by; empty where it needs none.
+  const VehicleTrack& track() const { return track_; }
   /// Puts the finished run into metres, if that was asked for and can be done; else Run::scale.problem says
   /// why not.
   void apply(Run* run) const;

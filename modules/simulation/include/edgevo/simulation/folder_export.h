@@ -21,6 +21,10 @@ struct FolderExport {
   int threads = 2;          ///< the bytes do not depend on it
 };
 
+/// Takes away what an earlier call wrote into the folder: images of two sequences in one would be none.
+/// Folders that do not hold such a sequence (its SOURCE.md) are left alone.
+void clear_sequence(const std::string& folder);
+
 /// The same layout from any source, frame by frame. Depth and poses are not known here; see finish().
 class FolderWriter {
  public:

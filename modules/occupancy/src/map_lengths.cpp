@@ -1,0 +1,45 @@
+#include "map_lengths.h"
+
+#include <cmath>
+#include <vector>
+
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+namespace {
+
+// Unit of the run: voxels of an empty map, of which nothing tells a size.
+constexpr double kResolutionWithoutPoints = 0.1;
+
+double median_depth(const Run& run, const PointFilter& filter) {
+  std::vector<double> depths;
+  for (const KeyframeRecord& keyframe : run.keyframes)
+    for (const EdgePoint& p : keyframe.points)
+      if (filter.keeps(p)) depths.push_back(1.0 / double(p.idepth));
+  return median(std::move(depths));
+}
+
+// Two significant digits, so that "auto" gives a length that one can read and type again.
+double round_to_two_digits(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return std::round(x / unit) * unit;
+}
+
+double length_or_share(double given, double share, double median, double without_points) {
+  if (given > 0) return given;
+  return median > 0 ? round_to_two_digits(share * median) : without_points;
+}
+
+}  // namespace
+
+MapLengths map_lengths(const Run& run, const OccupancyParams& params) {
+  MapLengths lengths;
+  lengths.median_depth = median_depth(run, params.points);
+  lengths.resolution = length_or_share(params.given_resolution(), params.resolution_share,
+                                       lengths.median_depth, kResolutionWithoutPoints);
+  lengths.max_range =
+      length_or_share(params.given_max_range(), params.max_range_share, lengths.median_depth, 0);
+  return lengths;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,165 @@
+#include "edgevo/occupancy/map_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "map_lengths.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kReach = 32768;      // voxels from the origin that octomap's keys count
+constexpr double kMostSamples = 2e6;  // along all rays: half a second
+constexpr double kBytesPerVoxel =
+    110;  // measured over maps of 0.2 to 20 million voxels, the copy for .bt included
+constexpr double kOutsideShare = 0.01;  // of points: wrong ones lie anywhere
+constexpr double kUsableShare = 0.8;    // of the free memory: the run itself needs some, and other programs
+
+// From the camera to a point, in the world of the map.
+struct MapRay {
+  Eigen::Vector3d from, to;
+};
+
+std::vector<MapRay> rays_of(const Run& run, const OccupancyParams& params, double max_range) {
+  std::vector<MapRay> rays;
+  const SE3 T_map = T_map_world(run);
+  for (const KeyframeRecord& keyframe : run.keyframes) {
+    if (!keyframe.T_world_cam.is_finite()) continue;
+    const SE3 T_map_cam = T_map * keyframe.T_world_cam;
+    for (const EdgePoint& p : keyframe.points) {
+      if (!params.points.keeps(p)) continue;
+      const Eigen::Vector3d p_cam = point_in_camera(run.pinhole, p);
+      if (p_cam.norm() <= max_range) rays.push_back({T_map_cam.translation(), T_map_cam * p_cam});
+    }
+  }
+  return rays;
+}
+
+double total_length(const std::vector<MapRay>& rays) {
+  double sum = 0;
+  for (const MapRay& r : rays) sum += (r.to - r.from).norm();
+  return sum;
+}
+
+// Were no voxel crossed by two rays: a ray leaves it in one of three directions.
+double most_voxels(const std::vector<MapRay>& rays, double resolution) {
+  return 3 * (total_length(rays) / resolution + double(rays.size()));
+}
+
+uint64_t key_of(const Eigen::Vector3d& p, double cell) {
+  constexpr int kBits = 21;
+  constexpr int64_t kOffset = int64_t{1} << (kBits - 1), kMask = (int64_t{1} << kBits) - 1;
+  uint64_t key = 0;
+  for (int i = 0; i < 3; ++i)
+    key = key << kBits | uint64_t((int64_t(std::floor(p[i] / cell)) + kOffset) & kMask);
+  return key;
+}
+
+// Cells of that size that the rays cross.
+double crossed_cells(const std::vector<MapRay>& rays, double cell) {
+  std::vector<uint64_t> keys;
+  for (const MapRay& r : rays) {
+    // Twice a cell: octomap's walk along a ray leaves out no corner.
+    const int steps = std::max(1, int(std::ceil(2 * (r.to - r.from).norm() / cell)));
+    for (int i = 0; i <= steps; ++i)
+      keys.push_back(key_of(r.from + (r.to - r.from) * (double(i) / steps), cell));
+  }
+  std::sort(keys.begin(), keys.end());
+  return double(std::unique(keys.begin(), keys.end()) - keys.begin());
+}
+
+// Crossed cells as a function of their size, in closed form.
+struct Growth {
+  double cell = 1, cells = 0, power = 3;
+  double at(double resolution) const { return cells * std::pow(cell / resolution, power); }
+  double resolution_of(double voxels) const { return cell * std::pow(cells / voxels, 1 / power); }
+};
+
+Growth growth_of(const std::vector<MapRay>& rays, double resolution) {
+  Growth growth;
+  growth.cell = std::max(resolution, 2 * total_length(rays) / kMostSamples);
+  growth.cells = crossed_cells(rays, growth.cell);
+  const double coarser = std::max(1.0, crossed_cells(rays, 2 * growth.cell));
+  growth.power = std::clamp(std::log2(growth.cells / coarser), 1.0, 3.0);
+  return growth;
+}
+
+// The coordinate that all but kOutsideShare of the points are within.
+double extent_of(const std::vector<MapRay>& rays) {
+  std::vector<double> far;
+  for (const MapRay& r : rays) far.push_back(r.to.cwiseAbs().maxCoeff());
+  if (far.empty()) return 0;
+  const auto nth = far.begin() + std::ptrdiff_t(double(far.size() - 1) * (1 - kOutsideShare));
+  std::nth_element(far.begin(), nth, far.end());
+  return *nth;
+}
+
+double outside_share(const std::vector<MapRay>& rays, double reach) {
+  const auto outside = std::count_if(rays.begin(), rays.end(),
+                                     [&](const MapRay& r) { return r.to.cwiseAbs().maxCoeff() >= reach; });
+  return rays.empty() ? 0 : double(outside) / double(rays.size());
+}
+
+double rounded_up(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return std::ceil(x / unit) * unit;
+}
+
+std::string in_gigabytes(double bytes) { return fixed(bytes / 1e9, bytes < 1e10 ? 1 : 0) + " GB"; }
+
+// A length with the digits that count: 0.024, not 0.023999999.
+std::string length_text(double length) {
+  return fixed(length, std::max(0, 1 - int(std::floor(std::log10(length)))));
+}
+
+}  // namespace
+
+MapSize estimate_map_size(const Run& run, const OccupancyParams& params) {
+  const MapLengths lengths = map_lengths(run, params);
+  const std::vector<MapRay> rays = rays_of(run, params, lengths.max_range);
+  MapSize size;
+  size.resolution = lengths.resolution;
+  if (rays.empty()) return size;
+  size.voxels = growth_of(rays, lengths.resolution).at(lengths.resolution);
+  size.bytes = kBytesPerVoxel * size.voxels;
+  size.outside_share = outside_share(rays, kReach * lengths.resolution);
+  return size;
+}
+
+void check_map_size(const Run& run, const OccupancyParams& params, double free_bytes,
+                    const std::string& where) {
+  const MapLengths lengths = map_lengths(run, params);
+  const std::vector<MapRay> rays = rays_of(run, params, lengths.max_range);
+  const double usable = kUsableShare * free_bytes, reach = kReach * lengths.resolution;
+  const bool reaches = outside_share(rays, reach) <= kOutsideShare;
+  if (reaches && kBytesPerVoxel * most_voxels(rays, lengths.resolution) <= usable) return;
+  const Growth growth = growth_of(rays, lengths.resolution);
+  const double bytes = kBytesPerVoxel * growth.at(lengths.resolution);
+  if (reaches && bytes <= usable) return;
+  const double holds = growth.resolution_of(usable / kBytesPerVoxel);
+  const double least = rounded_up(std::max(holds, extent_of(rays) / kReach));
+  throw InputError(
+      where,
+      "voxels of " + length_text(lengths.resolution) +
+          (reaches ? " would take about " + in_gigabytes(bytes) + " of memory, " + in_gigabytes(free_bytes) +
+                         " are free"
+                   : " reach only " + length_text(reach) + " from the origin, the run goes farther"),
+      "give a resolution of " + length_text(least) + " or more");
+}
+
+double free_memory() {
+  std::ifstream info("/proc/meminfo");
+  std::string key;
+  for (double kilobytes = 0; info >> key >> kilobytes;
+       info.ignore(std::numeric_limits<std::streamsize>::max(), '\n'))
+    if (key == "MemAvailable:") return 1024 * kilobytes;
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace edgevo

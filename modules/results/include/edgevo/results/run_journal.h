@@ -1,0 +1,70 @@
+#pragma once
+// What a run has so far, on disk while it goes on: a program that is killed loses none of it.
+//
+// The file `unfinished_run.bin` in the run's folder holds a header, then each frame as it came and each
+// keyframe as it left the window, one record after the other with its checksum, so that the end may be
+// missing anywhere. It goes away when the run's files are written. Its bytes are those of this machine and
+// this version of the program. Cost: a frame about 500 bytes, a keyframe 40 bytes a point; all keyframes once
+// more when the camera is corrected.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edgevo/core/records.h"
+#include "edgevo/core/vehicle_track.h"
+#include "edgevo/odometry/live_view.h"
+#include "edgevo/report/run_info.h"
+
+namespace edgevo {
+
+constexpr const char* kRunJournal = "unfinished_run.bin";
+
+/// All that is known before the first frame and needed to write a run's files.
+struct JournalHeader {
+  RunInfo info;
+  std::string scale = "none";  ///< as --scale gave it
+  VehicleTrack track;          ///< that it is measured by; may be empty
+  std::optional<SE3> T_vehicle_cam;
+};
+
+class RunJournal {
+ public:
+  /// Begins `folder`/unfinished_run.bin. Throws InputError when it cannot be made.
+  RunJournal(const std::string& folder, const JournalHeader& header);
+  ~RunJournal();
+
+  /// A frame as it came. It may still get a pose (a bootstrap looks back): `frame` is looked at again until
+  /// it has one, as long as frames go on without. No room: the journal ends there and goes away, the run does
+  /// not.
+  void add_frame(const FrameRecord& frame);
+  /// Keyframes that have left the window: those behind the first settled() of them; after a correction of the
+  /// camera (another revision) all.
+  void add_keyframes(const SettledKeyframes& keyframes);
+  void add_camera(const CameraRefinement& camera);
+
+  size_t settled() const;
+  int revision() const;
+  /// The journal has ended before the run.
+  bool is_broken() const;
+  /// The run's files are written: takes the journal away.
+  void remove();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// What a run that was cut off has left.
+struct CutOffRun {
+  JournalHeader header;
+  Run run;  ///< frames with live poses, keyframes in the same world; no final poses yet
+  std::vector<size_t> frames_before_keyframe;  ///< frames that had come when each keyframe left the window
+  bool camera_was_corrected = false;
+};
+
+/// Reads as far as the file is whole. Throws InputError: no such file, a header that is not whole or of
+/// another version.
+CutOffRun read_run_journal(const std::string& folder);
+
+}  // namespace edgevo

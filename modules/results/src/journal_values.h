@@ -1,0 +1,18 @@
+#pragma once
+// The records of a run as bytes and back. What read_value() gives is whole only if the reader is still ok().
+#include "bytes.h"
+#include "edgevo/results/run_journal.h"
+
+namespace edgevo {
+
+void write_value(const JournalHeader& header, ByteWriter* out);
+void write_value(const FrameRecord& frame, ByteWriter* out);
+void write_value(const KeyframeRecord& keyframe, ByteWriter* out);
+void write_value(const CameraRefinement& camera, ByteWriter* out);
+
+void read_value(ByteReader* in, JournalHeader* header);
+void read_value(ByteReader* in, FrameRecord* frame);
+void read_value(ByteReader* in, KeyframeRecord* keyframe);
+void read_value(ByteReader* in, CameraRefinement* camera);
+
+}  // namespace edgevo

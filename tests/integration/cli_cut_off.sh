@@ -1,0 +1,86 @@
+#!/bin/sh
+# kill -9 in the middle of a run: what it had is on disk, `edgevo finish` makes all files of it, the stock tools open them, and
+# nobody writes over it meanwhile.
+. "$(dirname "$0")/cli_common.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+sequence=$scenes/street whole=$scenes/runs/street
+
+# A long sequence that begins as the short one: there and back, so that the run cannot end before the signal.
+copy_sequence "$sequence" long
+n=$(ls "$sequence/images" | wc -l)
+last=$(tail -n 1 "$sequence/times.txt")
+i=$n
+for pass in 1 2 3 4 5 6; do
+  for j in $(if [ $((pass % 2)) -eq 1 ]; then seq $((n - 1)) -1 0; else seq 0 $((n - 1)); fi); do
+    ln -s "$sequence/images/$(printf %06d "$j").png" "long/images/$(printf %06d $i).png"
+    i=$((i + 1))
+  done
+done
+awk -v t="$last" -v n=$((i - n)) 'BEGIN { for (k = 1; k <= n; ++k) printf "%.6f\n", t + k / 30 }' >>long/times.txt
+
+# killed OUT ROWS [OPTION...]: a run that is killed once it has so many rows.
+killed() {
+  out=$1 wanted=$2
+  shift 2
+  "$edgevo" run long -o "$out" --quiet "$@" >/dev/null 2>&1 &
+  pid=$!
+  for tick in $(seq 1200); do
+    [ "$(cat "$out/frames.csv" 2>/dev/null | wc -l)" -gt "$wanted" ] && break
+    sleep 0.05
+  done
+  kill -KILL $pid
+  wait $pid 2>/dev/null
+}
+
+killed cut 45
+streamed=$(rows cut)
+check "rows of frames.csv while it ran" "$streamed" -ge 45
+check "poses while it ran" "$(grep -c '^[0-9]' cut/trajectory_live_tum.txt)" -ge 30
+complains "cut: the run in it was cut off .*; .edgevo finish cut. writes them; --force begins anew" "$edgevo" run long -o cut --quiet
+check "rows after that" "$(rows cut)" -eq "$streamed"
+
+run_code 0 "$edgevo" finish cut
+check "the line on stdout that tells the counts" "$(grep -c "^$streamed frames, .* with a pose" stdout)" -eq 1
+results_kept cut "$streamed"
+check "summary.yaml says how it ended" "$(grep -c "cut_off: .*after $streamed frames" cut/summary.yaml)" -eq 1
+[ -s cut/report.html ] && ok "report" || fail "no report"
+check "unfinished files" "$(ls cut/unfinished_run.bin 2>/dev/null | wc -l)" -eq 0
+# As far as it came it is the run that was not killed.
+common=$(awk -v n="$streamed" -v m="$n" 'BEGIN { print (n < m ? n : m) }')
+until=$(sed -n "${common}p" long/times.txt)
+for run in cut "$whole"; do awk -v t="$until" '/^[0-9]/ && $1 <= t + 1e-6' "$run/trajectory_live_tum.txt" >"poses_$(basename "$run").txt"; done
+same "live poses of the first $common frames" poses_cut.txt poses_street.txt
+made=$(awk -F, -v n="$streamed" 'NR > 1 && $1 < n && $5 == 1' "$whole/frames.csv" | wc -l)
+check "keyframes of the map, of $made that were made in the first $n frames" \
+  "$(sed -n '/^trajectory:/,/^[a-z]/s/^  keyframes: //p' cut/summary.yaml)" -ge $((made - 14))
+below "ATE in metres (path 45 m there and back)" "$(ate cut "$sequence")" 0.3
+if "$here/stock_tools.sh" cut >stock.log 2>&1; then ok "stock tools: $(grep -c '^ok' stock.log) checks"; else
+  cat stock.log
+  fail "stock tools"
+fi
+complains "cut: no run was cut off here" "$edgevo" finish cut
+run_code 0 "$edgevo" run "$sequence" -o cut --quiet --frames 0:15
+check "rows of the next run" "$(rows cut)" -eq 15
+
+# In two threads, with a scale; begun anew by force.
+killed threads 30 --realtime --scale factor=2
+run_code 0 "$edgevo" finish threads
+check "metres" "$(sed -n '/^scale:/,/^[a-z]/s/^  metric: //p' threads/summary.yaml | grep -c true)" -eq 1
+killed again 20
+run_code 0 "$edgevo" run "$sequence" -o again --quiet --frames 0:15 --force
+check "rows of a run begun anew" "$(rows again)" -eq 15
+check "what is left of the one before" "$(ls -d again/unfinished_run.bin again/earlier_run 2>/dev/null | wc -l)" -eq 0
+
+# While a run goes on, nobody finishes it or writes there.
+"$edgevo" run long -o busy --quiet >/dev/null 2>&1 &
+pid=$!
+for tick in $(seq 1200); do
+  [ -s busy/unfinished_run.bin ] && break
+  sleep 0.05
+done
+complains "busy: its run is still going on" "$edgevo" finish busy
+complains "busy: another run is writing there" "$edgevo" run "$sequence" -o busy --quiet --force
+kill -INT $pid
+wait $pid
+check "exit code of the run in between" $? -eq 0
+finish

@@ -1,0 +1,54 @@
+#include "time_unit.h"
+
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+std::string unit_of(const std::vector<double>& times) { return time_unit_of(times).name; }
+
+TEST(TimeUnit, IsToldByTheUsualStep) {
+  EXPECT_EQ(unit_of({0, 0.033, 0.067, 0.1}), "seconds");
+  EXPECT_EQ(unit_of({0, 1, 2, 3}), "seconds");
+  EXPECT_EQ(unit_of({0, 33, 67, 100}), "milliseconds");
+  EXPECT_EQ(unit_of({0, 33333, 66667, 100000}), "microseconds");
+  EXPECT_EQ(unit_of({0, 33333333, 66666667, 100000000}), "nanoseconds");
+  EXPECT_EQ(unit_of({0, 0.1, 60, 60.1, 60.2}), "seconds") << "one gap";
+}
+
+TEST(TimeUnit, IsToldByNumbersSince1970) {
+  for (const auto& [factor, name] :
+       {std::pair(1.0, "seconds"), {1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {
+    EXPECT_EQ(unit_of({1.7e9 * factor}), name);
+    EXPECT_EQ(unit_of({1.7e9 * factor, (1.7e9 + 0.1) * factor, (1.7e9 + 0.2) * factor}), name);
+  }
+  EXPECT_EQ(unit_of({}), "seconds");
+}
+
+TEST(TimeUnit, NumbersAreReadExactlyToTheTick) {
+  const std::vector<std::string> ns{"1403636579763555584", "1403636579813555456", "1403636579863555584"};
+  std::vector<Timestamp> times;
+  TimeUnit unit{};
+  size_t bad = 0;
+  ASSERT_TRUE(parse_times(ns, &times, &unit, &bad));
+  EXPECT_EQ(times[0].ticks, 14036365797635556);
+  EXPECT_EQ(times[2].ticks - times[0].ticks, 1000000);
+  Timestamp t;
+  ASSERT_TRUE(parse_time("-5.25", {"milliseconds", 3}, &t));
+  EXPECT_EQ(t.ticks, -52500);
+}
+
+TEST(TimeUnit, TheFirstTextThatIsNoNumberIsNamed) {
+  std::vector<Timestamp> times;
+  TimeUnit unit{};
+  size_t bad = 0;
+  EXPECT_FALSE(parse_times({"0", "33", "noon", "x"}, &times, &unit, &bad));
+  EXPECT_EQ(bad, 2u);
+  for (const char* text : {"", "-", ".", "1.2.3", "1-", "99999999999999999999999999"}) {
+    Timestamp t;
+    EXPECT_FALSE(parse_time(text, {"milliseconds", 3}, &t)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,109 @@
+// What lies in a folder when a run begins there.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "earlier_run.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/core/output_place.h"
+#include "growing_file.h"
+#include "written_run.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::content;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class EarlierRunTest : public WrittenRun {
+ protected:
+  // A metric run of a vehicle has two files more.
+  edgevo::Run metric_run() const {
+    edgevo::Run run = made_.run;
+    run.T_vehicle_cam = SE3();
+    run.scale_source = "odometry";
+    run.scale.frames.resize(run.frames.size());
+    return run;
+  }
+  edgevo::Run run_without_poses() const {
+    edgevo::Run run = made_.run;
+    for (FrameRecord& f : run.frames) f.T_world_cam = f.T_world_cam_live = std::nullopt;
+    run.keyframes.clear();
+    return run;
+  }
+  std::string trajectory(const char* where = "") const {
+    return content(folder_ / where / "trajectory_tum.txt");
+  }
+};
+
+TEST_F(EarlierRunTest, ARunThatDoesNotBeginChangesNothing) {
+  write(folder_, made_.run, made_.camera);
+  const std::vector<std::string> before = names_in(folder_.string());
+  const std::string poses = trajectory();
+  { RunOutputs begun_and_dropped(folder_.string(), made_.camera, {}); }
+  EXPECT_EQ(names_in(folder_.string()), before);
+  EXPECT_EQ(trajectory(), poses);
+  { RunOutputs nothing_there((temp_ / "new"), made_.camera, {}); }
+  EXPECT_FALSE(fs::exists(temp_ / "new"));
+}
+
+TEST_F(EarlierRunTest, NothingOfItIsLeftAfterTheNextRun) {
+  write(folder_, metric_run(), made_.camera);
+  ASSERT_TRUE(fs::exists(folder_ / "scale.csv"));
+  write_file((folder_ / "my_notes.txt").string(), "by hand");
+  edgevo::Run shorter = made_.run;
+  shorter.frames.resize(10);
+  write(folder_, shorter, made_.camera);
+  for (const char* gone :
+       {"scale.csv", "trajectory_vehicle_tum.txt", "playback_Images/frame_000020.png", kEarlierRun})
+    EXPECT_FALSE(fs::exists(folder_ / gone)) << gone;
+  EXPECT_EQ(content(folder_ / "my_notes.txt"), "by hand");
+}
+
+TEST_F(EarlierRunTest, ItIsKeptWhereTheNextRunHasNoPose) {
+  write(folder_, made_.run, made_.camera);
+  const std::string poses = trajectory();
+  for (int again = 0; again < 2; ++again) {
+    write(folder_, run_without_poses(), made_.camera);
+    EXPECT_NE(trajectory(), poses);
+    EXPECT_EQ(trajectory(kEarlierRun), poses);
+  }
+  write(folder_, made_.run, made_.camera);
+  EXPECT_EQ(trajectory(), poses);
+  EXPECT_FALSE(fs::exists(folder_ / kEarlierRun));
+}
+
+TEST_F(EarlierRunTest, AFolderOfSomethingElseIsRefused) {
+  fs::create_directories(folder_);
+  write_file((folder_ / "thesis.tex").string(), "years");
+  write_file((folder_ / "summary.yaml").string(), "mine");
+  EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }),
+              HasSubstr("holds something else already (summary.yaml, ...); give another -o, or --force"));
+  EXPECT_THAT(names_in(folder_.string()), ElementsAre("summary.yaml", "thesis.tex"));
+  RunOutputs forced(folder_.string(), made_.camera, {}, OutputOptions{true, false});
+  forced.finish(made_.run, {});
+  EXPECT_EQ(content(folder_ / "thesis.tex"), "years");
+}
+
+TEST_F(EarlierRunTest, ARunThatWasCutOffIsNotWrittenOver) {
+  fs::create_directories(folder_);
+  write_file((folder_ / kRunJournal).string(), "what it had");
+  EXPECT_THAT(
+      message_of([&] { write(folder_, made_.run, made_.camera); }),
+      HasSubstr("was cut off before its results were written; `edgevo finish " + folder_.string() + "`"));
+  EXPECT_EQ(content(folder_ / kRunJournal), "what it had");
+}
+
+TEST_F(EarlierRunTest, TwoRunsDoNotWriteIntoOneFolder) {
+  fs::create_directories(folder_);
+  GrowingFile journal;
+  ASSERT_TRUE(journal.open((folder_ / kRunJournal).string()));
+  for (const bool force : {false, true})
+    EXPECT_THAT(message_of([&] { EarlierRun(folder_.string(), force); }),
+                HasSubstr("another run is writing there"));
+}
+
+}  // namespace
+}  // namespace edgevo

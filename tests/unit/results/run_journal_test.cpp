@@ -1,0 +1,200 @@
+// What a run leaves on disk while it goes on: all of it comes back, wherever the file ends.
+#include "edgevo/results/run_journal.h"
+
+#include <gmock/gmock.h>
+
+#include "edgevo/core/output_file.h"
+#include "edgevo/core/random.h"
+#include "edgevo/occupancy/edge_ply.h"
+#include "edgevo/results/run_text.h"
+#include "growing_file.h"
+#include "written_run.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::content;
+using ::testing::HasSubstr;
+
+constexpr int kSettleLater = 6;  // keyframes that are still in the window
+
+class RunJournalTest : public WrittenRun {
+ protected:
+  RunJournalTest() { fs::create_directories(folder_); }
+
+  static EdgeLine some_line() {
+    EdgeLine line;
+    line.vertices = {{{1, 2}, 0.5f, 0.1f, 3, 4}, {{5, 6}, 0.7f, 0.2f, 7, 8}};
+    line.keyframes = 9;
+    line.is_outline = true;
+    return line;
+  }
+
+  JournalHeader header() const {
+    JournalHeader h;
+    h.info.command_line = {"edgevo", "run", "a \"quoted\" folder"};
+    h.info.source_kind = "synthetic";
+    h.info.camera = made_.camera;
+    h.info.notes = {{"seed", "3"}};
+    h.scale = "odometry";
+    h.track.positions = {{Timestamp{5}, {1, 2, 3}}, {Timestamp{7}, {4, 5, 6}}};
+    h.T_vehicle_cam = SE3(Eigen::Quaterniond::Identity(), {0, 0, 1.5});
+    return h;
+  }
+  // As a run would: each frame, and the keyframes that have settled by then.
+  void write_all(RunJournal* journal) const {
+    size_t next = 0;
+    for (const FrameRecord& frame : made_.run.frames) {
+      journal->add_frame(frame);
+      SettledKeyframes settled;
+      while (made_.run.keyframes[next].frame_index + 3 * kSettleLater <= frame.index)
+        settled.keyframes.push_back(made_.run.keyframes[next++]);
+      journal->add_keyframes(settled);
+      journal->add_camera({});
+    }
+  }
+  std::string bytes() const { return content(folder_ / kRunJournal); }
+  void put(const std::string& bytes) const { write_file((folder_ / kRunJournal).string(), bytes); }
+  CutOffRun read() const { return read_run_journal(folder_.string()); }
+  // What would be there if the program were killed now.
+  edgevo::Run so_far() const {
+    const test::TempFolder killed;
+    write_file(killed / kRunJournal, bytes());
+    return read_run_journal(killed.path()).run;
+  }
+};
+
+TEST_F(RunJournalTest, GivesEverythingBack) {
+  {
+    RunJournal journal(folder_.string(), header());
+    write_all(&journal);
+  }
+  const CutOffRun back = read();
+  EXPECT_EQ(back.header.info.command_line, header().info.command_line);
+  EXPECT_EQ(back.header.info.notes, header().info.notes);
+  EXPECT_EQ(back.header.scale, "odometry");
+  ASSERT_EQ(back.header.track.positions.size(), 2u);
+  EXPECT_EQ(back.header.track.positions[1].position, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(back.run.T_vehicle_cam->translation().z(), 1.5);
+  EXPECT_EQ(back.run.pinhole.fx, made_.camera.pinhole.fx);
+  EXPECT_EQ(frames_csv(back.run), frames_csv(made_.run));
+  EXPECT_EQ(trajectory_tum(back.run, PoseKind::kLive), trajectory_tum(made_.run, PoseKind::kLive));
+  ASSERT_FALSE(back.run.keyframes.empty());
+  ASSERT_EQ(back.frames_before_keyframe.size(), back.run.keyframes.size());
+  EXPECT_EQ(back.frames_before_keyframe[0], size_t(3 * kSettleLater + 1));
+  edgevo::Run until_then = made_.run;
+  until_then.T_vehicle_cam = back.run.T_vehicle_cam;
+  until_then.keyframes.resize(back.run.keyframes.size());
+  write_edge_ply(until_then, PointFilter(), temp_ / "written.ply");
+  write_edge_ply(back.run, PointFilter(), temp_ / "read.ply");
+  EXPECT_EQ(content(temp_ / "read.ply"), content(temp_ / "written.ply"));
+}
+
+TEST_F(RunJournalTest, PosesThatABootstrapFoundLaterAreInIt) {
+  RunJournal journal(folder_.string(), header());
+  std::vector<FrameRecord> frames(made_.run.frames.begin(), made_.run.frames.begin() + 6);
+  for (FrameRecord& f : frames) f.T_world_cam_live = std::nullopt;
+  for (int i = 0; i < 5; ++i) journal.add_frame(frames[size_t(i)]);
+  EXPECT_FALSE(so_far().frames[3].T_world_cam_live);
+  for (FrameRecord& f : frames)
+    f.T_world_cam_live = SE3(Eigen::Quaterniond::Identity(), {0.5, 0, double(f.index)});
+  journal.add_frame(frames[5]);
+  EXPECT_EQ(so_far().frames[3].T_world_cam_live->translation().z(), 3);
+}
+
+TEST_F(RunJournalTest, GivesTheLinesOfAKeyframeBack) {
+  SettledKeyframes settled;
+  settled.keyframes = {made_.run.keyframes[0]};
+  settled.keyframes[0].lines = {some_line()};
+  RunJournal(folder_.string(), header()).add_keyframes(settled);
+  const EdgeLine line = read().run.keyframes.at(0).lines.at(0);
+  EXPECT_EQ(line.vertices.at(1).px, Eigen::Vector2f(5, 6));
+  EXPECT_EQ(line.vertices.at(1).idepth_sigma, 0.2f);
+  EXPECT_EQ(line.vertices.at(1).gray_bright, 8);
+  EXPECT_EQ(line.keyframes, 9);
+  EXPECT_TRUE(line.is_outline);
+  EXPECT_FALSE(line.is_straight);
+}
+
+TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
+  SettledKeyframes settled;
+  settled.keyframes = {made_.run.keyframes[0], made_.run.keyframes[1]};
+  {
+    RunJournal journal(folder_.string(), header());
+    journal.add_keyframes(settled);
+    settled.revision = 1;
+    for (KeyframeRecord& k : settled.keyframes)
+      k.T_world_cam = SE3(Eigen::Quaterniond::Identity(), {7, 8, 9});
+    journal.add_keyframes(settled);
+    EXPECT_EQ(journal.settled(), 2u);
+    EXPECT_EQ(journal.revision(), 1);
+  }
+  const CutOffRun back = read();
+  EXPECT_TRUE(back.camera_was_corrected);
+  ASSERT_EQ(back.run.keyframes.size(), 2u);
+  EXPECT_EQ(back.run.keyframes[1].T_world_cam.translation(), Eigen::Vector3d(7, 8, 9));
+  put(bytes().substr(0, bytes().size() - 1));  // the word that all were there
+  EXPECT_NE(read().run.keyframes[1].T_world_cam.translation(), Eigen::Vector3d(7, 8, 9));
+  EXPECT_EQ(read().run.keyframes.size(), 2u);
+}
+
+TEST_F(RunJournalTest, EndsAnywhereAndIsReadUpToThere) {
+  {
+    RunJournal journal(folder_.string(), header());
+    write_all(&journal);
+  }
+  const std::string all = bytes();
+  size_t frames = 0;
+  for (size_t length = 400; length < all.size(); length += all.size() / 150) {
+    put(all.substr(0, length));
+    const CutOffRun back = read();
+    EXPECT_GE(back.run.frames.size(), frames) << length;
+    frames = back.run.frames.size();
+    for (size_t i = 0; i < frames; ++i) EXPECT_EQ(back.run.frames[i].index, made_.run.frames[i].index);
+  }
+  EXPECT_GE(frames, made_.run.frames.size() - 1);
+}
+
+TEST_F(RunJournalTest, DamageEndsItAndIsNeverTakenForAFrame) {
+  {
+    RunJournal journal(folder_.string(), header());
+    write_all(&journal);
+  }
+  const std::string all = bytes();
+  Random random(5);
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string damaged = all;
+    damaged[size_t(random.below(int(all.size())))] ^= char(1 << random.below(8));
+    put(damaged);
+    try {
+      const CutOffRun back = read();
+      for (size_t i = 0; i < back.run.frames.size(); ++i)
+        ASSERT_EQ(frames_csv_row(back.run.frames[i], {}), frames_csv_row(made_.run.frames[i], {}));
+    } catch (const InputError&) {
+      ++refused;  // the header
+    }
+  }
+  EXPECT_LT(refused, 30);
+}
+
+TEST_F(RunJournalTest, WhatIsNoneIsRefused) {
+  EXPECT_THAT(message_of([&] { read(); }), HasSubstr("no run was cut off here"));
+  put("a letter");
+  EXPECT_THAT(message_of([&] { read(); }), HasSubstr("is not whole, or of another version"));
+  RunJournal journal(folder_.string(), header());
+  EXPECT_THAT(message_of([&] { read(); }), HasSubstr("its run is still going on"));
+  EXPECT_THAT(message_of([&] { RunJournal(folder_.string(), header()); }), HasSubstr("cannot be written"));
+}
+
+TEST_F(RunJournalTest, AFullDiskEndsTheJournalNotTheRun) {
+  fs::create_symlink("/dev/full", folder_ / kRunJournal);
+  RunJournal journal(folder_.string(), header());
+  write_all(&journal);
+  EXPECT_TRUE(journal.is_broken());
+  EXPECT_FALSE(fs::exists(folder_ / kRunJournal)) << "its room is for the results";
+}
+
+}  // namespace
+}  // namespace edgevo
