@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "edgevo/report/latency_figures.h"
+#include "edgevo/report/warnings.h"
 
 namespace edgevo::app {
 
@@ -21,6 +22,7 @@ void print_run(const Run& run, const std::string& out) {
       "scale %s\n",
       run.frames.size(), posed, lost, segments, run.keyframes.size(), points, lines, run.scale_source.c_str());
   if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
+  for (const std::string& warning : run_warnings(run)) std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
   std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());
 }
 

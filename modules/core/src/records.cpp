@@ -7,11 +7,13 @@ namespace edgevo {
 std::string unit_statement(const Run& run) {
   if (!run.is_metric()) return "arbitrary (scale of a monocular run; set --scale for metres)";
   std::string text = "metre (scale from " + run.scale_source;
-  if (run.scale.sigma > 0) {
-    char percent[32];
-    std::snprintf(percent, sizeof percent, ", +- %.1f %%", 100 * run.scale.sigma);
-    text += percent;
-  }
+  char how_certain[64] = "";
+  if (run.scale_varies())
+    std::snprintf(how_certain, sizeof how_certain, ", UNCERTAIN: the factor ran from %.2f to %.2f", run.scale.lowest,
+                  run.scale.highest);
+  else if (run.scale.sigma > 0)
+    std::snprintf(how_certain, sizeof how_certain, ", +- %.1f %%", 100 * run.scale.sigma);
+  text += how_certain;
   return text + ")";
 }
 

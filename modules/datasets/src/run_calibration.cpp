@@ -99,6 +99,9 @@ FoldedCamera corrected_camera(const RunCalibration& run) {
     case State::kNotObservable:
       throw InputError(run.path, "the motion does not tell the camera's distortion",
                        "run on a sequence that moves forward over a longer way, past structure near and far");
+    case State::kAtLimit:
+      throw InputError(run.path, "the distortion that was found is at its limit: the camera file is wrong in some other way",
+                       "calibrate the camera (edgevo calibrate --chessboard)");
     case State::kInsignificant:
     case State::kApplied: break;
   }

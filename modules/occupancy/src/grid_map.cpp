@@ -85,6 +85,34 @@ void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, Occupanc
   }
 }
 
+// All cells within `radius` of the way from a to b.
+void free_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius, OccupancyGrid* grid) {
+  const Eigen::Vector2d origin(grid->origin_x, grid->origin_y), span = b - a;
+  const Eigen::Vector2d low = (a.cwiseMin(b) - origin).array() - radius, high = (a.cwiseMax(b) - origin).array() + radius;
+  const auto first = [&](double x) { return std::max(0, int(std::floor(x / grid->resolution))); };
+  const auto last = [&](double x, int size) { return std::min(size - 1, int(std::floor(x / grid->resolution))); };
+  for (int y = first(low.y()); y <= last(high.y(), grid->height); ++y)
+    for (int x = first(low.x()); x <= last(high.x(), grid->width); ++x) {
+      const Eigen::Vector2d p = origin + grid->resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
+      const double share = span.squaredNorm() > 0 ? std::clamp(span.dot(p - a) / span.squaredNorm(), 0.0, 1.0) : 0;
+      if ((a + share * span - p).norm() <= radius) grid->cells[size_t(y) * size_t(grid->width) + size_t(x)] = GridCell::kFree;
+    }
+}
+
+// A cell that the vehicle's border cuts through counts as its own.
+void free_driven_way(const Run& run, double width, OccupancyGrid* grid) {
+  const double radius = 0.5 * width + 0.71 * grid->resolution;
+  const SE3 T_map = T_map_world(run);
+  const FrameRecord* last = nullptr;
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam || !f.T_world_cam->is_finite()) continue;
+    const Eigen::Vector2d here = (T_map * f.T_world_cam->translation()).head<2>();
+    const bool goes_on = last && last->segment == f.segment;
+    free_along(goes_on ? Eigen::Vector2d((T_map * last->T_world_cam->translation()).head<2>()) : here, here, radius, grid);
+    last = &f;
+  }
+}
+
 std::string statement_of(const Run& run, double camera_height, const GridParams& params) {
   const std::string unit = "; unit: " + unit_statement(run);
   if (camera_height <= 0) return "all heights, since the ground is not known (set grid.camera_height)" + unit;
@@ -116,6 +144,7 @@ void GridParams::visit(ParamVisitor& v) {
   v.text("camera_height", camera_height, {}, "of the camera over the ground, unit of the run, or auto: as --scale, the ground that was seen or the mount say");
   v.number("band_low", band_low, -10, 10, "the grid shows what stands higher than this, in camera heights over the ground");
   v.number("band_high", band_high, -10, 100, "and lower than this");
+  v.number("driven_width", driven_width, 0, 10, "where the vehicle was nothing stands: its way is free, so wide, in camera heights; 0: as the map says");
 }
 
 double GridParams::given_camera_height() const { return auto_or_length("grid.camera_height", camera_height); }
@@ -128,6 +157,7 @@ void GridParams::check() const {
 OccupancyGrid make_grid(const Run& run, const OctreeMap& map, double camera_height, const GridParams& params) {
   OccupancyGrid grid = empty_grid(map.tree());
   flatten(map.tree(), BandAlongTheWay(run, camera_height, params), &grid);
+  if (camera_height > 0 && params.driven_width > 0) free_driven_way(run, params.driven_width * camera_height, &grid);
   grid.statement = statement_of(run, camera_height, params);
   return grid;
 }

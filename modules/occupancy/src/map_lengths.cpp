@@ -1,5 +1,6 @@
 #include "map_lengths.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,6 +20,9 @@ double median_depth(const Run& run, const PointFilter& filter) {
   return median(std::move(depths));
 }
 
+// Metres, of "auto" where the unit is the metre: coarser voxels close the ways that a vehicle has driven.
+constexpr double kCoarsestMetric = 0.2;
+
 // Two significant digits, so that "auto" gives a length that one can read and type again.
 double round_to_two_digits(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
@@ -37,6 +41,8 @@ MapLengths map_lengths(const Run& run, const OccupancyParams& params) {
   lengths.median_depth = median_depth(run, params.points);
   lengths.resolution = length_or_share(params.given_resolution(), params.resolution_share,
                                        lengths.median_depth, kResolutionWithoutPoints);
+  if (run.is_metric() && params.given_resolution() <= 0)
+    lengths.resolution = std::min(lengths.resolution, kCoarsestMetric);
   lengths.max_range =
       length_or_share(params.given_max_range(), params.max_range_share, lengths.median_depth, 0);
   return lengths;

@@ -6,6 +6,7 @@
 
 #include "edgevo/core/output_file.h"
 #include "edgevo/report/stage_times.h"
+#include "edgevo/report/warnings.h"
 
 namespace edgevo {
 namespace {
@@ -114,6 +115,7 @@ void add_uses(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
 
 std::vector<Advice> advise(const Run& run, const RunInfo& info) {
   std::vector<Advice> list;
+  for (const std::string& warning : run_warnings(run)) list.push_back({"WARNING: " + warning, ""});
   add_troubles(run, info, &list);
   add_camera(run, &list);
   add_scale(run, info, &list);

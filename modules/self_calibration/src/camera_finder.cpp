@@ -42,7 +42,7 @@ struct Finding {
   State state = State::kNotObservable;
 };
 
-// Three states of knowledge besides "too early": not observed, observed and insignificant, applied. What is
+// Four states of knowledge besides "too early": not observed, insignificant, at the limit, applied. What is
 // applied stays so until it is told apart from the file by less than `least` standard deviations.
 Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma,
               double limit, double significance, double least) {
@@ -51,6 +51,7 @@ Finding weigh(State before, double estimate, double by_file, double sigma, doubl
   const double told_apart = std::abs(estimate - by_file) / sigma;
   if (before == State::kApplied && (!f.trustworthy || told_apart >= least)) return f;
   f.state = f.trustworthy && told_apart >= significance ? State::kApplied
+            : observed && !f.trustworthy                ? State::kAtLimit
             : observed                                  ? State::kInsignificant
                                                         : State::kNotObservable;
   return f;

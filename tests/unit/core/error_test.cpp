@@ -52,6 +52,10 @@ TEST(Records, TheLeverArmOfTheMountNeedsMetres) {
   run.scale_source = "odometry";
   EXPECT_EQ(T_map_world(run).translation(), Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(unit_statement(run), "metre (scale from odometry)");
+  run.scale.sigma = 0.01;
+  EXPECT_EQ(unit_statement(run), "metre (scale from odometry, +- 1.0 %)");
+  run.scale.lowest = 0.9, run.scale.highest = 2.12;
+  EXPECT_EQ(unit_statement(run), "metre (scale from odometry, UNCERTAIN: the factor ran from 0.90 to 2.12)");
 }
 
 }  // namespace

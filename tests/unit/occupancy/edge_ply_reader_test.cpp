@@ -27,6 +27,10 @@ edgevo::Run made_run() {
   R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   run.T_vehicle_cam = SE3(R, {0.3, 0.1, 1.2});
   run.keyframes.back().segment = 1;
+  run.keyframes[2].lines = {testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
+                            testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
+  run.keyframes[2].lines[1].is_outline = true;
+  run.keyframes[3].lines = {testing::edge_line(run.pinhole, run.keyframes[3].T_world_cam, {0, 0, 5}, {0.4, 0, 6}, 4)};
   return run;
 }
 
@@ -52,6 +56,28 @@ TEST(EdgePlyReader, GivesTheRunBack) {
     }
   }
   EXPECT_EQ(points, written);
+}
+
+TEST(EdgePlyReader, GivesTheLinesBack) {
+  const edgevo::Run run = made_run();
+  const test::TempFolder folder;
+  write_edge_ply(run, PointFilter(), folder / "edges.ply");
+  const edgevo::Run read = read_edge_ply(folder / "edges.ply");
+  for (size_t k = 0; k < run.keyframes.size(); ++k) {
+    ASSERT_EQ(read.keyframes[k].lines.size(), run.keyframes[k].lines.size()) << k;
+    for (size_t l = 0; l < run.keyframes[k].lines.size(); ++l) {
+      const EdgeLine &a = run.keyframes[k].lines[l], &b = read.keyframes[k].lines[l];
+      EXPECT_EQ(b.keyframes, a.keyframes);
+      EXPECT_EQ(b.is_straight, a.is_straight);
+      EXPECT_EQ(b.is_outline, a.is_outline);
+      ASSERT_EQ(b.vertices.size(), a.vertices.size());
+      for (size_t i = 0; i < a.vertices.size(); ++i) {
+        EXPECT_LT((point_in_camera(run.pinhole, a.vertices[i]) - point_in_camera(read.pinhole, b.vertices[i])).norm(), 1e-4);
+        EXPECT_EQ(b.vertices[i].gray_dark, 40);
+        EXPECT_EQ(b.vertices[i].gray_bright, 200);
+      }
+    }
+  }
 }
 
 TEST(EdgePlyReader, TheSameMapComesOutOfIt) {

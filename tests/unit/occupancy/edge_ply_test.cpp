@@ -22,14 +22,21 @@ struct Vertex {
   float xyz[3];
   uint8_t rgb[3];
   float idepth, idepth_sigma;
-  int32_t keyframe, observations;
+  int32_t keyframe, observations, line;
+  uint8_t gray_dark, gray_bright, line_kind;
 };
 #pragma pack(pop)
 
 struct Ply {
   std::string header;
   std::vector<Vertex> vertices;
+  std::vector<std::pair<int32_t, int32_t>> edges;
 };
+
+int count_in(const std::string& header, const std::string& element) {
+  const size_t at = header.find("element " + element + " ");
+  return at == std::string::npos ? 0 : std::stoi(header.substr(at + element.size() + 9));
+}
 
 Ply read_ply(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -38,11 +45,14 @@ Ply read_ply(const std::string& path) {
   const std::string bytes = text.str();
   const std::string end = "end_header\n";
   const size_t body = bytes.find(end) + end.size();
-  Ply ply{bytes.substr(0, body), {}};
-  ply.vertices.resize((bytes.size() - body) / sizeof(Vertex));
+  Ply ply{bytes.substr(0, body), {}, {}};
+  ply.vertices.resize(size_t(count_in(ply.header, "vertex")));
+  ply.edges.resize(size_t(count_in(ply.header, "edge")));
   if (!ply.vertices.empty())
     std::memcpy(ply.vertices.data(), bytes.data() + body, ply.vertices.size() * sizeof(Vertex));
-  EXPECT_EQ(body + ply.vertices.size() * sizeof(Vertex), bytes.size()) << "bytes left over";
+  const size_t edges = body + ply.vertices.size() * sizeof(Vertex);
+  if (!ply.edges.empty()) std::memcpy(ply.edges.data(), bytes.data() + edges, ply.edges.size() * 8);
+  EXPECT_EQ(edges + ply.edges.size() * 8, bytes.size()) << "bytes left over";
   return ply;
 }
 
@@ -82,6 +92,27 @@ TEST(EdgePly, HoldsThePointsZUpWithTheirProperties) {
     EXPECT_EQ(int(v.observations), 3 + k);
     EXPECT_NEAR(v.idepth_sigma / v.idepth, 0.02, 1e-5);
   }
+}
+
+TEST(EdgePly, LinesComeAfterThePointsWithTheirEdges) {
+  const test::TempFolder folder;
+  const std::string path = folder / "edges.ply";
+  edgevo::Run run = two_keyframes();
+  run.keyframes[1].lines = {testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
+                            testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
+  EXPECT_EQ(write_edge_ply(run, PointFilter(), path), 2);
+  const Ply ply = read_ply(path);
+  ASSERT_EQ(ply.vertices.size(), 2u + 5u + 3u);
+  ASSERT_EQ(ply.edges.size(), 4u + 2u);
+  EXPECT_EQ(ply.edges[0], (std::pair<int32_t, int32_t>(2, 3)));
+  EXPECT_EQ(ply.edges[4], (std::pair<int32_t, int32_t>(7, 8))) << "none from line to line";
+  EXPECT_EQ(int(ply.vertices[0].line), -1);
+  EXPECT_EQ(int(ply.vertices[2].line), 0);
+  EXPECT_EQ(int(ply.vertices[9].line), 1);
+  EXPECT_NEAR(ply.vertices[6].xyz[1], -0.4, 1e-4) << "right of the camera";
+  EXPECT_EQ(int(ply.vertices[2].gray_dark), 40);
+  EXPECT_EQ(int(ply.vertices[2].gray_bright), 200);
+  EXPECT_EQ(int(ply.vertices[2].rgb[0]), 120);
 }
 
 TEST(EdgePly, HeaderTellsTheUnit) {

@@ -66,6 +66,31 @@ TEST(GridMap, FollowsTheGroundUphill) {
   EXPECT_NE(grid.at(int((p.x() - grid.origin_x) / 0.1), int((p.y() - grid.origin_y) / 0.1)), GridCell::kOccupied);
 }
 
+// Something wrong stands in the way that was driven: the pole, and the vehicle went through it.
+TEST(GridMap, TheDrivenWayIsFree) {
+  testing::PoleAndWall scene = testing::pole_and_wall(1, 5);
+  for (int i = 0; i < 9; ++i) {
+    FrameRecord frame;
+    frame.index = i;
+    frame.T_world_cam = SE3(Eigen::Quaterniond::Identity(), {0, 0, double(i)});
+    scene.run.frames.push_back(frame);
+  }
+  OccupancyParams params;
+  params.resolution = "0.1", params.max_range = "15";
+  const OctreeMap map(scene.run, params);
+  const auto at = [&](const OccupancyGrid& grid, double x, double z) {
+    const Eigen::Vector3d p = T_map_world(scene.run) * Eigen::Vector3d(x, 0, z);
+    return grid.at(int(std::floor((p.x() - grid.origin_x) / grid.resolution)), int(std::floor((p.y() - grid.origin_y) / grid.resolution)));
+  };
+  GridParams as_the_map_says;
+  as_the_map_says.driven_width = 0;
+  EXPECT_EQ(at(make_grid(scene.run, map, 1.0, as_the_map_says), 0.05, 5.05), GridCell::kOccupied);
+  const OccupancyGrid grid = make_grid(scene.run, map, 1.0, GridParams());
+  for (const double x : {-0.5, 0.0, 0.05, 0.5}) EXPECT_EQ(at(grid, x, 5.05), GridCell::kFree) << x;
+  EXPECT_EQ(at(grid, 0.05, 10.05), GridCell::kOccupied) << "the wall, where nobody has been";
+  EXPECT_EQ(at(make_grid(scene.run, map, 0, GridParams()), 0.05, 5.05), GridCell::kOccupied) << "no ground, no vehicle";
+}
+
 TEST(GridMap, RosFilesHoldTheTrinaryConvention) {
   const MadeGrid made;
   const test::TempFolder folder;

@@ -111,6 +111,29 @@ TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
   EXPECT_EQ(at(map.tree(), run, {0.05, 0.05, 10}), Voxel::kOccupied);
 }
 
+// A bar given by its ends: every voxel between them, and no ray of the wall behind erases it.
+TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
+  auto scene = pole_and_wall(6, 5);
+  const Eigen::Vector3d a(-0.95, 0.05, 5.05), b(0.95, 0.05, 5.05);
+  EdgeLine bar = testing::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
+  bar.keyframes = 6;
+  scene.run.keyframes[0].lines = {bar};
+  const OctreeMap map(scene.run, fixed_size());
+  for (double x = -0.95; x < 1; x += 0.1) EXPECT_EQ(at(map.tree(), scene.run, {x, 0.05, 5.05}), Voxel::kOccupied) << x;
+}
+
+TEST(OctreeMap, MetricVoxelsAreAtMostAFifthOfAMetre) {
+  auto scene = pole_and_wall(2, 5);
+  for (KeyframeRecord& k : scene.run.keyframes)  // ten times as large: a median depth of 100
+    for (EdgePoint& p : k.points) p.idepth *= 0.1f, p.idepth_sigma *= 0.1f;
+  EXPECT_DOUBLE_EQ(OctreeMap(scene.run, OccupancyParams()).stats().resolution, 2);
+  scene.run.scale_source = "odometry";
+  EXPECT_DOUBLE_EQ(OctreeMap(scene.run, OccupancyParams()).stats().resolution, 0.2);
+  OccupancyParams given;
+  given.resolution = "0.5";
+  EXPECT_DOUBLE_EQ(OctreeMap(scene.run, given).stats().resolution, 0.5);
+}
+
 TEST(OctreeMap, NothingIsMappedBeyondTheRange) {
   const auto scene = pole_and_wall(1, 5);
   OccupancyParams params = fixed_size();

@@ -20,6 +20,19 @@ inline EdgePoint edge_point(const Pinhole& pinhole, const SE3& T_world_cam, cons
   return p;
 }
 
+/// A line of space from a to b in the world, as its host keyframe holds it.
+inline EdgeLine edge_line(const Pinhole& pinhole, const SE3& T_world_cam, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                          int vertices) {
+  EdgeLine line;
+  line.keyframes = 3;
+  line.is_straight = true;
+  for (int i = 0; i < vertices; ++i) {
+    const EdgePoint p = edge_point(pinhole, T_world_cam, a + (b - a) * i / (vertices - 1), 0.005, 3);
+    line.vertices.push_back({p.px, p.idepth, p.idepth_sigma, 40, 200});
+  }
+  return line;
+}
+
 struct PoleAndWall {
   Run run;
   std::vector<Eigen::Vector3d> pole;  ///< world points of the pole, 5 in front, hosted by the first keyframe

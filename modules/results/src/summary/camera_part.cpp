@@ -14,6 +14,8 @@ std::string calibration_statement(const CameraRefinement& c) {
       return "the motion was too straight, too still or too short to tell";
     case State::kInsignificant:
       return "no significant residual distortion: the camera file was left alone";
+    case State::kAtLimit:
+      return "AT ITS LIMIT, not applied: the camera file is probably wrong, in the focal length most of all";
     case State::kApplied:
       return "applied: images and map are corrected by residual_k1";
   }
@@ -32,6 +34,8 @@ std::string shutter_statement(const CameraRefinement::Shutter& s) {
       return "the motion was too still or too short to tell";
     case State::kInsignificant:
       return "no significant read-out time: a global shutter, or a fast one";
+    case State::kAtLimit:
+      return "AT ITS LIMIT, not applied: the camera file is probably wrong";
     case State::kApplied:
       return "rolling: the rows of the images are put where the moment of the middle row has them";
   }

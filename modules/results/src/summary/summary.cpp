@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "edgevo/report/warnings.h"
 #include "edgevo_build_info.h"
 #include "summary_parts.h"
 
@@ -115,6 +116,7 @@ std::string summary_yaml(const SummaryInput& input) {
   write_timing(input, &y);
   write_realtime(input.run, &y);
   y.list("not_written", input.not_written);
+  y.list("warnings", run_warnings(input.run));
   if (!input.info.notes.empty()) y.open("notes");
   for (const auto& [key, value] : input.info.notes) y.text(key, value);
   if (!input.info.notes.empty()) y.close();

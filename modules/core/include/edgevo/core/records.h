@@ -79,7 +79,7 @@ struct KeyframeRecord {
 /// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h),
 /// and read row by row in readout_s (ImageCorrection).
 struct CameraRefinement {
-  enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied };
+  enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
   State state = State::kOff;
   double k1 = 0;        ///< applied to all images; 0 unless kApplied
   double estimate = 0;  ///< newest estimate, applied or not
@@ -98,9 +98,10 @@ struct CameraRefinement {
   ImageCorrection correction() const { return {k1, shutter.readout_s}; }
 };
 
-/// Words for the states in files, in their order.
+/// Words for the states in files, in their order. At the limit: the images ask for more than a lens that the file
+/// nearly describes can have; nothing is applied, and the file is wrong in some other way.
 inline const std::vector<std::string>& refinement_state_names() {
-  static const std::vector<std::string> names{"off", "too_early", "not_observable", "insignificant", "applied"};
+  static const std::vector<std::string> names{"off", "too_early", "not_observable", "insignificant", "applied", "at_limit"};
   return names;
 }
 inline const std::string& to_string(CameraRefinement::State state) { return refinement_state_names()[size_t(state)]; }
@@ -142,6 +143,12 @@ struct Run {
   std::optional<SE3> T_vehicle_cam;   ///< mount of the camera (vehicle x forward, y left, z up; metres), if it is known
 
   bool is_metric() const { return scale_source != "none"; }
+  /// The factor changed along the run by more than drift does: the odometry itself was wrong, and so may be the metres
+  /// between the places where they were measured.
+  bool scale_varies() const {
+    constexpr double kMostDrift = 1.3;  // over hundreds of metres a monocular scale drifts by a tenth
+    return scale.highest > kMostDrift * scale.lowest;
+  }
 };
 
 /// Point of a keyframe in the keyframe's camera frame.

@@ -3,7 +3,8 @@
 //
 // The band lies between two heights over the ground. The ground is where the camera's way is, one camera height lower: over each cell that
 // of the nearest keyframe counts, so that the band follows hills. A cell is occupied if any voxel of its column in the band is; else
-// free if any is free; else unknown. Unknown is kept apart from free: edges are sparse, and what no ray crossed is not known.
+// free if any is free; else unknown. Where the vehicle itself has been nothing stands, whatever the map says: its way, `driven_width`
+// wide, is free (only where the ground is known: else nobody knows that there is a vehicle). Unknown is kept apart from free: edges are sparse, and what no ray crossed is not known.
 //
 // Cost: linear in the voxels of the map, and cells times keyframes within reach. World: that of the map files, z up.
 #include <string>
@@ -22,6 +23,7 @@ struct GridParams {
   std::string camera_height = "auto";  ///< over the ground, unit of the run
   double band_low = 0.18;
   double band_high = 1.1;
+  double driven_width = 1.1;  ///< the way that was driven is free, so wide: 1.8 m with a camera at 1.65 m; 0: as the map says
 
   void visit(ParamVisitor& v);
   /// The given height; 0 stands for "auto". Throws InputError for anything but "auto" and positive numbers.

@@ -11,7 +11,7 @@ namespace edgevo {
 /// arbitrary, the defaults are shares of the median depth of the points: at 12 m median depth voxels of 0.24
 /// m and a range of 24 m.
 struct OccupancyParams {
-  std::string resolution = "auto";  ///< edge of a voxel; "auto": resolution_share of the median depth
+  std::string resolution = "auto";  ///< edge of a voxel; "auto": resolution_share of the median depth, at most 0.2 metres
   double resolution_share = 0.02;
   std::string max_range = "auto";  ///< nothing farther from its keyframe is mapped; "auto": max_range_share
   double max_range_share = 2.0;
