@@ -1,5 +1,5 @@
 // Completeness and accuracy of the lines of edges against a rendered scene, for tables:
-//   edge_map_figures SCENE SEED [KIND OF LIGHT | -] [GROUP.KEY=VALUE...]
+//   edge_map_figures SCENE SEED [KIND OF LIGHT | -] [frames=N] [GROUP.KEY=VALUE...]
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -15,7 +15,7 @@ namespace {
 
 int figures(const std::vector<std::string>& args) {
   if (args.size() < 2) {
-    std::cerr << "usage: edge_map_figures SCENE SEED [LIGHT | -] [GROUP.KEY=VALUE...]\n";
+    std::cerr << "usage: edge_map_figures SCENE SEED [LIGHT | -] [frames=N] [GROUP.KEY=VALUE...]\n";
     return 2;
   }
   const uint64_t seed = std::strtoull(args[1].c_str(), nullptr, 10);
@@ -37,7 +37,7 @@ int figures(const std::vector<std::string>& args) {
   for (const FrameRecord& f : drive_figures.run.frames)
     for (const auto& [stage, ms] : f.stage_ms) cpu_ms += stage == "edge_map" ? ms : 0;
   std::cout << args[0] << ' ' << seed << ' ' << (args.size() > 2 ? args[2] : "-") << ": "
-            << truth.judge(drive_figures.run, std::getenv("EDGE_DUMP")) << "; ATE " << drive_figures.evaluation.ate_sim3.rmse << " m, edge map "
+            << truth.judge(drive_figures.run) << "; ATE " << drive_figures.evaluation.ate_sim3.rmse << " m, edge map "
             << cpu_ms / double(drive_figures.run.frames.size()) << " CPU ms a frame" << std::endl;
   return 0;
 }

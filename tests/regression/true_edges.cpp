@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "edgevo/core/point_filter.h"
@@ -37,7 +36,8 @@ double share(int64_t part, int64_t all) { return double(part) / double(std::max<
 std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& q) {
   return out << 100 * q.completeness << " % of " << q.true_cells << " cells of true edges reconstructed, "
              << 100 * q.accuracy << " % of " << q.length << " m of lines at true edges (points alone: "
-             << 100 * q.points_completeness << ", " << 100 * q.points_accuracy << " %); " << q.lines
+             << 100 * q.points_completeness << ", " << 100 * q.points_accuracy << " %; both: "
+             << 100 * q.both_completeness << " %); " << q.lines
              << " lines with " << q.vertices << " vertices in " << q.keyframes << " keyframes";
 }
 
@@ -84,60 +84,65 @@ bool TrueEdges::has_near(const Cells& cells, const Eigen::Vector3d& p) const {
   return false;
 }
 
-Eigen::Vector3d TrueEdges::in_scene(const Run&, const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const {
+Eigen::Vector3d TrueEdges::in_scene(const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const {
   return T_scene_run_ * (scale_ * (k.T_world_cam * p_cam));
 }
 
-EdgeMapQuality TrueEdges::judge(const Run& run, const char* dump) const {
-  FILE* out = dump ? fopen(dump, "w") : nullptr;
-  EdgeMapQuality q;
-  Cells lines, points;
-  const auto add = [&](Cells* cells, const Eigen::Vector3d& p) {
-    Seen& s = (*cells)[cell_of(p)];
-    s.sum += p, ++s.pixels;
-  };
-  double good = 0;
-  int64_t kept = 0, good_points = 0;
+void TrueEdges::add(const Eigen::Vector3d& p, Cells* cells) const {
+  Seen& s = (*cells)[cell_of(p)];
+  s.sum += p, ++s.pixels;
+}
+
+void TrueEdges::judge_points(const Run& run, Cells* points, EdgeMapQuality* q) const {
   const PointFilter filter;
-  q.keyframes = int64_t(run.keyframes.size());
-  for (const KeyframeRecord& k : run.keyframes) {
+  int64_t kept = 0, good = 0;
+  for (const KeyframeRecord& k : run.keyframes)
     for (const EdgePoint& e : k.points) {
       const Eigen::Vector3d p_cam = point_in_camera(run.pinhole, e);
       if (!filter.keeps(e) || scale_ * p_cam.norm() > range_) continue;
-      const Eigen::Vector3d p = in_scene(run, k, p_cam);
-      ++kept, good_points += has_near(seen_, p);
-      add(&points, p);
+      const Eigen::Vector3d p = in_scene(k, p_cam);
+      ++kept, good += has_near(seen_, p);
+      add(p, points);
     }
+  q->points_accuracy = share(good, kept);
+}
+
+void TrueEdges::judge_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const {
+  double good = 0;
+  for (const KeyframeRecord& k : run.keyframes)
     for (const EdgeLine& line : k.lines) {
-      ++q.lines, q.vertices += int64_t(line.vertices.size());
+      ++q->lines, q->vertices += int64_t(line.vertices.size());
       for (size_t i = 1; i < line.vertices.size(); ++i) {
         const Eigen::Vector3d a_cam = point_in_camera(run.pinhole, line.vertices[i - 1]);
         const Eigen::Vector3d b_cam = point_in_camera(run.pinhole, line.vertices[i]);
         if (scale_ * std::max(a_cam.norm(), b_cam.norm()) > range_) continue;
-        const Eigen::Vector3d a = in_scene(run, k, a_cam), b = in_scene(run, k, b_cam);
+        const Eigen::Vector3d a = in_scene(k, a_cam), b = in_scene(k, b_cam);
         const double length = (b - a).norm();
-        q.length += length;
-        const bool is_good = has_near(seen_, 0.5 * (a + b));
-        good += length * is_good;
-        const EdgeVertex& v = line.vertices[i];
-        if (out) fprintf(out, "%d %g %g %g %zu %d %d %d %d %g %g\n", is_good, length, scale_ * a_cam.norm(), v.idepth_sigma / v.idepth, line.vertices.size(), line.keyframes, line.is_outline, line.is_straight, int(v.gray_bright) - v.gray_dark, v.px.x(), v.px.y());
+        q->length += length;
+        good += length * has_near(seen_, 0.5 * (a + b));
         const int steps = 1 + int(length / (0.5 * tolerance_));
-        for (int s = 0; s <= steps; ++s) add(&lines, a + (b - a) * s / steps);
+        for (int s = 0; s <= steps; ++s) add(a + (b - a) * s / steps, lines);
       }
     }
-  }
-  if (out) fclose(out);
-  int64_t found = 0, found_by_points = 0;
+  q->accuracy = q->length > 0 ? good / q->length : 0;
+}
+
+EdgeMapQuality TrueEdges::judge(const Run& run) const {
+  EdgeMapQuality q;
+  q.keyframes = int64_t(run.keyframes.size());
+  Cells lines, points;
+  judge_points(run, &points, &q);
+  judge_lines(run, &lines, &q);
+  int64_t by_lines = 0, by_points = 0, by_both = 0;
   for (const auto& [cell, seen] : seen_) {
     if (seen.keyframes < kMinKeyframes) continue;
     ++q.true_cells;
-    found += has_near(lines, seen.mean());
-    found_by_points += has_near(points, seen.mean());
+    const bool on_line = has_near(lines, seen.mean()), on_point = has_near(points, seen.mean());
+    by_lines += on_line, by_points += on_point, by_both += on_line || on_point;
   }
-  q.completeness = share(found, q.true_cells);
-  q.points_completeness = share(found_by_points, q.true_cells);
-  q.accuracy = q.length > 0 ? good / q.length : 0;
-  q.points_accuracy = share(good_points, kept);
+  q.completeness = share(by_lines, q.true_cells);
+  q.points_completeness = share(by_points, q.true_cells);
+  q.both_completeness = share(by_both, q.true_cells);
   return q;
 }
 

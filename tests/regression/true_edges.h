@@ -18,6 +18,7 @@ struct EdgeMapQuality {
   double completeness = 0;  ///< share of the true edges, seen by three keyframes, that are reconstructed
   double accuracy = 0;      ///< share of the reconstructed length that lies at a true edge
   double points_completeness = 0, points_accuracy = 0;  ///< the same of the sparse points alone
+  double both_completeness = 0;
   int64_t true_cells = 0;   ///< cubes of half the tolerance with true edges
   double length = 0;        ///< metres of reconstructed edges within range
   int64_t vertices = 0, lines = 0, keyframes = 0;
@@ -29,7 +30,7 @@ class TrueEdges {
   /// `range`: metres from the camera; `tolerance`: metres between a reconstructed edge and a true one.
   TrueEdges(const SceneRenderer& renderer, const Run& run, double range, double tolerance);
 
-  EdgeMapQuality judge(const Run& run, const char* dump = nullptr) const;
+  EdgeMapQuality judge(const Run& run) const;
 
  private:
   using Cell = std::array<int, 3>;
@@ -48,7 +49,10 @@ class TrueEdges {
   Cell cell_of(const Eigen::Vector3d& p) const;
   void add_edges(int keyframe, int frame_index);
   bool has_near(const Cells& cells, const Eigen::Vector3d& p) const;
-  Eigen::Vector3d in_scene(const Run& run, const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const;
+  Eigen::Vector3d in_scene(const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const;
+  void add(const Eigen::Vector3d& p, Cells* cells) const;
+  void judge_points(const Run& run, Cells* points, EdgeMapQuality* q) const;
+  void judge_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const;
 
   const SceneRenderer* renderer_;
   double range_, tolerance_;

@@ -20,31 +20,48 @@ constexpr double kMinMotionPx = 3;
 
 // One view's equation for the inverse depth.
 struct Look {
-  bool in_view = false, found = false;
+  size_t view = 0;
+  Eigen::Vector2d p;  // where the point lies in it
+  int pixel = -1;     // of the nearest edge
+  bool found = false;
   double residual = 0, slope = 0;  // r and J
   SideChange change;
 };
 
-Look look_up(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line, double idepth,
-             double reach) {
-  Look look;
-  if (!(line.depth(idepth) > kMinDepth)) return look;
-  const Eigen::Vector2d p = line.at(idepth);
-  if (!view.level->pinhole.contains(p, kBorderPx)) return look;
-  look.in_view = true;
-  const int j = view.level->field.nearest(float(p.x()), float(p.y()));
-  if (j < 0) return look;
-  const EdgePixel& e = view.level->edges.pixels[size_t(j)];
-  const Eigen::Vector2d offset = e.position().cast<double>() - p;
+// The first `most` views in whose image the point lies. Memory is asked for before it is read: what is looked up lies
+// anywhere in a megabyte.
+void project(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, int most,
+             std::vector<Look>* looks) {
+  looks->clear();
+  for (size_t v = 0; v < views.size() && int(looks->size()) < most; ++v) {
+    const SightLine& line = sight.lines[v];
+    if (!(line.depth(idepth) > kMinDepth)) continue;
+    Look look;
+    look.view = v;
+    look.p = line.at(idepth);
+    if (!views[v].level->pinhole.contains(look.p, kBorderPx)) continue;
+    views[v].level->field.prefetch_pixel(float(look.p.x()), float(look.p.y()));
+    looks->push_back(look);
+  }
+  for (Look& look : *looks) {
+    const NearestField& field = views[look.view].level->field;
+    look.pixel = field.nearest_pixel(float(look.p.x()), float(look.p.y()));
+    if (look.pixel >= 0) field.prefetch_edge(look.pixel);
+  }
+}
+
+void compare_with_edge(const EdgeSight& sight, const ViewGeometry& view, double idepth, double reach, Look* look) {
+  if (look->pixel < 0) return;
+  const size_t j = size_t(view.level->field.edge_at(look->pixel));
+  const EdgePixel& e = view.level->edges.pixels[j];
+  const Eigen::Vector2d offset = e.position().cast<double>() - look->p;
   const Eigen::Vector2d n = e.normal().cast<double>();
-  look.residual = n.dot(offset);
-  if (std::abs(look.residual) > reach || offset.squaredNorm() > (kAlongPx + reach) * (kAlongPx + reach)) return look;
-  if (!is_like_direction(view, sight.normal, e)) return look;
-  look.change = compare_sides(sight.sides, view, size_t(j));
-  if (look.change.dark && look.change.bright) return look;
-  look.found = true;
-  look.slope = n.dot(line.slope(idepth, p));
-  return look;
+  look->residual = n.dot(offset);
+  if (std::abs(look->residual) > reach || offset.squaredNorm() > (kAlongPx + reach) * (kAlongPx + reach)) return;
+  if (!is_like_direction(view, sight.normal, e)) return;
+  look->change = compare_sides(sight.sides, view, j);
+  look->found = !(look->change.dark && look->change.bright);
+  look->slope = n.dot(sight.lines[look->view].slope(idepth, look->p));
 }
 
 }  // namespace
@@ -71,16 +88,18 @@ SideChange compare_sides(const EdgeSides& host, const ViewGeometry& view, size_t
 
 Hypothesis weigh(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, Guess guess,
                  double max_idepth, const EdgeMapParams& params) {
+  thread_local std::vector<Look> looks;
   Hypothesis h;
   for (int pass = guess == Guess::kRough ? 0 : 1; pass < kLooks; ++pass) {
     h = Hypothesis{};
     h.idepth = idepth;
     double A = 0, b = 0;  // of A (rho - idepth) = b
-    for (size_t v = 0; v < views.size() && h.in_view < params.views; ++v) {
-      const Look look = look_up(sight, views[v], sight.lines[v], idepth, kReachPx[pass]);
-      h.in_view += look.in_view;
+    project(sight, views, idepth, params.views, &looks);
+    h.in_view = int(looks.size());
+    for (Look& look : looks) {
+      compare_with_edge(sight, views[look.view], idepth, kReachPx[pass], &look);
       if (!look.found) {
-        h.cost += look.in_view;
+        h.cost += 1;
         continue;
       }
       A += look.slope * look.slope;

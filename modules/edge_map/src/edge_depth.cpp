@@ -11,7 +11,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kSearchedViews = 2;      // in which crossings are sought: one may be covered
-constexpr int kSearchEveryPx = 8;      // along the edge; in between, what was found is carried along
+constexpr int kSearchEveryPx = 12;     // along the edge; in between, what was found is carried along
 constexpr int kMaxHypotheses = 3;      // kept of a pixel
 constexpr double kSameIdepth = 0.03;   // hypotheses within this share are one
 constexpr double kMinSupport = 0.5;    // of the views in which a point lies, that must show it

@@ -83,7 +83,7 @@ bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, const Sigh
       if (idepth > 0 && idepth <= max_idepth) idepths->push_back(idepth);
       last = at;
     }
-    s += 1;
+    s += kStepPast;
   }
   return true;
 }

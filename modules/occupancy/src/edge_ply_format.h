@@ -12,6 +12,9 @@ constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scal
 /// gray_bright line_kind.
 constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kLineOffset = 31, kSidesOffset = 35, kVertexBytes = 38;
 
+/// int vertex1 vertex2.
+constexpr size_t kEdgeBytes = 8;
+
 /// Bits of line_kind.
 constexpr int kStraight = 1, kOutline = 2;
 

@@ -40,7 +40,7 @@ bool read_pose(std::istream& in, SE3* T) {
 struct Header {
   Run run;
   std::vector<SE3> T_map_cam;
-  size_t vertices = 0, end = 0;
+  size_t vertices = 0, edges = 0, end = 0;
   int line = -1;  // that the last vertex was of
   bool is_ours = false, has_lines = false;
 };
@@ -51,6 +51,7 @@ void read_line(const std::string& path, const std::string& line, Header* header)
   in >> word >> key;
   if (word == "property" && line == "property uchar line_kind") header->has_lines = true;
   if (word == "element" && key == "vertex" && !(in >> header->vertices)) refuse(path, "its header tells no number of points");
+  if (word == "element" && key == "edge" && !(in >> header->edges)) refuse(path, "its header tells no number of edges");
   if (word != "comment") return;
   bool readable = true;
   if (key == ply::kKeyframe) {
@@ -80,7 +81,9 @@ Header read_header(const std::string& path, const std::string& bytes) {
   if (!header.is_ours) refuse(path, "its header tells neither scale nor keyframes");
   if (!header.has_lines) refuse(path, "was written by an older version, without lines of edges");
   header.end = end + std::strlen("end_header\n");
-  if ((bytes.size() - header.end) / ply::kVertexBytes < header.vertices)
+  const size_t body = bytes.size() - header.end;
+  if (body / ply::kVertexBytes < header.vertices ||
+      (body - header.vertices * ply::kVertexBytes) / ply::kEdgeBytes < header.edges)
     refuse(path, "is cut short: " + std::to_string(header.vertices) + " points are announced");
   return header;
 }
