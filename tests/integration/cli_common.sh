@@ -80,7 +80,7 @@ ate() {
 # results_kept OUT FRAMES: the run ended early, and yet everything is there for that many frames.
 results_kept() {
   check "rows of frames.csv up to there" "$(rows "$1")" -eq "$2"
-  for file in trajectory_tum.txt trajectory_live_tum.txt edges.ply edges.bt edges.ot keyframes.simplemap playback.rawlog summary.yaml; do
+  for file in trajectory_tum.txt trajectory_live_tum.txt edges.ply edge_segments.csv edges.bt edges.ot edges_color.ot keyframes.simplemap playback.rawlog summary.yaml; do
     [ -s "$1/$file" ] || fail "$file is not there or empty"
   done
   check "poses up to there" "$(poses "$1")" -ge $(($2 - 10))

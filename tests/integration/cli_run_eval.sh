@@ -40,7 +40,9 @@ check "frames in summary.yaml" "$(value frames total)" -eq "$frames"
 check "poses in summary.yaml" "$(value frames with_pose)" -eq "$(poses $out)"
 check "segments in summary.yaml" "$(value trajectory segments)" -eq 1
 check "keyframes in summary.yaml" "$(value trajectory keyframes)" -eq "$(awk -F, 'NR > 1 && $5 == 1' $out/frames.csv | wc -l)"
-check "vertices of edges.ply" "$(sed -n 's/^element vertex //p' $out/edges.ply | tr -d '\r')" -eq "$(value map points_exported)"
+check "vertices of edges.ply" "$(sed -n 's/^element vertex //p' $out/edges.ply | tr -d '\r')" -eq $(($(value map points_exported) + $(value map line_vertices)))
+check "lines in edge_segments.csv" $(($(wc -l <$out/edge_segments.csv) - 1)) -eq "$(value map lines)"
+check "vertices of lines for each point" $(($(value map line_vertices) / $(value map points_exported))) -ge 2
 check "not metric" "$(value scale metric | grep -c false)" -eq 1
 below "memory in MB" "$(value memory peak_mb)" 2000
 grep -q '^not_written: \[\]' $out/summary.yaml && ok "nothing unwritten" || fail "not_written in summary.yaml"

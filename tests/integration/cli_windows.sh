@@ -7,7 +7,7 @@ street=$scenes/street
 for tool in RawLogViewer SceneViewer3D; do
   command -v $tool >/dev/null || { fail "$tool is missing; install mrpt-apps"; finish; }
 done
-cp -r "$scenes/runs/street" out
+cp -rL "$scenes/runs/street" out  # its links to the images are relative
 start_display
 export HOME="$work"  # the viewers keep their settings there
 cd out || exit 1

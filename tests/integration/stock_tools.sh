@@ -44,7 +44,7 @@ images_found() {
 frames=$(($(wc -l <"$out/frames.csv") - 1))
 poses=$(grep -vc '^#' "$out/trajectory_tum.txt")
 keyframes=$(awk -F, 'NR > 1 && $5 == 1' "$out/frames.csv" | wc -l)
-points=$(summary points_exported)
+points=$(($(summary points_exported) + $(summary line_vertices)))
 check "frames in frames.csv" "$frames" -gt 0
 
 # The rawlog: counts, and the poses that the stock exporter gets out of it.

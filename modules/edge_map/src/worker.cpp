@@ -1,5 +1,8 @@
 #include "worker.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <utility>
 
 namespace edgevo {
@@ -40,6 +43,10 @@ void Worker::wait_idle() {
 }
 
 void Worker::loop() {
+  // Tracking and mapping come first: what the thread does not keep up with is left out. On Linux a thread has a
+  // nice level of its own; where it cannot be set, it shares alike.
+  constexpr int kNice = 10;
+  (void)setpriority(PRIO_PROCESS, id_t(gettid()), kNice);
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return stop_ || !queue_.empty(); });

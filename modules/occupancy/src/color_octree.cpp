@@ -43,7 +43,7 @@ class VoxelGrays {
       const auto mean = uint8_t(gray.sum / gray.count);
       colored.setNodeValue(key, node->getLogOdds(), /*lazy_eval=*/true)->setColor(mean, mean, mean);
     }
-    colored.updateInnerOccupancy();
+    if (colored.size() > 0) colored.updateInnerOccupancy();  // octomap 1.9 does not look whether there is a root
     return colored;
   }
 
