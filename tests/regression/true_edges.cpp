@@ -14,19 +14,33 @@ namespace {
 
 constexpr int kMinKeyframes = 3;
 
-// Relocates the path of the run onto the true one: scale and motion.
+using Points = std::vector<Eigen::Vector3d>;
+
+Eigen::Matrix4d fit(const Points& from, const Points& to, bool with_scale) {
+  Eigen::Matrix3Xd a(3, from.size()), b(3, to.size());
+  for (size_t i = 0; i < from.size(); ++i) a.col(Eigen::Index(i)) = from[i], b.col(Eigen::Index(i)) = to[i];
+  return Eigen::umeyama(a, b, with_scale);
+}
+
+// Lays the path of the run onto the true one: scale, then motion. A straight way leaves the roll open; a second point a
+// metre above each camera ties it.
 void fit_path(const Scene& scene, const Run& run, double* scale, SE3* T_scene_run) {
-  std::vector<Eigen::Vector3d> from, to;
+  Points from, to;
   for (const FrameRecord& f : run.frames) {
     if (!f.T_world_cam) continue;
     from.push_back(f.T_world_cam->translation());
     to.push_back(scene.T_scene_cam[size_t(f.index)].translation());
   }
-  Eigen::Matrix3Xd a(3, from.size()), b(3, to.size());
-  for (size_t i = 0; i < from.size(); ++i) a.col(Eigen::Index(i)) = from[i], b.col(Eigen::Index(i)) = to[i];
-  const Eigen::Matrix4d T = Eigen::umeyama(a, b, true);
-  *scale = T.topLeftCorner<3, 3>().col(0).norm();
-  *T_scene_run = SE3(Eigen::Matrix3d(T.topLeftCorner<3, 3>() / *scale), Eigen::Vector3d(T.topRightCorner<3, 1>()));
+  *scale = fit(from, to, true).topLeftCorner<3, 3>().col(0).norm();
+  const Eigen::Vector3d up(0, -1, 0);
+  for (Eigen::Vector3d& p : from) p *= *scale;
+  for (const FrameRecord& f : run.frames) {
+    if (!f.T_world_cam) continue;
+    from.push_back(*scale * f.T_world_cam->translation() + f.T_world_cam->R() * up);
+    to.push_back(scene.T_scene_cam[size_t(f.index)] * up);
+  }
+  const Eigen::Matrix4d T = fit(from, to, false);
+  *T_scene_run = SE3(Eigen::Matrix3d(T.topLeftCorner<3, 3>()), Eigen::Vector3d(T.topRightCorner<3, 1>()));
 }
 
 double share(int64_t part, int64_t all) { return double(part) / double(std::max<int64_t>(1, all)); }
