@@ -18,7 +18,8 @@ grab() {
   shift
   rm -rf edges_*
   exec 3<>keys
-  timeout 120 rawlog-grabber -p "$plugin" "$ini" <&3 >said 2>&1 &
+  # In the foreground timeout(1) hands a signal on once; else to the process and to its group, and the second one kills.
+  timeout --foreground 120 rawlog-grabber -p "$plugin" "$ini" <&3 >said 2>&1 &
   grabber=$!
   "$@"
   wait $grabber
