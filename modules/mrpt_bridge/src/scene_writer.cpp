@@ -198,7 +198,7 @@ void add_ground(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
 }
 
 // The main viewport's own camera has all in sight, from behind the start and above. A program of yours begins with it;
-// SceneViewer3D 2.5.8 has a camera of its own, at the origin.
+// SceneViewer3D 2.5.8 still looked at the origin when it was tried.
 void look_at(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   const Eigen::Vector3f c = extent.centre();
   mrpt::opengl::CCamera& camera = scene->getViewport()->getCamera();

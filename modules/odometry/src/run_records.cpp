@@ -38,17 +38,6 @@ void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
   multiply_depths(T_world_map.scale, k);
 }
 
-// A corrected map keeps the newest pose of its time; the run's world is that of its first one.
-void move_first_to_origin(Run* run) {
-  const auto first = std::find_if(run->frames.begin(), run->frames.end(),
-                                  [](const FrameRecord& f) { return f.T_world_cam.has_value(); });
-  if (first == run->frames.end()) return;
-  const SE3 T_first_world = first->T_world_cam->inverse();
-  for (KeyframeRecord& k : run->keyframes) k.T_world_cam = T_first_world * k.T_world_cam;
-  for (FrameRecord& f : run->frames)
-    if (f.T_world_cam) f.T_world_cam = T_first_world * *f.T_world_cam;
-}
-
 }  // namespace
 
 RunRecords::RunRecords(const Pinhole& pinhole) : pinhole_(pinhole) {}

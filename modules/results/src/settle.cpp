@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "edgevo/core/record_units.h"
+
 namespace edgevo {
 namespace {
 
@@ -65,17 +67,6 @@ void settle(const Anchors& anchors, FrameRecord* frame) {
     frame->T_world_cam = anchor->second.T_now;
   else if (frame->T_world_cam_live)
     frame->T_world_cam = moved(anchors, anchor, *frame->T_world_cam_live);
-}
-
-// A corrected map keeps the newest pose of its time; the run's world is that of its first one.
-void move_first_to_origin(Run* run) {
-  const auto first = std::find_if(run->frames.begin(), run->frames.end(),
-                                  [](const FrameRecord& f) { return f.T_world_cam.has_value(); });
-  if (first == run->frames.end()) return;
-  const SE3 T_first_world = first->T_world_cam->inverse();
-  for (KeyframeRecord& k : run->keyframes) k.T_world_cam = T_first_world * k.T_world_cam;
-  for (FrameRecord& f : run->frames)
-    if (f.T_world_cam) f.T_world_cam = T_first_world * *f.T_world_cam;
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #pragma once
+// What changes all poses or all lengths of a run's records.
+#include <algorithm>
+
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 
-/// The depths of a keyframe's points and lines in a unit of which there are `factor` > 0 in the old one.
+/// Multiplies the depths of a keyframe's points and lines, and their deviations, by `factor` > 0; its pose stays.
 inline void multiply_depths(double factor, KeyframeRecord* k) {
   const auto change = [factor](auto& p) {
     p.idepth = float(p.idepth / factor), p.idepth_sigma = float(p.idepth_sigma / factor);
@@ -11,6 +14,18 @@ inline void multiply_depths(double factor, KeyframeRecord* k) {
   for (EdgePoint& p : k->points) change(p);
   for (EdgeLine& line : k->lines)
     for (EdgeVertex& v : line.vertices) change(v);
+}
+
+/// Moves all poses so that the first is the identity: a corrected map keeps the newest pose of its time, while the
+/// run's world is that of its first one. Without a pose nothing changes.
+inline void move_first_to_origin(Run* run) {
+  const auto first = std::find_if(run->frames.begin(), run->frames.end(),
+                                  [](const FrameRecord& f) { return f.T_world_cam.has_value(); });
+  if (first == run->frames.end()) return;
+  const SE3 T_first_world = first->T_world_cam->inverse();
+  for (KeyframeRecord& k : run->keyframes) k.T_world_cam = T_first_world * k.T_world_cam;
+  for (FrameRecord& f : run->frames)
+    if (f.T_world_cam) f.T_world_cam = T_first_world * *f.T_world_cam;
 }
 
 }  // namespace edgevo

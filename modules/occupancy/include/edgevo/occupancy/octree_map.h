@@ -51,7 +51,7 @@ struct OctreeStats {
   int batches = 0;          ///< keyframes inserted
   std::vector<double> batch_ms;  ///< CPU milliseconds of each
   int rays = 0;             ///< rays that carved, after those with the same end voxel were dropped
-  int beyond_range = 0;     ///< kept points not marked because they lie beyond max_range
+  int beyond_range = 0;     ///< kept points and vertices of lines not marked because they lie beyond max_range
   int out_of_bounds = 0;    ///< kept points outside the octree (32768 voxels from the origin)
   int64_t occupied_voxels = 0, free_voxels = 0;  ///< of the finest size
 };
