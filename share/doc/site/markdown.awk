@@ -1,6 +1,6 @@
 # Doxygen's filter for our Markdown pages, which are written for readers of the repository. It makes their links hold in the site:
 #  - a heading gets a label of its page and its text, so that page.md#heading can be resolved;
-#  - a link to a page of the site, or to a public header, becomes a reference to it;
+#  - a link to a page of the site, to a heading of one, or to a public header becomes a reference, and doxygen warns where there is none;
 #  - a link to any other file of the repository becomes its text: that file is not in the site.
 # Lines stay lines, so that a warning names the line of the source. Use: awk -v root=REPOSITORY -f markdown.awk FILE
 
@@ -37,25 +37,13 @@ function is_page(path) {
   return path == "README.md" || path ~ /^share\/doc\/.*\.md$/ || path ~ /^modules\/[a-z_]+\/README\.md$/
 }
 
-function has_heading(path, slug, line, in_code, found) {
-  found = in_code = 0
-  while ((getline line < (root "/" path)) > 0) {
-    if (line ~ /^ *```/) in_code = !in_code
-    if (in_code || line !~ /^#+ /) continue
-    sub(/^#+ +/, "", line)
-    if (slug_of(line) == slug) found = 1
-  }
-  close(root "/" path)
-  return found
-}
-
 function link(text, target, path, anchor) {
   if (target ~ /^(https?|mailto):/) return "[" text "](" target ")"
   anchor = path = target
   if (target ~ /#/) sub(/^[^#]*#/, "", anchor); else anchor = ""
   sub(/#.*/, "", path)
   path = path == "" ? page : join_path(folder, path)
-  if (is_page(path) && anchor != "" && has_heading(path, anchor))
+  if (is_page(path) && anchor != "")
     return "[" text "](@ref " label_of(path) "__" anchor ")"
   if (is_page(path)) return "[" text "](@ref " label_of(path) ")"
   if (path ~ /^modules\/[a-z_]+\/include\/.*\.h$/) {
