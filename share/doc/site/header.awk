@@ -1,5 +1,6 @@
 # Doxygen's filter for our public headers. Lines stay lines, so that a warning names the line of the source.
-#  - A header begins with a plain comment that says what it is for: it becomes the file's documentation.
+#  - A header begins with a plain comment that says what it is for: it becomes the file's documentation. Indented lines in it, other
+#    than those of lists, are tables, formulas and examples, and stay as they are.
 #  - What it declares goes into the group of the module whose folder it lies in (modules.dox).
 #  - One comment on `double fx, fy;  ///< pixels` speaks for all names: doxygen would give it to one of them.
 #  - Constructors that move and assignments are left out: they do what they do everywhere.
@@ -39,18 +40,32 @@ function spread(code, comment, count, i, type, out) {
   return out
 }
 
+# A line of the head is printed when the next one is known: the last line of a table closes it.
+function put_head(line, is_table) {
+  if (held != "") print held (in_table && !is_table ? " @endverbatim" : "")
+  if (is_table && !in_table) sub(/^\/\/\//, "/// @verbatim", line)
+  in_table = is_table
+  held = line
+}
+
 FNR == 1 {
   path = substr(FILENAME, length(root) + 2)
   split(path, parts, "/")
   group = "module_" parts[2]
   name = path
   sub(/^.*\/include\//, "", name)
-  in_head = 0
-  before = ""
+  in_head = in_list = in_table = 0
+  held = before = ""
 }
 /^#pragma once/ { print "/// @file " name; in_head = 1; next }
-in_head && /^\/\// { sub(/^\/\//, "///"); print; next }
-{ in_head = 0 }
+in_head && /^\/\// {
+  if (/^\/\/ +([0-9]+\.|-) /) in_list = 1
+  else if (!/^\/\/  /) in_list = 0
+  sub(/^\/\//, "///")
+  put_head($0, /^\/\/\/  / && !in_list)
+  next
+}
+in_head { put_head("", 0); in_head = 0 }
 /^namespace edgevo[a-z_:]* \{$/ { print $0 " /** @addtogroup " group " */ /** @{ */"; next }
 /^}  \/\/ namespace edgevo/ { print "/** @} */ " $0; next }
 /^ +[A-Za-z0-9_]+\([A-Za-z0-9_]+&&[^)]*\)|operator=\(/ { print ""; next }
