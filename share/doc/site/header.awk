@@ -42,8 +42,9 @@ function spread(code, comment, count, i, type, out) {
 
 # A line of the head is printed when the next one is known: the last line of a table closes it.
 function put_head(line, is_table) {
-  if (held != "") print held (in_table && !is_table ? " @endverbatim" : "")
-  if (is_table && !in_table) sub(/^\/\/\//, "/// @verbatim", line)
+  if (is_table && !in_table) held = held " @verbatim"
+  if (in_table && !is_table) held = held " @endverbatim"
+  print held
   in_table = is_table
   held = line
 }
@@ -57,15 +58,16 @@ FNR == 1 {
   in_head = in_list = in_table = 0
   held = before = ""
 }
-/^#pragma once/ { print "/// @file " name; in_head = 1; next }
+/^#pragma once/ { held = "/** @file " name; in_head = 1; next }
 in_head && /^\/\// {
   if (/^\/\/ +([0-9]+\.|-) /) in_list = 1
   else if (!/^\/\/  /) in_list = 0
-  sub(/^\/\//, "///")
-  put_head($0, /^\/\/\/  / && !in_list)
+  is_table = /^\/\/  / && !in_list
+  sub(/^\/\/ ?/, "")
+  put_head($0, is_table)
   next
 }
-in_head { put_head("", 0); in_head = 0 }
+in_head { put_head("", 0); printf "*/ "; in_head = 0 }
 /^namespace edgevo[a-z_:]* \{$/ { print $0 " /** @addtogroup " group " */ /** @{ */"; next }
 /^}  \/\/ namespace edgevo/ { print "/** @} */ " $0; next }
 /^ +[A-Za-z0-9_]+\([A-Za-z0-9_]+&&[^)]*\)|operator=\(/ { print ""; next }
