@@ -20,7 +20,7 @@ EdgeMap edges_of(const GrayImage& image, const std::string& detector = "canny") 
   EdgeParams params;
   params.detector = detector;
   const Gradient gradient = compute_gradient(image.view());
-  return extract_edges(make_edge_detector(params)->detect(image.view(), gradient), gradient, params.min_chain);
+  return extract_edges(make_edge_detector(params)->detect({image.view(), gradient}), gradient, params.min_chain);
 }
 
 // A blurred straight edge through (60.3, 40.2): every edge pixel must lie on it to sub-pixel, with the right normal.
