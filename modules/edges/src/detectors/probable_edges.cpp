@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "canny.h"
+#include "edgevo/core/error.h"
 #include "opencv_view.h"
 
 namespace edgevo {
@@ -15,6 +16,11 @@ namespace {
 
 constexpr int kReach = 2;    // pixels: networks that halve the image twice are off by as many
 constexpr int kParallel = 3; // pixels: nearer than this two edges are under one ridge
+
+void check_there(const ImageView<uint8_t>& probability) {
+  if (probability.data == nullptr)
+    throw InputError("edges.detector", "needs a probability, and there is none", "build pyramids with the detector's own");
+}
 
 // Sixteen bits, smoothed over a pixel: eight bits have plateaus on top of a ridge.
 Plane<uint16_t> smoothed(const ImageView<uint8_t>& probability) {
@@ -78,6 +84,7 @@ int count_marked(const Plane<uint8_t>& mask) { return cv::countNonZero(as_mat(ma
 
 Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& gradient, const ImageView<uint8_t>& probability,
                              int budget) {
+  check_there(probability);
   const std::vector<Scored> all = score_all(candidates, gradient, smoothed(probability));
   std::vector<uint16_t> scores;
   for (const Scored& s : all) scores.push_back(s.score);
@@ -91,6 +98,7 @@ Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& g
 }
 
 Plane<uint8_t> nearest_to_ridge(const Plane<uint8_t>& candidates, const Gradient& gradient, const ImageView<uint8_t>& probability) {
+  check_there(probability);
   const Plane<uint16_t> ridge = smoothed(probability);
   Plane<uint8_t> mask(candidates.width(), candidates.height());
   std::memcpy(mask.row(0), candidates.row(0), size_t(mask.width()) * mask.height());
