@@ -88,7 +88,7 @@ TEST_F(FileFormats, PropertiesOfPoints) {
 }
 
 TEST_F(FileFormats, KeysOfTheSummary) {
-  Run run = made_.run;
+  edgevo::Run run = made_.run;
   run.realtime = RealtimeRecord();
   run.scale_source = "factor=2";
   run.scale.problem = "none";
