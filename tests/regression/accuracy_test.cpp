@@ -66,7 +66,8 @@ void expect_accurate_and_consistent(const DriveFigures& figures, const Bounds& b
 
 TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(street_drive(), {0.05, 0.015, 0.95, 8}); }
 
-// Backing away: nothing leaves the view, and what comes into it is near and new (share/lab/mapping.md, "Backwards").
+// Backing away: nothing leaves the view, and what comes into it is near and new
+// (share/lab/2026-11-23_backward_motion.md).
 TEST(RenderedAccuracy, StreetDriveBackwards) {
   constexpr int kFrames = 80;
   Scene scene = load_scene("street");
@@ -106,7 +107,8 @@ TEST(RenderedAccuracy, TurnOnTheSpot) {
 }
 
 // Where all edges run along the motion, glare and shadows outvote the few points that tell how far the camera has gone
-// (share/lab/odometry.md, "A step out of the ordinary"): without what is told there 14 to 18 % of the path, seeds 1 and 2; with it 0.2 to 0.4 %.
+// (share/lab/2026-11-23_motion_outliers.md): without what is told there 14 to 18 % of the path, seeds 1 and
+// 2; with it 0.2 to 0.4 %.
 TEST(RenderedAccuracy, ACorridorInBadLight) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("corridor"));
   SourceOptions some;
