@@ -22,7 +22,7 @@ constexpr int kDone = 0, kMostlyFailed = 3;
 
 struct RunArguments {
   SourceOptions source;
-  std::string out, params_file, detector, edge_map, scale = "none";
+  std::string out, params_file, detector, edge_model, edge_folder, edge_map, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false, view = false;
@@ -38,6 +38,8 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.params_file.empty()) read_params_file(args.params_file, visit);
   for (const std::string& setting : args.settings) set_param(setting, visit);
   if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
+  if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
+  if (!args.edge_folder.empty()) params.odometry.edges.folder = args.edge_folder;
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
   return params;
 }
@@ -75,7 +77,7 @@ std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, Ru
   };
 }
 
-std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSource& source) {
+std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& source) {
   if (!args.view) return nullptr;
   std::string why;
   auto view = RunView::open(source.T_vehicle_cam(), &why);
@@ -83,7 +85,7 @@ std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSour
   return view;
 }
 
-Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params,
+Drive drive_from(const RunArguments& args, ImageSource& source, const OdometryParams& params,
                      RunScaling& scaling, RunOutputs& outputs) {
   DriveOptions options;
   options.odometry.seed = args.seed;
@@ -94,7 +96,7 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
-  const auto view = view_as_asked(args, source);
+  const auto view = view_from(args, source);
   return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
 }
 
@@ -143,7 +145,7 @@ int run(const RunArguments& args) {
   RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
   outputs.keep_journal({info, args.scale, scaling.track(), source->T_vehicle_cam()});
   listen_to_signals();
-  Drive driven = drive_as_asked(args, *source, params.odometry, scaling, outputs);
+  Drive driven = drive_from(args, *source, params.odometry, scaling, outputs);
   Run& result = driven.run;
   if (result.frames.empty()) throw_without_frames(args, driven);
   scaling.apply(&result);
@@ -178,6 +180,13 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
       ->take_all();
   command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
+  command->add_option("--edge-model", args->edge_model,
+                      "for the detectors structured (a forest in OpenCV's format) and network (an .onnx with its .yaml beside it): "
+                      "another model than the one that comes with edgevo")
+      ->check(path_given());
+  command->add_option("--edge-folder", args->edge_folder,
+                      "for the detector precomputed: the folder that `edgevo edges` has written")
+      ->check(path_given());
   command->add_option("--edge-map", args->edge_map,
                       "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
   command

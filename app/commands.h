@@ -1,5 +1,5 @@
 #pragma once
-// The sub-commands of `edgevo`. Each adds itself to the parser with its options and, when it is the one asked for, leaves
+// The sub-commands of `edgevo`. Each adds itself to the parser with its options and, when it is the requested one, leaves
 // its work in `*action`; the action returns the exit code (0 done, 3 tracking failed for most of the sequence) and
 // throws edgevo::InputError for bad input (main makes that one line and exit code 2).
 #include <CLI/CLI.hpp>
@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 void add_run_command(CLI::App& app, Action* action, std::vector<std::string> command_line);
 void add_finish_command(CLI::App& app, Action* action);
 void add_import_command(CLI::App& app, Action* action);
+void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
 void add_eval_command(CLI::App& app, Action* action);
 void add_simulate_command(CLI::App& app, Action* action);

@@ -33,3 +33,11 @@ foreach(page IN LISTS EDGEVO_PAGES)
   get_filename_component(folder ${page} DIRECTORY)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT doc)
 endforeach()
+
+# Models of detectors, found from the program (core/share_folder.h): beside an installation, and beside a build through a link.
+set(EDGEVO_MODELS ${PROJECT_SOURCE_DIR}/share/models)
+if(EXISTS ${EDGEVO_MODELS})
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/edgevo)
+  file(CREATE_LINK ${EDGEVO_MODELS} ${PROJECT_BINARY_DIR}/share/edgevo/models SYMBOLIC)
+  install(DIRECTORY share/models DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
+endif()

@@ -22,7 +22,7 @@ struct Odometry::Impl {
         random(Random::derive(o.seed, 3)),
         mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
         records(camera.pinhole),
-        rebuilder(camera, p.edges),
+        rebuilder(PyramidBuilder::for_rebuilding(camera, p.edges)),
         state(p.recovery.max_frames),
         mapping(&mapper, o.realtime,
                 [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
@@ -55,7 +55,7 @@ struct Odometry::Impl {
     motion.begin_frame(frame.time);
     const Arrival arrival = find_edges(frame);
     if (state.tracks(arrival.record->edges)) follow_map(arrival);
-    if (state.bootstraps()) seek_map(arrival);
+    if (state.bootstraps()) bootstrap_map(arrival);
     note_pose(*arrival.record);
     return *arrival.record;
   }
@@ -73,9 +73,9 @@ struct Odometry::Impl {
     const double start = thread_cpu_ms();
     const RowRectification rows{builder.correction().readout_s, expected_motion()};
     const std::shared_ptr<const FramePyramid> pyramid =
-        builder.build(frame.image, rows.expected);  // throws for a wrong size: no record then
-    if (pyramid->unlit && !(newest_pyramid && newest_pyramid->unlit))
-      say(frame, describe_unlit(pyramid->unlit_share()));
+        builder.build(frame, rows.expected);  // throws for a wrong size: no record then
+    if (pyramid->border_mask && !(newest_pyramid && newest_pyramid->border_mask))
+      say(frame, describe_border_mask(pyramid->masked_share()));
     newest_pyramid = pyramid;
     newest_pose = {};
     FrameRecord& record = records.begin_frame(frame);
@@ -143,7 +143,7 @@ struct Odometry::Impl {
     return tracked;
   }
 
-  // What is measured in a keyframe stays: its rows are rectified anew, for the motion that was found.
+  // What is measured in a keyframe stays: its rows are rectified again, for the motion that was found.
   void rectify_keyframe(const Arrival& now, const Vector6d& twist, TrackedFrame* tracked) {
     const double start = thread_cpu_ms();
     tracked->motion = measured_motion(builder.pinhole(), *reference, now.rows, tracked->T_cam_ref, twist);
@@ -178,7 +178,7 @@ struct Odometry::Impl {
 
   // ---- a map to be made ----
 
-  void seek_map(const Arrival& now) {
+  void bootstrap_map(const Arrival& now) {
     const double start = thread_cpu_ms();
     BootstrapStatus status = bootstrap.add(now.frame.index, now.frame.time, now.pyramid);
     if (status.result) status.reason = make_map(now, *status.result);
@@ -238,7 +238,7 @@ struct Odometry::Impl {
     if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
       bootstrap.reset();
     if (action == Action::kLose) say(frame, "LOST: " + reason);
-    if (action == Action::kResume) say(frame, "tracking resumed in the old map");
+    if (action == Action::kRelocalised) say(frame, "relocalised in the old map");
   }
 
   void note_pose(const FrameRecord& record) {

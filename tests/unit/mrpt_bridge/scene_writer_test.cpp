@@ -68,6 +68,7 @@ TEST_F(SceneWriterTest, CameraSeesAll) {
       for (auto& p : k.points) p.idepth = float(p.idepth / unit);
     }
     auto scene = written(run);
+    EXPECT_TRUE(scene.followCamera());  // SceneViewer3D keeps its own view otherwise
     const mrpt::opengl::CCamera& camera = scene.getViewport()->getCamera();
     const auto box = object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0")->getBoundingBox();
     const double far = (box.max - box.min).norm();
