@@ -6,6 +6,8 @@
 #include <set>
 
 #include "edgevo/core/input_file.h"
+#include "edgevo/evaluation/bench_table.h"
+#include "edgevo/evaluation/trial.h"
 #include "edgevo/occupancy/line_table.h"
 #include "edgevo/results/run_files.h"
 #include "edgevo/results/run_text.h"
@@ -74,6 +76,18 @@ TEST_F(FileFormats, ColumnsOfTables) {
   expect_named(header_of(frames_csv({})), "frames.csv");
   expect_named(header_of(scale_csv({})), "scale.csv");
   expect_named(header_of(line_table_csv({})), "edge_segments.csv");
+}
+
+// NAME_median and NAME_worst are told as NAME.
+TEST_F(FileFormats, FiguresOfABench) {
+  std::vector<std::string> columns;
+  for (const std::string& column : header_of(bench_csv({}, {})))
+    columns.push_back(std::regex_replace(column, std::regex("_(median|worst)$"), ""));
+  EXPECT_THAT(columns, ::testing::Contains("ate200_m"));
+  expect_named(columns, "table.csv");
+  Trial trial;
+  const std::string result = write_params([&](ParamVisitor& v) { trial.visit(v); });
+  expect_named(summary_keys(result), "result.yaml");
 }
 
 TEST_F(FileFormats, PropertiesOfPoints) {
