@@ -20,8 +20,7 @@ class ProbableDetector : public EdgeDetector {
 
   Plane<uint8_t> detect(const EdgeImage& image) override {
     const float floor = float(params_.canny_low_ratio * params_.min_gradient) * kSobelPerGrayLevel;
-    const Plane<uint8_t> maxima = canny(image.gradient, floor, floor);
-    return most_probable(nearest_to_ridge(maxima, image.gradient, image.probability), image.gradient, image.probability, count_marked(canny_at(image.gradient, params_)));
+    return most_probable(canny(image.gradient, floor, floor), image.gradient, image.probability, count_marked(canny_at(image.gradient, params_)));
   }
 
  private:

@@ -14,8 +14,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kReach = 2;    // pixels: networks that halve the image twice are off by as many
-constexpr int kParallel = 3; // pixels: nearer than this two edges are under one ridge
+constexpr int kReach = 2;  // pixels: networks that halve the image twice are off by as many
 
 void check_there(const ImageView<uint8_t>& probability) {
   if (probability.data == nullptr)
@@ -94,21 +93,6 @@ Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& g
   for (const Scored& s : all)
     if (s.score >= low) mask.at(s.x, s.y) = s.score >= high ? kStrongMark : kWeakMark;
   keep_linked(&mask);
-  return mask;
-}
-
-Plane<uint8_t> nearest_to_ridge(const Plane<uint8_t>& candidates, const Gradient& gradient, const ImageView<uint8_t>& probability) {
-  check_there(probability);
-  const Plane<uint16_t> ridge = smoothed(probability);
-  Plane<uint8_t> mask(candidates.width(), candidates.height());
-  std::memcpy(mask.row(0), candidates.row(0), size_t(mask.width()) * mask.height());
-  const Across across{gradient};
-  for_each_marked(candidates, [&](int x, int y) {
-    for (const int t : {-kParallel, 1 - kParallel, kParallel - 1, kParallel}) {
-      const cv::Point p = across.at(x, y, t);
-      if (candidates.at(p.x, p.y) && ridge.at(p.x, p.y) > ridge.at(x, y)) mask.at(x, y) = 0;
-    }
-  });
   return mask;
 }
 

@@ -19,8 +19,4 @@ int count_marked(const Plane<uint8_t>& mask);
 Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& gradient, const ImageView<uint8_t>& probability,
                              int budget);
 
-/// `candidates` without those beside which, two or three pixels across the edge, another one lies nearer to the ridge of the
-/// probability: of parallel maxima under one ridge the nearest to its top.
-Plane<uint8_t> nearest_to_ridge(const Plane<uint8_t>& candidates, const Gradient& gradient, const ImageView<uint8_t>& probability);
-
 }  // namespace edgevo
