@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "edgevo/core/error.h"
+#include "edgevo/datasets/source_place.h"
 #include "layouts/layout.h"
 #include "text_file.h"
 

@@ -8,6 +8,7 @@
 #include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
+#include "edgevo/datasets/source_place.h"
 #include "layouts/layout.h"
 #include "symphony_archive.h"
 #include "text_file.h"

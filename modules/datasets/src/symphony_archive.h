@@ -9,16 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/datasets/surveys.h"
+
 namespace edgevo {
 
 constexpr const char* kSurveyList = "image_auxilliary.csv";  // spelled so
-
-struct Survey {
-  std::string name, folder;
-};
-
-/// All surveys below an archive's folder, by name; none where it is no archive.
-std::vector<Survey> surveys_in(const std::string& archive);
 
 /// The survey's folder where `path` is ARCHIVE/SURVEY, or an archive with a single survey; `path` itself
 /// where it is neither. Throws InputError: an archive with several surveys (it lists them), two surveys of

@@ -12,7 +12,6 @@
 //                         freiburg1, freiburg2 or freiburg3
 //   folder with mav0/     EuRoC (ASL); sensor_label cam0 (default), cam1
 //   Virtual KITTI         a sequence's folder of either release (virtual_kitti.h); 2.0.3: sensor_label Camera_0 (default), Camera_1
-//   Symphony Lake         a survey's folder (with image_auxilliary.csv), ARCHIVE/SURVEY, or an archive with one survey
 //   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
 //   any other file        a video, by OpenCV; needs a camera file
 // A camera file given by the user wins over the source's own calibration. Where there is neither, --fov or the focal
@@ -48,10 +47,6 @@ constexpr const char* kScaled = "images scaled";
 
 /// Sets first and last from "A:B", "A:" or ":B" (half-open, A < B). Throws InputError.
 void set_frame_range(const std::string& text, SourceOptions* options);
-
-/// Where the files of SOURCE lie: `path` itself, but of ARCHIVE/SURVEY of Symphony Lake the survey's folder. Throws InputError: an archive
-/// with several surveys, two of one name, none of that name.
-std::string source_place(const std::string& path);
 
 /// Throws InputError: nothing there, an empty folder, a layout that is not recognised, a list or calibration
 /// that is not readable, not as many times as images, an unknown sensor label, a stretch of frames outside
