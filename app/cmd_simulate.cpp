@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/correspondence_export.h"
 #include "edgevo/simulation/folder_export.h"
@@ -12,12 +13,16 @@
 #include "edgevo/simulation/scene.h"
 #include "option_checks.h"
 #include "progress.h"
+#include "simulate_survey.h"
 
 namespace edgevo::app {
 namespace {
 
+constexpr const char* kSurveys = "symphony_lake";
+constexpr const char* kNewSurveys = "symphony_lake_new";
+
 struct SimulateOptions {
-  std::string scene, out, frames;
+  std::string scene, out, frames, season, survey, layout = "edgevo";
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
   bool depth = false, correspondences = false, force = false;
@@ -39,7 +44,7 @@ void set_range(const std::string& text, FolderExport* range) {
 }
 
 Scene scene_from(const SimulateOptions& options) {
-  Scene scene = load_scene(options.scene, options.seed);
+  Scene scene = load_scene(options.season.empty() ? options.scene : options.scene + ":" + options.season, options.seed);
   scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
   scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
   return scene;
@@ -65,9 +70,27 @@ void write_correspondences(const SceneRenderer& renderer, const std::string& fol
   export_correspondences(renderer, folder, begin, end, [&](int done) { progress.update(done); });
 }
 
+// A survey in the archive OUT, beside those that are there.
+int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
+  if (options.depth || options.correspondences)
+    throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences", "leave out --layout, or these");
+  const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
+  const SurveyPlace place{options.out, name, options.layout == kNewSurveys};
+  check_folder_is_ours(place.folder(), {"SOURCE.md"}, options.force);
+  const SceneRenderer renderer(scene_as_asked(options));
+  const int end = range.end < 0 ? renderer.size() : range.end;
+  {
+    Progress progress("rendering", end - range.begin);
+    write_survey(renderer, place, range.begin, end, [&](int done) { progress.update(done); });
+  }
+  std::printf("%s: %d frames, map in %s\n", place.folder().c_str(), end - range.begin, place.map_folder().c_str());
+  return 0;
+}
+
 int simulate(const SimulateOptions& options) {
   FolderExport range;
   set_range(options.frames, &range);
+  if (options.layout != "edgevo") return simulate_survey(options, range);
   if (options.correspondences && names_rawlog(options.out))
     throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
   check_sequence_output("", options.out, options.force);
@@ -99,6 +122,12 @@ void add_simulate_command(CLI::App& app, Action* action) {
   command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
+  command->add_option("--season", options->season, "spring, summer, autumn or winter: leaves and light, for lakeshore (also SCENE:SEASON)");
+  command
+      ->add_option("--layout", options->layout,
+                   "of the folder: edgevo, or a survey in the archive OUT as symphony_lake or, with the newer names, symphony_lake_new")
+      ->check(CLI::IsMember({"edgevo", kSurveys, kNewSurveys}));
+  command->add_option("--survey", options->survey, "name of that survey, YYMMDD (default: a day of the season)");
   command->add_option("--rolling-shutter", options->rolling_shutter_s,
                       "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
       ->check(number_from_zero());

@@ -12,6 +12,9 @@ foreach(name IN ITEMS simulate relight study run_eval reproducible blackout bad_
     output_place cut_off degenerate realtime calibrate bench report compare servo edges)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
+foreach(name IN ITEMS symphony table)
+  edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
+endforeach()
 # What opens a window, and the plug-in in programs of others: GTK and Mesa leak, and those programs are built without sanitizers.
 if(NOT EDGEVO_SANITIZE)
   foreach(name IN ITEMS view windows grabber)
