@@ -38,10 +38,14 @@ cv::Mat steepness(const cv::Mat& gray) {
   return magnitude;
 }
 
-// Nobody can learn to see a step between two equal grays.
+// Gray levels per pixel of the clean image: what stands above the noise of `relight` (deviation 8). Nobody
+// can learn to see a step between two equal grays, and the grain of asphalt is gone with the next change of
+// light.
+constexpr float kLearnedSlope = 8;
+
 cv::Mat visible_edges(const cv::Mat& labels, const cv::Mat& clean) {
   cv::Mat visible = labels.clone();
-  visible.setTo(0, steepness(clean) < kLeastTextureSlope);
+  visible.setTo(0, steepness(clean) < kLearnedSlope);
   return visible;
 }
 
@@ -77,9 +81,8 @@ cv::Mat through_camera(cv::Mat gray, Random& random) {
   return gray;
 }
 
-cv::Mat as_taken(const cv::Mat& clean, const Plan& plan, int index, Random& random) {
-  if (plan.light == "none") return clean.clone();
-  if (!plan.light.empty()) return in_other_light(clean, plan.light, index, random);
+// In any light, with what a camera adds.
+cv::Mat as_taken(const cv::Mat& clean, int index, Random& random) {
   const auto& kinds = relight_kinds();
   const int kind = random.below(int(kinds.size()) + 1);  // one more: the light as it is
   const cv::Mat lit =
@@ -87,16 +90,25 @@ cv::Mat as_taken(const cv::Mat& clean, const Plan& plan, int index, Random& rand
   return through_camera(lit, random);
 }
 
+cv::Rect any_piece(const Plan& plan, cv::Size image, Random& random) {
+  const int width = std::min(plan.width, image.width), height = std::min(plan.height, image.height);
+  const int u = random.below(image.width - width + 1), v = random.below(image.height - height + 1);
+  return {u, v, width, height};
+}
+
 std::vector<Sample> samples_of_frame(const SceneRenderer& renderer, int index, const Plan& plan,
                                      Random random) {
   const cv::Mat clean = as_mat(renderer.render_image(index));
   const cv::Mat label = visible_edges(as_mat(true_edge_labels(renderer, index)), clean);
-  const int width = std::min(plan.width, clean.cols), height = std::min(plan.height, clean.rows);
   std::vector<Sample> samples;
-  for (int i = 0; i < plan.pieces; ++i) {
-    const cv::Mat gray = as_taken(clean, plan, index, random);
-    const cv::Rect piece(random.below(clean.cols - width + 1), random.below(clean.rows - height + 1), width,
-                         height);
+  for (const std::string& light : plan.lights) {
+    const cv::Rect piece = any_piece(plan, clean.size(), random);
+    const cv::Mat gray = light == "none" ? clean : in_other_light(clean, light, index, random);
+    samples.push_back({gray(piece).clone(), label(piece).clone()});
+  }
+  for (int i = 0; plan.lights.empty() && i < plan.pieces; ++i) {
+    const cv::Mat gray = as_taken(clean, index, random);
+    const cv::Rect piece = any_piece(plan, clean.size(), random);
     samples.push_back({gray(piece).clone(), label(piece).clone()});
   }
   return samples;
@@ -115,8 +127,10 @@ Plan training_plan() {
 Plan test_plan() {
   Plan plan;
   plan.worlds = {{"corridor", 91}, {"street", 91}, {"desk", 91}, {"lakeshore", 91}};
-  plan.frames = 4, plan.pieces = 1;
+  plan.frames = 4;
   plan.seed = 2;
+  plan.lights = relight_kinds();
+  plan.lights.insert(plan.lights.begin(), "none");
   return plan;
 }
 

@@ -21,8 +21,9 @@ struct Plan {
   int pieces = 3;                 ///< of each frame, each in other light
   int width = 320, height = 240;  ///< of a piece, pixels
   uint64_t seed = 1;
-  std::string light = {};  ///< one kind of relight for all, nothing added ("none": as rendered); empty: any,
-                           ///< with blur, noise and JPEG
+  /// Empty: any light, with blur, noise and JPEG. Else kinds of relight, or "none" for the image as rendered:
+  /// a piece of each in each of these, nothing added.
+  std::vector<std::string> lights = {};
 };
 
 /// The worlds to train on, and those that are kept for the test.
@@ -34,7 +35,8 @@ struct Sample {
   cv::Mat label;  ///< CV_8U, TrueEdge; edges that the clean image does not show are left out
 };
 
-/// Throws InputError for a scene that is not there. Cost: about 0.5 s a frame.
+/// Samples by world, frame and piece. Throws InputError for a scene that is not there. Cost: about 0.5 s a
+/// frame.
 std::vector<Sample> make_samples(const Plan& plan);
 
 /// "edgevo training set 1\nCOUNT WIDTH HEIGHT\n", then for each sample the bytes of the image and of the
