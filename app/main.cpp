@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   edgevo::app::add_eval_command(app, &action);
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
+  edgevo::app::add_edges_command(app, &action);
   edgevo::app::add_study_command(app, &action);
   edgevo::app::add_calibrate_command(app, &action);
   edgevo::app::add_map_command(app, &action);

@@ -26,3 +26,11 @@ install(DIRECTORY share/doc share/lab share/bench DESTINATION ${CMAKE_INSTALL_DO
   FILES_MATCHING PATTERN *.md PATTERN *.gif)
 install(DIRECTORY modules params datasets DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc
   FILES_MATCHING PATTERN README.md PATTERN src EXCLUDE PATTERN include EXCLUDE PATTERN scenes EXCLUDE)
+
+# Models of detectors, found from the program (core/share_folder.h): beside an installation, and beside a build through a link.
+set(EDGEVO_MODELS ${PROJECT_SOURCE_DIR}/share/models)
+if(EXISTS ${EDGEVO_MODELS})
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/edgevo)
+  file(CREATE_LINK ${EDGEVO_MODELS} ${PROJECT_BINARY_DIR}/share/edgevo/models SYMBOLIC)
+  install(DIRECTORY share/models DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
+endif()

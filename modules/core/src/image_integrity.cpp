@@ -1,4 +1,4 @@
-#include "image_integrity.h"
+#include "edgevo/core/image_integrity.h"
 
 #include <zlib.h>
 
