@@ -25,7 +25,7 @@ struct SimulateOptions {
   std::string scene, out, frames, season, survey, layout = "edgevo";
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
-  bool depth = false, correspondences = false, force = false;
+  bool depth = false, edges = false, correspondences = false, force = false;
 };
 
 // "A:B", "A:" or ":B"; empty: all.
@@ -52,6 +52,7 @@ Scene scene_from(const SimulateOptions& options) {
 
 void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range, Progress& progress) {
   range.depth = options.depth;
+  range.edges = options.edges;
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
   export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
 }
@@ -59,6 +60,7 @@ void write_folder(const SceneRenderer& renderer, const SimulateOptions& options,
 std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer, const SimulateOptions& options,
                             const FolderExport& range, Progress& progress) {
   if (options.depth) throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or leave --depth out");
+  if (options.edges) throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or leave --edges out");
   RenderedSource source(renderer, range.begin, range.end);
   const int count = write_rawlog(source, options.out, ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
                                  [&](int done) { progress.update(done); });
@@ -77,7 +79,7 @@ int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
   const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
   const SurveyPlace place{options.out, name, options.layout == kNewSurveys};
   check_folder_is_ours(place.folder(), {"SOURCE.md"}, options.force);
-  const SceneRenderer renderer(scene_as_asked(options));
+  const SceneRenderer renderer(scene_from(options));
   const int end = range.end < 0 ? renderer.size() : range.end;
   {
     Progress progress("rendering", end - range.begin);
@@ -135,6 +137,8 @@ void add_simulate_command(CLI::App& app, Action* action) {
                       "seconds for which the shutter is open: blur along the true motion (default: the scene's own, mostly 0)")
       ->check(number_from_zero());
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
+  command->add_flag("--edges", options->edges,
+                    "write the true edges and their kinds beside the images (edges/*.png: depth steps 255, creases 170, texture 85)");
   command->add_flag("--correspondences", options->correspondences,
                     "write where each edge pixel of a frame is seen in the next one (correspondences/*.csv)");
   add_force(*command, &options->force);
