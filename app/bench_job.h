@@ -4,7 +4,8 @@
 //   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, frames.csv   as `edgevo run` writes them
 //                              result.yaml                      the figures (evaluation/trial.h)
 //                              ../groundtruth_tum.txt           where there is one, for `edgevo compare`
-//                              job.yaml                         what was run, by which version; written last: the job has ended
+//                              job.yaml                         what was run, by which version; written last:
+//                                                               the job has ended
 //
 // A job whose job.yaml tells the same as it would write now is not run again.
 #include <optional>

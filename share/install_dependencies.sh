@@ -2,6 +2,7 @@
 # Installs the distribution packages that edgevo is built from (Debian 12 names). Quiet and quick when all is there.
 #
 #   share/install_dependencies.sh            install what is missing (as root, or through sudo)
+#   share/install_dependencies.sh --checks   the same, and what checks and documents the sources (doxygen, clang-format)
 #   share/install_dependencies.sh --list     print the package names, one a line, and do nothing
 #
 # Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
@@ -19,6 +20,11 @@ libompl-dev libfcl-dev libmrpt-nav-dev
 gnuplot-nox
 xvfb xdotool imagemagick
 help2man file
+"
+# The site of the documentation | the form of the sources (tests/format.sh)
+CHECK_PACKAGES="
+doxygen graphviz
+clang-format-14
 "
 
 fail() {
@@ -65,6 +71,10 @@ apt() {
     fail "apt-get $1 failed; see the lines above, and check the network and /etc/apt"
 }
 
+if [ "${1:-}" = --checks ]; then
+  PACKAGES="$PACKAGES$CHECK_PACKAGES"
+  shift
+fi
 if [ "${1:-}" = --list ]; then
   printf '%s\n' $PACKAGES
   exit 0

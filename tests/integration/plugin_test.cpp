@@ -37,8 +37,7 @@ class Plugin : public ::testing::Test {
   test::TempFolder folder_;
 };
 
-// ---- the map
-// ------------------------------------------------------------------------------------------------------------
+// ---- the map ----
 
 class EdgeOctoMap : public Plugin {
  protected:
@@ -155,8 +154,7 @@ TEST_F(EdgeOctoMap, RefusesWhatCannotBe) {
   EXPECT_FALSE(make("")->insertObservation(mrpt::obs::CObservationImage()));
 }
 
-// ---- the sensor
-// ---------------------------------------------------------------------------------------------------------
+// ---- the sensor ----
 
 class Sensor : public Plugin {
  protected:

@@ -30,7 +30,7 @@ fs::path sequence_folder(const std::string& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-// ---- where things are ------------------------------------------------------------------------------------------------------
+// ---- where things are ----
 
 bool is_release_1(const fs::path& sequence) { return sequence.parent_path().parent_path().filename() == "vkitti_1.3.1_rgb"; }
 
@@ -71,7 +71,7 @@ int frame_number(const std::string& path) {
   return std::stoi(digits);
 }
 
-// ---- lists -----------------------------------------------------------------------------------------------------------------
+// ---- lists ----
 
 // Rows of numbers below a header line that begins with "frame".
 std::vector<TextLine> rows_of(const std::string& path) {

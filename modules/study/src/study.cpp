@@ -35,7 +35,7 @@ ImageView<float> depth_view(const ExactFrame& frame, const Pinhole& p) {
   return {frame.depth.data(), p.width, p.height, p.width};
 }
 
-// ---- which frames ----------------------------------------------------------------------------------------------------------
+// ---- which frames ----
 
 // Hosts, spread evenly; each has max_distance frames before it (for the prediction) and after it.
 std::vector<int> choose_hosts(const ExactFrames& frames, const StudyOptions& options) {
@@ -79,7 +79,7 @@ void check_truth(const ExactFrames& frames, int index) {
                      "check that all parts are of one sequence and release");
 }
 
-// ---- one pair --------------------------------------------------------------------------------------------------------------
+// ---- one pair ----
 
 void compare_pose(const SE3& T, const SE3& truth, StudySample* sample) {
   const double drift = 100 * (T.translation() - truth.translation()).norm() / truth.translation().norm();
@@ -140,7 +140,7 @@ StudySample run_pair(const HostView& host, const TargetView& target, const PairM
   return sample;
 }
 
-// ---- all -------------------------------------------------------------------------------------------------------------------
+// ---- all ----
 
 class Study {
  public:

@@ -66,7 +66,7 @@ std::string verdict(bool holds, bool in_part) {
   return holds ? "**holds here**" : in_part ? "**holds here in part**" : "**does not hold here**";
 }
 
-// ---- the four observations -------------------------------------------------------------------------------------------------
+// ---- the four observations ----
 
 std::string gradient_is_best(const StudyResult& result) {
   const std::vector<std::string> names{"gradient", "intensity", "census"};
@@ -184,7 +184,7 @@ std::string motion_is_larger(const StudyResult& result) {
          table + "\n";
 }
 
-// ---- figures beside them ---------------------------------------------------------------------------------------------------
+// ---- figures beside them ----
 
 std::string against_lucas_kanade(const StudyResult& result) {
   const std::string distance = std::to_string(result.options.distance);

@@ -14,7 +14,7 @@ using test::twist;
 
 double rotation_error_deg(const SE3& a, const SE3& b) { return (a * b.inverse()).angle() * 180 / M_PI; }
 
-// ---- Jacobians against numeric differentiation --------------------------------------------------------------------
+// ---- Jacobians against numeric differentiation ----
 
 TEST(Projection, PoseJacobianIsThatOfTheLeftPerturbation) {
   const Pinhole camera{520, 510, 320, 240, 640, 480};
@@ -115,7 +115,7 @@ TEST(PatchTemplate, OutsideAndFlatPatchesAreUnusable) {
   EXPECT_FALSE(compare_patch(image.view(), patches[0], std::nanf(""), 15.0f).usable);
 }
 
-// ---- perturb and recover ------------------------------------------------------------------------------------------------
+// ---- perturb and recover ----
 
 class TrackTest : public ::testing::TestWithParam<Vector6d> {};
 

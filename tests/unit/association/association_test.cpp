@@ -17,7 +17,7 @@ namespace {
 
 using test::twist;
 
-// ---- uncertainty, against Monte Carlo on a synthetic edge ------------------------------------------------------------------
+// ---- uncertainty, against Monte Carlo on a synthetic edge ----
 
 struct SyntheticEdge {
   Pinhole camera{500, 500, 320, 240, 640, 480};
@@ -119,7 +119,7 @@ TEST(Uncertainty, DepthMotionFollowsTheEpipolarLine) {
   EXPECT_EQ(depth_motion(s.camera, SE3(), s.ray, s.idepth, s.idepth_sigma).sigma_mu_px, 0) << "no baseline";
 }
 
-// ---- AML ------------------------------------------------------------------------------------------------------------------
+// ---- AML ----
 
 TEST(Aml, OneClearMinimumIsConfidentAndEqualCostsAreNot) {
   const double clear[] = {0.9, 0.8, 0.1, 0.8, 0.9}, flat[] = {0.1, 0.1, 0.1, 0.1, 0.1}, two[] = {0.1, 0.9, 0.1, 0.9};
@@ -147,7 +147,7 @@ TEST(Aml, RanksMatchesAsMonteCarloDoes) {
   EXPECT_GT(double(right_high) / n_high, double(right_low) / n_low + 0.2);
 }
 
-// ---- warps and patches ------------------------------------------------------------------------------------------------------
+// ---- warps and patches ----
 
 TEST(Warp, AgreesWithNumericDifferentiation) {
   const Pinhole camera{260, 250, 160, 120, 320, 240};
@@ -273,7 +273,7 @@ TEST(PhotometricResidual, RefusesFlatAndUnrelatedPatches) {
   EXPECT_FALSE(photometric_residual(a.view(), {1, 40}, I, a.view(), {50, 40}).usable);
 }
 
-// ---- the pipeline on a rendered plane -------------------------------------------------------------------------------------
+// ---- the pipeline on a rendered plane ----
 
 struct Outcome {
   int tried = 0, matched = 0, photometric = 0;

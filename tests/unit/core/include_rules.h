@@ -19,7 +19,8 @@ std::vector<std::string> module_order(const std::string& cmake_lists);
 ///   - A module uses only modules below it; bridges and occupancy are siblings that do not use each other.
 ///   - What links ViSP (GPL) is used by nothing else: visp_bridge by servo only, servo by no module.
 ///   - A library's headers stand in the public headers of its owner only.
-///   - "edgevo/..." headers of another module must be public ones; no "../" and no path into another module's src.
+///   - "edgevo/..." headers of another module must be public ones; no "../" and no path into another module's
+///     src.
 std::vector<std::string> broken_include_rules(const SourceFile& file, const std::vector<std::string>& order);
 
 }  // namespace edgevo::testing

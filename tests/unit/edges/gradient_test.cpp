@@ -87,7 +87,7 @@ TEST(GradientHistogram, PercentilesAreThoseOfTheSortedMagnitudes) {
   }
 }
 
-// ---- Canny by its definition --------------------------------------------------------------------------------------
+// ---- Canny by its definition ----
 
 // Maxima across the edge, by the angle of the gradient; then flood from the strong ones.
 std::vector<uint8_t> canny_by_definition(const Gradient& g, double low, double high) {

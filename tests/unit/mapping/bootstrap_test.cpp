@@ -132,7 +132,7 @@ TEST_F(BootstrapTest, ResetTakesANewFirstView) {
   EXPECT_EQ(run(&bootstrap, 5).views.front().frame_index, 5);
 }
 
-// ---- not ready -----------------------------------------------------------------------------------------------------
+// ---- not ready ----
 
 TEST_F(BootstrapTest, TheFirstFrameIsOnlyTaken) {
   Bootstrap bootstrap = make();

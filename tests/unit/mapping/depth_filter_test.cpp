@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-// ---- triangulation -------------------------------------------------------------------------------------------------
+// ---- triangulation ----
 
 TEST(Triangulation, IsExactForAnyMotionAndDepth) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
@@ -40,7 +40,7 @@ TEST(Triangulation, IsNotFiniteWithoutBaseline) {
       triangulate_idepth(camera, ray, Eigen::Vector3d::Zero(), camera.project(ray), Eigen::Vector2d::UnitX())));
 }
 
-// ---- fusion --------------------------------------------------------------------------------------------------------
+// ---- fusion ----
 
 EpipolarMatch found(double idepth, double sigma) {
   EpipolarMatch m;
@@ -127,7 +127,7 @@ TEST(Fusion, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
   }
 }
 
-// ---- smoothing -----------------------------------------------------------------------------------------------------
+// ---- smoothing ----
 
 // Two straight vertical edges, at x = 20 and x = 24, of 40 pixels each.
 EdgeMap two_edges() {
@@ -204,7 +204,7 @@ TEST(Smoothing, OffWithZeroWeight) {
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01), 0.0);
 }
 
-// ---- immature points -----------------------------------------------------------------------------------------------
+// ---- immature points ----
 
 class ImmaturePoints : public ::testing::Test {
  protected:

@@ -113,7 +113,7 @@ TEST(EpipolarSearch, ASecondCameraUnderAnotherExposureFindsTheSame) {
   EXPECT_LT(std::abs(median(e.px)), 0.05);
 }
 
-// ---- outcomes without a depth --------------------------------------------------------------------------------------
+// ---- outcomes without a depth ----
 
 class Outcomes : public ::testing::Test {
  protected:
@@ -217,7 +217,7 @@ TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
   EXPECT_GT(found, 0);
 }
 
-// ---- over several frames -------------------------------------------------------------------------------------------
+// ---- over several frames ----
 
 TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
   const PlaneScene scene;

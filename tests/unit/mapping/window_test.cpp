@@ -40,7 +40,7 @@ double idepth_error(const Window& window) {
 
 SE3 pose_error(const Keyframe& k) { return k.T_cam_world * sweep_pose(k.frame_index); }
 
-// ---- activation ----------------------------------------------------------------------------------------------------
+// ---- activation ----
 
 TEST(Window, ActivatesPointsThatKeyframesMatch) {
   Window window = true_window(4, 0.02);
@@ -101,7 +101,7 @@ TEST(Window, ActivationStopsAtTheLimit) {
   EXPECT_EQ(window.activate(2, 2), 0);
 }
 
-// ---- association ---------------------------------------------------------------------------------------------------
+// ---- association ----
 
 TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
   Window window = true_window(4, 0.0);
@@ -140,7 +140,7 @@ TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
   EXPECT_TRUE(window.cloud(window.newest()).empty());
 }
 
-// ---- adjustment ----------------------------------------------------------------------------------------------------
+// ---- adjustment ----
 
 TEST(Window, RecoversDepths) {
   Window window = true_window(5, 0.04);
@@ -266,7 +266,7 @@ TEST(Window, AnEmptyWindowDoesNothing) {
   EXPECT_TRUE(window.cloud(window.newest()).empty());
 }
 
-// ---- leaving and cloud ---------------------------------------------------------------------------------------------
+// ---- leaving and cloud ----
 
 class WindowGauge : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Both, WindowGauge, ::testing::Values("fixed", "prior"), [](const auto& info) { return std::string(info.param); });

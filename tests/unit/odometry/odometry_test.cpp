@@ -30,7 +30,7 @@ int count(const Run& run, TrackingState state, int begin = 0, int end = 1 << 30)
   return n;
 }
 
-// ---- an undisturbed run --------------------------------------------------------------------------------------------
+// ---- an undisturbed run ----
 
 TEST(Odometry, EveryFrameHasARecordInOrder) {
   const auto& run = whole_sweep();
@@ -131,7 +131,7 @@ void expect_equal_runs(const Run& a, const Run& b) {
 
 TEST(Odometry, TwoRunsAreIdentical) { expect_equal_runs(whole_sweep(), run_sweep(kFrames)); }
 
-// ---- loss ----------------------------------------------------------------------------------------------------------
+// ---- loss ----
 
 TEST(OdometryLoss, FortyBlackFramesAreLostAndTrackingResumes) {
   constexpr int kBegin = 45, kEnd = 85, kAll = 150;
@@ -222,7 +222,7 @@ TEST(OdometryLoss, RepeatedBlackoutsKeepEverySegment) {
   EXPECT_GE(segment, 1);
 }
 
-// ---- no motion, no image -------------------------------------------------------------------------------------------
+// ---- no motion, no image ----
 
 TEST(OdometryStart, AStandstillBootstrapsForeverAndSaysWhy) {
   Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
@@ -252,7 +252,7 @@ TEST(OdometryStart, WaitsThroughBlackFrames) {
   EXPECT_EQ(run.frames.back().state, TrackingState::kTracking);
 }
 
-// ---- bad input -----------------------------------------------------------------------------------------------------
+// ---- bad input ----
 
 TEST(OdometryInput, AnImageOfAnotherSizeThrowsAndKeepsWhatWasComputed) {
   Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
@@ -277,7 +277,7 @@ TEST(OdometryInput, AnUnknownDetectorThrows) {
   EXPECT_THROW(Odometry(test::sweep_camera(), params, OdometryOptions()), InputError);
 }
 
-// ---- parameters ----------------------------------------------------------------------------------------------------
+// ---- parameters ----
 
 template <class Call>
 std::string error_of(const Call& call) {

@@ -1,11 +1,12 @@
 #pragma once
 // SE(3) alignment of a reference cloud to a frame, coarse to fine.
 //
-// 1. align_patches: normalised patches on the coarse levels, a wide basin and no need of edges there (coarse Canny edges in
-//    foliage do not repeat).
-// 2. align_edges: point-to-tangent on the fine levels, paper Eq. (edgeerror): r = g(n)^T (p' - n(p')), where n(p') is the nearest
-//    edge pixel and g its unit gradient. Steps are accepted on the truncated cost, in which a point without a match costs the
-//    truncation value: else losing points would look like progress.
+//   1. align_patches: normalised patches on the coarse levels, a wide basin and no need of edges there
+//      (coarse Canny edges in foliage do not repeat).
+//   2. align_edges: point-to-tangent on the fine levels, paper Eq. (edgeerror): r = g(n)^T (p' - n(p')),
+//      where n(p') is the nearest edge pixel and g its unit gradient. Steps are accepted on the truncated
+//      cost, in which a point without a match costs the truncation value: else losing points would look like
+//      progress.
 #include <vector>
 
 #include "edgevo/alignment/alignment_params.h"

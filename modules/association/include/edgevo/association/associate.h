@@ -1,7 +1,10 @@
 #pragma once
 // Edge-guided data association (paper, section IV-B) of one point with one keyframe:
-//   nearest edge -> search length -> walk along the edge comparing patches -> match confidence (AML), growing the patch where it is
-//   ambiguous -> what stays ambiguous falls back to the edge match, with a depth confidence -> optional 1-D refinement along the normal.
+//   1. the nearest edge, and the search length;
+//   2. a walk along the edge that compares patches;
+//   3. the match confidence (AML), with larger patches where it is ambiguous;
+//   4. what stays ambiguous falls back to the edge match, with a depth confidence;
+//   5. optional one-dimensional refinement along the normal.
 #include <Eigen/Core>
 
 #include "edgevo/association/association_params.h"

@@ -3,8 +3,10 @@
 // V-A). The odometry uses gradient; the other two are there to be compared with (`edgevo study`).
 //
 //   gradient    gradient magnitudes, each patch divided by its own mean (patch_cost.h); mean |a - b|
-//   intensity   gray levels as they are: mean |a - b| in units of 80 gray levels, about what unrelated edges differ by
-//   census      signs of (pixel - centre) in the gray image (Zabih and Woodfill); twice the share that disagrees
+//   intensity   gray levels as they are: mean |a - b| in units of 80 gray levels, about what unrelated edges
+//               differ by
+//   census      signs of (pixel - centre) in the gray image (Zabih and Woodfill); twice the share that
+//               disagrees
 //
 // All costs lie in [0, 2] and are scaled alike: 0 is equal, unrelated patches cost about 1, so that one set of AssociationParams
 // (max_cost, sigma_c) serves all three.

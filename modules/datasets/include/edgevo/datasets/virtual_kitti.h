@@ -1,21 +1,22 @@
 #pragma once
 // Virtual KITTI: rendered drives with exact depth and pose for every frame, in the layouts of both releases.
 //
-//   1.3.1   vkitti_1.3.1_rgb/WORLD/VARIATION/00000.png ..            the folder to name
-//           vkitti_1.3.1_depthgt/WORLD/VARIATION/00000.png ..        16 bits, centimetres, 65535 for the sky
-//           vkitti_1.3.1_extrinsicsgt/WORLD_VARIATION.txt            a header, then `frame` and 16 numbers: world to
-//                                                                    camera, row by row
+//   1.3.1   vkitti_1.3.1_rgb/WORLD/VARIATION/00000.png ..       the folder to name
+//           vkitti_1.3.1_depthgt/WORLD/VARIATION/00000.png ..   16 bits, centimetres, 65535 for the sky
+//           vkitti_1.3.1_extrinsicsgt/WORLD_VARIATION.txt       a header, then `frame` and 16 numbers: world
+//                                                               to camera, row by row
 //           K = 725 725 620.5 187 for all
-//   2.0.3   SceneNN/VARIATION                                        the folder to name; Camera_0 (default) and Camera_1 in it
+//   2.0.3   SceneNN/VARIATION                           the folder to name; Camera_0 (default) or 1
 //           frames/rgb/Camera_0/rgb_00000.jpg ..
-//           frames/depth/Camera_0/depth_00000.png ..                 as above
-//           extrinsic.txt                                            a header, then `frame camera` and 16 numbers
-//           intrinsic.txt                                            a header, then `frame camera fx fy cx cy`
-//           Where the archives were unpacked apart (vkitti_2.0.3_rgb, _depth, _textgt), the folder under vkitti_2.0.3_rgb.
+//           frames/depth/Camera_0/depth_00000.png ..    as above
+//           extrinsic.txt                               a header, then `frame camera` and 16 numbers
+//           intrinsic.txt                               a header, then `frame camera fx fy cx cy`
+//           Where the archives were unpacked apart (vkitti_2.0.3_rgb, _depth, _textgt): the folder under
+//           vkitti_2.0.3_rgb.
 //
-// The camera's axes are ours (x right, y down, z forward) and pixel (0,0) is the centre of the top-left one in both. There are no
-// times: frames are taken to be 0.1 s apart, as KITTI's are. Cars that drive by themselves are in the depth, but not in the
-// poses.
+// The camera's axes are ours (x right, y down, z forward) and pixel (0,0) is the centre of the top-left one
+// in both. There are no times: frames are taken to be 0.1 s apart, as KITTI's are. Cars that drive by
+// themselves are in the depth, but not in the poses.
 #include <string>
 #include <vector>
 

@@ -3,7 +3,8 @@
 // out:
 //   1. a residual radial distortion k1 (core/radial.h),
 //   2. a rolling shutter: row v is taken readout_s (v / (height - 1) - 1/2) seconds after the row in the
-//      middle, whose moment is the frame's. An image point x that moves with dx/dt (image_motion.h) is found at
+//      middle, whose moment is the frame's. An image point x that moves with dx/dt (image_motion.h) is found
+//      at
 //          x + readout_s row(x) dx/dt,   row(x) = v / (height - 1) - 1/2.
 // Together: x_file = add_radial(k1, x + readout_s row(x) dx/dt), normalised coordinates. The row is that of x
 // and not that of the raw image, the depths are those of image_motion.h: both are wrong by a few per cent of

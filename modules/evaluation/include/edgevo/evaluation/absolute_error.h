@@ -3,8 +3,9 @@
 //
 //   ATE Sim(3)   Umeyama with scale (evo_ape -as): for monocular estimates, whose unit is arbitrary
 //   ATE SE(3)    Umeyama without scale (evo_ape -a): only for estimates in metres
-//   ATE200       the paper's: the scale is re-corrected from ground truth every 200 input frames (rescale_blocks), then
-//                SE(3); it shows the local geometry without the drift of the monocular scale
+//   ATE200       the paper's: the scale is re-corrected from ground truth every 200 input frames
+//                (rescale_blocks), then SE(3); it shows the local geometry without the drift of the monocular
+//                scale
 #include <optional>
 #include <vector>
 

@@ -39,8 +39,10 @@ struct InputFrames {
 ///   1. `frames_total` (a count that the user gives): that many frames, spaced by the estimate's median step;
 ///   2. frames.csv in the folder of the trajectory (a run of `edgevo run`): its rows;
 ///   3. times.txt in the folder of the ground truth (a sequence in the `edgevo` layout): its lines;
-///   4. the ground truth's own lines, where most of the estimate's times are among them and the median steps are alike;
-///   5. the estimate's span at its median step: frames lost before its first and after its last pose go unnoticed.
+///   4. the ground truth's own lines, where most of the estimate's times are among them and the median steps
+///      are alike;
+///   5. the estimate's span at its median step: frames lost before its first and after its last pose go
+///      unnoticed.
 /// Throws InputError for a file of 2. or 3. that is there but broken.
 InputFrames find_input_frames(const Trajectory& estimate, const Trajectory& ground_truth,
                               std::optional<int> frames_total);

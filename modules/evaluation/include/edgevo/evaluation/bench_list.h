@@ -2,7 +2,8 @@
 // What `edgevo bench` is to run: sequences x variants x seeds, from a YAML file such as share/bench/rendered.yaml:
 //
 //   seeds: 1..5                     # or: 1 2 7
-//   variants: normal every3 mixed   # of every sequence that names none itself; words joined by + act together: every3+glare
+//   variants: normal every3 mixed   # of every sequence that names none itself; words joined by + act
+//                                   together: every3+glare
 //   sequences:
 //     street:                       # a name for tables and folders
 //       source: scene:street        # a scene of the simulator, or any SOURCE of `edgevo run`

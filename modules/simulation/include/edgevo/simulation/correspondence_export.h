@@ -1,7 +1,8 @@
 #pragma once
 // Exact edge correspondences of rendered frames as text files, for whoever develops a matcher:
 //
-//   correspondences/000000.csv ..   x,y,x_next,y_next,visible: each edge pixel of the frame, and where it is seen in the next one
+//   correspondences/000000.csv ..   x,y,x_next,y_next,visible: each edge pixel of the frame, and where it is
+//                                   seen in the next one
 //
 // Sub-pixel positions in the undistorted images; empty fields where it is not in the next view. `visible` is 1 or 0. The last
 // frame has no next one, hence no file.

@@ -4,9 +4,10 @@
 //   images/000000.png ..     8-bit gray, numbered as in the scene
 //   times.txt                seconds, one line an image
 //   camera.txt               fx fy cx cy k1 k2 p1 p2 width height k3
-//   groundtruth_tum.txt      t tx ty tz qx qy qz qw: T_world_cam in metres, the first camera written is the identity
-//   depth/000000.pfm ..      on demand: z in metres as 32-bit floats (PFM, rows from the bottom up), 0 for sky, at the
-//                            pixels of the undistorted image
+//   groundtruth_tum.txt      t tx ty tz qx qy qz qw: T_world_cam in metres, the first camera written is the
+//                            identity
+//   depth/000000.pfm ..      on demand: z in metres as 32-bit floats (PFM, rows from the bottom up), 0 for
+//                            sky, at the pixels of the undistorted image
 //   SOURCE.md                what it is and how to make it again
 #include <functional>
 #include <string>

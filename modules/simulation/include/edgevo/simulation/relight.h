@@ -3,7 +3,8 @@
 //
 // Kinds, all driven by the seed and the time of the frame:
 //   drift     gain and bias wander slowly (gain 0.6 to 1.7, bias +-25 gray levels)
-//   jumps     exposure steps by up to a factor 2.2 either way every one to four seconds, and recovers within a second
+//   jumps     exposure steps by up to a factor 2.2 either way every one to four seconds, and recovers within
+//             a second
 //   gamma     the response curve bends, exponent 0.6 to 1.6
 //   vignette  the corners keep 35 % of their brightness
 //   glare     a saturated blob moves over the image, with a veil around it

@@ -1,0 +1,3 @@
+#!/bin/sh
+# The sources are formatted: see the head of tests/format.sh.
+exec "$(dirname "$0")/../format.sh"
