@@ -9,6 +9,7 @@
 #include "edgevo/core/output_place.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/ground_truth.h"
+#include "edgevo/datasets/source_place.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/relit_source.h"
@@ -26,14 +27,17 @@ constexpr std::string_view kScene = "scene:";
 // `path` itself if it is absolute, else below `folder`.
 std::string below(const fs::path& folder, const std::string& path) { return path.empty() ? "" : (folder / path).lexically_normal().string(); }
 
-bool is_there(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored);
-}
+// "lakeshore" of "lakeshore:winter".
+std::string without_season(const std::string& scene) { return scene.substr(0, scene.rfind(':')); }
 
 bool is_scene_name(const std::string& name) {
   const std::vector<std::string> names = scene_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::find(names.begin(), names.end(), without_season(name)) != names.end();
+}
+
+bool is_there(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
 }
 
 // Puts the line of the list before an error that comes from what it names.
@@ -58,20 +62,20 @@ std::string indented(const std::string& text) {
 BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list) : sequence_(sequence) {
   const fs::path beside = fs::path(list).parent_path();
   const std::string& where = sequence.where;
-  const bool is_scene = sequence.source.rfind(kScene, 0) == 0;
-  if (is_scene) scene_ = sequence.source.substr(kScene.size());
-  if (is_scene && !is_scene_name(scene_)) scene_ = below(beside, scene_);
-  source_.path = below(data, sequence.source);
+  const bool rendered = sequence.source.rfind(kScene, 0) == 0;
+  if (rendered) scene_ = sequence.source.substr(kScene.size());
+  if (rendered && !is_scene_name(scene_)) scene_ = below(beside, scene_);
+  at(where, [&] { source_.path = rendered ? "" : source_place(below(data, sequence.source)); });
   source_.camera_file = below(beside, sequence.camera);
-  if (!is_scene_name(scene_) && !is_there(is_scene ? scene_ : source_.path))
-    throw InputError(where, "there is no " + (is_scene ? "scene '" + scene_ : "'" + source_.path) + "'",
-                     is_scene ? "name one that ships with the program or a YAML file" : "give the folder of the data with --data DIR");
+  if (rendered ? !is_scene_name(scene_) && !is_there(scene_) && !is_there(without_season(scene_)) : !is_there(source_.path))
+    throw InputError(where, "there is no " + (rendered ? "scene '" + scene_ : "'" + source_.path) + "'",
+                     rendered ? "name one that ships with the program or a YAML file" : "give the folder of the data with --data DIR");
   at(where, [&] {
     if (!sequence.frames.empty()) set_frame_range(sequence.frames, &source_);
     if (!source_.camera_file.empty()) camera_text_ = camera_yaml(read_camera_file(source_.camera_file), "");
     if (!sequence.params.empty()) read_params_file(below(beside, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
   });
-  if (is_scene && !camera_text_.empty()) throw InputError(where, "a scene has its own camera", "leave `camera` out");
+  if (rendered && !camera_text_.empty()) throw InputError(where, "a scene has its own camera", "leave `camera` out");
 }
 
 void BenchInput::check_output(const std::string& out) const {

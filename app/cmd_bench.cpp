@@ -1,9 +1,8 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
-#include "bench_job.h"
+#include "bench_run.h"
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
@@ -23,20 +22,6 @@ struct BenchArguments {
   std::string list, out, data = ".";
 };
 
-struct Progression {
-  int jobs = 0, ran = 0, taken = 0;
-  std::optional<InputError> first_failure;
-  int ended() const { return ran + taken; }
-};
-
-// As the operating system names it.
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(std::min(line.find(':') + 2, line.size()));
-  return "unknown";
-}
-
 std::string parameter_files(const BenchList& list) {
   std::string text;
   for (const BenchSequence& s : list.sequences)
@@ -54,44 +39,6 @@ BenchHeader make_header(const BenchList& list) {
           {"CPU", "of the odometry alone; images are read or rendered beforehand"}};
 }
 
-// One job, or what it left before. False when a signal has ended it.
-bool do_job(const BenchJob& job, BenchInput& input, BenchRow* row, Progression* all) {
-  ++row->missing;
-  try {
-    std::optional<Trial> trial = finished_trial(job);
-    int& count = trial ? all->taken : all->ran;
-    if (!trial) {
-      const std::string title = std::to_string(all->ended() + 1) + "/" + std::to_string(all->jobs) + " " + row->sequence + " " + row->variant +
-                                " seed " + std::to_string(job.seed);
-      trial = run_job(job, input, title);
-      if (!trial) return false;
-    }
-    ++count, --row->missing;
-    row->trials.push_back(*trial);
-  } catch (const InputError& e) {
-    if (!all->first_failure) all->first_failure = e;
-  }
-  return !interrupted();
-}
-
-std::vector<BenchRow> do_jobs(const BenchList& list, std::vector<BenchInput>& inputs, const std::string& out, Progression* all) {
-  std::vector<BenchRow> rows;
-  bool go_on = true;
-  for (BenchInput& input : inputs) {
-    for (const BenchVariant& variant : input.sequence().variants) {
-      rows.push_back({input.sequence().name, variant.name, {}, 0});
-      for (const uint64_t seed : list.seeds) {
-        if (go_on)
-          go_on = do_job(make_job(input, variant, seed, out, version()), input, &rows.back(), all);
-        else
-          ++rows.back().missing;
-      }
-    }
-    input.release();
-  }
-  return rows;
-}
-
 void throw_if_incomplete(const Progression& all, const std::string& out) {
   const std::string counts = std::to_string(all.ended()) + " of " + std::to_string(all.jobs) + " jobs have ended";
   if (interrupted()) throw InputError(out, "interrupted: " + counts, "call again to go on");
@@ -101,14 +48,8 @@ void throw_if_incomplete(const Progression& all, const std::string& out) {
 int bench(const BenchArguments& args) {
   const BenchList list =
       parse_bench_list(read_file(args.list, "give a list such as share/bench/rendered.yaml"), args.list, relight_kinds());
-  std::vector<BenchInput> inputs;
-  for (const BenchSequence& sequence : list.sequences) inputs.emplace_back(sequence, args.data, args.list);
-  for (const BenchInput& input : inputs) input.check_output(args.out);
-  make_output_folder(args.out);
-  listen_to_signals();
   Progression all;
-  all.jobs = list.jobs();
-  const std::vector<BenchRow> rows = do_jobs(list, inputs, args.out, &all);
+  const std::vector<BenchRow> rows = run_list(list, args.list, args.out, args.data, &all);
   const BenchHeader header = make_header(list);
   const std::string table = bench_markdown(header, rows);
   write_file((fs::path(args.out) / "table.md").string(), table);

@@ -22,7 +22,7 @@ constexpr int kDone = 0, kMostlyFailed = 3;
 
 struct RunArguments {
   SourceOptions source;
-  std::string out, params_file, detector, edge_map, scale = "none";
+  std::string out, params_file, detector, edge_model, edge_folder, edge_map, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false, view = false;
@@ -38,6 +38,8 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.params_file.empty()) read_params_file(args.params_file, visit);
   for (const std::string& setting : args.settings) set_param(setting, visit);
   if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
+  if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
+  if (!args.edge_folder.empty()) params.odometry.edges.folder = args.edge_folder;
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
   return params;
 }
@@ -178,6 +180,13 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
       ->take_all();
   command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
+  command->add_option("--edge-model", args->edge_model,
+                      "for the detectors structured (a forest in OpenCV's format) and network (an .onnx with its .yaml beside it): "
+                      "another model than the one that comes with edgevo")
+      ->check(path_given());
+  command->add_option("--edge-folder", args->edge_folder,
+                      "for the detector precomputed: the folder that `edgevo edges` has written")
+      ->check(path_given());
   command->add_option("--edge-map", args->edge_map,
                       "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
   command

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_place.h"
 #include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/correspondence_export.h"
 #include "edgevo/simulation/folder_export.h"
@@ -12,15 +13,19 @@
 #include "edgevo/simulation/scene.h"
 #include "option_checks.h"
 #include "progress.h"
+#include "simulate_survey.h"
 
 namespace edgevo::app {
 namespace {
 
+constexpr const char* kSurveys = "symphony_lake";
+constexpr const char* kNewSurveys = "symphony_lake_new";
+
 struct SimulateOptions {
-  std::string scene, out, frames;
+  std::string scene, out, frames, season, survey, layout = "edgevo";
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
-  bool depth = false, correspondences = false, force = false;
+  bool depth = false, edges = false, correspondences = false, force = false;
 };
 
 // "A:B", "A:" or ":B"; empty: all.
@@ -39,7 +44,7 @@ void set_range(const std::string& text, FolderExport* range) {
 }
 
 Scene scene_from(const SimulateOptions& options) {
-  Scene scene = load_scene(options.scene, options.seed);
+  Scene scene = load_scene(options.season.empty() ? options.scene : options.scene + ":" + options.season, options.seed);
   scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
   scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
   return scene;
@@ -47,6 +52,7 @@ Scene scene_from(const SimulateOptions& options) {
 
 void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range, Progress& progress) {
   range.depth = options.depth;
+  range.edges = options.edges;
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
   export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
 }
@@ -54,6 +60,7 @@ void write_folder(const SceneRenderer& renderer, const SimulateOptions& options,
 std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer, const SimulateOptions& options,
                             const FolderExport& range, Progress& progress) {
   if (options.depth) throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or leave --depth out");
+  if (options.edges) throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or leave --edges out");
   RenderedSource source(renderer, range.begin, range.end);
   const int count = write_rawlog(source, options.out, ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
                                  [&](int done) { progress.update(done); });
@@ -65,9 +72,27 @@ void write_correspondences(const SceneRenderer& renderer, const std::string& fol
   export_correspondences(renderer, folder, begin, end, [&](int done) { progress.update(done); });
 }
 
+// A survey in the archive OUT, beside those that are there.
+int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
+  if (options.depth || options.correspondences)
+    throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences", "leave out --layout, or these");
+  const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
+  const SurveyPlace place{options.out, name, options.layout == kNewSurveys};
+  check_folder_is_ours(place.folder(), {"SOURCE.md"}, options.force);
+  const SceneRenderer renderer(scene_from(options));
+  const int end = range.end < 0 ? renderer.size() : range.end;
+  {
+    Progress progress("rendering", end - range.begin);
+    write_survey(renderer, place, range.begin, end, [&](int done) { progress.update(done); });
+  }
+  std::printf("%s: %d frames, map in %s\n", place.folder().c_str(), end - range.begin, place.map_folder().c_str());
+  return 0;
+}
+
 int simulate(const SimulateOptions& options) {
   FolderExport range;
   set_range(options.frames, &range);
+  if (options.layout != "edgevo") return simulate_survey(options, range);
   if (options.correspondences && names_rawlog(options.out))
     throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
   check_sequence_output("", options.out, options.force);
@@ -99,6 +124,12 @@ void add_simulate_command(CLI::App& app, Action* action) {
   command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
+  command->add_option("--season", options->season, "spring, summer, autumn or winter: leaves and light, for lakeshore (also SCENE:SEASON)");
+  command
+      ->add_option("--layout", options->layout,
+                   "of the folder: edgevo, or a survey in the archive OUT as symphony_lake or, with the newer names, symphony_lake_new")
+      ->check(CLI::IsMember({"edgevo", kSurveys, kNewSurveys}));
+  command->add_option("--survey", options->survey, "name of that survey, YYMMDD (default: a day of the season)");
   command->add_option("--rolling-shutter", options->rolling_shutter_s,
                       "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
       ->check(number_from_zero());
@@ -106,6 +137,8 @@ void add_simulate_command(CLI::App& app, Action* action) {
                       "seconds for which the shutter is open: blur along the true motion (default: the scene's own, mostly 0)")
       ->check(number_from_zero());
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
+  command->add_flag("--edges", options->edges,
+                    "write the true edges and their kinds beside the images (edges/*.png: depth steps 255, creases 170, texture 85)");
   command->add_flag("--correspondences", options->correspondences,
                     "write where each edge pixel of a frame is seen in the next one (correspondences/*.csv)");
   add_force(*command, &options->force);

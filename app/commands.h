@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 void add_run_command(CLI::App& app, Action* action, std::vector<std::string> command_line);
 void add_finish_command(CLI::App& app, Action* action);
 void add_import_command(CLI::App& app, Action* action);
+void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
 void add_eval_command(CLI::App& app, Action* action);
 void add_simulate_command(CLI::App& app, Action* action);
@@ -23,6 +24,7 @@ void add_study_command(CLI::App& app, Action* action);
 void add_calibrate_command(CLI::App& app, Action* action);
 void add_map_command(CLI::App& app, Action* action);
 void add_bench_command(CLI::App& app, Action* action);
+void add_table_command(CLI::App& app, Action* action);
 void add_compare_command(CLI::App& app, Action* action);
 /// Becomes the program edgevo-servo, of app/servo.
 void add_servo_command(CLI::App& app, Action* action);

@@ -32,10 +32,12 @@ int main(int argc, char** argv) {
   edgevo::app::add_eval_command(app, &action);
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
+  edgevo::app::add_edges_command(app, &action);
   edgevo::app::add_study_command(app, &action);
   edgevo::app::add_calibrate_command(app, &action);
   edgevo::app::add_map_command(app, &action);
   edgevo::app::add_bench_command(app, &action);
+  edgevo::app::add_table_command(app, &action);
   edgevo::app::add_compare_command(app, &action);
   edgevo::app::add_servo_command(app, &action);
   edgevo::app::add_help_command(app);

@@ -2,15 +2,17 @@
 
 #include <cstdio>
 
+#include "edgevo/datasets/source_place.h"
 #include "option_checks.h"
 
 namespace edgevo::app {
 
 void add_source_options(CLI::App& command, SourceOptions* options) {
   command
-      .add_option("SOURCE", options->path,
-                  "a .rawlog, a dataset folder (edgevo, KITTI, TUM RGB-D, EuRoC), a folder of images, a "
-                  "video, or camera:N")
+      .add_option_function<std::string>(
+          "SOURCE", [options](const std::string& path) { options->path = source_place(path); },
+          "a .rawlog, a dataset folder (edgevo, KITTI, TUM RGB-D, EuRoC, Symphony Lake), a folder of images, a "
+          "video, or camera:N")
       ->required();
   CLI::Option* camera =
       command.add_option("--camera", options->camera_file,

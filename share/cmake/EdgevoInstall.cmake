@@ -23,6 +23,21 @@ install(FILES ${EDGEVO_INI_FILES} DESTINATION ${EDGEVO_DATA_DIR} COMPONENT progr
 # The pages lie as in the source tree, so that their links hold.
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
 install(DIRECTORY share/doc share/lab share/bench DESTINATION ${CMAKE_INSTALL_DOCDIR}/share COMPONENT doc
-  FILES_MATCHING PATTERN *.md PATTERN *.gif)
+  FILES_MATCHING PATTERN *.md PATTERN *.gif PATTERN *.png)
 install(DIRECTORY modules params datasets DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc
-  FILES_MATCHING PATTERN README.md PATTERN src EXCLUDE PATTERN include EXCLUDE PATTERN scenes EXCLUDE)
+  FILES_MATCHING PATTERN README.md PATTERN *.svg PATTERN src EXCLUDE PATTERN include EXCLUDE PATTERN scenes EXCLUDE)
+file(GLOB EDGEVO_PAGES RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
+  ${PROJECT_SOURCE_DIR}/tests/README.md ${PROJECT_SOURCE_DIR}/tests/*/README.md
+  ${PROJECT_SOURCE_DIR}/share/packages/README.md ${PROJECT_SOURCE_DIR}/share/examples/README.md)
+foreach(page IN LISTS EDGEVO_PAGES)
+  get_filename_component(folder ${page} DIRECTORY)
+  install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT doc)
+endforeach()
+
+# Models of detectors, found from the program (core/share_folder.h): beside an installation, and beside a build through a link.
+set(EDGEVO_MODELS ${PROJECT_SOURCE_DIR}/share/models)
+if(EXISTS ${EDGEVO_MODELS})
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/edgevo)
+  file(CREATE_LINK ${EDGEVO_MODELS} ${PROJECT_BINARY_DIR}/share/edgevo/models SYMBOLIC)
+  install(DIRECTORY share/models DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
+endif()

@@ -44,5 +44,12 @@ function(edgevo_add_tests module)
   target_compile_options(test_${module} PRIVATE $<$<CONFIG:Release>:-O1>)
   # A third of the time that the tests take to compile. Modules are compiled without: their headers must stand alone.
   target_precompile_headers(test_${module} PRIVATE <gtest/gtest.h> <Eigen/Dense>)
-  gtest_discover_tests(test_${module} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+  # One process for a module: what its tests render they share, and starting a program (hundreds of shared libraries) takes longer than
+  # most of them. test_MODULE --gtest_filter=SUITE.* runs some.
+  if(EDGEVO_TESTS_ONE_BY_ONE)
+    gtest_discover_tests(test_${module} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
+  else()
+    add_test(NAME unit.${module} COMMAND test_${module})
+    set_tests_properties(unit.${module} PROPERTIES LABELS unit TIMEOUT ${long_test_s})
+  endif()
 endfunction()

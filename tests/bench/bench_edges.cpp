@@ -22,12 +22,12 @@ void detect(benchmark::State& state, const char* name) {
   EdgeParams params;
   params.detector = name;
   const auto detector = make_edge_detector(params);
-  for (auto _ : state) benchmark::DoNotOptimize(detector->detect(bench::image(0).view(), gradient()));
+  for (auto _ : state) benchmark::DoNotOptimize(detector->detect({bench::image(0).view(), gradient()}));
 }
 
 void extract(benchmark::State& state) {
   const EdgeParams params;
-  const auto mask = make_edge_detector(params)->detect(bench::image(0).view(), gradient());
+  const auto mask = make_edge_detector(params)->detect({bench::image(0).view(), gradient()});
   size_t edges = 0;
   for (auto _ : state) edges = extract_edges(mask, gradient(), params.min_chain).pixels.size();
   state.counters["edges"] = double(edges);

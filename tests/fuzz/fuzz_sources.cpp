@@ -8,6 +8,7 @@
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/datasets/virtual_kitti.h"
 #include "fuzz/mutate.h"
+#include "unit/datasets/symphony_lake_folder.h"
 #include "unit/datasets/virtual_kitti_folder.h"
 #include "unit/mrpt_bridge/rawlog_test_tools.h"
 
@@ -144,6 +145,14 @@ TEST(FuzzSources, Euroc) {
   for (const char* file :
        {"mav0/cam0/data.csv", "mav0/cam0/sensor.yaml", "mav0/state_groundtruth_estimate0/data.csv"})
     test::expect_both(fuzz_file(folder.path(), file, 500, ++seed));
+}
+
+TEST(FuzzSources, SymphonyLake) {
+  TempFolder folder;
+  const SurveyPlace place = test::write_survey(folder.path(), "141107", kImages);
+  uint64_t seed = 70;
+  for (const char* file : {"image_auxilliary.csv", "../../Maps/141107/optposes.csv"})
+    test::expect_both(fuzz_file(place.folder(), file, 1000, ++seed));
 }
 
 class FuzzRawlog : public ::testing::Test {

@@ -63,7 +63,7 @@ check "the table says so" "$(grep -c '^| broken | normal | 0 of 1 |' out/table.m
 sed 's/^seeds: .*/seeds: 1..40/' half.yaml | grep -v broken >long.yaml
 "$edgevo" bench long.yaml -o cut >stdout 2>stderr </dev/null &
 pid=$!
-for i in $(seq 300); do [ -f cut/desk/normal/seed1/job.yaml ] || sleep 0.1; done
+eventually [ -f cut/desk/normal/seed1/job.yaml ]
 kill -TERM $pid
 code=0
 wait $pid || code=$?

@@ -35,6 +35,14 @@ check() {
 below() {
   if [ -n "$2" ] && awk -v a="$2" -v b="$3" 'BEGIN { exit !(a + 0 < b + 0) }'; then ok "$1: $2 (< $3)"; else fail "$1: got '$2', expected less than $3"; fi
 }
+# eventually COMMAND...: waits until it succeeds, for a minute at most: for what another program does in its own time.
+eventually() {
+  for try in $(seq 600); do
+    "$@" && return 0
+    sleep 0.1
+  done
+  return 1
+}
 # run_code CODE COMMAND...: the exit code, with stdout in ./stdout and stderr in ./stderr.
 run_code() {
   expected=$1
@@ -108,21 +116,17 @@ start_display() {
   Xvfb -displayfd 1 -noreset -nolisten tcp -screen 0 1280x1000x24 >display 2>xvfb.log &
   xvfb=$!
   cleanup() { kill $xvfb 2>/dev/null; }
-  for try in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
-    [ -s display ] && break
-    sleep 1
-  done
-  [ -s display ] || { fail "Xvfb does not start: $(tail -1 xvfb.log)"; finish; }
+  eventually [ -s display ] || { fail "Xvfb does not start: $(tail -1 xvfb.log)"; finish; }
   DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1 GDK_BACKEND=x11
   export DISPLAY LIBGL_ALWAYS_SOFTWARE GDK_BACKEND
 }
-# window NAME [SECONDS]: waits for a window whose title holds that regular expression; its number is in $window.
+# window NAME: waits for a window whose title holds that regular expression; its number is in $window.
+find_window() {
+  window=$(xdotool search --name "$1" 2>/dev/null | tail -1)
+  [ -n "$window" ]
+}
 window() {
-  for try in $(seq $((2 * ${2:-40}))); do
-    window=$(xdotool search --name "$1" 2>/dev/null | tail -1)
-    [ -n "$window" ] && return
-    sleep 0.5
-  done
+  eventually find_window "$1" && return
   fail "no window '$1'; there are: $(xdotool search --name . getwindowname %@ 2>/dev/null | sort -u | tr '\n' '|')"
   return 1
 }

@@ -18,16 +18,14 @@ for pass in 1 2 3 4 5 6; do
 done
 awk -v t="$last" -v n=$((i - n)) 'BEGIN { for (k = 1; k <= n; ++k) printf "%.6f\n", t + k / 30 }' >>long/times.txt
 
+has_rows() { [ "$(cat "$out/frames.csv" 2>/dev/null | wc -l)" -gt "$wanted" ]; }
 # killed OUT ROWS [OPTION...]: a run that is killed once it has so many rows.
 killed() {
   out=$1 wanted=$2
   shift 2
   "$edgevo" run long -o "$out" --quiet "$@" >/dev/null 2>&1 &
   pid=$!
-  for tick in $(seq 1200); do
-    [ "$(cat "$out/frames.csv" 2>/dev/null | wc -l)" -gt "$wanted" ] && break
-    sleep 0.05
-  done
+  eventually has_rows
   kill -KILL $pid
   wait $pid 2>/dev/null
 }
@@ -74,10 +72,7 @@ check "what is left of the one before" "$(ls -d again/unfinished_run.bin again/e
 # While a run goes on, nobody finishes it or writes there.
 "$edgevo" run long -o busy --quiet >/dev/null 2>&1 &
 pid=$!
-for tick in $(seq 1200); do
-  [ -s busy/unfinished_run.bin ] && break
-  sleep 0.05
-done
+eventually [ -s busy/unfinished_run.bin ]
 complains "busy: its run is still going on" "$edgevo" finish busy
 complains "busy: another run is writing there" "$edgevo" run "$sequence" -o busy --quiet --force
 kill -INT $pid

@@ -28,13 +28,14 @@ grab() {
   rawlog=$(ls edges_*.rawlog)
   rawlog-edit --info -i "$rawlog" >info.log 2>&1 </dev/null
 }
-press_a_key() { sleep 4; echo >keys; }
+has_images() { [ "$(ls edges_*_Images 2>/dev/null | wc -l)" -ge "$1" ]; }
+press_a_key() {
+  eventually has_images 3
+  echo >keys
+}
 # As Ctrl-C, which a shell's background jobs ignore; timeout(1) hands it on.
 terminate() {
-  for try in $(seq 200); do
-    [ "$(ls edges_*_Images 2>/dev/null | wc -l)" -lt 3 ] || break
-    sleep 0.1
-  done
+  eventually has_images 3
   kill -TERM $grabber
 }
 observations() { sed -n "s|^Sensor (Label/Occurs.*: *$1 / *\([0-9]*\) /.*|\1|p" info.log; }

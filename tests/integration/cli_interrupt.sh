@@ -14,16 +14,14 @@ for pass in $(seq 10); do
 done
 awk -v n=$i 'BEGIN { for (i = 0; i < n; ++i) printf "%.6f\n", i / 30 }' >long/times.txt
 
+has_frames() { [ "$(ls "$1/playback_Images" 2>/dev/null | wc -l)" -ge 25 ]; }
 for mode in synchronous realtime; do
   option=
   [ $mode = synchronous ] || option=--realtime
   "$edgevo" run long -o $mode $option >stdout 2>stderr &
   pid=$!
   # Once some frames went through, on a machine of any speed: an image of the playback is written (or linked) for each.
-  for tick in $(seq 600); do
-    [ "$(ls $mode/playback_Images 2>/dev/null | wc -l)" -ge 25 ] && break
-    sleep 0.1
-  done
+  eventually has_frames $mode
   begin=$(date +%s)
   kill -INT $pid
   code=0

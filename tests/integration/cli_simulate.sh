@@ -15,6 +15,7 @@ for image in made/desk_Images/*; do cmp -s "$image" "imported_Images/$(basename 
 "$edgevo" info made/desk.rawlog --check >info.txt || fail "info on the rawlog and its images"
 check "images that decode" "$(grep -c '^frames  *12' info.txt)" -ge 1
 complains "a rawlog does not hold depth" "$edgevo" simulate desk -o x.rawlog --depth
+complains "a rawlog does not hold true edges" "$edgevo" simulate desk -o x.rawlog --edges
 complains "frames 400:500 are not in it" "$edgevo" simulate rotation --frames 400:500 -o x.rawlog
 [ ! -e x.rawlog ] || fail "a rawlog was begun for frames that are not there"
 
@@ -27,6 +28,14 @@ differ "image with and without a shutter" once/images/000020.png sharp/images/00
 same "poses" once/groundtruth_tum.txt sharp/groundtruth_tum.txt
 same "depth" once/depth/000020.pfm sharp/depth/000020.pfm
 check "SOURCE.md says how to make it again" "$(grep -c -e '--rolling-shutter 0.03 --exposure 0.02 -o' once/SOURCE.md)" -eq 1
+
+# True edges lie beside the images, whatever the shutter, and go when the folder is written without them.
+"$edgevo" simulate rotation --frames 20:22 --edges --exposure 0.02 -o labelled >/dev/null || fail "simulate with true edges"
+"$edgevo" simulate rotation --frames 20:22 --edges -o relabelled >/dev/null || fail "the same without a shutter"
+check "label images" "$(ls labelled/edges | wc -l)" -eq 2
+same "labels" labelled/edges/000021.png relabelled/edges/000021.png
+"$edgevo" simulate rotation --frames 20:22 -o labelled >/dev/null || fail "simulate into the same folder"
+[ ! -e labelled/edges ] || fail "labels of an earlier call are left"
 
 # Scenes that cannot be. bad SCENE SED_SCRIPT WORDS
 bad() {

@@ -18,9 +18,10 @@ grep -q -e '--view: the display :4999 does not answer; the run goes on' stderr |
 start_display
 # title: what the window says, as "frame 12 TRACKING, colour: depth (paused)".
 title() { xdotool getwindowname "$window"; }
-press() { xdotool windowfocus "$window" key "$1"; sleep 1; }
-# On a busy machine a key may take longer than that: until the title is like PATTERN, half a minute at most.
-title_becomes() { for try in $(seq 60); do case $(title) in $1) return 0 ;; esac; sleep 0.5; done; return 1; }
+press() { xdotool windowfocus "$window" key "$1"; }
+# title_becomes PATTERN: waits until it does.
+title_is() { case $(title) in $1) return 0 ;; esac; return 1; }
+title_becomes() { eventually title_is "$1"; }
 
 # The whole run, with the window open: the same bytes.
 "$edgevo" run "$desk" -o shown --view --quiet >said 2>&1 &
@@ -29,22 +30,31 @@ window '^edgevo: frame'
 press space
 title_becomes '*(paused)'
 paused=$(title)
-sleep 1
 case $paused in *TRACKING*paused* | *BOOTSTRAPPING*paused*) ok "paused: $paused" ;; *) fail "not paused: $paused" ;; esac
-[ "$(title)" = "$paused" ] && ok "stands still" || fail "goes on while paused: $(title)"
 before=$(title | sed 's/[^0-9]*\([0-9]*\).*/\1/')
 press s
 title_becomes "*frame $((before + 1)) *"
+# One frame further and no more: it stood still meanwhile.
 check "frame after a step" "$(title | sed 's/[^0-9]*\([0-9]*\).*/\1/')" -eq $((before + 1))
-for step in 1 2 3 4 5 6 7 8; do xdotool windowfocus "$window" key s; sleep 0.3; done
-sleep 1
-import -window "$window" depth.png
+for step in 2 3 4 5 6 7 8 9; do
+  press s
+  title_becomes "*frame $((before + step)) *" || fail "no frame $((before + step)): $(title)"
+done
+shows_points() {
+  import -window "$window" depth.png
+  [ "$(coloured depth.png 1100x495+0+405)" -ge 500 ]
+}
+eventually shows_points
 check "coloured pixels of the points on the image" "$(coloured depth.png 1100x495+0+405)" -ge 500
 check "coloured pixels of the map" "$(coloured depth.png 1100x370+0+30)" -ge 100
 press c
 title_becomes '*colour: residual*'
 case $(title) in *"colour: residual"*) ok "coloured by residual" ;; *) fail "not coloured by residual: $(title)" ;; esac
-import -window "$window" residual.png
+shows_other_colours() {
+  import -window "$window" residual.png
+  [ "$(compare-im6.q16 -metric AE -fuzz 10% depth.png residual.png null: 2>&1)" -ge 500 ]
+}
+eventually shows_other_colours
 check "pixels that are coloured otherwise" "$(compare-im6.q16 -metric AE -fuzz 10% depth.png residual.png null: 2>&1)" -ge 500
 press space
 wait $run

@@ -16,10 +16,17 @@ shot() {
   import -window root "$1.png"
   [ -z "$shots" ] || cp "$1.png" "$shots"
 }
-click() {
-  xdotool mousemove "$1" "$2" click 1
-  sleep "${3:-1.5}"
+click() { xdotool mousemove "$1" "$2" click 1; }
+# What a click brings is waited for: each of these takes the screenshot that it looks at.
+is_wide() { [ "$(xdotool getwindowgeometry --shell "$1" | sed -n 's/^WIDTH=//p')" -ge 1200 ]; }
+stands_still() {
+  shot "$1" && cp "$1.png" before.png && sleep 0.3 && shot "$1" && cmp -s before.png "$1.png"
 }
+shows_colours() {  # NAME GEOMETRY PIXELS
+  shot "$1"
+  [ "$(coloured "$1.png" "$2")" -ge "$3" ]
+}
+is_gone() { ! xdotool search --name "$1" >/dev/null 2>&1; }
 widest_of() { xdotool search --name "$1" | while read -r w; do echo "$(xdotool getwindowgeometry --shell "$w" | sed -n 's/^WIDTH=//p') $w"; done | sort -n | tail -1 | cut -d' ' -f2; }
 
 # ---- RawLogViewer. Places of buttons depend on the fonts: the tip of the day tells whether they are those known here.
@@ -35,30 +42,37 @@ esac
 if [ -n "$laid_out_as_known" ]; then
   click 571 239
   xdotool windowmove "$main" 0 0 windowsize "$main" 1270 990
-  sleep 3
-  shot rawlogviewer_overview
+  eventually is_gone 'Tip of the Day' || fail "the tip of the day stays"
+  eventually is_wide "$main" || fail "RawLogViewer keeps its size"
+  eventually stands_still rawlogviewer_overview || fail "RawLogViewer never comes to rest"
   # The tree on the left: image 0, pose, odometry, points, image 1, ...
   click 120 191
-  shot rawlogviewer_image
   # Its panel shows the second image of the street, scaled to the width, and no other.
-  convert-im6.q16 rawlogviewer_image.png -crop 865x262+405+548 +repage -colorspace Gray panel.png
   likeness() {
     convert-im6.q16 "playback_Images/frame_00000$1.png" -resize '865x262!' -colorspace Gray wanted.png
     compare-im6.q16 -metric NCC panel.png wanted.png null: 2>&1
   }
+  shows_the_image() {
+    shot rawlogviewer_image
+    convert-im6.q16 rawlogviewer_image.png -crop 865x262+405+548 +repage -colorspace Gray panel.png
+    awk -v c="$(likeness 1)" 'BEGIN { exit !(c > 0.9) }'
+  }
+  eventually shows_the_image
   below "1 - correlation of the image in RawLogViewer with the frame's" "$(awk -v c="$(likeness 1)" 'BEGIN { print 1 - c }')" 0.1
   below "correlation with the frame after it, which is less" "$(likeness 2)" "$(likeness 1)"
-  click 120 173 3
-  shot rawlogviewer_points
+  click 120 173
+  eventually shows_colours rawlogviewer_points 860x280+405+540 200
   check "points in its 3D view" "$(coloured rawlogviewer_points.png 860x280+405+540)" -ge 200
-  click 225 60 1
+  click 225 60
   window 'Creation of "raw map'
-  click 162 191 4
-  shot rawlogviewer_map
+  click 162 191
+  eventually shows_colours rawlogviewer_map 810x120+20+340 300
   # Save the vehicle path that it made of the odometry, under the name that it proposes.
   click 509 243
   window 'Save path as txt file'
-  click 1046 798 3
+  click 1046 798
+  path_is_saved() { [ "$(grep -c . GT_path_vehicle.txt 2>/dev/null)" -eq "$(poses .)" ]; }
+  eventually path_is_saved
   check "rows of the path that RawLogViewer saved" "$(grep -c . GT_path_vehicle.txt)" -eq "$(poses .)"
   awk '!/^#/ { print $1, $4, -$2 }' trajectory_tum.txt >wanted.txt  # x forward is the camera's z, y left its -x
   below "largest difference of that path from the run's, in its unit" "$(awk '{ print $1, $2, $3 }' GT_path_vehicle.txt | paste wanted.txt - |
@@ -76,8 +90,7 @@ viewer=$!
 window 'SceneViewer3D.*scene.3Dscene' || tail -3 viewer.log
 main=$(widest_of 'SceneViewer3D.*scene.3Dscene')
 xdotool windowmove "$main" 0 0 windowsize "$main" 1270 990
-sleep 4
-shot sceneviewer
+eventually shows_colours sceneviewer 1170x900+95+40 1000
 check "coloured pixels of edges, trajectory and keyframes" "$(coloured sceneviewer.png 1170x900+95+40)" -ge 1000
 kill $viewer
 wait $viewer 2>/dev/null

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <numeric>
 #include <opencv2/core.hpp>
 
 #include "edgevo/alignment/pose_covariance.h"
@@ -86,6 +89,23 @@ DriveFigures measure(Run run, const Trajectory& truth) {
   figures.consistency = pose_consistency(run, truth, figures.evaluation.ate_sim3.scale);
   figures.run = std::move(run);
   return figures;
+}
+
+std::vector<uint64_t> test_seeds() {
+  const char* asked = std::getenv("EDGEVO_TEST_SEEDS");
+  std::vector<uint64_t> seeds(asked ? size_t(std::max(1, std::atoi(asked))) : 1);
+  std::iota(seeds.begin(), seeds.end(), 1);
+  return seeds;
+}
+
+void for_each_seed(const std::shared_ptr<const Clip>& clip, const Trajectory& truth,
+                   const std::function<void(const DriveFigures&)>& look) {
+  for (const uint64_t seed : test_seeds()) {
+    ClipSource source(clip);
+    const DriveFigures figures = measure(drive(source, {}, seed), truth);
+    std::cout << "[ figures  ] seed " << seed << ": " << figures << std::endl;
+    look(figures);
+  }
 }
 
 Trajectory trajectory_of(const Run& run) {

@@ -1,11 +1,14 @@
 #pragma once
 // One run of the odometry over a source, measured against ground truth: what the accuracy tests look at.
+#include <functional>
 #include <ostream>
+#include <vector>
 
 #include "edgevo/core/image_source.h"
 #include "edgevo/core/records.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/simulation/clip.h"
 #include "edgevo/simulation/scene.h"
 
 namespace edgevo::testing {
@@ -40,6 +43,13 @@ DriveFigures measure(Run run, const Trajectory& truth);
 
 /// Of the frames that are no keyframes themselves.
 Consistency pose_consistency(const Run& run, const Trajectory& truth, double metres_per_unit);
+
+/// 1; or 1 to N where the environment says EDGEVO_TEST_SEEDS=N: to see how far the figures spread before a bound is set.
+std::vector<uint64_t> test_seeds();
+
+/// Drives over the clip with each of test_seeds(), writes the figures to stdout and hands them to `look`.
+void for_each_seed(const std::shared_ptr<const Clip>& clip, const Trajectory& truth,
+                   const std::function<void(const DriveFigures&)>& look);
 
 /// Final poses of the frames that have one.
 Trajectory trajectory_of(const Run& run);

@@ -1,4 +1,5 @@
-// A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to what was measured (README.md).
+// A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to what was measured
+// (share/lab/2026-11-22_metric_map.md).
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 

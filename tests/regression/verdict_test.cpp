@@ -7,20 +7,16 @@
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
+#include "rendered_clips.h"
 
 namespace edgevo::testing {
 namespace {
 
 constexpr int kFrames = 70, kBegin = 40;
 
-// The first frames over the desk, rendered once a program.
+// The first frames over the desk.
 const std::vector<Frame>& desk() {
-  static const std::vector<Frame> frames = [] {
-    RenderedSource source(std::make_shared<SceneRenderer>(load_scene("desk")), 0, kFrames);
-    std::vector<Frame> all;
-    while (std::optional<Frame> frame = source.next()) all.push_back(std::move(*frame));
-    return all;
-  }();
+  static const std::vector<Frame> frames = part_of(desk_drive(), 0, kFrames).clip->frames;
   return frames;
 }
 
@@ -127,8 +123,7 @@ TEST(Verdict, PumpingExposureIsNoLoss) {
 // wait for them.
 TEST(Verdict, ADriveInBadLightStartsWithinTenFrames) {
   constexpr int kDrive = 16;
-  const auto renderer = std::make_shared<SceneRenderer>(load_scene("street"));
-  RelitSource source(std::make_unique<RenderedSource>(renderer, 0, kDrive), Relight("mixed", 1));
+  RelitSource source(std::make_unique<ClipSource>(part_of(street_drive(), 0, kDrive).clip), Relight("mixed", 1));
   Odometry odometry(source.camera(), OdometryParams(), OdometryOptions());
   int first_map = kDrive;
   while (std::optional<Frame> frame = source.next())

@@ -23,7 +23,8 @@ void LookAhead::add(const FramePyramid& target, const Eigen::Vector2d& px) {
   place.level->field.prefetch_pixel(place.px.x(), place.px.y());
 }
 
-void LookAhead::run() {
+int LookAhead::run() {
+  int near_edges = 0;
   for (int i = 0; i < count_; ++i) {
     Place& p = places_[i];
     p.pixel = p.level->field.nearest_pixel(p.px.x(), p.px.y());
@@ -32,12 +33,14 @@ void LookAhead::run() {
   for (int i = 0; i < count_; ++i) {
     const Place& p = places_[i];
     if (p.pixel < 0) continue;
+    ++near_edges;
     const int width = p.level->pinhole.width, x = p.pixel % width, y = p.pixel / width;
     prefetch(&p.level->edges.pixels[p.level->field.edge_at(p.pixel)]);
     if (params_.photometric) prefetch_square(p.level->gradient_magnitude, x, y, params_.patch_side / 2);
     if (params_.refine) prefetch_square(p.level->gray, x, y, params_.refine_radius);
   }
   count_ = 0;
+  return near_edges;
 }
 
 }  // namespace edgevo

@@ -8,7 +8,9 @@
 #include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
+#include "edgevo/datasets/source_place.h"
 #include "layouts/layout.h"
+#include "symphony_archive.h"
 #include "text_file.h"
 #include "video_source.h"
 
@@ -16,6 +18,8 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kLiveCamera = "camera:";
 
 void refuse_label(const SourceOptions& options) {
   if (options.sensor_label.empty()) return;
@@ -38,7 +42,7 @@ std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
 
 std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   std::error_code ignored;
-  if (options.path.rfind("camera:", 0) == 0) return open_live_camera(options);
+  if (options.path.rfind(kLiveCamera, 0) == 0) return open_live_camera(options);
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
   if (fs::is_directory(options.path, ignored)) return open_folder(options);
@@ -76,7 +80,14 @@ void set_frame_range(const std::string& text, SourceOptions* options) {
     throw InputError(where, "holds no frame", "A:B means frames A to B-1, so B must be larger than A");
 }
 
-std::unique_ptr<ImageSource> open_source(const SourceOptions& options) {
+std::string source_place(const std::string& path) {
+  if (path.rfind(kLiveCamera, 0) == 0 || layout_of(path)) return path;
+  return survey_place(path);
+}
+
+std::unique_ptr<ImageSource> open_source(const SourceOptions& asked) {
+  SourceOptions options = asked;
+  options.path = source_place(asked.path);
   auto source = open_whole(options);
   if (options.fov_deg && !is_assumed(*source))
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",

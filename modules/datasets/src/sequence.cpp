@@ -25,6 +25,10 @@ class SequenceSource : public ImageSource {
   const Camera& camera() const override { return sequence_.camera; }
   std::optional<int> size() const override { return int(sequence_.images.size()); }
   std::string kind() const override { return sequence_.kind; }
+  std::optional<SE3> T_vehicle_cam() const override { return sequence_.T_vehicle_cam; }
+  VehicleTrack vehicle_track(VehicleSensor sensor) const override {
+    return sensor == VehicleSensor::kGps ? sequence_.gps : VehicleTrack();
+  }
   std::vector<std::pair<std::string, std::string>> details() const override { return sequence_.details; }
   std::vector<Timestamp> times() const override { return sequence_.times; }
   std::string ground_truth_path() const override { return sequence_.ground_truth_path; }

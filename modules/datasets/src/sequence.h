@@ -2,6 +2,7 @@
 // What every folder layout amounts to: a list of image files with times, and a camera. A layout is a function
 // from a folder to this value; playing it is the same for all.
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@ struct Sequence {
   std::vector<Timestamp> times;     ///< one for each; whether they increase is checked frame by frame
   Camera camera;
   std::string ground_truth_path;  ///< TUM format; may be empty
+  std::optional<SE3> T_vehicle_cam;  ///< where the camera sits, if the data set says so
+  VehicleTrack gps;                  ///< where the vehicle's GPS says that it was; may be empty
   Details details;
 };
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/image_names.h"
 #include "edgevo/edges/edge_extraction.h"
 #include "opencv_view.h"
 #include "undistortion.h"
@@ -23,6 +24,18 @@ void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
   }
 }
 
+// To the size that `to` has.
+void halve(const Plane<uint8_t>& from, Plane<uint8_t>* to) {
+  cv::Mat half = as_mat(*to);
+  cv::pyrDown(as_mat(from), half, half.size());
+}
+
+Plane<uint8_t> halved(const Plane<uint8_t>& from, const Pinhole& size) {
+  Plane<uint8_t> half(size.width, size.height);
+  halve(from, &half);
+  return half;
+}
+
 }  // namespace
 
 struct PyramidBuilder::Impl {
@@ -30,6 +43,7 @@ struct PyramidBuilder::Impl {
   double readout_s = 0;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
+  std::unique_ptr<EdgeProbability> probability;  // null where the detector needs none, or nothing but rebuilding is asked for
   std::optional<Undistortion> undistortion;  // none where the camera has no distortion
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
   BorderMask border;                      // of the images as they come
@@ -68,18 +82,20 @@ struct PyramidBuilder::Impl {
     return grid;
   }
 
-  // `border`: the border mask of the finest level, or empty.
-  void find_edges(int l, const Plane<uint8_t>& border, PyramidLevel* level) const {
+  // `border`: the border mask of the finest level, or empty; `likely`: of this one, or empty.
+  void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& likely, PyramidLevel* level) const {
     Gradient gradient = compute_gradient(level->gray.view());
-    Plane<uint8_t> mask = detector->detect(level->gray.view(), gradient);
+    Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    level->field = NearestField(level->edges, params.field_radius);
+    level->field = NearestField(level->edges, params.field_radius, params.oriented_field);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 
+  std::shared_ptr<const FramePyramid> take(const GrayImage& image, const std::string& name, const ImageMotion& motion);
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion,
-                                            std::shared_ptr<const Plane<uint8_t>> border);
+                                            std::shared_ptr<const Plane<uint8_t>> border,
+                                            std::shared_ptr<const Plane<uint8_t>> likely);
 };
 
 double FramePyramid::masked_share() const {
@@ -87,11 +103,20 @@ double FramePyramid::masked_share() const {
   return double(cv::countNonZero(as_mat(*border_mask))) / (double(border_mask->width()) * border_mask->height());
 }
 
-PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params) : impl_(new Impl) {
+PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params)
+    : PyramidBuilder(camera, params, make_edge_probability(params)) {}
+
+PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgeParams& params) {
+  return PyramidBuilder(camera, params, nullptr);
+}
+
+PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params, std::unique_ptr<EdgeProbability> probability)
+    : impl_(new Impl) {
   camera.check("camera");
   impl_->camera = camera;
   impl_->params = params;
   impl_->detector = make_edge_detector(params);
+  impl_->probability = std::move(probability);
   impl_->make_maps();
 }
 PyramidBuilder::~PyramidBuilder() = default;
@@ -108,27 +133,41 @@ void PyramidBuilder::set_correction(const ImageCorrection& correction) {
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image, const ImageMotion& motion) {
-  const Pinhole& camera = impl_->camera.pinhole;
-  if (image.width != camera.width || image.height != camera.height)
+  return impl_->take(image, {}, motion);
+}
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::build(const Frame& frame, const ImageMotion& motion) {
+  return impl_->take(frame.image, image_name(frame), motion);
+}
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& image, const std::string& name,
+                                                               const ImageMotion& motion) {
+  const Pinhole& expected = camera.pinhole;
+  if (image.width != expected.width || image.height != expected.height)
     throw InputError("image", "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                                  " but the camera is " + std::to_string(camera.width) + "x" +
-                                  std::to_string(camera.height), "give the camera file of these images");
-  impl_->border.add(image.view());
-  return impl_->build(image, motion, impl_->border.mask());
+                                  " but the camera is " + std::to_string(expected.width) + "x" +
+                                  std::to_string(expected.height), "give the camera file of these images");
+  std::shared_ptr<const Plane<uint8_t>> likely;
+  if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(image.view(), name));
+  border.add(image.view());
+  return build(image, motion, border.mask(), std::move(likely));
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old, const ImageMotion& motion) {
-  return impl_->build(old.source, motion, old.border_mask);
+  return impl_->build(old.source, motion, old.border_mask, old.probability);
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image, const ImageMotion& motion,
-                                                                std::shared_ptr<const Plane<uint8_t>> border) {
+                                                                std::shared_ptr<const Plane<uint8_t>> border,
+                                                                std::shared_ptr<const Plane<uint8_t>> likely) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
   pyramid->border_mask = std::move(border);
+  pyramid->probability = std::move(likely);
   pyramid->correction = {camera.residual_k1, readout_s};
   pyramid->levels.resize(size_t(params.levels));
   const Plane<uint8_t> border_here = pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
+  Plane<uint8_t> likely_here = pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[size_t(l)];
     level.pinhole = camera.pinhole.at_level(l);
@@ -136,10 +175,10 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
       level.gray = undistort(image.view(), motion);
     } else {
       level.gray = Plane<uint8_t>(level.pinhole.width, level.pinhole.height);
-      cv::Mat to = as_mat(level.gray);
-      cv::pyrDown(as_mat(pyramid->levels[size_t(l - 1)].gray), to, to.size());
+      halve(pyramid->levels[size_t(l - 1)].gray, &level.gray);
+      if (!likely_here.empty() && l < params.edge_levels) likely_here = halved(likely_here, level.pinhole);
     }
-    if (l < params.edge_levels) find_edges(l, border_here, &level);
+    if (l < params.edge_levels) find_edges(l, border_here, likely_here, &level);
   }
   return pyramid;
 }

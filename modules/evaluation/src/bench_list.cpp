@@ -147,11 +147,31 @@ int BenchList::jobs() const {
   return int(count);
 }
 
+std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& where) {
+  std::vector<uint64_t> seeds;
+  for (const std::string& word : words(text, " \t,")) add_seeds(word, where, &seeds);
+  if (seeds.empty()) throw InputError(where, "names no seed", "write for example `seeds: 1..5`");
+  return seeds;
+}
+
+std::string bench_list_text(const BenchList& list) {
+  std::string text = "seeds:";
+  for (const uint64_t seed : list.seeds) text += " " + std::to_string(seed);
+  text += "\nsequences:\n";
+  for (const BenchSequence& s : list.sequences) {
+    std::string variants;
+    for (const BenchVariant& variant : s.variants) variants += (variants.empty() ? "" : " ") + variant.name;
+    text += "  " + s.name + ":\n    source: " + yaml_scalar(s.source) + "\n    variants: " + yaml_scalar(variants) + "\n";
+    for (const auto& [key, value] : {std::pair{"frames", s.frames}, {"camera", s.camera}, {"params", s.params}})
+      if (!value.empty()) text += std::string("    ") + key + ": " + yaml_scalar(value) + "\n";
+  }
+  return text;
+}
+
 BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights) {
   RawList raw = read_raw(text, where);
   BenchList list;
-  for (const std::string& word : words(raw.seeds, " \t,")) add_seeds(word, raw.place("seeds"), &list.seeds);
-  if (list.seeds.empty()) throw InputError(raw.place("seeds"), "names no seed", "write for example `seeds: 1..5`");
+  list.seeds = parse_seeds(raw.seeds, raw.place("seeds"));
   for (size_t i = 0; i < raw.sequences.size(); ++i) {
     BenchSequence& s = raw.sequences[i];
     if (s.source.empty())

@@ -8,7 +8,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "gray_conversion.h"
-#include "image_integrity.h"
+#include "edgevo/core/image_integrity.h"
 
 namespace edgevo {
 namespace {

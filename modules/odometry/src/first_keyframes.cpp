@@ -36,7 +36,7 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
 // each. Only where the map came at once, by large motion: over more frames a hand-held camera moves otherwise
 // than on the whole.
 void find_motions(std::deque<Keyframe>* keyframes) {
-  // Between the first view and the last; share/lab/self_calibration.md, "Rolling shutter", has the figures.
+  // Between the first view and the last; share/lab/2026-11-22_rolling_shutter.md has the figures.
   constexpr int kMaxFrames = 2;
   const Keyframe &first = keyframes->front(), &last = keyframes->back();
   const double seconds = seconds_between(first.time, last.time);

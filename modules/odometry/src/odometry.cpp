@@ -22,7 +22,7 @@ struct Odometry::Impl {
         random(Random::derive(o.seed, 3)),
         mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
         records(camera.pinhole),
-        rebuilder(camera, p.edges),
+        rebuilder(PyramidBuilder::for_rebuilding(camera, p.edges)),
         state(p.recovery.max_frames),
         mapping(&mapper, o.realtime,
                 [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
@@ -73,7 +73,7 @@ struct Odometry::Impl {
     const double start = thread_cpu_ms();
     const RowRectification rows{builder.correction().readout_s, expected_motion()};
     const std::shared_ptr<const FramePyramid> pyramid =
-        builder.build(frame.image, rows.expected);  // throws for a wrong size: no record then
+        builder.build(frame, rows.expected);  // throws for a wrong size: no record then
     if (pyramid->border_mask && !(newest_pyramid && newest_pyramid->border_mask))
       say(frame, describe_border_mask(pyramid->masked_share()));
     newest_pyramid = pyramid;

@@ -20,8 +20,8 @@ constexpr double kLeastSignificance = 1.5;
 // Keyframes that the parameters' model sigmas refer to: a definition.
 constexpr double kModelKeyframes = 30;
 // Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
-// estimates come out a fifth to a half short and reach the truth step by step (share/lab/self_calibration.md,
-// "Rolling shutter").
+// estimates come out a fifth to a half short and reach the truth step by step
+// (share/lab/2026-11-22_rolling_shutter.md).
 constexpr double kOverRelaxation = 1.3;
 // Share of a limit beyond which an estimate stands at it: the search is clamped there, rounding aside.
 constexpr double kAtLimit = 0.999;

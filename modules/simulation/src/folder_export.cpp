@@ -9,6 +9,7 @@
 #include "edgevo/core/image_names.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/simulation/run_parallel.h"
+#include "edgevo/simulation/true_edge_labels.h"
 
 namespace edgevo {
 namespace {
@@ -95,7 +96,7 @@ void clear_sequence(const std::string& folder) {
   std::error_code ignored;
   if (!fs::exists(folder + "/SOURCE.md", ignored)) return;
   for (const char* name :
-       {"images", "depth", "correspondences", "times.txt", "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
+       {"images", "depth", "edges", "correspondences", "times.txt", "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
     fs::remove_all(fs::path(folder) / name, ignored);
 }
 
@@ -130,6 +131,7 @@ void export_folder(const SceneRenderer& renderer, const std::string& folder, con
                      "it has frames 0:" + std::to_string(renderer.size()));
   make_output_folder(folder + "/images");
   if (options.depth) make_output_folder(folder + "/depth");
+  if (options.edges) make_output_folder(folder + "/edges");
   write_texts(renderer, folder, begin, end);
   std::mutex mutex;
   int done = 0;
@@ -138,6 +140,7 @@ void export_folder(const SceneRenderer& renderer, const std::string& folder, con
     if (options.depth)
       write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i), renderer.camera().pinhole.width,
                 renderer.camera().pinhole.height);
+    if (options.edges) write_png(numbered(folder + "/edges", i, ".png"), true_edge_labels(renderer, i));
     const std::lock_guard<std::mutex> lock(mutex);
     if (on_frame_done) on_frame_done(++done);
   });

@@ -4,7 +4,7 @@
 
 namespace edgevo {
 
-void add_tree(WorldBuilder& b, const Place& place, double height) {
+void add_tree(WorldBuilder& b, const Place& place, double height, const Leaves& leaves) {
   Random& r = b.random();
   const double trunk = 0.34 * height;
   const double radius = 0.022 * height + 0.05;
@@ -15,8 +15,8 @@ void add_tree(WorldBuilder& b, const Place& place, double height) {
   const double size = height - trunk + 0.6, turn = r.uniform(0, 1);
   for (int i = 0; i < 4; ++i) {  // crossing cards, some in front of the others
     const Place centre = place.moved(r.uniform(-0.12, 0.12) * size, r.uniform(-0.12, 0.12) * size, trunk - 0.6 + r.uniform(-0.1, 0.15) * size);
-    b.card(centre, size * r.uniform(0.8, 1.05), size * r.uniform(0.85, 1), turn + 0.785 * i, b.any_texture("crown", 5),
-           float(r.uniform(0.9, 1.08)));
+    b.card(centre, size * r.uniform(0.8, 1.05), size * r.uniform(0.85, 1), turn + 0.785 * i, b.any_texture("crown" + leaves.suffix(), 5),
+           leaves.gain * float(r.uniform(0.9, 1.08)));
   }
 }
 
@@ -27,11 +27,11 @@ void add_conifer(WorldBuilder& b, const Place& place, double height) {
   for (int i = 0; i < 3; ++i) b.card(place, 0.48 * height, height, turn + 1.0472 * i, texture, float(r.uniform(0.8, 1.1)));
 }
 
-void add_bush(WorldBuilder& b, const Place& place, double width) {
+void add_bush(WorldBuilder& b, const Place& place, double width, const Leaves& leaves) {
   Random& r = b.random();
   for (int i = 0; i < 2; ++i)
     b.card(place.moved(0, r.uniform(-0.2, 0.2), -0.05), width, width * r.uniform(0.5, 0.75), r.uniform(-0.5, 0.5) + 1.2 * i,
-           b.any_texture("bush", 4), float(r.uniform(0.8, 1.15)));
+           b.any_texture("bush" + leaves.suffix(), 4), leaves.gain * float(r.uniform(0.8, 1.15)));
 }
 
 void add_car(WorldBuilder& b, const Place& place) {

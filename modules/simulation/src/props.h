@@ -2,6 +2,7 @@
 // Things that stand about: houses, trees, cars, lamps.
 #include <string>
 
+#include "season.h"
 #include "world_builder.h"
 
 namespace edgevo {
@@ -10,9 +11,9 @@ namespace edgevo {
 void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys, const std::string& wall);
 
 /// A broad-leaved tree, or a conifer, with its foot at the origin of `place`.
-void add_tree(WorldBuilder& b, const Place& place, double height);
+void add_tree(WorldBuilder& b, const Place& place, double height, const Leaves& leaves = {});
 void add_conifer(WorldBuilder& b, const Place& place, double height);
-void add_bush(WorldBuilder& b, const Place& place, double width);
+void add_bush(WorldBuilder& b, const Place& place, double width, const Leaves& leaves = {});
 
 /// A car of 4.3 m whose left side is in front; the origin is below its middle.
 void add_car(WorldBuilder& b, const Place& place);

@@ -8,6 +8,7 @@
 #include "edgevo/core/program_folder.h"
 #include "motion.h"
 #include "scene_params.h"
+#include "season.h"
 #include "worlds.h"
 
 namespace edgevo {
@@ -23,6 +24,18 @@ std::vector<fs::path> scene_folders() {
       EDGEVO_SCENE_SOURCE_DIR,
 #endif
       program_folder().parent_path() / "share/edgevo/datasets/scenes", EDGEVO_SCENE_INSTALL_DIR};
+}
+
+// "lakeshore:winter" is the scene lakeshore in winter. A file may have a colon in its name.
+void split_season(const std::string& name, std::string* scene, std::string* season) {
+  std::error_code ignored;
+  const size_t colon = name.rfind(':');
+  *scene = name, season->clear();
+  if (colon == std::string::npos || fs::exists(name, ignored)) return;
+  *scene = name.substr(0, colon), *season = name.substr(colon + 1);
+  const std::vector<std::string> known{"spring", "summer", "autumn", "winter"};
+  if (std::find(known.begin(), known.end(), *season) == known.end())
+    throw InputError("scene " + name, "'" + *season + "' is no season", "did you mean '" + nearest_name(*season, known) + "'?");
 }
 
 fs::path find_scene(const std::string& name_or_path) {
@@ -58,11 +71,17 @@ std::vector<std::string> scene_names() {
 }
 
 Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) {
-  const fs::path path = find_scene(name_or_path);
+  std::string base, season;
+  split_season(name_or_path, &base, &season);
+  const fs::path path = find_scene(base);
   const std::string where = path.string();
-  const SceneParams params = parse_scene(read_file(where, "give the path of a scene file"), where);
+  SceneParams params = parse_scene(read_file(where, "give the path of a scene file"), where);
+  if (!season.empty()) params.world.season = season;
+  if (!params.world.season.empty() && params.world.kind != "lakeshore")
+    throw InputError("scene " + name_or_path, "has no seasons", "only worlds of the kind lakeshore have");
+  apply_season(&params.world);
   Scene scene;
-  scene.name = path.stem().string();
+  scene.name = path.stem().string() + (season.empty() ? "" : ":" + season);
   scene.seed = seed.value_or(uint64_t(params.seed));
   scene.camera = params.camera.camera;
   scene.noise_sigma = params.camera.noise_sigma;

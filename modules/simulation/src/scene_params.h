@@ -75,6 +75,7 @@ struct WorldParams {
   double haze_per_metre = 0.0015;
   double sun_azimuth_deg = 130, sun_elevation_deg = 42;
   double density = 1;  ///< of things that stand about
+  std::string season;  ///< lakeshore: leaves, sun and haze (season.h); empty: none of these
   void visit(ParamVisitor& v) {
     v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza"}, "what is built");
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
@@ -84,6 +85,7 @@ struct WorldParams {
     v.number("sun_azimuth_deg", sun_azimuth_deg, -360, 360, "from the x axis to the left");
     v.number("sun_elevation_deg", sun_elevation_deg, 5, 90, "over the horizon");
     v.number("density", density, 0, 3, "how many cars, trees and other things stand about");
+    v.text("season", season, {"", "spring", "summer", "autumn", "winter"}, "lakeshore: leaves, light and haze of a season");
   }
 };
 

@@ -17,6 +17,7 @@ class ShoreBuilder {
   explicit ShoreBuilder(Site& site)
       : site_(site),
         b_(site.build),
+        look_(season_look(site.params.world.season)),
         random_(b_.random()),
         way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kBeyond, kBeyond, kBeyond).front()),
         shore_{&way_, -1},
@@ -53,7 +54,7 @@ class ShoreBuilder {
       const Place p = shore_.left_end(s, kLength, from, 0);
       Surface& tile = b_.tile(p.point(0, from - to, 0), kLength * p.right, (to - from) * p.out, texture);
       tile.uv_origin = {0, std::ceil(to / kTile) - to / kTile};  // goes on from strip to strip
-      tile.gain *= float(gain);
+      tile.gain *= look_.water_gain * float(gain);
     }
   }
 
@@ -70,7 +71,7 @@ class ShoreBuilder {
         };
         // Seen from the water the right end has the smaller s. Two triangles, as four corners need not be flat.
         const Eigen::Vector3d a = corner(s + step, k + 1), b = corner(s, k + 1), c = corner(s + step, k), d = corner(s, k);
-        const float gain = k == 0 ? 1 : float(1.15 + 0.12 * meadow_(s) + 0.06 * k);
+        const float gain = k == 0 ? 1 : look_.grass_gain * float(1.15 + 0.12 * meadow_(s) + 0.06 * k);
         for (const auto& [corner_of, side_u, side_v] : {std::tuple{a, b - a, c - a}, std::tuple{d, c - d, b - d}}) {
           Surface& half = b_.tile(corner_of, side_u, side_v, b_.texture(kinds[k], 0));
           half.is_triangle = true;
@@ -88,19 +89,20 @@ class ShoreBuilder {
     const double density = std::max(0.05, site_.params.world.density);
     for (double s = 1; s < way_.length; s += random_.uniform(0.5, 2.6) / density)
       b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.9, 0.6), -0.05), random_.uniform(1.2, 2.6), random_.uniform(0.6, 1.4),
-              random_.uniform(-0.5, 0.5), b_.any_texture("reeds", 6), float(random_.uniform(0.8, 1.2)));
+              random_.uniform(-0.5, 0.5), b_.any_texture("reeds", 6), look_.reed_gain * float(random_.uniform(0.8, 1.2)));
     for (double s = 1; s < way_.length; s += random_.uniform(2, 6) / density)
-      add_bush(b_, shore_.place(s, waterline(s) + random_.uniform(1.5, 6), 0.7), random_.uniform(1.2, 3.2));
+      add_bush(b_, shore_.place(s, waterline(s) + random_.uniform(1.5, 6), 0.7), random_.uniform(1.2, 3.2), look_.leaves);
     for (double s = 1; s < way_.length; s += random_.uniform(3, 7) / density) tree(s, random_.uniform(3, 14), 1.0);
     for (double s = 1; s < way_.length; s += random_.uniform(3, 6) / density) tree(s, random_.uniform(26, 50), 3.0);
     for (double s = 1; s < way_.length; s += random_.uniform(1, 3) / density) {  // undergrowth up the slope
       const double beyond = random_.uniform(16, 48);
-      add_bush(b_, shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 0.1), random_.uniform(1.2, 3.5));
+      add_bush(b_, shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 0.1), random_.uniform(1.2, 3.5), look_.leaves);
     }
     for (double beyond : {60.0, 56.0})  // the wood on the ridge
       for (double s = -10; s < way_.length + 10; s += random_.uniform(12, 17))
         b_.card(shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 1.2), 28, random_.uniform(9, 13),
-                random_.uniform(-0.1, 0.1), b_.any_texture("forest", 5), float(random_.uniform(0.85, 1.1)));
+                random_.uniform(-0.1, 0.1), b_.any_texture("forest" + look_.leaves.suffix(), 5),
+                look_.leaves.gain * float(random_.uniform(0.85, 1.1)));
   }
   // The last step of the bank, over the water.
   static double height_of_meadow(double beyond_water) { return 1.7 + (beyond_water - 16) / 44 * 7.3; }
@@ -109,7 +111,7 @@ class ShoreBuilder {
     if (random_.uniform() < 0.35)
       add_conifer(b_, place, random_.uniform(7, 14));
     else
-      add_tree(b_, place, random_.uniform(5, 11));
+      add_tree(b_, place, random_.uniform(5, 11), look_.leaves);
   }
 
   void jetty(double s) {
@@ -122,6 +124,7 @@ class ShoreBuilder {
 
   Site& site_;
   WorldBuilder& b_;
+  const SeasonLook& look_;
   Random& random_;
   Street way_;
   Side shore_;

@@ -42,16 +42,31 @@ void branch(Canvas* c, Random& random, double x, double y, double heading, doubl
     branch(c, random, nx, ny, heading + random.uniform(-0.75, 0.75), length * random.uniform(0.65, 0.85), width * 0.65);
 }
 
-Canvas crown(Random& random) {
+// `clusters` of leaves: 460 of a tree in full leaf.
+Canvas crown_of(Random& random, int clusters) {
   const int n = 512;
   Canvas c(n, n, 60);
   c.cut_out();
   branch(&c, random, n / 2.0, 0.82 * n, -1.5708, 80, 11);  // from inside the leaves on: the trunk is a prism
   const double phase = random.uniform(0, 6.283), bumps = 3 + random.below(3);
-  leaves(&c, random, 460, 30, 17, 5.5, [&](double x, double y) {
+  leaves(&c, random, clusters, 30, 17, 5.5, [&](double x, double y) {
     const double dx = (x - 0.5) / 0.42, dy = (y - 0.46) / 0.40, a = std::atan2(dy, dx);
     return dx * dx + dy * dy < 0.85 + 0.22 * std::sin(bumps * a + phase);
   });
+  return c;
+}
+
+Canvas crown(Random& random) { return crown_of(random, 460); }
+Canvas crown_thin(Random& random) { return crown_of(random, 150); }
+
+// Twigs from the trunk up and outwards, none with a leaf.
+Canvas crown_bare(Random& random) {
+  const int n = 512;
+  Canvas c(n, n, 60);
+  c.cut_out();
+  for (int i = 0; i < 9; ++i)
+    branch(&c, random, n / 2.0 + random.uniform(-8, 8), random.uniform(0.6, 0.92) * n, -1.5708 + random.uniform(-0.9, 0.9),
+           random.uniform(60, 95), random.uniform(5, 11));
   return c;
 }
 
@@ -81,12 +96,12 @@ Canvas conifer(Random& random) {
   return c;
 }
 
-Canvas bush(Random& random) {
+Canvas bush_of(Random& random, int clusters) {
   const int w = 512, h = 256;
   Canvas c(w, h, 55);
   c.cut_out();
   const double phase = random.uniform(0, 6.283);
-  leaves(&c, random, 420, 26, 11, 4.5, [&](double x, double y) {
+  leaves(&c, random, clusters, 26, 11, 4.5, [&](double x, double y) {
     const double outline = 0.35 + 0.12 * std::sin(9 * x + phase) + 0.06 * std::sin(23 * x + 2 * phase);
     return x > 0.06 && x < 0.94 && y > outline + 1.4 * std::pow(std::abs(x - 0.5), 2);
   });
@@ -97,20 +112,46 @@ Canvas bush(Random& random) {
   return c;
 }
 
+Canvas bush(Random& random) { return bush_of(random, 420); }
+Canvas bush_thin(Random& random) { return bush_of(random, 150); }
+
+// Rods from the ground up.
+Canvas bush_bare(Random& random) {
+  const int w = 512, h = 256;
+  Canvas c(w, h, 55);
+  c.cut_out();
+  for (int i = 0; i < 34; ++i)
+    branch(&c, random, w * random.uniform(0.15, 0.85), h - 4, -1.5708 + random.uniform(-0.5, 0.5), random.uniform(35, 60),
+           random.uniform(2.5, 4.5));
+  return c;
+}
+
 // A wood seen from afar: crowns and tips before and above each other, as dark as trees against the sky are.
-Canvas forest(Random& random) {
+// `clusters` of leaves on each crown that sheds them: 700 in summer.
+Canvas forest_of(Random& random, int clusters) {
   const int w = 512, h = 256;
   Canvas c(w, h, 55);
   c.cut_out();
   for (int i = 0; i < 22; ++i) {
     const double cx = random.uniform(50, w - 50), top = random.uniform(14, 130), half = random.uniform(22, 46);
     const bool is_conifer = random.uniform() < 0.4;
-    leaves(&c, random, 700, 14, 6, 3.4, [&](double x, double y) {
+    leaves(&c, random, is_conifer ? 700 : clusters, 14, 6, 3.4, [&](double x, double y) {
       const double dx = (x * w - cx) / half, dy = y * h - top;
       if (dy < 0) return false;
       return is_conifer ? std::abs(dx) < 0.75 * dy / (h - top) : dx * dx < 1 - std::pow(std::max(0.0, 1 - dy / half), 2);
     });
   }
+  return c;
+}
+
+Canvas forest(Random& random) { return forest_of(random, 700); }
+Canvas forest_thin(Random& random) { return forest_of(random, 220); }
+
+// Conifers among bare twigs.
+Canvas forest_bare(Random& random) {
+  Canvas c = forest_of(random, 0);
+  for (int i = 0; i < 60; ++i)
+    branch(&c, random, random.uniform(30, 482), 250, -1.5708 + random.uniform(-0.3, 0.3), random.uniform(45, 62), random.uniform(3, 5));
   return c;
 }
 
@@ -173,7 +214,10 @@ Canvas clouds(Random& random) {
 std::vector<TextureKind> nature_textures() {
   return {{"bark", 1, 2, bark},   {"crown", 5, 5, crown}, {"conifer", 4, 8, conifer}, {"bush", 2.4, 1.2, bush},
           {"reeds", 2.4, 1.2, reeds}, {"forest", 28, 12, forest}, {"boulder", 1, 0.5, boulder},
-          {"rock", 1, 1, rock}, {"clouds", 1800, 1800, clouds}};
+          {"rock", 1, 1, rock},
+          {"crown_thin", 5, 5, crown_thin}, {"crown_bare", 5, 5, crown_bare}, {"bush_thin", 2.4, 1.2, bush_thin},
+          {"bush_bare", 2.4, 1.2, bush_bare}, {"forest_thin", 28, 12, forest_thin}, {"forest_bare", 28, 12, forest_bare},
+          {"clouds", 1800, 1800, clouds}};
 }
 
 }  // namespace edgevo

@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "edgevo/core/error.h"
+#include "support/wait.h"
 
 namespace edgevo {
 namespace {
@@ -127,11 +128,10 @@ TEST(LiveFeed, WithoutAPaceAFrameIsDueWhenItIsAskedFor) {
 TEST(LiveFeed, ReadsAFewFramesAhead) {
   TestSource source(100);
   LiveFeed feed(source, parse_pace("10"), std::make_shared<TestClock>());
-  while (source.given() < int(LiveFeed::kReadAhead) + 1)
-    std::this_thread::yield();  // that one waits for room
+  // The last of these waits for room.
+  ASSERT_TRUE(test::wait_until([&] { return source.given() == int(LiveFeed::kReadAhead) + 1; }));
   EXPECT_EQ(feed.next(never)->frame.index, 0);
-  while (source.given() < int(LiveFeed::kReadAhead) + 2) std::this_thread::yield();
-  EXPECT_EQ(source.given(), int(LiveFeed::kReadAhead) + 2);
+  EXPECT_TRUE(test::wait_until([&] { return source.given() == int(LiveFeed::kReadAhead) + 2; }));
 }
 
 TEST(LiveFeed, ALiveCameraDropsTheOldestAndSaysSo) {
@@ -139,7 +139,7 @@ TEST(LiveFeed, ALiveCameraDropsTheOldestAndSaysSo) {
   constexpr int kFrames = int(LiveFeed::kMaxWaiting) + 5;
   TestSource source(kFrames, true);
   LiveFeed feed(source, Pace(), clock);
-  while (!source.exhausted) std::this_thread::yield();  // all came while nobody was fetching
+  ASSERT_TRUE(test::wait_until([&] { return source.exhausted.load(); }));  // all came while nobody was fetching
   clock->sleep_s(0.4);
   const auto first = feed.next(never);
   ASSERT_TRUE(first);
@@ -177,9 +177,17 @@ TEST(LiveFeed, StopsWhileItWaitsForAFrameThatIsNotDue) {
   EXPECT_LT(clock->now_s(), begin + 1.2);
 }
 
+// Its thread ends with it, though it has frames that nobody fetched and waits for room for more.
 TEST(LiveFeed, GoesAwayWhileFramesWait) {
+  const int threads = test::threads_of_process();
   TestSource source(100);
-  const LiveFeed feed(source, Pace());
+  {
+    const LiveFeed feed(source, Pace());
+    EXPECT_TRUE(test::wait_until([&] { return source.given() == int(LiveFeed::kReadAhead) + 1; }));
+    EXPECT_GT(test::threads_of_process(), threads);
+  }
+  EXPECT_EQ(test::threads_of_process(), threads);
+  EXPECT_EQ(source.given(), int(LiveFeed::kReadAhead) + 1) << "it read on after it was gone";
 }
 
 }  // namespace

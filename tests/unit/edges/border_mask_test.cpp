@@ -112,5 +112,52 @@ TEST(BorderMask, GivesNoEdges) {
   EXPECT_EQ(edges_of_outline(*rebuilder.rebuild(*pyramid)), 0) << "the outline of the image that it was made of";
 }
 
+Camera lens_camera() {
+  Camera camera;
+  camera.pinhole = {250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight};
+  return camera;
+}
+
+// A pixel of a coarse level has the mask of the pixel at its own place, and not of a neighbour's.
+TEST(UnlitSurround, ACoarseLevelIsMaskedAtItsOwnPlace) {
+  PyramidBuilder builder(lens_camera(), EdgeParams());
+  for (int k = 0; k < kImages; ++k) builder.build(through_lens(k, 0));
+  const auto pyramid = builder.build(through_lens(kImages, 0));
+  ASSERT_TRUE(pyramid->unlit);
+  int looked_at = 0;
+  for (const EdgePixel& e : pyramid->levels[1].edges.pixels) {
+    // Level edges at middle height, where the outline is upright: they are measured across themselves, between two rows.
+    if (std::abs(e.nx) > 0.05f || std::abs(2 * e.y - kHeight / 2.0f) > 30) continue;
+    const int x = 2 * int(std::lround(e.x)), above = 2 * int(std::floor(e.y)), below = 2 * int(std::ceil(e.y));
+    ++looked_at;
+    EXPECT_EQ(std::min(pyramid->unlit->at(x, above), pyramid->unlit->at(x, below)), 0) << e.x << ' ' << e.y;
+  }
+  EXPECT_GT(looked_at, 50);
+}
+
+// The rows of a rolling shutter are put right, and what no light reaches moves with them.
+TEST(UnlitSurround, MovesWithTheRowsOfARollingShutter) {
+  constexpr double kReadoutS = 0.03;
+  ImageMotion motion;
+  motion.velocity << 5, 0, 0, 0, 0, 0;  // 19 pixels at the first row and the last
+  motion.idepth.setConstant(1);
+  PyramidBuilder builder(lens_camera(), EdgeParams());
+  builder.set_correction({0, kReadoutS});
+  for (int k = 0; k < kImages; ++k) builder.build(through_lens(k, 0), motion);
+  const auto pyramid = builder.build(through_lens(kImages, 0), motion);
+  ASSERT_TRUE(pyramid->unlit);
+  const Pinhole p = lens_camera().pinhole;
+  int on_outline = 0, shifted = 0;
+  for (const EdgePixel& e : pyramid->finest().edges.pixels) {
+    const Eigen::Vector2d px = e.position().cast<double>();
+    const Eigen::Vector2d x = add_rolling(p, kReadoutS, motion, p.ray(px).head<2>());
+    const Eigen::Vector2d taken(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
+    on_outline += std::abs((taken - Eigen::Vector2d(p.cx, p.cy)).norm() - kRadius) < 4;
+    shifted += (taken - px).norm() > 8;
+  }
+  EXPECT_EQ(on_outline, 0);
+  EXPECT_GT(shifted, 200);
+}
+
 }  // namespace
 }  // namespace edgevo

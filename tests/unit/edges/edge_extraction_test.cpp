@@ -16,11 +16,13 @@ namespace {
 using test::disc_image;
 using test::slanted_step;
 
+// With a probability, for detectors that need one, that is high wherever there is a gradient.
 EdgeMap edges_of(const GrayImage& image, const std::string& detector = "canny") {
   EdgeParams params;
   params.detector = detector;
   const Gradient gradient = compute_gradient(image.view());
-  return extract_edges(make_edge_detector(params)->detect(image.view(), gradient), gradient, params.min_chain);
+  const GrayImage likely = test::make_image(image.width, image.height, [&](double x, double y) { return gradient.magnitude.at(int(x), int(y)); });
+  return extract_edges(make_edge_detector(params)->detect({image.view(), gradient, likely.view()}), gradient, params.min_chain);
 }
 
 // A blurred straight edge through (60.3, 40.2): every edge pixel must lie on it to sub-pixel, with the right normal.

@@ -122,7 +122,7 @@ TEST(Canny, EqualsItsDefinition) {
   EdgeParams params;
   const GrayImage image = test::textured_image(160, 120, 21);
   const Gradient g = compute_gradient(image.view());
-  const Plane<uint8_t> mask = make_edge_detector(params)->detect(image.view(), g);
+  const Plane<uint8_t> mask = make_edge_detector(params)->detect({image.view(), g});
   const GradientHistogram histogram(g.magnitude);
   const double high = std::max({double(std::min(histogram.percentile(params.canny_percentile), 0.7f * histogram.percentile(1.0))),
                                 params.min_gradient * kSobelPerGrayLevel});

@@ -102,5 +102,24 @@ TEST(PyramidBuilder, PutsTheRowsOfARollingShutterRight) {
   }
 }
 
+// What is kept from image to image is made anew for another lens, with and without a rolling shutter.
+TEST(PyramidBuilder, ACorrectedLensReachesTheNextImage) {
+  const int width = 320, height = 240;
+  ImageMotion motion;
+  motion.velocity << 0.4, -0.5, 0.3, 0.1, 0.2, -0.3;
+  motion.idepth.setConstant(0.9);
+  const GrayImage image = still(width, height);
+  for (const double readout_s : {0.0, 0.03}) {
+    PyramidBuilder used(lens(width, height), EdgeParams()), fresh(lens(width, height), EdgeParams());
+    used.set_correction({0, readout_s});
+    const auto before = used.build(image, motion);
+    used.set_correction({0.05, readout_s});
+    fresh.set_correction({0.05, readout_s});
+    const auto after = used.build(image, motion), expected = fresh.build(image, motion);
+    EXPECT_EQ(largest_difference(after->finest().gray, expected->finest().gray, 0), 0) << readout_s;
+    EXPECT_GT(largest_difference(after->finest().gray, before->finest().gray, 0), 20) << readout_s;
+  }
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -23,6 +23,21 @@ std::string error_of(const std::string& text) {
   return "no error";
 }
 
+TEST(BenchList, TextIsReadBackAsTheSameList) {
+  const std::string text = "seeds: 3 9\nsequences:\n  b:\n    source: scene:lakeshore:winter\n    variants: normal every3+glare\n    frames: 0:40\n"
+                           "  a-b:\n    source: /folder of/it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n";
+  const BenchList list = parse(text), again = parse(bench_list_text(list));
+  EXPECT_EQ(again.seeds, list.seeds);
+  ASSERT_EQ(again.sequences.size(), 2u);
+  EXPECT_EQ(again.sequences[0].source, "scene:lakeshore:winter");
+  EXPECT_EQ(again.sequences[0].frames, "0:40");
+  EXPECT_EQ(again.sequences[0].variants[1].name, "every3+glare");
+  EXPECT_EQ(again.sequences[0].variants[1].every, 3);
+  EXPECT_EQ(again.sequences[1].source, "/folder of/it");
+  EXPECT_EQ(again.sequences[1].params, "p.yaml");
+  EXPECT_EQ(again.sequences[1].camera, "c.yaml");
+}
+
 constexpr const char* kOne = "sequences:\n  a:\n    source: x\n";
 
 TEST(BenchList, IsReadInOrderWithItsDefaults) {

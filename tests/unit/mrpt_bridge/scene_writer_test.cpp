@@ -41,6 +41,38 @@ TEST_F(SceneWriterTest, HoldsTrajectoryKeyframesAndEdges) {
   EXPECT_NEAR(p.z, -0.25, 1e-4);  // up
 }
 
+// Path, frusta and lines stand in one world, that of the map: x forward, y left, z up.
+TEST_F(SceneWriterTest, PathAndLinesStandAsTheEdgesDo) {
+  edgevo::Run run = testing::small_run();
+  EdgeLine line;
+  for (const Eigen::Vector3d& p_world : {Eigen::Vector3d(-2, 1, 11), Eigen::Vector3d(1.5, -1, 9)}) {
+    const EdgePoint p = testing::edge_point(run.pinhole, run.keyframes[1].T_world_cam, p_world);
+    line.vertices.push_back({p.px, p.idepth, p.idepth_sigma, 40, 200});
+  }
+  run.keyframes[1].lines = {line};
+  auto scene = written(run);
+  const auto box_of = [&](const std::string& name) {
+    const auto lines = object<mrpt::opengl::CSetOfLines>(scene, name);
+    EXPECT_TRUE(lines) << name;
+    return lines ? lines->getBoundingBox() : mrpt::math::TBoundingBox();
+  };
+  const auto path = box_of("trajectory 0");  // from the origin by (0.02, -0.01, 0.3) a frame, camera axes
+  EXPECT_NEAR(path.max.x, 0.3 * 7, 1e-5);
+  EXPECT_NEAR(path.min.y, -0.02 * 7, 1e-5);
+  EXPECT_NEAR(path.max.z, 0.01 * 7, 1e-5);
+  EXPECT_NEAR(path.min.x, 0, 1e-5);
+  std::string band;
+  for (int b = 0; b < 16; ++b)
+    if (const std::string name = "edge lines " + std::to_string(b); scene.getByName(name)) band = name;
+  const auto edges = box_of(band);
+  EXPECT_NEAR(edges.min.x, 9, 1e-4);
+  EXPECT_NEAR(edges.max.x, 11, 1e-4);
+  EXPECT_NEAR(edges.min.y, -1.5, 1e-4);
+  EXPECT_NEAR(edges.max.y, 2, 1e-4);
+  EXPECT_NEAR(edges.min.z, -1, 1e-4);
+  EXPECT_NEAR(edges.max.z, 1, 1e-4);
+}
+
 TEST_F(SceneWriterTest, SegmentsAreNotJoinedByALine) {
   edgevo::Run run = testing::small_run();
   for (size_t i = 4; i < run.frames.size(); ++i) run.frames[i].segment = 1;
@@ -68,6 +100,7 @@ TEST_F(SceneWriterTest, CameraSeesAll) {
       for (auto& p : k.points) p.idepth = float(p.idepth / unit);
     }
     auto scene = written(run);
+    EXPECT_TRUE(scene.followCamera());  // SceneViewer3D keeps its own view otherwise
     const mrpt::opengl::CCamera& camera = scene.getViewport()->getCamera();
     const auto box = object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0")->getBoundingBox();
     const double far = (box.max - box.min).norm();

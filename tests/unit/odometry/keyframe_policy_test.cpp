@@ -278,6 +278,7 @@ TEST_F(Policy, WaitsForTheMappingAndCounts) {
   for (int i = 1; i <= 3; ++i) {
     EXPECT_EQ(policy.decide(tracked_at(move(0, 0, -1.2)), reference(), true).action, Action::kPostpone);
     EXPECT_EQ(policy.postponed(), i);
+    EXPECT_FALSE(policy.follows_keyframe()) << "none was made";
   }
   EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), true).action, Action::kNone);
   EXPECT_EQ(policy.postponed(), 0);

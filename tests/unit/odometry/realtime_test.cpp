@@ -1,7 +1,10 @@
 // Tracking and mapping in two threads. Run under ThreadSanitizer by the tsan preset.
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "edgevo/core/error.h"
+#include "support/wait.h"
 #include "unit/odometry/rendered_runs.h"
 
 namespace edgevo {
@@ -37,9 +40,20 @@ TEST(Realtime, SurvivesABlackout) {
   EXPECT_GT(trajectory_error(run, kEnd, kAll, sweep_pose).poses, 10);
 }
 
+// As where an exception goes through the caller: its threads end, with work in their queues, and nobody is called any more.
 TEST(Realtime, EndsCleanlyWithoutFinish) {
-  Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());
-  for (int k = 0; k < 25; ++k) odometry.process(sweep_frame(k));
+  run_sweep(25, realtime());  // threads that a library keeps are there from now on
+  const int threads = test::threads_of_process();
+  std::atomic<int> said{0};
+  OdometryOptions options = realtime();
+  options.log = [&](const std::string&) { ++said; };
+  {
+    Odometry odometry(test::sweep_camera(), OdometryParams(), options);
+    for (int k = 0; k < 25; ++k) EXPECT_EQ(odometry.process(sweep_frame(k)).index, k);
+    EXPECT_GT(test::threads_of_process(), threads);
+  }
+  EXPECT_EQ(test::threads_of_process(), threads);
+  EXPECT_GT(said, 0) << "there was a map";
 }
 
 TEST(Realtime, EndsCleanlyWithoutFrames) {

@@ -34,5 +34,42 @@ TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   EXPECT_FALSE(PointFilter().keeps(moved));
 }
 
+// A frame that was tracked before a correction changed the unit of length at its keyframe is brought to it, with what is known of its
+// error; one that was tracked after it is in that unit already.
+TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
+  constexpr int kKeyframe = 7;
+  const SE3 T_cam_ref(Eigen::Quaterniond::Identity(), {0, 0, -1});
+  RunRecords records(test::Sweep::pinhole());
+  records.begin_segment(0, test::true_bootstrap(0, 4), std::nullopt);
+  const auto track = [&](int index) {
+    Frame frame;
+    frame.index = index;
+    FrameRecord& record = records.begin_frame(frame);
+    record.covariance = Matrix6d::Ones();
+    records.place(&record, 0, kKeyframe, T_cam_ref, SE3());
+  };
+  track(0);
+  RevisedKeyframe revised;
+  revised.id = kKeyframe;
+  revised.length_ratio = 2;
+  records.revise({revised});
+  track(1);
+  Keyframe keyframe;
+  keyframe.id = kKeyframe, keyframe.frame_index = 100;
+  keyframe.pyramid = test::Sweep::pyramid(0);
+  records.retire({keyframe}, 0);
+  const edgevo::Run run = records.finish();
+  ASSERT_EQ(run.frames.size(), 2u);
+  for (const int i : {0, 1}) {
+    const double unit = i == 0 ? 2 : 1;
+    const SE3 T_ref_cam = run.keyframes.at(0).T_world_cam.inverse() * *run.frames[size_t(i)].T_world_cam;
+    EXPECT_NEAR(T_ref_cam.translation().z(), unit, 1e-12) << i;
+    const Matrix6d& covariance = run.frames[size_t(i)].covariance;
+    EXPECT_NEAR(covariance(2, 2), unit * unit, 1e-12) << i;
+    EXPECT_NEAR(covariance(2, 5), unit, 1e-12) << i;
+    EXPECT_NEAR(covariance(5, 5), 1, 1e-12) << "angles have no unit of length, " << i;
+  }
+}
+
 }  // namespace
 }  // namespace edgevo

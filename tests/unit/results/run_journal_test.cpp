@@ -103,6 +103,18 @@ TEST_F(RunJournalTest, PosesThatABootstrapFoundLaterAreInIt) {
   EXPECT_EQ(so_far().frames[3].T_world_cam_live->translation().z(), 3);
 }
 
+TEST_F(RunJournalTest, GivesTheLatencyOfAFrameBack) {
+  FrameRecord frame = made_.run.frames[5];
+  frame.latency_ms = 12.5;
+  RunJournal journal(folder_.string(), header());
+  journal.add_frame(frame);
+  journal.add_frame(made_.run.frames[6]);
+  const edgevo::Run back = so_far();
+  ASSERT_EQ(back.frames.size(), 2u);
+  EXPECT_EQ(back.frames[0].latency_ms, 12.5);
+  EXPECT_FALSE(back.frames[1].latency_ms);
+}
+
 TEST_F(RunJournalTest, GivesTheLinesOfAKeyframeBack) {
   SettledKeyframes settled;
   settled.keyframes = {made_.run.keyframes[0]};

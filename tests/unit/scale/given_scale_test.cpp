@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "edgevo/core/error.h"
+#include "edgevo/scale/run_scale.h"
 
 namespace edgevo {
 namespace {
@@ -25,6 +26,9 @@ Run small_run() {
   point.normal = {1, 0};
   point.idepth = 0.25f, point.idepth_sigma = 0.01f;
   keyframe.points.push_back(point);
+  EdgeLine line;
+  line.vertices = {{{20, 30}, 0.25f, 0.01f, 40, 200}, {{30, 30}, 0.5f, 0.02f, 40, 200}};
+  keyframe.lines.push_back(line);
   run.keyframes.push_back(keyframe);
   return run;
 }
@@ -44,6 +48,31 @@ TEST(ScaleRun, EveryLengthGrowsAndNoAngleDoes) {
     return r.keyframes[0].T_world_cam * point_in_camera(r.pinhole, r.keyframes[0].points[0]);
   };
   EXPECT_LT((world_point(run) - 2.5 * world_point(before)).norm(), 1e-5);
+}
+
+// Lines have depths of their own.
+TEST(ScaleRun, LinesGrowWithThePoints) {
+  edgevo::Run run = small_run();
+  scale_run(2.5, "factor=2.5", &run);
+  const EdgeVertex& v = run.keyframes[0].lines[0].vertices[1];
+  EXPECT_FLOAT_EQ(v.idepth, 0.5f / 2.5f);
+  EXPECT_FLOAT_EQ(v.idepth_sigma, 0.02f / 2.5f);
+}
+
+// As measured, one factor for each frame: the same as given, where they are all the same.
+TEST(ScaleRun, AMeasuredFactorDoesWhatAGivenOneDoes) {
+  edgevo::Run given = small_run(), measured = given;
+  given.frames[0].covariance = measured.frames[0].covariance = Matrix6d::Ones();
+  scale_run(2.5, "factor=2.5", &given);
+  ScaleEstimate estimate;
+  estimate.factor = 2.5, estimate.sigma = 0.1, estimate.samples = 10;
+  make_metric({{estimate}, ""}, {}, parse_scale_source("odometry"), &measured);
+  EXPECT_TRUE(measured.is_metric());
+  EXPECT_LT((measured.frames[0].T_world_cam->matrix() - given.frames[0].T_world_cam->matrix()).norm(), 1e-12);
+  EXPECT_LT((measured.frames[0].covariance - given.frames[0].covariance).norm(), 1e-12);
+  EXPECT_LT((measured.keyframes[0].T_world_cam.matrix() - given.keyframes[0].T_world_cam.matrix()).norm(), 1e-12);
+  EXPECT_EQ(measured.keyframes[0].points[0].idepth, given.keyframes[0].points[0].idepth);
+  EXPECT_EQ(measured.keyframes[0].lines[0].vertices[0].idepth_sigma, given.keyframes[0].lines[0].vertices[0].idepth_sigma);
 }
 
 TEST(ScaleRun, RefusesWhatIsNoFactor) {

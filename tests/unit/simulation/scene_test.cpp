@@ -151,6 +151,48 @@ int canny_pixels(const GrayImage& image) {
   return cv::countNonZero(edges);
 }
 
+std::string scene_error(const std::string& name) {
+  try {
+    load_scene(name);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+double mean_gray(const GrayImage& image) {
+  double sum = 0;
+  for (const uint8_t gray : image.pixels) sum += gray;
+  return sum / double(image.pixels.size());
+}
+
+// A season changes leaves and light, and neither the way nor the ground: bare trees let the bright sky through.
+TEST(Season, ChangesWhatIsSeenAndNotTheWay) {
+  const SceneRenderer none(load_scene("lakeshore")), summer(load_scene("lakeshore:summer")), winter(load_scene("lakeshore:winter"));
+  EXPECT_EQ(winter.scene().name, "lakeshore:winter");
+  for (const int i : {0, 399})
+    EXPECT_EQ((none.scene().T_scene_cam[size_t(i)].matrix() - winter.scene().T_scene_cam[size_t(i)].matrix()).norm(), 0) << i;
+  const GrayImage in_summer = summer.render_image(100), in_winter = winter.render_image(100);
+  const auto sky = [](const SceneRenderer& renderer) {
+    const std::vector<float> depth = renderer.render_depth(100);
+    return std::count(depth.begin(), depth.end(), 0.0f);
+  };
+  EXPECT_GT(sky(winter), sky(summer));
+  EXPECT_GT(std::abs(mean_gray(in_summer) - mean_gray(in_winter)), 2);
+  for (const char* season : {"spring", "summer", "autumn", "winter"}) {
+    const SceneRenderer renderer(load_scene(std::string("lakeshore:") + season));
+    const int edges = canny_pixels(renderer.render_image(100));
+    EXPECT_GE(edges, 6000) << season;
+    EXPECT_LE(edges, 40000) << season;
+  }
+}
+
+TEST(Season, UnknownOnesAndWorldsWithoutThem) {
+  EXPECT_THAT(scene_error("lakeshore:wintr"), AllOf(HasSubstr("'wintr' is no season"), HasSubstr("'winter'")));
+  EXPECT_THAT(scene_error("desk:winter"), HasSubstr("has no seasons"));
+  EXPECT_THAT(scene_error("lake:winter"), HasSubstr("neither a file nor a known scene"));
+}
+
 // The frames with the fewest and the most, and some between.
 TEST(Scene, StreetIsAsRichInEdgesAsARealOne) {
   const SceneRenderer renderer(load_scene("street"));

@@ -4,12 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "edgevo/simulation/scene_renderer.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "edgevo/visp_bridge/servo_params.h"
+#include "support/wait.h"
 
 namespace edgevo {
 namespace {
@@ -23,12 +21,10 @@ const SceneRenderer& desk() {
 
 // Returns when the feed has the result of image `index`, or a failure; false after a minute.
 bool wait_for(const ServoFeed& feed, int index) {
-  for (int i = 0; i < 60000; ++i) {
+  return test::wait_until([&] {
     const ServoPose pose = feed.pose(Timestamp::from_seconds(0));
-    if (pose.frame_index >= index || pose.reason.find("image:") == 0) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
+    return pose.frame_index >= index || pose.reason.find("image:") == 0;
+  });
 }
 
 TEST(ServoOdometry, FeedsWhatTheOdometryFinds) {

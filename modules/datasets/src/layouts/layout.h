@@ -25,6 +25,7 @@ Layout kitti_layout();
 Layout tum_layout();
 Layout euroc_layout();
 Layout virtual_kitti_layout();
+Layout symphony_layout();
 
 /// A folder of images that is none of them.
 Sequence read_image_folder(const SourceOptions& options);

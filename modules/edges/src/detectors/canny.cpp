@@ -10,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-constexpr uint8_t kWeak = 1, kEdge = 255;  // in the mask: over `low`, over `high`
+constexpr uint8_t kWeak = kWeakMark, kEdge = kStrongMark;  // in the mask: over `low`, over `high`
 
 // One row of maxima across the edge: kEdge over `high`, kWeak over `low`, 0 for all else. The gradient's
 // direction, to the next 45 degrees, says which two neighbours to beat. All four pairs are compared for every
@@ -63,7 +63,14 @@ Plane<uint8_t> canny(const Gradient& gradient, float low, float high) {
   for (int y = 1; y + 1 < height; ++y)
     mark_maxima(gradient.magnitude.row(y - 1), gradient.magnitude.row(y), gradient.magnitude.row(y + 1),
                 gradient.dx.row(y), gradient.dy.row(y), low, high, mask.row(y), width);
-  Maxima found(mask);
+  keep_linked(&mask);
+  return mask;
+}
+
+void keep_linked(Plane<uint8_t>* mask) {
+  const int width = mask->width();
+  uint8_t* const m = mask->row(0);
+  Maxima found(*mask);
   const int steps[8] = {1, width + 1, width, width - 1, -1, -width - 1, -width, 1 - width};
   std::vector<int>& open = found.strong;
   while (!open.empty()) {
@@ -77,7 +84,6 @@ Plane<uint8_t> canny(const Gradient& gradient, float low, float high) {
   }
   for (const int at : found.weak)
     if (m[at] == kWeak) m[at] = 0;
-  return mask;
 }
 
 }  // namespace edgevo

@@ -11,9 +11,9 @@ class CannyDetector : public EdgeDetector {
  public:
   explicit CannyDetector(const EdgeParams& params) : params_(params) {}
 
-  Plane<uint8_t> detect(const ImageView<uint8_t>&, const Gradient& gradient) override {
-    const double high = high_threshold(gradient.magnitude, params_);
-    return canny(gradient, float(params_.canny_low_ratio * high), float(high));
+  Plane<uint8_t> detect(const EdgeImage& image) override {
+    const double high = high_threshold(image.gradient.magnitude, params_);
+    return canny(image.gradient, float(params_.canny_low_ratio * high), float(high));
   }
 
  private:

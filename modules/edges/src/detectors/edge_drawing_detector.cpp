@@ -20,8 +20,8 @@ class EdgeDrawingDetector : public EdgeDetector {
   explicit EdgeDrawingDetector(const EdgeParams& params)
       : params_(params), drawing_(cv::ximgproc::createEdgeDrawing()) {}
 
-  Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) override {
-    const double high = high_threshold(gradient.magnitude, params_);
+  Plane<uint8_t> detect(const EdgeImage& image) override {
+    const double high = high_threshold(image.gradient.magnitude, params_);
     drawing_->params.EdgeDetectionOperator = cv::ximgproc::EdgeDrawing::SOBEL;
     // It sums |dx| + |dy|, on average over all directions 4/pi of the Euclidean magnitude.
     drawing_->params.GradientThresholdValue = std::max(1, int(params_.canny_low_ratio * high * 4.0 / M_PI));
@@ -29,9 +29,9 @@ class EdgeDrawingDetector : public EdgeDetector {
     drawing_->params.MinPathLength = params_.min_chain;
     drawing_->params.PFmode = false;
     cv::Mat found;
-    drawing_->detectEdges(as_mat(gray));
+    drawing_->detectEdges(as_mat(image.gray));
     drawing_->getEdgeImage(found);
-    Plane<uint8_t> mask(gray.width, gray.height);
+    Plane<uint8_t> mask(image.gray.width, image.gray.height);
     found.copyTo(as_mat(mask));
     return mask;
   }

@@ -13,14 +13,18 @@ namespace edgevo {
 /// Prefetches what many associations will read. One object a thread.
 class LookAhead {
  public:
+  static constexpr int kAtOnce = 32;  ///< requests that wait for memory together: processors keep about as many open
+
   explicit LookAhead(const AssociationParams& params) : params_(params) {}  ///< keeps a reference
   /// A point that projects to `px` is going to be associated with `target`.
   void add(const FramePyramid& target, const Eigen::Vector2d& px);
-  /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much.
-  void run();
+  /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much. Returns of how many
+  /// points the target has an edge near: only of these is more asked for than the field.
+  int run();
+  /// Points that were added and not asked for yet, at most kAtOnce.
+  int waiting() const { return count_; }
 
  private:
-  static constexpr int kAtOnce = 32;  ///< requests that wait for memory together: processors keep about as many open
   struct Place {
     const PyramidLevel* level;
     Eigen::Vector2f px;

@@ -10,7 +10,7 @@ namespace edgevo {
 
 /// Text of a TUM trajectory file; empty if there is no ground truth beside the source. Files in the TUM
 /// format are passed on as they are; KITTI's poses (of camera 0, moved along the baseline to the chosen
-/// camera) and EuRoC's (of the body, moved by the camera's mount) are converted. Throws InputError for a file
+/// camera) and EuRoC's (of the body, moved by the camera's mount) are converted, as are those of the boat of Symphony Lake. Throws InputError for a file
 /// that is not readable.
 std::string ground_truth_tum(const SourceOptions& options, const ImageSource& source);
 

@@ -7,16 +7,24 @@
 #include <vector>
 
 #include "edgevo/edges/edge_params.h"
+#include "edgevo/edges/edge_probability.h"
 #include "edgevo/edges/gradient.h"
 
 namespace edgevo {
+
+/// One level of a pyramid, as detectors see it.
+struct EdgeImage {
+  ImageView<uint8_t> gray;
+  const Gradient& gradient;
+  ImageView<uint8_t> probability = {};  ///< of an edge (edge_probability.h); without data for detectors that need none
+};
 
 /// Marks edge pixels. One object a thread.
 class EdgeDetector {
  public:
   virtual ~EdgeDetector() = default;
   /// Mask of the image's size, nonzero at edge pixels (one or two pixels thick).
-  virtual Plane<uint8_t> detect(const ImageView<uint8_t>& gray, const Gradient& gradient) = 0;
+  virtual Plane<uint8_t> detect(const EdgeImage& image) = 0;
 };
 
 /// A detector that there is.
@@ -24,6 +32,7 @@ struct EdgeDetectorKind {
   const char* name;  ///< as edges.detector and --detector give it
   const char* what;  ///< in a few words, for --help
   std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);  ///< never null
+  std::unique_ptr<EdgeProbability> (*make_probability)(const EdgeParams& params) = nullptr;  ///< null: it needs none
 };
 
 /// All of them, the default first.

@@ -8,6 +8,8 @@ namespace edgevo {
 /// Parameters of edge detection.
 struct EdgeParams {
   std::string detector = "canny";  ///< a name of edge_detector_kinds()
+  std::string model;   ///< file of structured or network; empty: the one that comes with edgevo
+  std::string folder;  ///< of precomputed
   int levels = 4;                  ///< pyramid levels of the image
   int edge_levels = 2;             ///< finest levels that get edges and a nearest-neighbour field
   double canny_percentile = 0.90;  ///< high threshold: this share of the pixels has a smaller gradient
@@ -15,6 +17,7 @@ struct EdgeParams {
   double min_gradient = 3.0;       ///< floor of the high threshold, gray levels per pixel
   int min_chain = 6;               ///< pixels
   int field_radius = 12;           ///< pixels
+  bool oriented_field = false;     ///< look-ups pass over edges of another direction
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };

@@ -28,6 +28,7 @@ struct FramePyramid {
   std::vector<PyramidLevel> levels;  ///< the finest first
   GrayImage source;            ///< as the camera took it: to build the pyramid again when the camera is corrected
   std::shared_ptr<const Plane<uint8_t>> border_mask;  ///< 255 where no light reaches `source`: no edges are taken there; null where it does everywhere, and at first
+  std::shared_ptr<const Plane<uint8_t>> probability;  ///< of an edge, of `source` (edge_probability.h); null for a detector that needs none
   ImageCorrection correction;  ///< that was taken out of `levels`, beside what the camera file says
   const PyramidLevel& finest() const { return levels.front(); }  ///< level 0
   double masked_share() const;  ///< of the pixels of `source`, 0 to 1
@@ -36,10 +37,12 @@ struct FramePyramid {
 /// Turns frames into pyramids. Holds the detector and the undistortion maps; one object a thread.
 class PyramidBuilder {
  public:
-  /// Throws InputError for an unknown detector or an unusable camera.
+  /// Throws InputError for an unknown detector, a model or folder that it cannot use, or an unusable camera.
   PyramidBuilder(const Camera& camera, const EdgeParams& params);
   ~PyramidBuilder();
   PyramidBuilder(PyramidBuilder&&) noexcept;
+  /// One that is asked to rebuild() only, which takes no model: the probability is in the pyramid.
+  static PyramidBuilder for_rebuilding(const Camera& camera, const EdgeParams& params);
 
   /// Pinhole of the undistorted images.
   const Pinhole& pinhole() const;
@@ -51,10 +54,13 @@ class PyramidBuilder {
   /// the rows stay where they are. Cost at 1241x376: see tests/bench/bench_edges.cpp.
   /// Images of one camera in their order: what no image so far has lit (a black frame, a letterbox) gets no edges.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
+  /// The same for a frame, by whose name the detector `precomputed` finds its files; throws InputError where it does not.
+  std::shared_ptr<const FramePyramid> build(const Frame& frame, const ImageMotion& motion = {});
   /// The pyramid of the same image for the present correction and another motion.
   std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
 
  private:
+  PyramidBuilder(const Camera& camera, const EdgeParams& params, std::unique_ptr<EdgeProbability> probability);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

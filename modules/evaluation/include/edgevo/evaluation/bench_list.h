@@ -49,4 +49,10 @@ struct BenchList {
 /// InputErrors "WHERE:LINE: ...". `lights` are the known changes of light.
 BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights);
 
+/// "1..5" or "1 2 7". Throws InputError opened by `where`.
+std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& where);
+
+/// The list as text that parse_bench_list gives back as the same list.
+std::string bench_list_text(const BenchList& list);
+
 }  // namespace edgevo

@@ -21,6 +21,8 @@ struct Trial {
   double ate_m = 0;               ///< RMSE after Sim(3)
   double ate200_m = 0;            ///< scale re-corrected every 200 input frames (absolute_error.h)
   double drift_cm_per_m = 0;  ///< mean (relative_error.h)
+  double failure_percent = 0;     ///< of the stretches of the drift: above its cap, or without poses
+  double track_ms = 0, map_ms = 0;  ///< CPU a frame: edges, alignment and corners; all other stages
 
   void visit(ParamVisitor& v);  ///< names of the fields, for the file of a trial (core/params.h)
 };

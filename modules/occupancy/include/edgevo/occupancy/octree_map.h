@@ -21,7 +21,8 @@
 // Between edges lies unknown space. A planner has to choose whether unknown is free; free voxels here are
 // really seen ones.
 //
-// Cost: about as many voxel visits as rays times range over resolution; see README.md. Not thread-safe; no
+// Cost: about as many voxel visits as rays times range over resolution; see
+// share/lab/2026-11-21_octomap_insertion.md. Not thread-safe; no
 // OpenMP, whose number of threads octomap's own insertion would reset. A run without points gives an empty,
 // valid map.
 #include <cstdint>

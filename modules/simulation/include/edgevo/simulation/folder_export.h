@@ -8,6 +8,7 @@
 //                            identity
 //   depth/000000.pfm ..      on demand: z in metres as 32-bit floats (PFM, rows from the bottom up), 0 for
 //                            sky, at the pixels of the undistorted image
+//   edges/000000.png ..      on demand: true edges and their kinds, see true_edge_labels.h
 //   SOURCE.md                what it is and how to make it again
 #include <functional>
 #include <string>
@@ -20,6 +21,7 @@ namespace edgevo {
 struct FolderExport {
   int begin = 0, end = -1;  ///< frames begin <= index < end; end -1: to the last
   bool depth = false;  ///< the depth of each frame, too
+  bool edges = false;  ///< true edges as label images (true_edge_labels.h)
   int threads = 2;          ///< the bytes do not depend on it
 };
 

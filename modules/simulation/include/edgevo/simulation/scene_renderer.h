@@ -1,7 +1,8 @@
 #pragma once
 // Renders the frames of a scene, with exact depth and pose.
 //
-// A software renderer of its own, measured against MRPT's off-screen OpenGL (see README.md): it filters textures, gives
+// A software renderer of its own, measured against MRPT's off-screen OpenGL (see
+// share/lab/2026-11-21_own_renderer.md): it filters textures, gives
 // the same bytes on every machine, samples through the lens distortion itself instead of warping an image, and is as fast.
 //
 // How: for each surface, 1/z and the texture coordinates over z are linear functions of the viewing ray (x, y, 1). Every pixel is

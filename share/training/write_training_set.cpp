@@ -1,0 +1,26 @@
+// edgevo_training_set OUT [train|test] [SEED] [FRAMES]: pieces of rendered frames with their true edges in
+// one file. train: the worlds to train on, in any light; test: those that are kept, in each light in turn.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "edgevo/core/error.h"
+#include "training_set.h"
+
+int main(int argc, char** argv) try {
+  const std::string which = argc > 2 ? argv[2] : "train";
+  if (argc < 2 || (which != "train" && which != "test"))
+    throw edgevo::InputError("edgevo_training_set", "needs a file to write, and train or test",
+                             "write edgevo_training_set OUT [train|test] [SEED] [FRAMES]");
+  edgevo::training::Plan plan =
+      which == "train" ? edgevo::training::training_plan() : edgevo::training::test_plan();
+  if (argc > 3) plan.seed = std::strtoull(argv[3], nullptr, 10);
+  if (argc > 4) plan.frames = std::max(1, std::atoi(argv[4]));
+  const auto samples = edgevo::training::make_samples(plan);
+  edgevo::training::write_samples(argv[1], samples);
+  std::printf("%s: %zu pieces\n", argv[1], samples.size());
+  return 0;
+} catch (const edgevo::InputError& e) {
+  std::fprintf(stderr, "edgevo_training_set: %s\n", e.what());
+  return 2;
+}

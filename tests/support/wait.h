@@ -1,0 +1,26 @@
+#pragma once
+// Waiting for other threads without a fixed sleep: for a condition, with a deadline that only a fault reaches.
+#include <chrono>
+#include <filesystem>
+#include <iterator>
+#include <thread>
+
+namespace edgevo::test {
+
+/// Returns when `holds()` does; false after a minute without.
+template <class Condition>
+bool wait_until(const Condition& holds) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // leaves the processor to the thread waited for
+  }
+  return true;
+}
+
+/// Threads of this process, as Linux counts them.
+inline int threads_of_process() {
+  return int(std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}));
+}
+
+}  // namespace edgevo::test
