@@ -1,5 +1,6 @@
-// The whole chain against ground truth. Bounds are three and more times what was measured (README.md), so that another seed or
-// compiler passes and a fault does not.
+// The whole chain against ground truth. A bound is at most twice the largest figure that was measured
+// (README.md), so that another compiler or processor passes, which is like another seed, and a fault does
+// not. A run is the same bytes again on one kind of machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ void expect_within(const DriveFigures& figures, const Bounds& bounds) {
 }
 
 void expect_drive_within(const RenderedDrive& drive, const Bounds& bounds) {
-  for_each_seed(drive.clip, drive.truth, [&](const DriveFigures& figures) { expect_within(figures, bounds); });
+  for_each_seed(drive.clip, drive.truth,
+                [&](const DriveFigures& figures) { expect_within(figures, bounds); });
 }
 
 // The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h). The desk is the worst, whose first map is
@@ -56,10 +58,14 @@ void expect_accurate_and_consistent(const RenderedDrive& drive, const Bounds& bo
   });
 }
 
-TEST(RenderedAccuracy, StreetDrive) { expect_accurate_and_consistent(part_of(street_drive(), 0, 80), {0.05, 0.015}); }
+TEST(RenderedAccuracy, StreetDrive) {
+  expect_accurate_and_consistent(part_of(street_drive(), 0, 80), {0.05, 0.015});
+}
 
 // Backing away: nothing leaves the view, and what comes into it is near and new (share/lab/mapping.md, "Backwards").
-TEST(RenderedAccuracy, StreetDriveBackwards) { expect_drive_within(backward(part_of(street_drive(), 0, 80)), {0.05, 0.015}); }
+TEST(RenderedAccuracy, StreetDriveBackwards) {
+  expect_drive_within(backward(part_of(street_drive(), 0, 80)), {0.05, 0.015});
+}
 
 TEST(RenderedAccuracy, HandHeldOverADesk) { expect_accurate_and_consistent(desk_drive(), {0.5, 0.06}); }
 
@@ -67,7 +73,9 @@ TEST(RenderedAccuracy, BoatAlongAShore) {
   expect_accurate_and_consistent(render_drive(load_scene("lakeshore"), 0, 120), {0.5, 0.06});
 }
 
-TEST(RenderedAccuracy, WalkAlongACorridor) { expect_accurate_and_consistent(part_of(corridor_drive(), 0, 120), {0.6, 0.2}); }
+TEST(RenderedAccuracy, WalkAlongACorridor) {
+  expect_accurate_and_consistent(part_of(corridor_drive(), 0, 120), {0.6, 0.2});
+}
 
 // The vehicle stops and turns by 120 degrees, away from everything that it has seen: the heading is kept, and with it the scale.
 TEST(RenderedAccuracy, TurnOnTheSpot) {
@@ -89,7 +97,8 @@ TEST(RenderedAccuracy, TurnOnTheSpot) {
       return way(kTurned, kEnd - 1, pose_of) / way(kBegin + 10, kTurn - 15, pose_of);
     };
     const double kept = ratio(found) / ratio(truth);
-    std::cout << "[ figures  ] heading off by " << heading_deg << " degrees, length after over before " << kept << std::endl;
+    std::cout << "[ figures  ] heading off by " << heading_deg << " degrees, length after over before "
+              << kept << std::endl;
     EXPECT_LT(heading_deg, 1.0);
     EXPECT_GT(kept, 0.6);
     EXPECT_LT(kept, 1.6);
@@ -137,7 +146,8 @@ TEST(RenderedAccuracy, ABendAtGreatSpeed) {
   SourceOptions some;
   some.first = 210, some.last = 306, some.every = 8;
   const auto source = subsample(std::make_unique<RenderedSource>(renderer), some);
-  expect_drive_within({read_clip(*source, [](int) { return true; }), truth_of(renderer->scene(), 210, 306)}, {0.8, 0.2});
+  expect_drive_within({read_clip(*source, [](int) { return true; }), truth_of(renderer->scene(), 210, 306)},
+                      {0.8, 0.2});
 }
 
 // What the camera file does not know is found: tests/integration/cli_calibrate.sh.
@@ -194,7 +204,9 @@ TEST_F(RealAccuracy, KittiDriveEveryThirdFrame) { expect_sequence("kitti05_first
 // A turn of 90 degrees, up to 16 between two frames.
 TEST_F(RealAccuracy, KittiTurnEveryFourthFrame) { expect_sequence("kitti00_first300", 300, 4, {0.6, 0.25}); }
 
-TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) { expect_sequence("tum_fr1_xyz_first500", 150, 1, {2.0, 0.5}); }
+TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) {
+  expect_sequence("tum_fr1_xyz_first500", 150, 1, {2.0, 0.5});
+}
 
 }  // namespace
 }  // namespace edgevo::testing
