@@ -44,7 +44,8 @@ DriveFigures measure(Run run, const Trajectory& truth);
 /// Of the frames that are no keyframes themselves.
 Consistency pose_consistency(const Run& run, const Trajectory& truth, double metres_per_unit);
 
-/// 1; or 1 to N where the environment says EDGEVO_TEST_SEEDS=N: to see how far the figures spread before a bound is set.
+/// 1; or 1 to N where the environment says EDGEVO_TEST_SEEDS=N: to see how far the figures spread before a
+/// bound is set.
 std::vector<uint64_t> test_seeds();
 
 /// Drives over the clip with each of test_seeds(), writes the figures to stdout and hands them to `look`.

@@ -1,5 +1,6 @@
 #pragma once
-// The rendered sequences of the accuracy tests, each rendered once a program: rendering a frame costs ten times as much as tracking it.
+// The rendered sequences of the accuracy tests, each rendered once a program: rendering a frame costs ten
+// times as much as tracking it.
 #include <memory>
 
 #include "edgevo/evaluation/trajectory.h"

@@ -123,7 +123,8 @@ TEST(Verdict, PumpingExposureIsNoLoss) {
 // wait for them.
 TEST(Verdict, ADriveInBadLightStartsWithinTenFrames) {
   constexpr int kDrive = 16;
-  RelitSource source(std::make_unique<ClipSource>(part_of(street_drive(), 0, kDrive).clip), Relight("mixed", 1));
+  RelitSource source(std::make_unique<ClipSource>(part_of(street_drive(), 0, kDrive).clip),
+                     Relight("mixed", 1));
   Odometry odometry(source.camera(), OdometryParams(), OdometryOptions());
   int first_map = kDrive;
   while (std::optional<Frame> frame = source.next())

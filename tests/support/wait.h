@@ -1,5 +1,6 @@
 #pragma once
-// Waiting for other threads without a fixed sleep: for a condition, with a deadline that only a fault reaches.
+// Waiting for other threads without a fixed sleep: for a condition, with a deadline that only a fault
+// reaches.
 #include <chrono>
 #include <filesystem>
 #include <iterator>
@@ -13,7 +14,8 @@ bool wait_until(const Condition& holds) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!holds()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // leaves the processor to the thread waited for
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(1));  // leaves the processor to the thread waited for
   }
   return true;
 }

@@ -9,7 +9,8 @@
 namespace edgevo {
 namespace {
 
-// What it asks for is what an association is going to read: the edge nearest to each point, where there is one.
+// What it asks for is what an association is going to read: the edge nearest to each point, where there is
+// one.
 TEST(LookAhead, AsksForTheEdgesThatAreNear) {
   const test::PlaneScene scene;
   const auto frame = PyramidBuilder(scene.camera, EdgeParams())

@@ -139,7 +139,8 @@ TEST(LiveFeed, ALiveCameraDropsTheOldestAndSaysSo) {
   constexpr int kFrames = int(LiveFeed::kMaxWaiting) + 5;
   TestSource source(kFrames, true);
   LiveFeed feed(source, Pace(), clock);
-  ASSERT_TRUE(test::wait_until([&] { return source.exhausted.load(); }));  // all came while nobody was fetching
+  ASSERT_TRUE(
+      test::wait_until([&] { return source.exhausted.load(); }));  // all came while nobody was fetching
   clock->sleep_s(0.4);
   const auto first = feed.next(never);
   ASSERT_TRUE(first);

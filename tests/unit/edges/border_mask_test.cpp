@@ -118,23 +118,6 @@ Camera lens_camera() {
   return camera;
 }
 
-// A pixel of a coarse level has the mask of the pixel at its own place, and not of a neighbour's.
-TEST(UnlitSurround, ACoarseLevelIsMaskedAtItsOwnPlace) {
-  PyramidBuilder builder(lens_camera(), EdgeParams());
-  for (int k = 0; k < kImages; ++k) builder.build(through_lens(k, 0));
-  const auto pyramid = builder.build(through_lens(kImages, 0));
-  ASSERT_TRUE(pyramid->unlit);
-  int looked_at = 0;
-  for (const EdgePixel& e : pyramid->levels[1].edges.pixels) {
-    // Level edges at middle height, where the outline is upright: they are measured across themselves, between two rows.
-    if (std::abs(e.nx) > 0.05f || std::abs(2 * e.y - kHeight / 2.0f) > 30) continue;
-    const int x = 2 * int(std::lround(e.x)), above = 2 * int(std::floor(e.y)), below = 2 * int(std::ceil(e.y));
-    ++looked_at;
-    EXPECT_EQ(std::min(pyramid->unlit->at(x, above), pyramid->unlit->at(x, below)), 0) << e.x << ' ' << e.y;
-  }
-  EXPECT_GT(looked_at, 50);
-}
-
 // The rows of a rolling shutter are put right, and what no light reaches moves with them.
 TEST(UnlitSurround, MovesWithTheRowsOfARollingShutter) {
   constexpr double kReadoutS = 0.03;

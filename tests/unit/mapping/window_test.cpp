@@ -231,18 +231,21 @@ TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
   EXPECT_GT((moved.from - from).norm(), 1e-3);
 }
 
-// What is known of the keyframes that have left is linearised at poses of before the correction: it comes anew with it.
+// What is known of the keyframes that have left is linearised at poses of before the correction: it comes
+// anew with it.
 TEST(Window, ACorrectionBringsItsOwnPrior) {
   Window window = true_window(5, 0.02, params_with("prior"));
   window.activate(2, 2);
   window.adjust();
   MapRevision revision;
   const int kept = int(window.keyframes().size());
-  revision.prior.H = 1e10 * Eigen::MatrixXd::Identity(6 * kept, 6 * kept);  // a tenth of a millimetre against all matches
+  revision.prior.H =
+      1e10 * Eigen::MatrixXd::Identity(6 * kept, 6 * kept);  // a tenth of a millimetre against all matches
   revision.prior.b = Eigen::VectorXd::Zero(6 * kept);
   for (const Keyframe& k : window.keyframes()) {
     // A quarter of a degree, which is three pixels at the border, and all edges say that it is wrong.
-    const SE3 turned = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.004 * k.id, Eigen::Vector3d::UnitY())), Eigen::Vector3d::Zero()) *
+    const SE3 turned = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.004 * k.id, Eigen::Vector3d::UnitY())),
+                           Eigen::Vector3d::Zero()) *
                        k.T_cam_world;
     RevisedKeyframe r;
     r.id = k.id;
@@ -256,7 +259,9 @@ TEST(Window, ACorrectionBringsItsOwnPrior) {
   window.apply(revision, [](const Keyframe& k) { return k.pyramid; });
   window.adjust();
   for (size_t i = 0; i < window.keyframes().size(); ++i)
-    EXPECT_LT((window.keyframes()[i].T_cam_world * revision.prior.linearization[i].inverse()).log().norm(), 1e-4) << i;
+    EXPECT_LT((window.keyframes()[i].T_cam_world * revision.prior.linearization[i].inverse()).log().norm(),
+              1e-4)
+        << i;
 }
 
 TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {

@@ -40,7 +40,8 @@ TEST(Realtime, SurvivesABlackout) {
   EXPECT_GT(trajectory_error(run, kEnd, kAll, sweep_pose).poses, 10);
 }
 
-// As where an exception goes through the caller: its threads end, with work in their queues, and nobody is called any more.
+// As where an exception goes through the caller: its threads end, with work in their queues, and nobody is
+// called any more.
 TEST(Realtime, EndsCleanlyWithoutFinish) {
   run_sweep(25, realtime());  // threads that a library keeps are there from now on
   const int threads = test::threads_of_process();

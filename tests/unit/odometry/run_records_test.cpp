@@ -34,8 +34,8 @@ TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   EXPECT_FALSE(PointFilter().keeps(moved));
 }
 
-// A frame that was tracked before a correction changed the unit of length at its keyframe is brought to it, with what is known of its
-// error; one that was tracked after it is in that unit already.
+// A frame that was tracked before a correction changed the unit of length at its keyframe is brought to it,
+// with what is known of its error; one that was tracked after it is in that unit already.
 TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
   constexpr int kKeyframe = 7;
   const SE3 T_cam_ref(Eigen::Quaterniond::Identity(), {0, 0, -1});

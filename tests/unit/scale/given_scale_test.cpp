@@ -70,9 +70,11 @@ TEST(ScaleRun, AMeasuredFactorDoesWhatAGivenOneDoes) {
   EXPECT_TRUE(measured.is_metric());
   EXPECT_LT((measured.frames[0].T_world_cam->matrix() - given.frames[0].T_world_cam->matrix()).norm(), 1e-12);
   EXPECT_LT((measured.frames[0].covariance - given.frames[0].covariance).norm(), 1e-12);
-  EXPECT_LT((measured.keyframes[0].T_world_cam.matrix() - given.keyframes[0].T_world_cam.matrix()).norm(), 1e-12);
+  EXPECT_LT((measured.keyframes[0].T_world_cam.matrix() - given.keyframes[0].T_world_cam.matrix()).norm(),
+            1e-12);
   EXPECT_EQ(measured.keyframes[0].points[0].idepth, given.keyframes[0].points[0].idepth);
-  EXPECT_EQ(measured.keyframes[0].lines[0].vertices[0].idepth_sigma, given.keyframes[0].lines[0].vertices[0].idepth_sigma);
+  EXPECT_EQ(measured.keyframes[0].lines[0].vertices[0].idepth_sigma,
+            given.keyframes[0].lines[0].vertices[0].idepth_sigma);
 }
 
 TEST(ScaleRun, RefusesWhatIsNoFactor) {
