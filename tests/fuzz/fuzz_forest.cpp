@@ -1,5 +1,5 @@
-// Mutated models of structured forests: refused, or harmless. OpenCV walks through an accepted one without a check; here the same walks
-// are taken with every index checked.
+// Mutated models of structured forests: refused, or harmless. OpenCV walks through an accepted one without a
+// check; here the same walks are taken with every index checked.
 #include "detectors/forest_model.h"
 #include "fuzz/mutate.h"
 #include "support/tiny_forest.h"
@@ -15,12 +15,15 @@ std::vector<int> joined(const std::vector<std::vector<int>>& rows) {
   return all;
 }
 
-// Every node that a walk from the root may reach, by either side at each; throws std::out_of_range, or fails when it does not end.
+// Every node that a walk from the root may reach, by either side at each; throws std::out_of_range, or fails
+// when it does not end.
 void walk(const ForestModel& m, size_t tree) {
   const std::vector<int> boundaries = joined(m.edgeBoundaries), bins = joined(m.edgeBins);
-  const int side = m.options.patchSize / m.options.shrinkNumber, cells = m.options.selfsimilarityGridSize * m.options.selfsimilarityGridSize;
+  const int side = m.options.patchSize / m.options.shrinkNumber,
+            cells = m.options.selfsimilarityGridSize * m.options.selfsimilarityGridSize;
   const int features = (side * side + cells * (cells - 1) / 2) * m.options.channels();
-  const std::vector<char> feature(size_t(features), 0), pixel(size_t(m.options.patchInnerSize * m.options.patchInnerSize * m.options.channels()), 0);
+  const std::vector<char> feature(size_t(features), 0),
+      pixel(size_t(m.options.patchInnerSize * m.options.patchInnerSize * m.options.channels()), 0);
   const size_t nodes = m.childs.at(0).size();
   std::vector<size_t> open{0};
   size_t steps = 0;
@@ -46,20 +49,27 @@ void use(const ForestModel& m) {
 }
 
 TEST(FuzzForest, Text) {
-  test::expect_both(test::fuzz(test::forest_text(test::tiny_forest()), kRounds, 101, [](const std::string& text) { use(parse_forest(text, "f")); }));
+  test::expect_both(test::fuzz(test::forest_text(test::tiny_forest()), kRounds, 101,
+                               [](const std::string& text) { use(parse_forest(text, "f")); }));
 }
 
 // Deeper than what a reader of text reaches: numbers of the model itself.
 TEST(FuzzForest, Numbers) {
   Random random(102);
   int accepted = 0, refused = 0;
-  const auto some = [&] { return random.below(4) == 0 ? int(random.below(1 << 30)) - (1 << 29) : random.below(16) - 2; };
+  const auto some = [&] {
+    return random.below(4) == 0 ? int(random.below(1 << 30)) - (1 << 29) : random.below(16) - 2;
+  };
   for (int round = 0; round < kRounds; ++round) {
     ForestModel m = test::tiny_forest();
     std::vector<std::vector<int>>* const lists[] = {&m.childs, &m.featureIds, &m.edgeBoundaries, &m.edgeBins};
-    int ForestOptions::*const options[] = {&ForestOptions::stride, &ForestOptions::shrinkNumber, &ForestOptions::patchSize,
-                                           &ForestOptions::patchInnerSize, &ForestOptions::selfsimilarityGridSize,
-                                           &ForestOptions::numberOfTrees, &ForestOptions::numberOfTreesToEvaluate};
+    int ForestOptions::*const options[] = {&ForestOptions::stride,
+                                           &ForestOptions::shrinkNumber,
+                                           &ForestOptions::patchSize,
+                                           &ForestOptions::patchInnerSize,
+                                           &ForestOptions::selfsimilarityGridSize,
+                                           &ForestOptions::numberOfTrees,
+                                           &ForestOptions::numberOfTreesToEvaluate};
     for (int n = 1 + random.below(3); n > 0; --n) {
       if (random.below(4) == 0) {
         m.options.*options[random.below(7)] = some();

@@ -1,6 +1,6 @@
 #pragma once
-// A structured forest of two trees that calls a pixel an edge where the gradient there is strong: what detectors and the checks of
-// models are tested with.
+// A structured forest of two trees that calls a pixel an edge where the gradient there is strong: what
+// detectors and the checks of models are tested with.
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace edgevo::test {
 
-/// Each tree: a root that asks the normalised gradient magnitude in the middle of the patch, a leaf without edges, and one whose
-/// middle pixel is an edge.
+/// Each tree: a root that asks the normalised gradient magnitude in the middle of the patch, a leaf without
+/// edges, and one whose middle pixel is an edge.
 inline ForestModel tiny_forest() {
   ForestModel m;
   ForestOptions& o = m.options;
@@ -34,7 +34,8 @@ void append_rows(const char* name, const std::vector<std::vector<T>>& rows, std:
   *text += std::string(name) + ":\n";
   for (const auto& row : rows) {
     *text += "   - [";
-    for (size_t i = 0; i < row.size(); ++i) *text += (i == 0 ? " " : ", ") + cv::format("%.9g", double(row[i]));
+    for (size_t i = 0; i < row.size(); ++i)
+      *text += (i == 0 ? " " : ", ") + cv::format("%.9g", double(row[i]));
     *text += " ]\n";
   }
 }
@@ -47,7 +48,8 @@ inline std::string forest_text(const ForestModel& m) {
   option("stride", o.stride), option("shrinkNumber", o.shrinkNumber);
   option("patchSize", o.patchSize), option("patchInnerSize", o.patchInnerSize);
   option("numberOfGradientOrientations", o.numberOfGradientOrientations);
-  option("gradientSmoothingRadius", o.gradientSmoothingRadius), option("regFeatureSmoothingRadius", o.regFeatureSmoothingRadius);
+  option("gradientSmoothingRadius", o.gradientSmoothingRadius),
+      option("regFeatureSmoothingRadius", o.regFeatureSmoothingRadius);
   option("ssFeatureSmoothingRadius", o.ssFeatureSmoothingRadius);
   option("gradientNormalizationRadius", o.gradientNormalizationRadius);
   option("selfsimilarityGridSize", o.selfsimilarityGridSize);

@@ -1,6 +1,6 @@
 #pragma once
-// A network in ONNX, written byte by byte: probability = sigmoid(8 |gradient| - 3) of the gray levels divided by 255. So that no test needs a
-// model, or a program that makes one.
+// A network in ONNX, written byte by byte: probability = sigmoid(8 |gradient| - 3) of the gray levels divided
+// by 255. So that no test needs a model, or a program that makes one.
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -33,7 +33,8 @@ class Message {
 };
 
 /// Weights as an initializer.
-inline std::string tensor(const std::string& name, const std::vector<int>& shape, const std::vector<float>& values) {
+inline std::string tensor(const std::string& name, const std::vector<int>& shape,
+                          const std::vector<float>& values) {
   constexpr int kFloat = 1;
   Message m;
   for (const int side : shape) m.whole(1, uint64_t(side));
@@ -50,8 +51,8 @@ inline std::string list_attribute(const std::string& name, const std::vector<int
   return m.whole(20, kInts).str();
 }
 
-inline std::string node(const std::string& type, const std::vector<std::string>& inputs, const std::string& output,
-                        const std::vector<std::string>& attributes = {}) {
+inline std::string node(const std::string& type, const std::vector<std::string>& inputs,
+                        const std::string& output, const std::vector<std::string>& attributes = {}) {
   Message m;
   for (const std::string& input : inputs) m.bytes(1, input);
   m.bytes(2, output).bytes(3, type + "_" + output).bytes(4, type);
@@ -75,7 +76,8 @@ inline std::string tiny_network(int stride = 1, int height = 0, int width = 0) {
     for (const float k : {-1.f, 0.f, 1.f, -2.f, 0.f, 2.f, -1.f, 0.f, 1.f}) kernels.push_back(sign * k);
     for (const float k : {-1.f, -2.f, -1.f, 0.f, 0.f, 0.f, 1.f, 2.f, 1.f}) kernels.push_back(sign * k);
   }
-  const std::vector<std::string> around{list_attribute("kernel_shape", {3, 3}), list_attribute("pads", {1, 1, 1, 1}),
+  const std::vector<std::string> around{list_attribute("kernel_shape", {3, 3}),
+                                        list_attribute("pads", {1, 1, 1, 1}),
                                         list_attribute("strides", {stride, stride})};
   Message graph;
   graph.bytes(1, node("Conv", {"image", "kernels"}, "slopes", around))
@@ -91,6 +93,8 @@ inline std::string tiny_network(int stride = 1, int height = 0, int width = 0) {
   return Message().whole(1, 7).bytes(7, graph.str()).bytes(8, Message().whole(2, 11).str()).str();
 }
 
-inline const char* tiny_network_description() { return "input: image\noutput: edges\nsize: multiple_of 4\nchannels: gray\n"; }
+inline const char* tiny_network_description() {
+  return "input: image\noutput: edges\nsize: multiple_of 4\nchannels: gray\n";
+}
 
 }  // namespace edgevo::test

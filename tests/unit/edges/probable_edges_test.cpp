@@ -53,10 +53,12 @@ class ProbableDetectors : public ::testing::Test {
     const auto probability = make_edge_probability(p);
     const Plane<uint8_t> likely = probability ? probability->estimate(image.view(), name) : Plane<uint8_t>();
     const Gradient gradient = compute_gradient(image.view());
-    return extract_edges(make_edge_detector(p)->detect({image.view(), gradient, likely.view()}), gradient, p.min_chain);
+    return extract_edges(make_edge_detector(p)->detect({image.view(), gradient, likely.view()}), gradient,
+                         p.min_chain);
   }
   void write_probability(const std::string& name, const GrayImage& image) const {
-    cv::imwrite(folder_ / (name + ".png"), cv::Mat(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data())));
+    cv::imwrite(folder_ / (name + ".png"),
+                cv::Mat(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data())));
   }
   test::TempFolder folder_;
 };
@@ -85,8 +87,9 @@ TEST_F(ProbableDetectors, ARidgeBesideTheEdgeDoesNotMoveIt) {
   const Eigen::Vector2d n(std::cos(0.3), std::sin(0.3)), on(60.3, 40.2);
   const GrayImage image = test::slanted_step(120, 80, on, n, 40, 200);
   write_probability("a", test::make_image(120, 80, [&](double x, double y) {
-    return 200 * std::exp(-0.5 * std::pow((n.dot(Eigen::Vector2d(x, y) - on) - 2) / 2.0, 2));
-  }));
+                      return 200 *
+                             std::exp(-0.5 * std::pow((n.dot(Eigen::Vector2d(x, y) - on) - 2) / 2.0, 2));
+                    }));
   const EdgeMap map = edges_of(image, "precomputed", "a");
   ASSERT_GT(map.pixels.size(), 60u);
   EXPECT_LT(deviation_from(map, on, n), 0.1);
@@ -94,8 +97,11 @@ TEST_F(ProbableDetectors, ARidgeBesideTheEdgeDoesNotMoveIt) {
 
 // Two steps of one strength; the probability knows the left one alone.
 TEST_F(ProbableDetectors, TheProbabilitySaysWhich) {
-  const GrayImage image = test::make_image(160, 80, [](double x, double) { return x < 50 ? 40 : x < 110 ? 120 : 200; });
-  write_probability("left", test::make_image(160, 80, [](double x, double) { return x > 45 && x < 55 ? 230 : 0; }));
+  const GrayImage image = test::make_image(160, 80, [](double x, double) {
+    return x < 50 ? 40 : x < 110 ? 120 : 200;
+  });
+  write_probability("left",
+                    test::make_image(160, 80, [](double x, double) { return x > 45 && x < 55 ? 230 : 0; }));
   for (const char* detector : {"precomputed", "combined:precomputed"}) {
     const EdgeMap map = edges_of(image, detector, "left");
     ASSERT_GT(map.pixels.size(), 60u) << detector;
@@ -108,7 +114,11 @@ TEST_F(ProbableDetectors, DoNotWorkWithoutOne) {
   const GrayImage image = test::textured_image(120, 80, 3);
   const Gradient gradient = compute_gradient(image.view());
   for (const char* detector : {"network", "combined:network"})
-    EXPECT_THAT(complaint([&] { make_edge_detector(params(detector))->detect({image.view(), gradient}); }), HasSubstr("needs a probability")) << detector;
+    EXPECT_THAT(complaint([&] {
+                  make_edge_detector(params(detector))->detect({image.view(), gradient});
+                }),
+                HasSubstr("needs a probability"))
+        << detector;
 }
 
 TEST_F(ProbableDetectors, NoProbabilityNoEdge) {
@@ -123,12 +133,14 @@ TEST_F(ProbableDetectors, AreSteadyWhenProbabilitiesFall) {
   const GrayImage image = test::textured_image(240, 160, 5);
   const auto probability = make_edge_probability(params("network"))->estimate(image.view(), "");
   const auto share = [&](int divisor) {
-    return test::make_image(240, 160, [&](double x, double y) { return double(probability.at(int(x), int(y)) / divisor); });
+    return test::make_image(
+        240, 160, [&](double x, double y) { return double(probability.at(int(x), int(y)) / divisor); });
   };
   write_probability("whole", share(1));
   write_probability("third", share(3));
   for (const char* detector : {"precomputed", "combined:precomputed"}) {
-    const double whole = double(edges_of(image, detector, "whole").pixels.size()), third = double(edges_of(image, detector, "third").pixels.size());
+    const double whole = double(edges_of(image, detector, "whole").pixels.size()),
+                 third = double(edges_of(image, detector, "third").pixels.size());
     ASSERT_GT(whole, 500) << detector;
     EXPECT_NEAR(third / whole, 1, 0.1) << detector;
   }
@@ -138,7 +150,9 @@ TEST_F(ProbableDetectors, AreSteadyWhenProbabilitiesFall) {
 TEST_F(ProbableDetectors, GiveAboutAsManyEdgesAsCanny) {
   const test::Texture texture(7);
   for (const double gain : {1.0, 0.4}) {
-    const GrayImage image = test::make_image(240, 160, [&](double x, double y) { return gain * texture.at({x, y}); });
+    const GrayImage image = test::make_image(240, 160, [&](double x, double y) {
+      return gain * texture.at({x, y});
+    });
     const double canny = double(edges_of(image, "canny").pixels.size());
     for (const char* detector : {"structured", "network", "combined:structured", "combined:network"}) {
       const double count = double(edges_of(image, detector).pixels.size());
@@ -151,8 +165,10 @@ TEST_F(ProbableDetectors, GiveAboutAsManyEdgesAsCanny) {
 TEST_F(ProbableDetectors, GiveTheSameAgain) {
   const GrayImage image = test::textured_image(121, 83, 9);
   for (const char* detector : {"structured", "network"}) {
-    const auto first = make_edge_probability(params(detector)), second = make_edge_probability(params(detector));
-    const Plane<uint8_t> a = first->estimate(image.view(), ""), b = second->estimate(image.view(), ""), c = first->estimate(image.view(), "");
+    const auto first = make_edge_probability(params(detector)),
+               second = make_edge_probability(params(detector));
+    const Plane<uint8_t> a = first->estimate(image.view(), ""), b = second->estimate(image.view(), ""),
+                         c = first->estimate(image.view(), "");
     EXPECT_TRUE(std::equal(a.row(0), a.row(0) + 121 * 83, b.row(0))) << detector;
     EXPECT_TRUE(std::equal(a.row(0), a.row(0) + 121 * 83, c.row(0))) << detector;
   }
@@ -176,7 +192,8 @@ TEST_F(ProbableDetectors, DoNotDependOnThreads) {
 TEST_F(ProbableDetectors, TakeImagesOfAnySize) {
   for (const char* detector : {"structured", "network", "combined:network"})
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(2, 9), std::pair(7, 5), std::pair(33, 17)})
-      EXPECT_TRUE(edges_of(test::make_image(width, height, [](double, double) { return 77; }), detector).pixels.empty())
+      EXPECT_TRUE(edges_of(test::make_image(width, height, [](double, double) { return 77; }), detector)
+                      .pixels.empty())
           << detector << " " << width << "x" << height;
 }
 
@@ -187,7 +204,9 @@ TEST_F(ProbableDetectors, FilesServeAsWellAsTheDetectorItself) {
   camera.distortion.k1 = -0.2;
   const GrayImage image = test::textured_image(240, 160, 13);
   const auto probability = make_edge_probability(params("network"))->estimate(image.view(), "");
-  write_probability("000007", test::make_image(240, 160, [&](double x, double y) { return double(probability.at(int(x), int(y))); }));
+  write_probability("000007", test::make_image(240, 160, [&](double x, double y) {
+                      return double(probability.at(int(x), int(y)));
+                    }));
   Frame frame;
   frame.index = 7;
   frame.image = image;
@@ -230,21 +249,27 @@ TEST_F(ProbableDetectors, RefuseADescriptionThatDoesNotFit) {
   };
   EXPECT_EQ(with(test::tiny_network_description()), "");
   EXPECT_EQ(with("input: image\noutput: edges\nsize: fixed 48x40\n"), "") << "a smaller image is continued";
-  EXPECT_THAT(with("input: image\noutput: edges\nszie: fixed 48x40\n"), AllOf(HasSubstr("szie"), HasSubstr("size")));
+  EXPECT_THAT(with("input: image\noutput: edges\nszie: fixed 48x40\n"),
+              AllOf(HasSubstr("szie"), HasSubstr("size")));
   EXPECT_THAT(with("input: image\noutput: ridges\n"), HasSubstr("'ridges'"));
   EXPECT_THAT(with("input: picture\noutput: edges\n"), HasSubstr("'picture'"));
-  EXPECT_THAT(with("input: image\noutput: edges\nsize: fixed 32x30\n"), HasSubstr("takes images of 32x30, not of 40x30"));
-  for (const char* size : {"fixed", "fixed 0x5", "fixed 5", "multiple_of 0", "multiple_of x", "any", "fixed 4x4 4"})
-    EXPECT_THAT(with(std::string("input: image\noutput: edges\nsize: ") + size + "\n"), HasSubstr("size")) << size;
+  EXPECT_THAT(with("input: image\noutput: edges\nsize: fixed 32x30\n"),
+              HasSubstr("takes images of 32x30, not of 40x30"));
+  for (const char* size :
+       {"fixed", "fixed 0x5", "fixed 5", "multiple_of 0", "multiple_of x", "any", "fixed 4x4 4"})
+    EXPECT_THAT(with(std::string("input: image\noutput: edges\nsize: ") + size + "\n"), HasSubstr("size"))
+        << size;
   EXPECT_THAT(with("input: image\noutput: edges\nmean: 1 2\n"), HasSubstr("mean"));
   EXPECT_THAT(with("input: image\noutput: edges\nstd: 0\n"), HasSubstr("std"));
-  EXPECT_THAT(with("input: image\noutput: edges\nchannels: rgb\n"), HasSubstr("does not work")) << "the network takes one channel";
+  EXPECT_THAT(with("input: image\noutput: edges\nchannels: rgb\n"), HasSubstr("does not work"))
+      << "the network takes one channel";
 }
 
 TEST_F(ProbableDetectors, RefuseANetworkThatGivesAnotherSize) {
   write_file(folder_ / "tiny.onnx", test::tiny_network(2));
   const GrayImage image = test::textured_image(40, 32, 1);
-  EXPECT_THAT(complaint([&] { make_edge_probability(params("network"))->estimate(image.view(), ""); }), HasSubstr("gives 1x1x16x20 for an image of 1x1x32x40"));
+  EXPECT_THAT(complaint([&] { make_edge_probability(params("network"))->estimate(image.view(), ""); }),
+              HasSubstr("gives 1x1x16x20 for an image of 1x1x32x40"));
 }
 
 TEST_F(ProbableDetectors, RefuseFilesThatDoNotFit) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core/persistence.hpp>
+#include <stdexcept>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
@@ -148,6 +149,8 @@ ForestModel open_forest(const std::string& file, int flags, const std::string& w
   return model_of(storage, where);
 } catch (const cv::Exception& e) {
   refuse(where, "is no structured forest: " + one_line(e));
+} catch (const std::length_error&) {
+  refuse(where, "is no structured forest: a key in it is empty");  // OpenCV's reader of YAML does not foresee it
 }
 
 }  // namespace
