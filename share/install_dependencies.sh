@@ -2,6 +2,7 @@
 # Installs the distribution packages that edgevo is built from (Debian 12 names). Quiet and quick when all is there.
 #
 #   share/install_dependencies.sh            install what is missing (as root, or through sudo)
+#   share/install_dependencies.sh --workflow the same, and the engine of `edgevo bench` (share/workflow)
 #   share/install_dependencies.sh --list     print the package names, one a line, and do nothing
 #
 # Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
@@ -65,6 +66,10 @@ apt() {
     fail "apt-get $1 failed; see the lines above, and check the network and /etc/apt"
 }
 
+if [ "${1:-}" = --workflow ]; then
+  PACKAGES="$PACKAGES snakemake"
+  shift
+fi
 if [ "${1:-}" = --list ]; then
   printf '%s\n' $PACKAGES
   exit 0
