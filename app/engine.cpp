@@ -39,11 +39,11 @@ fs::path workflow_files() {
 }
 
 std::string profile_folder(const std::string& name) {
-  const fs::path known = workflow_files() / "profiles" / (name.empty() ? "local" : name);
+  std::vector<fs::path> folders{workflow_files() / "profiles" / (name.empty() ? "local" : name)};
+  if (!name.empty()) folders.push_back(fs::absolute(name));
   std::error_code ignored;
-  for (const fs::path& folder : {known, fs::absolute(name)})
-    if (!(name.empty() && folder != known) && fs::is_regular_file(folder / "config.yaml", ignored))
-      return folder.string();
+  for (const fs::path& folder : folders)
+    if (fs::is_regular_file(folder / "config.yaml", ignored)) return folder.string();
   throw InputError("--profile " + name, "there is no such profile",
                    "name local, slurm, kubernetes or a folder with a config.yaml");
 }
