@@ -40,7 +40,7 @@ check "what had ended was not run again" "$(stat -c '%i %y' "$first" | grep -c -
 check "each trial ended once" "$(ends killed)" -eq 4
 untimed_table killed/table.csv
 same "the table" whole/table.csv.untimed killed/table.csv.untimed
-for job in whole/desk/*/*; do same "${job#whole/}" "$job/trajectory_tum.txt" "killed/${job#whole/}/trajectory_tum.txt"; done
+for job in whole/desk/*/seed*; do same "${job#whole/}" "$job/trajectory_tum.txt" "killed/${job#whole/}/trajectory_tum.txt"; done
 run_code 0 "$edgevo" bench list.yaml -o killed
 check "a third call runs nothing" "$(grep -c '^4 jobs: 0 run, 4 had been run before' stdout)" -eq 1
 
