@@ -14,6 +14,7 @@
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
+#include "kept_clip.h"
 #include "progress.h"
 #include "signals.h"
 
@@ -82,11 +83,23 @@ void BenchInput::check_output(const std::string& out) const {
   if (scene_.empty()) check_apart(source_.path, out);
 }
 
+std::string BenchInput::scene_key() const { return scene_.empty() ? "" : scene_ + " " + sequence_.frames; }
+
+std::shared_ptr<const SceneRenderer> BenchInput::renderer() const {
+  return std::make_shared<const SceneRenderer>(load_scene(scene_));
+}
+
+void BenchInput::render_to(const std::string& folder, int threads) {
+  const std::shared_ptr<const SceneRenderer> all = renderer();
+  const RenderedSource rendered(all, source_.first, source_.last.value_or(-1));
+  keep_clip(*all, source_.first, source_.first + *rendered.size(), rendered.kind(), threads, folder);
+}
+
 void BenchInput::render() {
-  const auto renderer = std::make_shared<const SceneRenderer>(load_scene(scene_));
-  RenderedSource rendered(renderer, source_.first, source_.last.value_or(-1));
+  const std::shared_ptr<const SceneRenderer> all = renderer();
+  RenderedSource rendered(all, source_.first, source_.last.value_or(-1));
   const int begin = source_.first, end = begin + *rendered.size();
-  scene_truth_ = ground_truth_tum(*renderer, begin, end);
+  scene_truth_ = ground_truth_tum(*all, begin, end);
   Progress progress("rendering " + sequence_.name, rendered.size());
   clip_ = read_clip(rendered, [&](int done) {
     progress.update(done);
@@ -95,6 +108,7 @@ void BenchInput::render() {
 }
 
 std::unique_ptr<ImageSource> BenchInput::open_scene() {
+  if (!clip_ && is_kept_clip(kept_scene_)) clip_ = read_kept_clip(kept_scene_, &scene_truth_);
   if (!clip_) render();
   return std::make_unique<ClipSource>(clip_);
 }
@@ -129,11 +143,25 @@ std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint6
   return std::make_unique<RelitSource>(std::move(source), Relight(variant.light, seed));
 }
 
-std::string BenchInput::description() const {
+RunParams BenchInput::params(const BenchVariant& variant, const std::string& edges) const {
+  constexpr std::string_view kPrecomputed = "precomputed:";
+  RunParams params = params_;
+  if (variant.detector.empty()) return params;
+  const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
+  const bool precomputed = variant.detector.compare(0, kPrecomputed.size(), kPrecomputed) == 0;
+  set_param("edges.detector=" + (precomputed ? "precomputed" : variant.detector), visit);
+  if (precomputed) set_param("edges.folder=" + edges, visit);
+  return params;
+}
+
+const std::string& BenchInput::description() const {
+  if (!description_.empty()) return description_;
   const auto visit = [this](ParamVisitor& v) { RunParams(params_).visit(v); };
   const std::string camera = camera_text_.empty() ? "" : "camera: |\n" + indented(camera_text_);
-  return "sequence: " + yaml_scalar(sequence_.name) + "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScene) + scene_) +
-         "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" + write_params(visit, 2);
+  description_ = "sequence: " + yaml_scalar(sequence_.name) +
+                 "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScene) + scene_) +
+                 "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" + write_params(visit, 2);
+  return description_;
 }
 
 }  // namespace edgevo::app

@@ -8,6 +8,7 @@
 #include "edgevo/evaluation/bench_list.h"
 #include "edgevo/results/run_params.h"
 #include "edgevo/simulation/clip.h"
+#include "edgevo/simulation/scene_renderer.h"
 
 namespace edgevo::app {
 
@@ -22,10 +23,20 @@ class BenchInput {
   /// Text of a TUM file; empty if there is none. After open().
   const std::string& ground_truth() const { return ground_truth_; }
 
-  const RunParams& params() const { return params_; }
+  /// With the variant's detector. `edges`: the folder of those that were computed before; empty where there are none.
+  RunParams params(const BenchVariant& variant, const std::string& edges) const;
   const BenchSequence& sequence() const { return sequence_; }
   /// All that a job's result depends on but its variant and seed, as YAML.
-  std::string description() const;
+  const std::string& description() const;
+  /// What `edgevo edges` is given; empty for a scene.
+  const std::string& source_path() const { return source_.path; }
+  const std::string& camera_path() const { return source_.camera_file; }
+  /// Name or file of the scene, with its frames: what is to be rendered. Empty: it is recorded.
+  std::string scene_key() const;
+  /// Renders the scene into `folder`, from where other jobs take it (kept_clip.h). Throws InputError.
+  void render_to(const std::string& folder, int threads);
+  /// The scene lies in `folder`, if it is there; it is not rendered then.
+  void take_scene_from(const std::string& folder) { kept_scene_ = folder; }
   /// Throws InputError when `out` lies in the source, or around it.
   void check_output(const std::string& out) const;
   /// Forgets rendered images.
@@ -35,6 +46,7 @@ class BenchInput {
   std::unique_ptr<ImageSource> open_scene();
   std::unique_ptr<ImageSource> edited(ImageSource& source, const BenchVariant& variant, uint64_t seed);
   void render();
+  std::shared_ptr<const SceneRenderer> renderer() const;
 
   BenchSequence sequence_;
   SourceOptions source_;
@@ -44,6 +56,8 @@ class BenchInput {
   std::string ground_truth_;
   std::shared_ptr<const Clip> clip_;  ///< the scene, and its truth
   std::string scene_truth_;
+  std::string kept_scene_;           ///< folder; empty: none
+  mutable std::string description_;  ///< once it was asked for
 };
 
 }  // namespace edgevo::app

@@ -8,6 +8,7 @@
 #include "edgevo/drive/drive.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "edgevo/results/run_text.h"
+#include "place_lock.h"
 #include "progress.h"
 #include "signals.h"
 
@@ -51,18 +52,55 @@ void keep_ground_truth(const BenchJob& job, const std::string& truth_text) {
 }
 
 void begin_folder(const BenchJob& job) {
-  make_output_folder(job.folder);
   std::error_code ignored;
-  fs::remove(in_folder(job, "job.yaml"), ignored);  // until the job has ended again, it has not
+  for (const char* name : {"job.yaml", "failure.txt"})  // until the job has ended again, it has not
+    fs::remove(in_folder(job, name), ignored);
+}
+
+// All or nothing, whenever the process is killed.
+void write_whole(const std::string& path, const std::string& text) {
+  write_file(path + ".part", text);
+  fs::rename(path + ".part", path);
+}
+
+Drive driven_source(const BenchJob& job, const BenchInput& input, ImageSource& source) {
+  DriveOptions options;
+  options.odometry.seed = job.seed;
+  options.stop = interrupted;
+  Progress progress(job.title(), source.size());
+  return drive(source, input.params(job.variant, job.edges).odometry, options,
+               [&, done = 0](const DrivenFrame&) mutable {
+                 progress.update(++done);
+                 return true;
+               });
+}
+
+std::optional<Trial> run_in_folder(const BenchJob& job, BenchInput& input) {
+  const std::unique_ptr<ImageSource> source = input.open(job.variant, job.seed);
+  if (interrupted()) return std::nullopt;  // while a scene was rendered
+  const Drive driven = driven_source(job, input, *source);
+  if (driven.broken) std::rethrow_exception(driven.broken);
+  if (interrupted()) return std::nullopt;
+  write_file(in_folder(job, kTrajectory), trajectory_tum(driven.run, PoseKind::kFinal));
+  write_file(in_folder(job, "frames.csv"), frames_csv(driven.run));
+  Trial trial = trial_of(driven.run, driven.cpu_s);
+  evaluate_trajectory(job, input.ground_truth(), &trial);
+  keep_ground_truth(job, input.ground_truth());
+  write_file(in_folder(job, "result.yaml"), write_params(figures_of(&trial)));
+  write_whole(in_folder(job, "job.yaml"), job.description);
+  return trial;
 }
 
 }  // namespace
 
+std::string BenchJob::title() const {
+  return sequence + " " + variant.name + " seed " + std::to_string(seed);
+}
+
 BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out,
                   const std::string& version) {
-  BenchJob job{variant, seed, {}, {}};
-  job.folder =
-      (fs::path(out) / input.sequence().name / variant.name / ("seed" + std::to_string(seed))).string();
+  BenchJob job{input.sequence().name, variant, seed, {}, {}, {}};
+  job.folder = (fs::path(out) / job.sequence / variant.name / ("seed" + std::to_string(seed))).string();
   job.description = "edgevo: \"" + version + "\"\nvariant: " + variant.name +
                     "\nseed: " + std::to_string(seed) + '\n' + input.description();
   return job;
@@ -78,29 +116,25 @@ std::optional<Trial> finished_trial(const BenchJob& job) {
   return trial;
 }
 
-std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::string& title) {
+std::string failure_of(const BenchJob& job) {
+  const std::string path = in_folder(job, "failure.txt");
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return "";
+  const std::string text = read_file(path, "remove it");
+  return text.substr(0, text.find('\n'));
+}
+
+std::optional<Trial> run_job(const BenchJob& job, BenchInput& input) {
+  make_output_folder(job.folder);
+  const PlaceLock lock(job.folder);  // a process that its engine has left behind may still be at it
+  if (std::optional<Trial> trial = finished_trial(job)) return trial;
   begin_folder(job);
-  const std::unique_ptr<ImageSource> source = input.open(job.variant, job.seed);
-  if (interrupted()) return std::nullopt;  // while a scene was rendered
-  DriveOptions options;
-  options.odometry.seed = job.seed;
-  options.stop = interrupted;
-  Progress progress(title, source->size());
-  const Drive driven =
-      drive(*source, input.params().odometry, options, [&, done = 0](const DrivenFrame&) mutable {
-        progress.update(++done);
-        return true;
-      });
-  if (driven.broken) std::rethrow_exception(driven.broken);
-  if (interrupted()) return std::nullopt;
-  write_file(in_folder(job, kTrajectory), trajectory_tum(driven.run, PoseKind::kFinal));
-  write_file(in_folder(job, "frames.csv"), frames_csv(driven.run));
-  Trial trial = trial_of(driven.run, driven.cpu_s);
-  evaluate_trajectory(job, input.ground_truth(), &trial);
-  keep_ground_truth(job, input.ground_truth());
-  write_file(in_folder(job, "result.yaml"), write_params(figures_of(&trial)));
-  write_file(in_folder(job, "job.yaml"), job.description);
-  return trial;
+  try {
+    return run_in_folder(job, input);
+  } catch (const InputError& e) {
+    write_whole(in_folder(job, "failure.txt"), std::string(e.what()) + '\n');
+    throw;
+  }
 }
 
 }  // namespace edgevo::app

@@ -4,8 +4,8 @@
 //   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, frames.csv   as `edgevo run` writes them
 //                              result.yaml                      the figures (evaluation/trial.h)
 //                              ../groundtruth_tum.txt           where there is one, for `edgevo compare`
-//                              job.yaml                         what was run, by which version; written last:
-//                                                               the job has ended
+//                              job.yaml                         what was run, by which version; written last: the job has ended
+//                              failure.txt                      instead of it: a line that says why it could not end
 //
 // A job whose job.yaml tells the same as it would write now is not run again.
 #include <optional>
@@ -16,9 +16,14 @@
 namespace edgevo::app {
 
 struct BenchJob {
+  std::string sequence;
   BenchVariant variant;
   uint64_t seed = 1;
   std::string folder, description;
+  std::string edges;  ///< folder of those that were computed before; empty: none
+
+  /// "desk normal seed 1"
+  std::string title() const;
 };
 
 /// `out` is OUT, `version` what tells one build of the program from another.
@@ -28,8 +33,11 @@ BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t
 /// other hands.
 std::optional<Trial> finished_trial(const BenchJob& job);
 
-/// Runs the job and writes its folder; nullopt when a signal has ended it. Throws InputError: a broken source, no room. `title` opens the
-/// progress line.
-std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const std::string& title);
+/// Why it could not end when it was tried last; empty: it has not been tried, or has ended.
+std::string failure_of(const BenchJob& job);
+
+/// Runs the job and writes its folder; nullopt when a signal has ended it. Waits for another process that is at it, whose result it then
+/// takes. Throws InputError: a broken source, no room; failure.txt then says it, too.
+std::optional<Trial> run_job(const BenchJob& job, BenchInput& input);
 
 }  // namespace edgevo::app

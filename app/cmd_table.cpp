@@ -8,14 +8,12 @@
 #include "bench_run.h"
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/program_folder.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/datasets/source_place.h"
 #include "edgevo/datasets/surveys.h"
 #include "edgevo/evaluation/paper_tables.h"
-#include "edgevo/simulation/relight.h"
 #include "option_checks.h"
 #include "signals.h"
 #include "version.h"
@@ -156,8 +154,7 @@ int missing_trials(const std::vector<BenchRow>& rows) {
 
 BenchList asked_list(const TableArguments& args, std::vector<std::string>* missing) {
   const std::string path = args.list.empty() ? shipped_list(args.which) : args.list;
-  BenchList list =
-      parse_bench_list(read_file(path, "give a list such as share/bench/table1.yaml"), path, relight_kinds());
+  BenchList list = read_bench_list(path);
   if (!args.seeds.empty()) list.seeds = parse_seeds(args.seeds, "--seeds");
   if (args.trials > 0) list.seeds = parse_seeds("1.." + std::to_string(args.trials), "--trials");
   list = at_hand(list, path, args.data, missing);
@@ -175,8 +172,8 @@ int table(const TableArguments& args) {
   if (!list.sequences.empty()) {
     make_output_folder(args.out);
     const std::string path = (fs::path(args.out) / "list.yaml").string();
-    write_file(path, bench_list_text(list));
-    list = parse_bench_list(bench_list_text(list), path, relight_kinds());
+    write_file(path, bench_list_yaml(list));
+    list = read_bench_list(path);
     rows = run_list(list, path, args.out, args.data.empty() ? "." : args.data);
   }
   make_output_folder(args.out);

@@ -3,6 +3,7 @@
 #
 #   share/install_dependencies.sh            install what is missing (as root, or through sudo)
 #   share/install_dependencies.sh --checks   the same, and what checks and documents the sources (doxygen, clang-format)
+#   share/install_dependencies.sh --workflow  the same, and the engine of `edgevo bench` (share/workflow)
 #   share/install_dependencies.sh --list     print the package names, one a line, and do nothing
 #
 # Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
@@ -71,10 +72,14 @@ apt() {
     fail "apt-get $1 failed; see the lines above, and check the network and /etc/apt"
 }
 
-if [ "${1:-}" = --checks ]; then
-  PACKAGES="$PACKAGES$CHECK_PACKAGES"
+while :; do
+  case "${1:-}" in
+    --checks) PACKAGES="$PACKAGES$CHECK_PACKAGES" ;;
+    --workflow) PACKAGES="$PACKAGES snakemake" ;;
+    *) break ;;
+  esac
   shift
-fi
+done
 if [ "${1:-}" = --list ]; then
   printf '%s\n' $PACKAGES
   exit 0

@@ -38,7 +38,7 @@ esac
 # ccache and precompiled headers do not go together (a header from its cache crashes GCC 12): either saves the time of the other.
 command -v ccache >/dev/null && launcher=ccache without_pch=ON || { launcher='' without_pch=OFF; }
 
-share/install_dependencies.sh --checks
+share/install_dependencies.sh --checks --workflow
 cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks \
   -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
 cmake --build "$folder" --parallel "${JOBS:-$(nproc)}"

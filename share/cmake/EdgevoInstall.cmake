@@ -15,14 +15,14 @@ install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edg
 install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel)
 
 set(EDGEVO_DATA_DIR ${CMAKE_INSTALL_DATADIR}/edgevo)
-install(DIRECTORY params datasets share/bench DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program USE_SOURCE_PERMISSIONS)
+install(DIRECTORY params datasets share/bench share/workflow DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program USE_SOURCE_PERMISSIONS)
 install(PROGRAMS share/install_dependencies.sh DESTINATION ${EDGEVO_DATA_DIR} COMPONENT devel)
 file(GLOB EDGEVO_INI_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/share/*.ini)
 install(FILES ${EDGEVO_INI_FILES} DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
 
 # The pages lie as in the source tree, so that their links hold.
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
-install(DIRECTORY share/doc share/lab share/bench DESTINATION ${CMAKE_INSTALL_DOCDIR}/share COMPONENT doc
+install(DIRECTORY share/doc share/lab share/bench share/workflow DESTINATION ${CMAKE_INSTALL_DOCDIR}/share COMPONENT doc
   FILES_MATCHING PATTERN *.md PATTERN *.gif PATTERN *.png)
 install(DIRECTORY modules params datasets DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc
   FILES_MATCHING PATTERN README.md PATTERN *.svg PATTERN src EXCLUDE PATTERN include EXCLUDE PATTERN scenes EXCLUDE)

@@ -65,7 +65,7 @@ edges that it saw, on a CPU. Reads MRPT rawlogs, videos and the folders of
 KITTI, TUM and EuRoC; writes trajectories, rawlogs, simplemaps, OctoMaps and
 scenes that the stock tools open, and a report."
   SECTION science RECOMMENDS "gnuplot-nox | gnuplot"
-  SUGGESTS "edgevo-mrpt-plugin, edgevo-servo, edgevo-doc, mrpt-apps, octovis, octomap-tools")
+  SUGGESTS "snakemake, edgevo-mrpt-plugin, edgevo-servo, edgevo-doc, mrpt-apps, octovis, octomap-tools")
 edgevo_package(plugin edgevo-mrpt-plugin "edge visual odometry in MRPT's own programs"
   "A plug-in for rawlog-grabber (-p edgevo_mrpt_plugin.so), which then records
 the image, the pose and the 3D edges of a camera as they come; and an OctoMap

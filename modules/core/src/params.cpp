@@ -43,13 +43,19 @@ class KeyCollector : public ParamVisitor {
   }
   void end_group() override { prefix_.pop_back(); }
 
-  std::vector<std::string> keys;
+  bool knows(const std::string& key) const { return names_.count(key) > 0; }
+
+  std::vector<std::string> keys;  // in the order of visit()
   std::set<std::string> groups;
 
  private:
   std::string prefix() const { return prefix_.empty() ? "" : prefix_.back() + "."; }
-  void add(const char* key) { keys.push_back(prefix() + key); }
+  void add(const char* key) {
+    keys.push_back(prefix() + key);
+    names_.insert(keys.back());
+  }
   std::vector<std::string> prefix_;
+  std::set<std::string> names_;  // a list of a benchmark may have fifty thousand
 };
 
 // What was given: the text of a value, and where it stands (for messages).
@@ -140,7 +146,7 @@ std::string suggestion(const std::string& key, const std::vector<std::string>& k
 }
 
 void check_known(const YamlEntry& entry, const std::string& where, const KeyCollector& known) {
-  if (std::find(known.keys.begin(), known.keys.end(), entry.key) != known.keys.end()) {
+  if (known.knows(entry.key)) {
     if (!entry.has_value) throw InputError(where, entry.key + " has no value", "write `key: value`");
   } else if (!known.groups.count(entry.key)) {
     throw InputError(where, "unknown parameter '" + one_line(entry.key) + "'",

@@ -17,7 +17,7 @@ constexpr const char* kGroup = "sequences.";
 
 // The texts of the file, strictly read, and the place of each key.
 struct RawList {
-  std::string seeds = "1..5", variants = "normal";
+  std::string seeds = "1..5", variants = "normal", detectors;
   std::vector<BenchSequence> sequences;
   std::vector<std::string> sequence_variants;  // of each sequence; empty: those of all
   std::map<std::string, std::string> places;   // dotted key -> "file:line"
@@ -61,7 +61,34 @@ void add_seeds(const std::string& word, const std::string& where, std::vector<ui
   }
 }
 
-void add_effect(const std::string& word, const std::string& where, const std::vector<std::string>& lights, BenchVariant* variant) {
+// What the words of a variant may be, besides those that are always known.
+struct KnownWords {
+  std::vector<std::string> lights, detectors;
+};
+
+bool holds(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_detector(const std::string& word, const KnownWords& known) {
+  constexpr std::string_view kPrecomputed = "precomputed:";
+  const bool precomputed = word.compare(0, kPrecomputed.size(), kPrecomputed) == 0;
+  return holds(known.detectors, precomputed ? word.substr(kPrecomputed.size()) : word);
+}
+
+[[noreturn]] void unknown_word(const std::string& word, const std::string& where, const KnownWords& known) {
+  std::vector<std::string> all = known.lights;
+  all.insert(all.end(), known.detectors.begin(), known.detectors.end());
+  all.insert(all.end(), {"normal", "every3", "backward", "gaps"});
+  throw InputError(where, "unknown variant '" + word + "'", "did you mean '" + nearest_name(word, all) + "'?");
+}
+
+void set_once(std::string* field, const std::string& word, const std::string& where, const std::string& what) {
+  if (!field->empty()) throw InputError(where, what + " twice", "keep one");
+  *field = word;
+}
+
+void add_effect(const std::string& word, const std::string& where, const KnownWords& known, BenchVariant* variant) {
   constexpr std::string_view kEvery = "every";
   const bool thins = word.compare(0, kEvery.size(), kEvery) == 0;
   if (thins && whole(word.substr(kEvery.size()), &variant->every) && variant->every >= 1) return;
@@ -70,16 +97,15 @@ void add_effect(const std::string& word, const std::string& where, const std::ve
     (word == "gaps" ? variant->gaps : variant->backward) = true;
     return;
   }
-  if (std::find(lights.begin(), lights.end(), word) == lights.end()) {
-    std::vector<std::string> known = lights;
-    known.insert(known.end(), {"normal", "every3", "backward", "gaps"});
-    throw InputError(where, "unknown variant '" + word + "'", "did you mean '" + nearest_name(word, known) + "'?");
-  }
-  if (!variant->light.empty()) throw InputError(where, "'" + variant->name + "' changes the light twice", "keep one");
-  variant->light = word;
+  if (is_detector(word, known))
+    set_once(&variant->detector, word, where, "'" + variant->name + "' names a detector");
+  else if (holds(known.lights, word))
+    set_once(&variant->light, word, where, "'" + variant->name + "' changes the light");
+  else
+    unknown_word(word, where, known);
 }
 
-std::vector<BenchVariant> parse_variants(const std::string& text, const std::string& where, const std::vector<std::string>& lights) {
+std::vector<BenchVariant> parse_variants(const std::string& text, const std::string& where, const KnownWords& known) {
   std::vector<BenchVariant> variants;
   std::set<std::string> names;
   for (const std::string& name : words(text, " \t,")) {
@@ -87,11 +113,19 @@ std::vector<BenchVariant> parse_variants(const std::string& text, const std::str
     BenchVariant variant;
     variant.name = name;
     if (words(name, "+").empty()) throw InputError(where, "'" + name + "' is no variant", "write for example every3+glare");
-    for (const std::string& word : words(name, "+")) add_effect(word, where, lights, &variant);
+    for (const std::string& word : words(name, "+")) add_effect(word, where, known, &variant);
     variants.push_back(variant);
   }
   if (variants.empty()) throw InputError(where, "names no variant", "write for example `variants: normal`");
   return variants;
+}
+
+// Each variant by each of the detectors.
+std::string crossed(const std::string& variants, const std::string& detectors) {
+  std::string all;
+  for (const std::string& variant : words(variants, " \t,"))
+    for (const std::string& detector : words(detectors, " \t,")) all += variant + "+" + detector + " ";
+  return all.empty() ? variants : all;
 }
 
 // Sequences have names of the user's choosing: a first look finds them, so that the strict reader knows all keys.
@@ -118,6 +152,7 @@ void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
 void visit(ParamVisitor& v, RawList* list) {
   v.text("seeds", list->seeds, {}, "");
   v.text("variants", list->variants, {}, "");
+  v.text("detectors", list->detectors, {}, "");
   const auto all = v.group("sequences");
   for (size_t i = 0; i < list->sequences.size(); ++i) {
     BenchSequence& s = list->sequences[i];
@@ -139,6 +174,13 @@ RawList read_raw(const std::string& text, const std::string& where) {
   return list;
 }
 
+void check_detectors(const RawList& raw, const KnownWords& known) {
+  for (const std::string& word : words(raw.detectors, " \t,"))
+    if (!is_detector(word, known))
+      throw InputError(raw.place("detectors"), "unknown detector '" + word + "'",
+                       "did you mean '" + nearest_name(word, known.detectors) + "'?");
+}
+
 }  // namespace
 
 int BenchList::jobs() const {
@@ -154,22 +196,11 @@ std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& wh
   return seeds;
 }
 
-std::string bench_list_text(const BenchList& list) {
-  std::string text = "seeds:";
-  for (const uint64_t seed : list.seeds) text += " " + std::to_string(seed);
-  text += "\nsequences:\n";
-  for (const BenchSequence& s : list.sequences) {
-    std::string variants;
-    for (const BenchVariant& variant : s.variants) variants += (variants.empty() ? "" : " ") + variant.name;
-    text += "  " + s.name + ":\n    source: " + yaml_scalar(s.source) + "\n    variants: " + yaml_scalar(variants) + "\n";
-    for (const auto& [key, value] : {std::pair{"frames", s.frames}, {"camera", s.camera}, {"params", s.params}})
-      if (!value.empty()) text += std::string("    ") + key + ": " + yaml_scalar(value) + "\n";
-  }
-  return text;
-}
-
-BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights) {
+BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights,
+                           const std::vector<std::string>& detectors) {
+  const KnownWords known{lights, detectors};
   RawList raw = read_raw(text, where);
+  check_detectors(raw, known);
   BenchList list;
   list.seeds = parse_seeds(raw.seeds, raw.place("seeds"));
   for (size_t i = 0; i < raw.sequences.size(); ++i) {
@@ -178,11 +209,24 @@ BenchList parse_bench_list(const std::string& text, const std::string& where, co
       throw InputError(s.where, "the sequence '" + s.name + "' has no source", "write `source: ...` indented below it");
     const std::string group = kGroup + s.name, own = raw.sequence_variants[i];
     s.where = raw.place(group + ".source");
-    s.variants = own.empty() ? parse_variants(raw.variants, raw.place("variants"), lights)
-                             : parse_variants(own, raw.place(group + ".variants"), lights);
+    const std::string place = raw.place(own.empty() ? "variants" : group + ".variants");
+    s.variants = parse_variants(crossed(own.empty() ? raw.variants : own, raw.detectors), place, known);
     list.sequences.push_back(s);
   }
   return list;
+}
+
+std::string bench_list_yaml(const BenchList& list) {
+  RawList raw;
+  raw.seeds.clear();
+  for (const uint64_t seed : list.seeds) raw.seeds += (raw.seeds.empty() ? "" : " ") + std::to_string(seed);
+  raw.sequences = list.sequences;
+  for (const BenchSequence& s : list.sequences) {
+    std::string names;
+    for (const BenchVariant& variant : s.variants) names += (names.empty() ? "" : " ") + variant.name;
+    raw.sequence_variants.push_back(names);
+  }
+  return write_params([&](ParamVisitor& v) { visit(v, &raw); });
 }
 
 }  // namespace edgevo

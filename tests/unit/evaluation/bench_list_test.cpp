@@ -26,7 +26,7 @@ std::string error_of(const std::string& text) {
 TEST(BenchList, TextIsReadBackAsTheSameList) {
   const std::string text = "seeds: 3 9\nsequences:\n  b:\n    source: scene:lakeshore:winter\n    variants: normal every3+glare\n    frames: 0:40\n"
                            "  a-b:\n    source: /folder of/it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n";
-  const BenchList list = parse(text), again = parse(bench_list_text(list));
+  const BenchList list = parse(text), again = parse(bench_list_yaml(list));
   EXPECT_EQ(again.seeds, list.seeds);
   ASSERT_EQ(again.sequences.size(), 2u);
   EXPECT_EQ(again.sequences[0].source, "scene:lakeshore:winter");
@@ -106,6 +106,47 @@ TEST(BenchList, ThoseThatShipAreRead) {
     const std::string path = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/" + name + ".yaml";
     EXPECT_EQ(parse_bench_list(read_file(path, ""), path, lights).jobs(), jobs);
   }
+}
+
+BenchList parse_with_detectors(const std::string& text) {
+  return parse_bench_list(text, "list", {"glare", "mixed", "dropped"}, {"canny", "edge_drawing"});
+}
+
+TEST(BenchList, DetectorsCrossTheVariants) {
+  const BenchList list = parse_with_detectors(
+      "seeds: 1\nvariants: normal every3\ndetectors: canny precomputed:edge_drawing\n" + std::string(kOne));
+  const std::vector<BenchVariant>& variants = list.sequences[0].variants;
+  ASSERT_EQ(variants.size(), 4u);
+  EXPECT_EQ(variants[0].name, "normal+canny");
+  EXPECT_EQ(variants[0].detector, "canny");
+  EXPECT_EQ(variants[3].name, "every3+precomputed:edge_drawing");
+  EXPECT_EQ(variants[3].detector, "precomputed:edge_drawing");
+  EXPECT_EQ(variants[3].every, 3);
+  EXPECT_EQ(parse_with_detectors(kOne).sequences[0].variants[0].detector, "");
+}
+
+TEST(BenchList, AnUnknownDetectorIsToldWithTheNearest) {
+  try {
+    parse_with_detectors("detectors: cany\n" + std::string(kOne));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("list:1: unknown detector 'cany'; did you mean 'canny'"));
+  }
+}
+
+TEST(BenchList, IsWrittenAndReadBackTheSame) {
+  const BenchList list = parse_with_detectors(
+      "seeds: 3 1..2\nvariants: normal every3+glare\ndetectors: canny\nsequences:\n  b:\n    source: \"it: is\"\n    frames: 0:40\n"
+      "  a:\n    source: folder/of it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n");
+  const std::string text = bench_list_yaml(list);
+  const BenchList again = parse_with_detectors(text);
+  EXPECT_EQ(bench_list_yaml(again), text);
+  EXPECT_EQ(again.seeds, list.seeds);
+  ASSERT_EQ(again.sequences.size(), 2u);
+  EXPECT_EQ(again.sequences[0].source, "it: is");
+  EXPECT_EQ(again.sequences[0].variants[1].name, "every3+glare+canny");
+  EXPECT_EQ(again.sequences[1].camera, "c.yaml");
+  EXPECT_EQ(again.sequences[1].variants[0].detector, "canny");
 }
 
 }  // namespace

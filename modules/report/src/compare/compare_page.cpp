@@ -14,9 +14,10 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kMostLines = 40;    // of one drawing: more cannot be told apart
-constexpr size_t kMostNamed = 8;     // lines with a colour of their own
-constexpr size_t kMostPoints = 400;  // of a line
+constexpr size_t kMostDrawings = 30;  // of the worst, where many truths are compared with
+constexpr size_t kMostLines = 40;     // of one drawing: more cannot be told apart
+constexpr size_t kMostNamed = 8;      // lines with a colour of their own
+constexpr size_t kMostPoints = 400;   // of a line
 
 using Group = std::vector<const RunFigures*>;  // runs with the same truth, the worst first
 
@@ -121,8 +122,9 @@ std::string compare_html(const std::vector<ComparedRun>& runs) {
               "A click on a heading sorts by it. Figures are those of edgevo eval; the worst is the one with "
               "the largest error relative to its path.") +
               run_table_html(figures));
-  size_t number = 0;
-  for (const Group& group : groups_of(figures)) body += overlay_section(group, ++number);
+  const std::vector<Group> groups = groups_of(figures);
+  for (size_t i = 0; i < std::min(groups.size(), kMostDrawings); ++i)
+    body += overlay_section(groups[i], i + 1);
   return page_html("edgevo compare", std::to_string(runs.size()) + (runs.size() == 1 ? " run" : " runs"),
                    body);
 }

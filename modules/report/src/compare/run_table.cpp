@@ -11,6 +11,7 @@
 namespace edgevo {
 namespace {
 
+constexpr size_t kShown = 200;  // rows; the others wait for a click
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Column {
@@ -86,10 +87,11 @@ std::string problem_row(const std::string& problem) {
          "</td>";
 }
 
-std::string row(const RunFigures& f) {
+std::string row(const RunFigures& f, bool shown) {
   const ComparedRun& run = *f.run;
-  return "<tr><td class=\"small\">" + small_path_svg(f.path, f.truth_path) + "</td><td data-value=\"" +
-         html_escaped(run.name) + "\">" + name_of(run) +
+  return std::string(shown ? "<tr>" : "<tr hidden>") + "<td class=\"small\">" +
+         small_path_svg(f.path, f.truth_path) + "</td><td data-value=\"" + html_escaped(run.name) + "\">" +
+         name_of(run) +
          (f.note.empty() ? "" : "<br><span class=\"bad\">" + html_escaped(f.note) + "</span>") + "</td>" +
          (run.problem.empty() ? figures_row(f) : problem_row(run.problem)) + "</tr>\n";
 }
@@ -97,9 +99,15 @@ std::string row(const RunFigures& f) {
 }  // namespace
 
 std::string run_table_html(const std::vector<RunFigures>& runs) {
-  std::string html = "<div class=\"table\"><table class=\"runs\">" + header() + "<tbody>\n";
-  for (const RunFigures& f : runs) html += row(f);
-  return html + "</tbody></table></div>\n<script>" + assets::kCompareJs + "</script>\n";
+  std::string html = "<div class=\"table\"><table class=\"runs\" data-shown=\"" + std::to_string(kShown) +
+                     "\">" + header() + "<tbody>\n";
+  for (size_t i = 0; i < runs.size(); ++i) html += row(runs[i], i < kShown);
+  html += "</tbody></table></div>\n";
+  if (runs.size() > kShown)
+    html +=
+        "<button type=\"button\" class=\"more\">show "
+        "more</button>\n<noscript><style>tr[hidden]{display:table-row}</style></noscript>\n";
+  return html + "<script>" + assets::kCompareJs + "</script>\n";
 }
 
 }  // namespace edgevo

@@ -4,6 +4,7 @@
 //   seeds: 1..5                     # or: 1 2 7
 //   variants: normal every3 mixed   # of every sequence that names none itself; words joined by + act
 //                                   together: every3+glare
+//   detectors: canny edge_drawing   # every variant by each of these; left out: as the parameters say
 //   sequences:
 //     street:                       # a name for tables and folders
 //       source: scene:street        # a scene of the simulator, or any SOURCE of `edgevo run`
@@ -13,7 +14,8 @@
 //       variants: normal
 //
 // A variant is made of `normal` (nothing), `everyN` (only each N-th frame), `backward` (the last frame first), `gaps` (frames missing here
-// and there, drawn by the seed) and the name of a change of light.
+// and there, drawn by the seed), the name of a change of light and that of a detector of edges: `detectors: canny edge_drawing` makes
+// `normal+canny` and `normal+edge_drawing` of `normal`. `precomputed:D` are the edges of detector D, found once for all seeds.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,6 +29,7 @@ struct BenchVariant {
   bool backward = false;  ///< the last frame first
   bool gaps = false;  ///< frames are missing here and there
   std::string light;  ///< kind of `edgevo relight`; empty: as it is
+  std::string detector;  ///< of edges; empty: as the parameters say
 };
 
 /// A sequence of the list.
@@ -46,13 +49,14 @@ struct BenchList {
 };
 
 /// Strict: unknown keys, seeds and variants, a sequence without a source, a name or seed given twice and a list without sequences are
-/// InputErrors "WHERE:LINE: ...". `lights` are the known changes of light.
-BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights);
+/// InputErrors "WHERE:LINE: ...". `lights` are the known changes of light, `detectors` those of edges.
+BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights,
+                           const std::vector<std::string>& detectors = {});
+
+/// The list as a file that parse_bench_list reads as the same list, places (`where`) aside.
+std::string bench_list_yaml(const BenchList& list);
 
 /// "1..5" or "1 2 7". Throws InputError opened by `where`.
 std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& where);
-
-/// The list as text that parse_bench_list gives back as the same list.
-std::string bench_list_text(const BenchList& list);
 
 }  // namespace edgevo

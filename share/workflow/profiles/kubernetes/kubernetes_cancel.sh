@@ -1,0 +1,3 @@
+#!/bin/sh
+# Ends Jobs.   kubernetes_cancel.sh NAME...
+kubectl delete job --ignore-not-found "$@"
