@@ -4,7 +4,7 @@
 //
 // Offset: from a found edge pixel, along its normal (dark to bright), to the true line of a depth step or
 // crease within 1.5 px; the line is known to an eighth of a pixel from labels of four times the resolution.
-// Bias is the median, sigma 1.48 times the median deviation from it. Repeated: of the edge pixels whose point
+// Bias is the mean, sigma the standard deviation. Repeated: of the edge pixels whose point
 // is visible in the next frame, the share that has an edge pixel within 1.5 px there; carried over by exact
 // depth and pose.
 #include <cmath>
@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/order_statistics.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/simulation/correspondence.h"
 #include "edgevo/simulation/relight.h"
@@ -105,10 +104,12 @@ struct Figures {
 };
 
 Figures figures_of(const Places& places) {
-  const double bias = quantile(places.offsets, 0.5);
-  std::vector<double> deviations;
-  for (const double o : places.offsets) deviations.push_back(std::abs(o - bias));
-  return {bias, 1.48 * quantile(std::move(deviations), 0.5), places.repeated / std::max(1.0, places.visible)};
+  const double count = std::max<double>(1, double(places.offsets.size()));
+  double sum = 0, squares = 0;
+  for (const double o : places.offsets) sum += o, squares += o * o;
+  const double bias = sum / count;
+  return {bias, std::sqrt(std::max(0.0, squares / count - bias * bias)),
+          places.repeated / std::max(1.0, places.visible)};
 }
 
 GrayImage in_light(const GrayImage& image, const std::string& light, int index, double seconds) {

@@ -7,4 +7,4 @@ python=/usr/bin/python3 # Debian's: python3-torch and python3-onnx belong to it
 set_file=$(mktemp)
 trap 'rm -f "$set_file"' EXIT
 "$1/edgevo_training_set" "$set_file" train "${3:-1}"
-"$python" "$(dirname "$0")/train_network.py" "$set_file" "$2" --seed "${3:-1}" --epochs "${4:-12}"
+"$python" "$(dirname "$0")/train_network.py" "$set_file" "$2" --seed "${3:-1}" --epochs "${4:-10}"
