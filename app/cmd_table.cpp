@@ -19,6 +19,7 @@
 #include "version.h"
 
 namespace edgevo::app {
+void add_table_command(CLI::App& app, Action* action);
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,7 +51,11 @@ std::string beside(const std::string& list, const std::string& file) {
 
 bool is_there(const std::string& path) {
   std::error_code ignored;
-  return fs::exists(source_place(path), ignored);
+  try {
+    return fs::exists(path, ignored) || fs::exists(source_place(path), ignored);
+  } catch (const InputError&) {  // an archive, which has no survey of that name
+    return false;
+  }
 }
 
 // The list with full paths, so that it means the same wherever it lies; sequences whose data is not there go

@@ -16,7 +16,7 @@ for name in archive/160115 archive/150715; do
   check "kind" "$(grep -c '^kind  *Symphony Lake$' stdout)" -eq 1
   check "images that decode" "$(grep -c '^check  *all 24 images decode' stdout)" -eq 1
   check "ground truth" "$(grep -c '^ground truth .*optposes.csv (poses of the boat' stdout)" -eq 1
-  check "sideways" "$(grep -c '^mount .*looks -90.0 deg to the left' stdout)" -eq 1
+  check "sideways" "$(grep -c '^mount .*looks -\(89\|90\)\.[0-9] deg to the left' stdout)" -eq 1
 done
 
 # Run and eval with the map of the survey; the rendered path is known apart from it.
