@@ -71,15 +71,23 @@ function with_links(line, out, text, target, close_at) {
   return out line
 }
 
+# A link may go over the end of a line: lines wait until its text is closed.
+function flush_waiting() {
+  if (waiting != "") print with_links(waiting)
+  waiting = ""
+}
+
 FNR == 1 {
   page = substr(FILENAME, length(root) + 2)
   folder = page
   if (!sub(/\/[^\/]*$/, "", folder)) folder = ""
   titled = in_code = 0
+  waiting = ""
 }
-/^ *```/ { in_code = !in_code }
+/^ *```/ { flush_waiting(); in_code = !in_code }
 in_code { print; next }
 /^#+ / {
+  flush_waiting()
   text = $0
   sub(/^#+ +/, "", text)
   if (titled) print with_links($0) " {#" label_of(page) "__" slug_of(text) "}"
@@ -88,4 +96,10 @@ in_code { print; next }
   titled = 1
   next
 }
-{ print with_links($0) }
+{
+  text = waiting == "" ? $0 : waiting "\n" $0
+  waiting = ""
+  if ($0 != "" && text ~ /\[[^]]*$/) waiting = text
+  else print with_links(text)
+}
+END { flush_waiting() }

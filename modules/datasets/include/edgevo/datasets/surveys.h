@@ -5,8 +5,9 @@
 
 namespace edgevo {
 
+/// A survey of an archive.
 struct Survey {
-  std::string name, folder;
+  std::string name, folder;  ///< its date, and where its list and images lie
 };
 
 /// All surveys below an archive's folder, by name; none where it is no archive. Cost: a look at each folder of the archive's trees.

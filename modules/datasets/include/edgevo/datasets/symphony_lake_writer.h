@@ -19,8 +19,9 @@
 
 namespace edgevo {
 
+/// Where a survey stands in an archive.
 struct SurveyPlace {
-  std::string archive;
+  std::string archive;  ///< folder of the archive
   std::string name;          ///< YYMMDD, perhaps with a letter behind
   bool newer_names = false;  ///< of folders and images
 
@@ -28,12 +29,14 @@ struct SurveyPlace {
   std::string map_folder() const;  ///< of optposes.csv
 };
 
+/// An image with its pose.
 struct SurveyFrame {
   int number = 0;   ///< of the image
   Timestamp time;   ///< from 1970, as the archive has it
   SE3 T_world_cam;  ///< world: x east, y north, z up, metres
 };
 
+/// Writes one survey.
 class SurveyWriter {
  public:
   /// Takes away what an earlier writer left under that name, and makes the folders. Throws InputError: a name

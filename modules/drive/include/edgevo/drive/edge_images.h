@@ -12,9 +12,10 @@
 
 namespace edgevo {
 
+/// What is written, and where.
 struct EdgeImageOptions {
   EdgeParams edges;         ///< the detector; of one that looks at the gradient alone, the edge pixels are written (0 or 255)
-  std::string folder;
+  std::string folder;  ///< where the files go
   std::string source_path;  ///< as the user named it, for edges.yaml
   int threads = 1;          ///< the bytes do not depend on it
   bool force = false;       ///< the folder may hold something else
@@ -22,11 +23,12 @@ struct EdgeImageOptions {
   std::function<bool()> stop;              ///< asked before each frame
 };
 
+/// What became of the images of the source.
 struct EdgeImageCounts {
-  int written = 0;
+  int written = 0;  ///< new files
   int kept = 0;      ///< had been there
   int left_out = 0;  ///< the source's image could not be used
-  int all() const { return written + kept + left_out; }
+  int all() const { return written + kept + left_out; }  ///< images of the source
 };
 
 /// Reads `source` to its end. Files that are there are kept, and each new one is whole or not there: an interrupted call is gone on with

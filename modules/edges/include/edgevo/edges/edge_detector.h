@@ -14,8 +14,8 @@ namespace edgevo {
 
 /// One level of a pyramid, as detectors see it.
 struct EdgeImage {
-  ImageView<uint8_t> gray;
-  const Gradient& gradient;
+  ImageView<uint8_t> gray;  ///< of this level
+  const Gradient& gradient;  ///< of `gray`
   ImageView<uint8_t> probability = {};  ///< of an edge (edge_probability.h); without data for detectors that need none
 };
 

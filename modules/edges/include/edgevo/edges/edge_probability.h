@@ -14,6 +14,7 @@
 
 namespace edgevo {
 
+/// Tells the probability of an edge. One object a thread.
 class EdgeProbability {
  public:
   virtual ~EdgeProbability() = default;

@@ -10,17 +10,18 @@ namespace edgevo {
 
 /// Failure rate of a sequence in percent, averaged over ten trials; drift in cm/m.
 struct PaperLakeCell {
-  double rate_percent, drift_cm_per_m;
+  double rate_percent, drift_cm_per_m;  ///< failure rate and mean drift
 };
 
 /// One method on the lake: spring, summer, autumn, winter; milliseconds a frame, 0 where the paper prints
 /// none.
 struct PaperLakeRow {
-  std::string method;
-  PaperLakeCell full[4], every3[4];
-  double track_ms, map_ms;
+  std::string method;  ///< as the paper names it
+  PaperLakeCell full[4];  ///< every frame
+  PaperLakeCell every3[4];  ///< every third frame
+  double track_ms, map_ms;  ///< tracking and mapping
 };
-const std::vector<PaperLakeRow>& paper_lake_rows();
+const std::vector<PaperLakeRow>& paper_lake_rows();  ///< in the order of the paper
 
 /// The columns of the table on KITTI.
 const std::vector<std::string>& paper_kitti_methods();
@@ -28,9 +29,9 @@ const std::vector<std::string>& paper_kitti_methods();
 /// ATE in metres of each method on one sequence; 0 where the paper prints none. The last row is the mean
 /// without sequence 01.
 struct PaperKittiRow {
-  std::string sequence;
-  double ate_m[5];
+  std::string sequence;  ///< as the paper names it
+  double ate_m[5];  ///< in the order of paper_kitti_methods()
 };
-const std::vector<PaperKittiRow>& paper_kitti_rows();
+const std::vector<PaperKittiRow>& paper_kitti_rows();  ///< in the order of the paper
 
 }  // namespace edgevo

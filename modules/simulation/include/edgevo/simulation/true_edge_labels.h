@@ -19,6 +19,7 @@
 
 namespace edgevo {
 
+/// What a pixel of a rendered image is.
 enum class TrueEdge : uint8_t { none = 0, texture = 85, crease = 170, depth_step = 255 };
 
 /// Slope of the clean image, gray levels per pixel, from which a change of gray is an edge of texture: the
