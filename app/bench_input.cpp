@@ -26,7 +26,9 @@ namespace fs = std::filesystem;
 constexpr std::string_view kScene = "scene:";
 
 // `path` itself if it is absolute, else below `folder`.
-std::string below(const fs::path& folder, const std::string& path) { return path.empty() ? "" : (folder / path).lexically_normal().string(); }
+std::string below(const fs::path& folder, const std::string& path) {
+  return path.empty() ? "" : (folder / path).lexically_normal().string();
+}
 
 // "lakeshore" of "lakeshore:winter".
 std::string without_season(const std::string& scene) { return scene.substr(0, scene.rfind(':')); }
@@ -60,7 +62,8 @@ std::string indented(const std::string& text) {
 
 }  // namespace
 
-BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list) : sequence_(sequence) {
+BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list)
+    : sequence_(sequence) {
   const fs::path beside = fs::path(list).parent_path();
   const std::string& where = sequence.where;
   const bool rendered = sequence.source.rfind(kScene, 0) == 0;
@@ -68,15 +71,19 @@ BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, c
   if (rendered && !is_scene_name(scene_)) scene_ = below(beside, scene_);
   at(where, [&] { source_.path = rendered ? "" : source_place(below(data, sequence.source)); });
   source_.camera_file = below(beside, sequence.camera);
-  if (rendered ? !is_scene_name(scene_) && !is_there(scene_) && !is_there(without_season(scene_)) : !is_there(source_.path))
+  if (rendered ? !is_scene_name(scene_) && !is_there(scene_) && !is_there(without_season(scene_))
+               : !is_there(source_.path))
     throw InputError(where, "there is no " + (rendered ? "scene '" + scene_ : "'" + source_.path) + "'",
-                     rendered ? "name one that ships with the program or a YAML file" : "give the folder of the data with --data DIR");
+                     rendered ? "name one that ships with the program or a YAML file"
+                              : "give the folder of the data with --data DIR");
   at(where, [&] {
     if (!sequence.frames.empty()) set_frame_range(sequence.frames, &source_);
     if (!source_.camera_file.empty()) camera_text_ = camera_yaml(read_camera_file(source_.camera_file), "");
-    if (!sequence.params.empty()) read_params_file(below(beside, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
+    if (!sequence.params.empty())
+      read_params_file(below(beside, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
   });
-  if (rendered && !camera_text_.empty()) throw InputError(where, "a scene has its own camera", "leave `camera` out");
+  if (rendered && !camera_text_.empty())
+    throw InputError(where, "a scene has its own camera", "leave `camera` out");
 }
 
 void BenchInput::check_output(const std::string& out) const {
@@ -114,11 +121,13 @@ std::unique_ptr<ImageSource> BenchInput::open_scene() {
 }
 
 // The frames of `source` (and their ground truth) the last first, or with some of them missing.
-std::unique_ptr<ImageSource> BenchInput::edited(ImageSource& source, const BenchVariant& variant, uint64_t seed) {
+std::unique_ptr<ImageSource> BenchInput::edited(ImageSource& source, const BenchVariant& variant,
+                                                uint64_t seed) {
   std::shared_ptr<const Clip> clip = read_clip(source, [](int) { return !interrupted(); });
   if (clip->frames.empty()) throw InputError(sequence_.where, "there is no frame", "choose more frames");
   if (variant.backward) {
-    if (!ground_truth_.empty()) ground_truth_ = played_backward(ground_truth_, clip->frames.front().time, clip->frames.back().time);
+    if (!ground_truth_.empty())
+      ground_truth_ = played_backward(ground_truth_, clip->frames.front().time, clip->frames.back().time);
     clip = played_backward(*clip);
   }
   if (variant.gaps) clip = with_gaps(*clip, seed);
@@ -160,7 +169,8 @@ const std::string& BenchInput::description() const {
   const std::string camera = camera_text_.empty() ? "" : "camera: |\n" + indented(camera_text_);
   description_ = "sequence: " + yaml_scalar(sequence_.name) +
                  "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScene) + scene_) +
-                 "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" + write_params(visit, 2);
+                 "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" +
+                 write_params(visit, 2);
   return description_;
 }
 

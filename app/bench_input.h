@@ -12,18 +12,22 @@
 
 namespace edgevo::app {
 
-/// `data` is the folder that relative sources refer to, `list` the file that camera and parameter files stand beside.
+/// `data` is the folder that relative sources refer to, `list` the file that camera and parameter files stand
+/// beside.
 class BenchInput {
  public:
-  /// Reads parameters and camera file and looks whether the source is there, not more. Throws InputError that opens with the list's line.
+  /// Reads parameters and camera file and looks whether the source is there, not more. Throws InputError that
+  /// opens with the list's line.
   BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list);
 
-  /// The sequence under a variant; light changes and gaps follow `seed`. A scene is rendered once, and kept while this lives. Throws InputError.
+  /// The sequence under a variant; light changes and gaps follow `seed`. A scene is rendered once, and kept
+  /// while this lives. Throws InputError.
   std::unique_ptr<ImageSource> open(const BenchVariant& variant, uint64_t seed);
   /// Text of a TUM file; empty if there is none. After open().
   const std::string& ground_truth() const { return ground_truth_; }
 
-  /// With the variant's detector. `edges`: the folder of those that were computed before; empty where there are none.
+  /// With the variant's detector. `edges`: the folder of those that were computed before; empty where there
+  /// are none.
   RunParams params(const BenchVariant& variant, const std::string& edges) const;
   const BenchSequence& sequence() const { return sequence_; }
   /// All that a job's result depends on but its variant and seed, as YAML.

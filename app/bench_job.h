@@ -4,8 +4,9 @@
 //   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, frames.csv   as `edgevo run` writes them
 //                              result.yaml                      the figures (evaluation/trial.h)
 //                              ../groundtruth_tum.txt           where there is one, for `edgevo compare`
-//                              job.yaml                         what was run, by which version; written last: the job has ended
-//                              failure.txt                      instead of it: a line that says why it could not end
+//                              job.yaml                         what was run, by which version; written last:
+//                                                               the job has ended
+//                              failure.txt                      instead of it: why it could not end
 //
 // A job whose job.yaml tells the same as it would write now is not run again.
 #include <optional>
@@ -27,17 +28,19 @@ struct BenchJob {
 };
 
 /// `out` is OUT, `version` what tells one build of the program from another.
-BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out, const std::string& version);
+BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out,
+                  const std::string& version);
 
-/// The result of a job that has ended before; nullopt if it has not, or was another one. Throws InputError for a result that was changed by
-/// other hands.
+/// The result of a job that has ended before; nullopt if it has not, or was another one. Throws InputError
+/// for a result that was changed by other hands.
 std::optional<Trial> finished_trial(const BenchJob& job);
 
 /// Why it could not end when it was tried last; empty: it has not been tried, or has ended.
 std::string failure_of(const BenchJob& job);
 
-/// Runs the job and writes its folder; nullopt when a signal has ended it. Waits for another process that is at it, whose result it then
-/// takes. Throws InputError: a broken source, no room; failure.txt then says it, too.
+/// Runs the job and writes its folder; nullopt when a signal has ended it. Waits for another process that is
+/// at it, whose result it then takes. Throws InputError: a broken source, no room; failure.txt then says it,
+/// too.
 std::optional<Trial> run_job(const BenchJob& job, BenchInput& input);
 
 }  // namespace edgevo::app

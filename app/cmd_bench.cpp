@@ -61,8 +61,9 @@ std::string write_tables(const BenchList& list, const BenchOutcome& outcome, con
 int plan_only(const BenchList& list, const BenchPlace& place) {
   const BenchPlan plan(list, place);
   plan.write(list, place);
-  std::printf("%s: %d of %d jobs are open, %d for the engine\n", workflow_path(place.out, "plan.json").c_str(),
-              plan.open_trials(), list.jobs(), int(plan.jobs().size()));
+  std::printf("%s: %d of %d jobs are open, %d for the engine\n",
+              workflow_path(place.out, "plan.json").c_str(), plan.open_trials(), list.jobs(),
+              int(plan.jobs().size()));
   return 0;
 }
 
@@ -70,8 +71,8 @@ int run_all(const BenchList& list, const BenchPlace& place, const EngineOptions&
   const BenchOutcome outcome = run_bench(list, place, engine);
   if (engine.dry_run) return 0;
   const std::string table = write_tables(list, outcome, place.out);
-  std::printf("%s\n%d jobs: %d run, %d had been run before; table.md and table.csv in %s\n", table.c_str(), list.jobs(),
-              outcome.ran, outcome.taken, place.out.c_str());
+  std::printf("%s\n%d jobs: %d run, %d had been run before; table.md and table.csv in %s\n", table.c_str(),
+              list.jobs(), outcome.ran, outcome.taken, place.out.c_str());
   throw_if_incomplete(outcome, list.jobs(), place.out);
   return 0;
 }
@@ -87,10 +88,14 @@ int bench(const BenchArguments& args) {
 }
 
 void add_engine_options(CLI::App* command, BenchArguments* args) {
-  command->add_option("--cores", args->engine.cores, "jobs at a time (default 1: times in the table are then those of a job alone)")
+  command
+      ->add_option("--cores", args->engine.cores,
+                   "jobs at a time (default 1: times in the table are then those of a job alone)")
       ->check(whole_number(1, 100000));
-  command->add_option("--profile", args->engine.profile,
-                      "where jobs run: local (default), slurm, kubernetes, or a folder with Snakemake's config.yaml")
+  command
+      ->add_option(
+          "--profile", args->engine.profile,
+          "where jobs run: local (default), slurm, kubernetes, or a folder with Snakemake's config.yaml")
       ->check(path_given());
   command->add_flag("--dry-run", args->engine.dry_run, "say what would be run, and run nothing");
   command->add_flag("--plan", args->plan, "write OUT/workflow/plan.json for Snakemake, and run nothing");
@@ -111,11 +116,16 @@ void add_steps(CLI::App* command, BenchArguments* args) {
 void add_bench_command(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand("bench", "sequences x variants x seeds: runs, errors, one table");
   auto args = std::make_shared<BenchArguments>();
-  command->add_option("LIST", args->list, "YAML list of sequences, such as share/bench/rendered.yaml")->required();
-  command->add_option("-o,--out", args->out, "folder for table and jobs; jobs that ended there before are not run again")
+  command->add_option("LIST", args->list, "YAML list of sequences, such as share/bench/rendered.yaml")
+      ->required();
+  command
+      ->add_option("-o,--out", args->out,
+                   "folder for table and jobs; jobs that ended there before are not run again")
       ->required()
       ->check(path_given());
-  command->add_option("--data", args->data, "folder that the sources of LIST are in (default: the current one)")->check(path_given());
+  command
+      ->add_option("--data", args->data, "folder that the sources of LIST are in (default: the current one)")
+      ->check(path_given());
   add_engine_options(command, args.get());
   add_steps(command, args.get());
   command->callback([=] { *action = [=] { return bench(*args); }; });

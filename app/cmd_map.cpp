@@ -36,11 +36,14 @@ MapParams params_from(const MapArguments& args) {
 }
 
 void print_map(const Run& run, const MapReport& report, const std::string& out) {
-  std::printf("%s: voxels of %g, range %g, %lld occupied, %lld free, of %d points in %d keyframes; unit: %s\n", out.c_str(),
-              report.octree.resolution, report.octree.max_range, (long long)report.octree.occupied_voxels,
-              (long long)report.octree.free_voxels, report.octree.points.kept, report.octree.batches, unit_statement(run).c_str());
+  std::printf(
+      "%s: voxels of %g, range %g, %lld occupied, %lld free, of %d points in %d keyframes; unit: %s\n",
+      out.c_str(), report.octree.resolution, report.octree.max_range,
+      (long long)report.octree.occupied_voxels, (long long)report.octree.free_voxels,
+      report.octree.points.kept, report.octree.batches, unit_statement(run).c_str());
   if (!report.grid) return;
-  std::printf("grid of %d x %d cells: %s\n", report.grid->width, report.grid->height, report.grid->statement.c_str());
+  std::printf("grid of %d x %d cells: %s\n", report.grid->width, report.grid->height,
+              report.grid->statement.c_str());
 }
 
 // The maps of one run do not go into the folder of another.
@@ -77,17 +80,27 @@ int map(const MapArguments& args) {
 }  // namespace
 
 void add_map_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("map", "octree and grid of a finished run again, at another resolution");
+  CLI::App* command =
+      app.add_subcommand("map", "octree and grid of a finished run again, at another resolution");
   auto args = std::make_shared<MapArguments>();
   command->add_option("RUN", args->run, "the folder of results of a finished `edgevo run`")->required();
-  command->add_option("-o,--out", args->out, "folder for edges.bt, edges.ot, grid.yaml, grid.pgm, grid.gridmap.gz; may be RUN itself")
+  command
+      ->add_option("-o,--out", args->out,
+                   "folder for edges.bt, edges.ot, grid.yaml, grid.pgm, grid.gridmap.gz; may be RUN itself")
       ->required()
       ->check(path_given());
-  command->add_option("--resolution", args->resolution, "edge of a voxel and of a cell, unit of the run (default: as occupancy.resolution)")
+  command
+      ->add_option("--resolution", args->resolution,
+                   "edge of a voxel and of a cell, unit of the run (default: as occupancy.resolution)")
       ->check(positive_number());
-  command->add_option("--max-range", args->max_range, "nothing farther from its keyframe is mapped, unit of the run")->check(positive_number());
-  command->add_option("--params", args->params_file, "YAML file of parameters; of it, occupancy and grid count");
-  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")->take_all();
+  command
+      ->add_option("--max-range", args->max_range,
+                   "nothing farther from its keyframe is mapped, unit of the run")
+      ->check(positive_number());
+  command->add_option("--params", args->params_file,
+                      "YAML file of parameters; of it, occupancy and grid count");
+  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
+      ->take_all();
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return map(*args); }; });
 }

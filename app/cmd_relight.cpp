@@ -20,7 +20,8 @@ struct RelightOptions {
   bool force = false;
 };
 
-int write_folder(RelitSource& source, const RelightOptions& options, const std::string& truth, Progress& progress) {
+int write_folder(RelitSource& source, const RelightOptions& options, const std::string& truth,
+                 Progress& progress) {
   clear_sequence(options.out);
   FolderWriter writer(options.out, source.camera());
   int count = 0;
@@ -28,9 +29,12 @@ int write_folder(RelitSource& source, const RelightOptions& options, const std::
     writer.add(*frame);
     progress.update(++count);
   }
-  writer.finish(truth, "# Relit sequence\n\nThe images of another sequence under changed light (`edgevo relight --kind " + options.kind +
-                           " --seed " + std::to_string(options.seed) +
-                           "`); names, times, calibration and ground truth are the source's. Its licence holds for these images, too.\n");
+  writer.finish(
+      truth,
+      "# Relit sequence\n\nThe images of another sequence under changed light (`edgevo relight --kind " +
+          options.kind + " --seed " + std::to_string(options.seed) +
+          "`); names, times, calibration and ground truth are the source's. Its licence holds for these "
+          "images, too.\n");
   return count;
 }
 
@@ -54,12 +58,15 @@ int relight(const RelightOptions& options) {
 }  // namespace
 
 void add_relight_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("relight", "play a source under changed light into a folder or a rawlog");
+  CLI::App* command =
+      app.add_subcommand("relight", "play a source under changed light into a folder or a rawlog");
   auto options = std::make_shared<RelightOptions>();
   add_source_options(*command, &options->source);
   std::string kinds;
   for (const std::string& kind : relight_kinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
-  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")->required()->check(path_given());
+  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")
+      ->required()
+      ->check(path_given());
   command->add_option("--kind", options->kind, "one of " + kinds)->capture_default_str();
   command->add_option("--seed", options->seed, "how the light changes follows from it")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))

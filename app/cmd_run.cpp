@@ -86,7 +86,7 @@ std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& 
 }
 
 Drive drive_from(const RunArguments& args, ImageSource& source, const OdometryParams& params,
-                     RunScaling& scaling, RunOutputs& outputs) {
+                 RunScaling& scaling, RunOutputs& outputs) {
   DriveOptions options;
   options.odometry.seed = args.seed;
   options.odometry.realtime = args.realtime;
@@ -180,15 +180,19 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
       ->take_all();
   command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
-  command->add_option("--edge-model", args->edge_model,
-                      "for the detectors structured (a forest in OpenCV's format) and network (an .onnx with its .yaml beside it): "
-                      "another model than the one that comes with edgevo")
+  command
+      ->add_option("--edge-model", args->edge_model,
+                   "for the detectors structured (a forest in OpenCV's format) and network (an .onnx with "
+                   "its .yaml beside it): "
+                   "another model than the one that comes with edgevo")
       ->check(path_given());
-  command->add_option("--edge-folder", args->edge_folder,
-                      "for the detector precomputed: the folder that `edgevo edges` has written")
+  command
+      ->add_option("--edge-folder", args->edge_folder,
+                   "for the detector precomputed: the folder that `edgevo edges` has written")
       ->check(path_given());
-  command->add_option("--edge-map", args->edge_map,
-                      "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
+  command->add_option(
+      "--edge-map", args->edge_map,
+      "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
   command
       ->add_option("--seed", args->seed,
                    "seed of all random choices; a synchronous run with one seed is bit-identical")

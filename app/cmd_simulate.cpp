@@ -35,34 +35,41 @@ void set_range(const std::string& text, FolderExport* range) {
   const auto number = [&](const std::string& digits, int otherwise) {
     if (digits.empty()) return otherwise;
     if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > 9)
-      throw InputError("--frames " + text, "is not A:B with whole numbers", "write for example --frames 0:100");
+      throw InputError("--frames " + text, "is not A:B with whole numbers",
+                       "write for example --frames 0:100");
     return std::stoi(digits);
   };
-  if (colon == std::string::npos) throw InputError("--frames " + text, "has no colon", "write for example --frames 0:100");
+  if (colon == std::string::npos)
+    throw InputError("--frames " + text, "has no colon", "write for example --frames 0:100");
   range->begin = number(text.substr(0, colon), 0);
   range->end = number(text.substr(colon + 1), -1);
 }
 
 Scene scene_from(const SimulateOptions& options) {
-  Scene scene = load_scene(options.season.empty() ? options.scene : options.scene + ":" + options.season, options.seed);
+  Scene scene =
+      load_scene(options.season.empty() ? options.scene : options.scene + ":" + options.season, options.seed);
   scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
   scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
   return scene;
 }
 
-void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range, Progress& progress) {
+void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range,
+                  Progress& progress) {
   range.depth = options.depth;
   range.edges = options.edges;
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
   export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
 }
 
-std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer, const SimulateOptions& options,
-                            const FolderExport& range, Progress& progress) {
-  if (options.depth) throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or leave --depth out");
-  if (options.edges) throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or leave --edges out");
+std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer,
+                            const SimulateOptions& options, const FolderExport& range, Progress& progress) {
+  if (options.depth)
+    throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or leave --depth out");
+  if (options.edges)
+    throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or leave --edges out");
   RenderedSource source(renderer, range.begin, range.end);
-  const int count = write_rawlog(source, options.out, ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
+  const int count = write_rawlog(source, options.out,
+                                 ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
                                  [&](int done) { progress.update(done); });
   return describe_rawlog(options.out, count, true);
 }
@@ -75,7 +82,8 @@ void write_correspondences(const SceneRenderer& renderer, const std::string& fol
 // A survey in the archive OUT, beside those that are there.
 int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
   if (options.depth || options.correspondences)
-    throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences", "leave out --layout, or these");
+    throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences",
+                     "leave out --layout, or these");
   const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
   const SurveyPlace place{options.out, name, options.layout == kNewSurveys};
   check_folder_is_ours(place.folder(), {"SOURCE.md"}, options.force);
@@ -85,7 +93,8 @@ int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
     Progress progress("rendering", end - range.begin);
     write_survey(renderer, place, range.begin, end, [&](int done) { progress.update(done); });
   }
-  std::printf("%s: %d frames, map in %s\n", place.folder().c_str(), end - range.begin, place.map_folder().c_str());
+  std::printf("%s: %d frames, map in %s\n", place.folder().c_str(), end - range.begin,
+              place.map_folder().c_str());
   return 0;
 }
 
@@ -94,13 +103,16 @@ int simulate(const SimulateOptions& options) {
   set_range(options.frames, &range);
   if (options.layout != "edgevo") return simulate_survey(options, range);
   if (options.correspondences && names_rawlog(options.out))
-    throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
+    throw InputError(options.out, "a rawlog does not hold correspondences",
+                     "name a folder, or leave --correspondences out");
   check_sequence_output("", options.out, options.force);
   const auto renderer = std::make_shared<const SceneRenderer>(scene_from(options));
   const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
   if (!names_rawlog(options.out)) clear_sequence(options.out);
-  if (options.correspondences) write_correspondences(*renderer, options.out, range.begin, range.begin + count);
-  std::string done = options.out + ": " + std::to_string(count) + " frames with exact ground truth" + (options.depth ? " and depth" : "");
+  if (options.correspondences)
+    write_correspondences(*renderer, options.out, range.begin, range.begin + count);
+  std::string done = options.out + ": " + std::to_string(count) + " frames with exact ground truth" +
+                     (options.depth ? " and depth" : "");
   {
     Progress progress("rendering", count);
     if (names_rawlog(options.out))
@@ -115,30 +127,43 @@ int simulate(const SimulateOptions& options) {
 }  // namespace
 
 void add_simulate_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("simulate", "render a scene with exact ground truth into a folder or a rawlog");
+  CLI::App* command =
+      app.add_subcommand("simulate", "render a scene with exact ground truth into a folder or a rawlog");
   auto options = std::make_shared<SimulateOptions>();
   std::string known;
   for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
   command->add_option("SCENE", options->scene, "a YAML file, or one of: " + known)->required();
-  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")->required()->check(path_given());
-  command->add_option("--seed", options->seed, "another world and motion of the same kind (default: the scene's own)")
+  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")
+      ->required()
+      ->check(path_given());
+  command
+      ->add_option("--seed", options->seed,
+                   "another world and motion of the same kind (default: the scene's own)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
-  command->add_option("--season", options->season, "spring, summer, autumn or winter: leaves and light, for lakeshore (also SCENE:SEASON)");
+  command->add_option(
+      "--season", options->season,
+      "spring, summer, autumn or winter: leaves and light, for lakeshore (also SCENE:SEASON)");
   command
       ->add_option("--layout", options->layout,
-                   "of the folder: edgevo, or a survey in the archive OUT as symphony_lake or, with the newer names, symphony_lake_new")
+                   "of the folder: edgevo, or a survey in the archive OUT as symphony_lake or, with the "
+                   "newer names, symphony_lake_new")
       ->check(CLI::IsMember({"edgevo", kSurveys, kNewSurveys}));
-  command->add_option("--survey", options->survey, "name of that survey, YYMMDD (default: a day of the season)");
-  command->add_option("--rolling-shutter", options->rolling_shutter_s,
-                      "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
+  command->add_option("--survey", options->survey,
+                      "name of that survey, YYMMDD (default: a day of the season)");
+  command
+      ->add_option("--rolling-shutter", options->rolling_shutter_s,
+                   "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
       ->check(number_from_zero());
-  command->add_option("--exposure", options->exposure_s,
-                      "seconds for which the shutter is open: blur along the true motion (default: the scene's own, mostly 0)")
+  command
+      ->add_option("--exposure", options->exposure_s,
+                   "seconds for which the shutter is open: blur along the true motion (default: the scene's "
+                   "own, mostly 0)")
       ->check(number_from_zero());
   command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
   command->add_flag("--edges", options->edges,
-                    "write the true edges and their kinds beside the images (edges/*.png: depth steps 255, creases 170, texture 85)");
+                    "write the true edges and their kinds beside the images (edges/*.png: depth steps 255, "
+                    "creases 170, texture 85)");
   command->add_flag("--correspondences", options->correspondences,
                     "write where each edge pixel of a frame is seen in the next one (correspondences/*.csv)");
   add_force(*command, &options->force);

@@ -33,7 +33,8 @@ int study(StudyCommand command) {
   set_frames(command.frames, &command.options);
   check_apart(command.source.path, command.out);
   check_folder_is_ours(command.out, {"study.md"}, command.force);
-  const auto frames = command.source.path.empty() ? rendered_frames(command.scene) : virtual_kitti_frames(command.source);
+  const auto frames =
+      command.source.path.empty() ? rendered_frames(command.scene) : virtual_kitti_frames(command.source);
   check_study(*frames, command.options);
   make_output_folder(command.out);
   command.options.threads = int(std::max(1u, std::thread::hardware_concurrency()));
@@ -46,20 +47,23 @@ int study(StudyCommand command) {
   if (draw_plots(command.out))
     std::printf("%s: tables, plots and study.md\n", command.out.c_str());
   else
-    std::printf("%s: tables and study.md; no plots: install gnuplot-nox and run `gnuplot plots.gnuplot` there\n",
-                command.out.c_str());
+    std::printf(
+        "%s: tables and study.md; no plots: install gnuplot-nox and run `gnuplot plots.gnuplot` there\n",
+        command.out.c_str());
   return 0;
 }
 
 }  // namespace
 
 void add_study_command(CLI::App& app, Action* action) {
-  CLI::App* command =
-      app.add_subcommand("study", "measure data association against exact depth and pose (the paper's section V-A)");
+  CLI::App* command = app.add_subcommand(
+      "study", "measure data association against exact depth and pose (the paper's section V-A)");
   auto c = std::make_shared<StudyCommand>();
   command->add_option("-o,--out", c->out, "folder to write")->required()->check(path_given());
-  command->add_option("--scene", c->scene, "rendered scene: a name that `simulate` knows, or a YAML file")->capture_default_str();
-  command->add_option("--source", c->source.path, "a Virtual KITTI sequence (1.3.1 or 2.0.3) instead of a rendered scene");
+  command->add_option("--scene", c->scene, "rendered scene: a name that `simulate` knows, or a YAML file")
+      ->capture_default_str();
+  command->add_option("--source", c->source.path,
+                      "a Virtual KITTI sequence (1.3.1 or 2.0.3) instead of a rendered scene");
   command->add_option("--sensor", c->source.sensor_label, "its camera, Camera_0 or Camera_1 (2.0.3)");
   command->add_option("--frames", c->frames, "A:B uses frames A to B-1");
   command->add_option("--pairs", c->options.pairs, "host frames, spread evenly")
@@ -71,13 +75,16 @@ void add_study_command(CLI::App& app, Action* action) {
   command->add_option("--noise", c->options.noise, "standard deviation of the inverse depth, relative")
       ->check(number_between(0, 0.5))
       ->capture_default_str();
-  command->add_option("--distance", c->options.distance, "frames between host and target for search length and patch size")
+  command
+      ->add_option("--distance", c->options.distance,
+                   "frames between host and target for search length and patch size")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   command->add_option("--max-distance", c->options.max_distance, "largest frame distance of the third curve")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  command->add_option("--light", c->options.light, "kind of lighting change, as of `relight`")->capture_default_str();
+  command->add_option("--light", c->options.light, "kind of lighting change, as of `relight`")
+      ->capture_default_str();
   command->add_option("--seed", c->options.seed, "of points, noise and light")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))
       ->capture_default_str();

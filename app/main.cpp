@@ -20,7 +20,9 @@ int report(const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Monocular edge visual odometry: from the images of one moving camera to a trajectory and an edge map.");
+  CLI::App app(
+      "Monocular edge visual odometry: from the images of one moving camera to a trajectory and an edge "
+      "map.");
   app.name("edgevo");
   app.require_subcommand(1);
   app.set_version_flag("--version", edgevo::app::version_text());

@@ -37,7 +37,8 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
 
 std::string unexpected(const CLI::App& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('=')), where = command.get_name();
-  if (word.rfind("--", 0) != 0) return where + ": unexpected argument '" + word + "'; see edgevo " + where + " --help";
+  if (word.rfind("--", 0) != 0)
+    return where + ": unexpected argument '" + word + "'; see edgevo " + where + " --help";
   return where + ": unknown option " + name + did_you_mean(name, option_names(command));
 }
 
@@ -47,7 +48,8 @@ CLI::Validator whole_number(uint64_t least, uint64_t most) {
   const auto check = [=](std::string& text) -> std::string {
     uint64_t value = 0;
     if (parse(text, &value) && value >= least && value <= most) return "";
-    return "'" + text + "' is not a whole number from " + std::to_string(least) + " to " + std::to_string(most);
+    return "'" + text + "' is not a whole number from " + std::to_string(least) + " to " +
+           std::to_string(most);
   };
   return {check, "", "whole number"};
 }
@@ -82,7 +84,9 @@ CLI::Validator number_between(double least, double most) {
 }
 
 CLI::Validator path_given() {
-  const auto check = [](std::string& text) -> std::string { return text.empty() ? "'' names no folder" : ""; };
+  const auto check = [](std::string& text) -> std::string {
+    return text.empty() ? "'' names no folder" : "";
+  };
   return {check, "", "path"};
 }
 
@@ -94,11 +98,13 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
   const std::vector<CLI::App*> commands = app.get_subcommands();
   if (commands.empty()) {
     if (argc > 1 && argv[1][0] != '-') return unknown_command(app, argv[1]);
-    return argc == 1 ? "no sub-command given; see edgevo --help" : std::string(error.what()) + "; see edgevo --help";
+    return argc == 1 ? "no sub-command given; see edgevo --help"
+                     : std::string(error.what()) + "; see edgevo --help";
   }
   const CLI::App& command = *commands.front();
   const std::vector<std::string> rest = command.remaining();
-  if (error.get_exit_code() == int(CLI::ExitCodes::ExtrasError) && !rest.empty()) return unexpected(command, rest.front());
+  if (error.get_exit_code() == int(CLI::ExitCodes::ExtrasError) && !rest.empty())
+    return unexpected(command, rest.front());
   return command.get_name() + ": " + error.what() + "; see edgevo " + command.get_name() + " --help";
 }
 

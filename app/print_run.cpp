@@ -20,7 +20,8 @@ void print_run(const Run& run, const std::string& out) {
   std::printf(
       "%zu frames, %zu with a pose, %zu lost, %d segment(s), %zu keyframes, %zu edge points, %zu lines; "
       "scale %s\n",
-      run.frames.size(), posed, lost, segments, run.keyframes.size(), points, lines, run.scale_source.c_str());
+      run.frames.size(), posed, lost, segments, run.keyframes.size(), points, lines,
+      run.scale_source.c_str());
   if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
   for (const std::string& warning : run_warnings(run)) std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
   std::printf("results in %s (summary.yaml tells what is there)\n", out.c_str());

@@ -121,8 +121,7 @@ int servo(Options o) {
         "(report.html)\n",
         o.servo.law.c_str(), result.converged ? "converged" : "NOT converged", result.final_mm,
         result.final_deg, result.final_px, result.start_mm, result.start_deg, result.start_px,
-        result.rows.back().time_s, latency.p50, latency.p95, result.stops, result.stopped_s,
-        o.out.c_str());
+        result.rows.back().time_s, latency.p50, latency.p95, result.stops, result.stopped_s, o.out.c_str());
   return result.converged ? kDone : kNotConverged;
 }
 

@@ -11,7 +11,8 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
   command
       .add_option_function<std::string>(
           "SOURCE", [options](const std::string& path) { options->path = source_place(path); },
-          "a .rawlog, a dataset folder (edgevo, KITTI, TUM RGB-D, EuRoC, Symphony Lake), a folder of images, a "
+          "a .rawlog, a dataset folder (edgevo, KITTI, TUM RGB-D, EuRoC, Symphony Lake), a folder of images, "
+          "a "
           "video, or camera:N")
       ->required();
   CLI::Option* camera =

@@ -1,4 +1,5 @@
-// Time of tracking one frame against a cloud, at 1241x376. Counters: share of inliers, starts that were tried.
+// Time of tracking one frame against a cloud, at 1241x376. Counters: share of inliers, starts that were
+// tried.
 #include <benchmark/benchmark.h>
 
 #include "bench/bench_scene.h"

@@ -1,5 +1,5 @@
-// Time of the edge map for one keyframe, at 1241x376: the depth of its edges from eight views, and the gray levels on
-// their sides.
+// Time of the edge map for one keyframe, at 1241x376: the depth of its edges from eight views, and the gray
+// levels on their sides.
 #include <benchmark/benchmark.h>
 
 #include "bench/bench_scene.h"

@@ -1,5 +1,5 @@
-// Time of the mapping of one keyframe, at 1241x376: association alone, one frame of the depth filter, and a whole keyframe
-// through the mapper.
+// Time of the mapping of one keyframe, at 1241x376: association alone, one frame of the depth filter, and a
+// whole keyframe through the mapper.
 #include <benchmark/benchmark.h>
 
 #include "bench/bench_scene.h"
@@ -45,7 +45,8 @@ void update_depths_once(benchmark::State& state) {
     const double idepth = bench::scene().idepth(test::sweep_pose(0), px);
     return IdepthRange{params.prior_low * idepth, params.prior_high * idepth};
   };
-  host.immature = make_immature_points(host, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
+  host.immature =
+      make_immature_points(host, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
   const auto target = bench::pyramid(4);
   const SE3 T = bench::motion(0, 4);
   const std::vector<ImmaturePoint> fresh = host.immature;
@@ -59,15 +60,17 @@ void update_depths_once(benchmark::State& state) {
   state.counters["found"] = double(found) / double(fresh.size());
 }
 
-// One keyframe in three frames through the mapper: depth filter, association, activation, bundle adjustment, new points.
-// Counters: milliseconds of CPU time by stage, points and observations of the window; means over the keyframes.
+// One keyframe in three frames through the mapper: depth filter, association, activation, bundle adjustment,
+// new points. Counters: milliseconds of CPU time by stage, points and observations of the window; means over
+// the keyframes.
 void process_keyframe(benchmark::State& state) {
   constexpr int kFramesApart = 3;
   Bootstrap bootstrap(bench::pinhole(), BootstrapParams(), 1);
   Mapper mapper(bench::pinhole(), MappingParams(), AssociationParams(), false, 1);
   int frame = 0;
   for (bool ready = false; !ready; ++frame) {
-    const BootstrapStatus status = bootstrap.add(frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame));
+    const BootstrapStatus status =
+        bootstrap.add(frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame));
     ready = status.result && mapper.initialise(*status.result).empty();
   }
   SE3 T_last_ref;
@@ -78,7 +81,8 @@ void process_keyframe(benchmark::State& state) {
   };
   const auto align = [&](bool make_keyframe) {
     const auto reference = mapper.reference();
-    const TrackResult r = track(*bench::pyramid(frame), reference->cloud, motion_hypotheses(T_last_ref, SE3()), AlignmentParams());
+    const TrackResult r = track(*bench::pyramid(frame), reference->cloud,
+                                motion_hypotheses(T_last_ref, SE3()), AlignmentParams());
     TrackedFrame tracked;
     tracked.frame_index = frame;
     tracked.time = Timestamp::from_seconds(0.1 * frame);

@@ -1,4 +1,5 @@
-// Time of the edge map: rays a second into the octree, and the time of a keyframe at the end of a long run against that at its start.
+// Time of the edge map: rays a second into the octree, and the time of a keyframe at the end of a long run
+// against that at its start.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -9,12 +10,15 @@ namespace {
 
 using namespace edgevo;
 
-// A drive of half a metre a keyframe between two fronts, 8 m to each side: points on them and on the ground, 2 to 25 m away.
+// A drive of half a metre a keyframe between two fronts, 8 m to each side: points on them and on the ground,
+// 2 to 25 m away.
 Run long_drive(int keyframes, int points) {
   Run run;
   run.pinhole = {700, 700, 620, 188, 1241, 376};
   std::mt19937 random(1);
-  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
   for (int k = 0; k < keyframes; ++k) {
     KeyframeRecord keyframe;
     keyframe.frame_index = k;
@@ -22,7 +26,8 @@ Run long_drive(int keyframes, int points) {
     while (int(keyframe.points.size()) < points) {
       const int place = std::uniform_int_distribution<int>(0, 2)(random);
       const double z = uniform(3, 25);
-      const Eigen::Vector3d p = place == 0 ? Eigen::Vector3d(uniform(-8, 8), 1.65, z) : Eigen::Vector3d(place == 1 ? -8 : 8, uniform(-4, 1.6), z);
+      const Eigen::Vector3d p = place == 0 ? Eigen::Vector3d(uniform(-8, 8), 1.65, z)
+                                           : Eigen::Vector3d(place == 1 ? -8 : 8, uniform(-4, 1.6), z);
       const Eigen::Vector2d px = run.pinhole.project(p);
       if (!run.pinhole.contains(px)) continue;
       EdgePoint e;
@@ -53,8 +58,8 @@ void insert_rays(benchmark::State& state) {
 }
 BENCHMARK(insert_rays)->Arg(20)->Arg(10)->Unit(benchmark::kMillisecond);
 
-// A run of 2000 keyframes. Counters: milliseconds a keyframe over its first and its last 200 (beginning with the 200th, when the first voxels
-// are there), as the builder notes them.
+// A run of 2000 keyframes. Counters: milliseconds a keyframe over its first and its last 200 (beginning with
+// the 200th, when the first voxels are there), as the builder notes them.
 void long_run(benchmark::State& state) {
   const Run run = long_drive(2000, 300);
   double early = 0, late = 0;

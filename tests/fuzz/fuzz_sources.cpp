@@ -52,7 +52,8 @@ FuzzCounts fuzz_file(const std::string& root, const std::string& file, int round
 }
 
 // Mutates `file`, and uses the sequence in the folder `sequence` with its depth.
-FuzzCounts fuzz_virtual_kitti(const std::string& sequence, const std::string& file, int rounds, uint64_t seed) {
+FuzzCounts fuzz_virtual_kitti(const std::string& sequence, const std::string& file, int rounds,
+                              uint64_t seed) {
   SourceOptions options;
   options.path = sequence;
   const std::string valid = read_text(file);
@@ -61,7 +62,8 @@ FuzzCounts fuzz_virtual_kitti(const std::string& sequence, const std::string& fi
     use_source(options);
     const VirtualKitti v = read_virtual_kitti(options);
     EXPECT_EQ(v.T_world_cam.size(), v.images.size());
-    for (const std::string& depth : v.depths) read_virtual_kitti_depth(depth, v.camera.pinhole.width, v.camera.pinhole.height);
+    for (const std::string& depth : v.depths)
+      read_virtual_kitti_depth(depth, v.camera.pinhole.width, v.camera.pinhole.height);
   });
   write_text(file, valid);
   return counts;
@@ -71,8 +73,12 @@ TEST(FuzzSources, VirtualKitti1) {
   TempFolder folder;
   test::write_virtual_kitti_1(folder.path());
   const std::string sequence = folder.path() + "/vkitti_1.3.1_rgb/0001/15-deg-left";
-  test::expect_both(fuzz_virtual_kitti(sequence, folder.path() + "/vkitti_1.3.1_extrinsicsgt/0001_15-deg-left.txt", 500, 91));
-  EXPECT_EQ(fuzz_virtual_kitti(sequence, folder.path() + "/vkitti_1.3.1_depthgt/0001/15-deg-left/00001.png", 500, 92).accepted, 0);
+  test::expect_both(fuzz_virtual_kitti(
+      sequence, folder.path() + "/vkitti_1.3.1_extrinsicsgt/0001_15-deg-left.txt", 500, 91));
+  EXPECT_EQ(fuzz_virtual_kitti(sequence, folder.path() + "/vkitti_1.3.1_depthgt/0001/15-deg-left/00001.png",
+                               500, 92)
+                .accepted,
+            0);
 }
 
 TEST(FuzzSources, VirtualKitti2) {

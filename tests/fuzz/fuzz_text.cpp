@@ -65,12 +65,15 @@ TEST(FuzzText, Trajectory) {
 }
 
 TEST(FuzzText, BenchList) {
-  expect_both(fuzz("seeds: 1..3 7\nvariants: normal every3+glare\nsequences:\n  a:\n    source: scene:desk\n  b:\n    source: x\n    variants: glare\n",
-                   kRounds, 8, [](const std::string& text) {
-                     const BenchList list = parse_bench_list(text, "f", {"glare"});
-                     EXPECT_GT(list.jobs(), 0) << text;
-                     for (const BenchSequence& s : list.sequences) EXPECT_EQ(s.name.find_first_of("/."), std::string::npos) << text;
-                   }));
+  expect_both(
+      fuzz("seeds: 1..3 7\nvariants: normal every3+glare\nsequences:\n  a:\n    source: scene:desk\n  b:\n   "
+           " source: x\n    variants: glare\n",
+           kRounds, 8, [](const std::string& text) {
+             const BenchList list = parse_bench_list(text, "f", {"glare"});
+             EXPECT_GT(list.jobs(), 0) << text;
+             for (const BenchSequence& s : list.sequences)
+               EXPECT_EQ(s.name.find_first_of("/."), std::string::npos) << text;
+           }));
 }
 
 TEST(FuzzText, FrameRange) {

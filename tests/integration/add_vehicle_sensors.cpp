@@ -1,6 +1,7 @@
-// add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED: the rawlog with wheel odometry, GPS and robot poses beside its images, made from the
-// ground truth of the camera (TUM). Each step of the odometry has 2 % of noise, each GPS fix 0.5 m; the robot poses are exact. The vehicle's
-// origin is the camera's, whose mount is that of a camera that looks ahead.
+// add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED: the rawlog with wheel odometry, GPS and robot
+// poses beside its images, made from the ground truth of the camera (TUM). Each step of the odometry has 2 %
+// of noise, each GPS fix 0.5 m; the robot poses are exact. The vehicle's origin is the camera's, whose mount
+// is that of a camera that looks ahead.
 #include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
@@ -55,8 +56,10 @@ class VehicleSensors {
     CObservationRobotPose pose;
     pose.sensorLabel = "MOCAP";
     pose.pose.mean = to_mrpt(T_map_vehicle);
-    CObservationGPS gps = gps_fix(here + 0.5 * Eigen::Vector3d(normal_(random_), normal_(random_), normal_(random_)));
-    for (CObservation* o : {static_cast<CObservation*>(&odometry), static_cast<CObservation*>(&pose), static_cast<CObservation*>(&gps)}) {
+    CObservationGPS gps =
+        gps_fix(here + 0.5 * Eigen::Vector3d(normal_(random_), normal_(random_), normal_(random_)));
+    for (CObservation* o : {static_cast<CObservation*>(&odometry), static_cast<CObservation*>(&pose),
+                            static_cast<CObservation*>(&gps)}) {
       o->timestamp = time;
       out->write(*o);
     }

@@ -1,6 +1,6 @@
-// The whole chain against ground truth. Bounds are to be at most twice the largest figure measured (README.md):
-// another compiler or processor, which is like another seed, passes, and a fault does not. On one kind of machine a run is the
-// same bytes again.
+// The whole chain against ground truth. Bounds are to be at most twice the largest figure measured
+// (README.md): another compiler or processor, which is like another seed, passes, and a fault does not. On
+// one kind of machine a run is the same bytes again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Bounds {
-  double ate_percent;     ///< of the path, after Sim(3)
-  double scale_drift;     ///< |ln| of the local scale
+  double ate_percent;  ///< of the path, after Sim(3)
+  double scale_drift;  ///< |ln| of the local scale
 };
 
 void expect_within(const DriveFigures& figures, const Bounds& bounds) {
@@ -42,8 +42,8 @@ void expect_drive_within(const RenderedDrive& drive, const Bounds& bounds) {
                 [&](const DriveFigures& figures) { expect_within(figures, bounds); });
 }
 
-// The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h). The desk is the worst, whose first map is
-// poor: 1.18, 73 % of the frames inside; the others 0.74 to 0.99, 88 to 95 %.
+// The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h). The desk is
+// the worst, whose first map is poor: 1.18, 73 % of the frames inside; the others 0.74 to 0.99, 88 to 95 %.
 void expect_consistent(const Consistency& c) {
   EXPECT_GE(c.frames, 10);  // on a drive most frames become keyframes
   EXPECT_GT(c.mean_ratio, 0.4);
@@ -63,9 +63,11 @@ TEST(RenderedAccuracy, StreetDrive) {
   expect_accurate_and_consistent(part_of(street_drive(), 0, 80), {0.018, 0.0024});
 }
 
-// Backing away: nothing leaves the view, and what comes into it is near and new (share/lab/2026-11-23_backward_motion.md).
+// Backing away: nothing leaves the view, and what comes into it is near and new
+// (share/lab/2026-11-23_backward_motion.md).
 TEST(RenderedAccuracy, StreetDriveBackwards) {
-  expect_drive_within(backward(part_of(street_drive(), 0, 80)), {0.0085, 0.0017});  // seed 1: 0.0043 %, 0.00087
+  expect_drive_within(backward(part_of(street_drive(), 0, 80)),
+                      {0.0085, 0.0017});  // seed 1: 0.0043 %, 0.00087
 }
 
 TEST(RenderedAccuracy, HandHeldOverADesk) {
@@ -81,7 +83,8 @@ TEST(RenderedAccuracy, WalkAlongACorridor) {
   expect_accurate_and_consistent(part_of(corridor_drive(), 0, 120), {0.051, 0.0044});
 }
 
-// The vehicle stops and turns by 120 degrees, away from everything that it has seen: the heading is kept, and with it the scale.
+// The vehicle stops and turns by 120 degrees, away from everything that it has seen: the heading is kept, and
+// with it the scale.
 TEST(RenderedAccuracy, TurnOnTheSpot) {
   constexpr int kBegin = 80, kTurn = 130, kTurned = 232, kEnd = 270;
   const RenderedDrive drive = render_drive(load_scene("rotation"), kBegin, kEnd);
@@ -115,26 +118,30 @@ RenderedDrive relit(const RenderedDrive& drive, const Relight& relight) {
   return {read_clip(source, [](int) { return true; }), drive.truth};
 }
 
-// Where all edges run along the motion, glare and shadows outvote the few points that tell how far the camera has gone
-// (share/lab/2026-11-23_motion_outliers.md): without what is told there 14 to 18 % of the path, seeds 1 and 2; with it 0.24 %, seed 1.
+// Where all edges run along the motion, glare and shadows outvote the few points that tell how far the camera
+// has gone (share/lab/2026-11-23_motion_outliers.md): without what is told there 14 to 18 % of the path,
+// seeds 1 and 2; with it 0.24 %, seed 1.
 TEST(RenderedAccuracy, ACorridorInBadLight) {
-  expect_drive_within(part_of(relit(corridor_drive(), Relight("mixed", 5)), 60, 200), {0.48, 0.06});  // seed 1: 0.24 %, 0.030
+  expect_drive_within(part_of(relit(corridor_drive(), Relight("mixed", 5)), 60, 200),
+                      {0.48, 0.06});  // seed 1: 0.24 %, 0.030
 }
 
-// A recorder leaves frames out, up to six in a row, and only the times tell (frame_clock.h). Looked for one usual step further on the camera
-// is lost at the gaps: 6.9 % of the path; with the clock 0.02 %.
+// A recorder leaves frames out, up to six in a row, and only the times tell (frame_clock.h). Looked for one
+// usual step further on the camera is lost at the gaps: 6.9 % of the path; with the clock 0.02 %.
 TEST(RenderedAccuracy, AStreetWithFramesMissing) {
   // Seed 1: 0.036 %, 0.0030.
   expect_drive_within({with_gaps(*street_drive().clip, 1), street_drive().truth}, {0.071, 0.006});
 }
 
-// Black but for an ellipse over 84 % of the width and 96 % of the height: what a lens lights of a sensor, or an undistortion fills of an image.
+// Black but for an ellipse over 84 % of the width and 96 % of the height: what a lens lights of a sensor, or
+// an undistortion fills of an image.
 std::shared_ptr<const Clip> through_round_lens(Clip clip) {
   for (Frame& frame : clip.frames) {
     const double w = frame.image.width, h = frame.image.height;
     for (int y = 0; y < frame.image.height; ++y)
       for (int x = 0; x < frame.image.width; ++x)
-        if (std::hypot((x - w / 2) / (0.42 * w), (y - h / 2) / (0.48 * h)) > 1) frame.image.pixels[size_t(y) * frame.image.width + x] = 0;
+        if (std::hypot((x - w / 2) / (0.42 * w), (y - h / 2) / (0.48 * h)) > 1)
+          frame.image.pixels[size_t(y) * frame.image.width + x] = 0;
   }
   return std::make_shared<const Clip>(std::move(clip));
 }
@@ -145,8 +152,8 @@ TEST(RenderedAccuracy, AStreetThroughARoundLens) {
   expect_drive_within({through_round_lens(*street_drive().clip), street_drive().truth}, {0.031, 0.0045});
 }
 
-// Through a bend of 26 degrees between two frames. Edges alone lose it (two to three segments, ATE 5 % of the path, seeds 1 to 3); corners
-// hold it (mapping/corner_motion.h).
+// Through a bend of 26 degrees between two frames. Edges alone lose it (two to three segments, ATE 5 % of the
+// path, seeds 1 to 3); corners hold it (mapping/corner_motion.h).
 TEST(RenderedAccuracy, ABendAtGreatSpeed) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("street"));
   SourceOptions some;
@@ -188,7 +195,8 @@ class RealAccuracy : public ::testing::Test {
   static void expect_sequence(const std::string& name, int frames, int every, const Bounds& bounds) {
     const fs::path folder = fs::path(EDGEVO_DATA_DIR) / name;
     if (!fs::is_directory(folder)) {
-      GTEST_SKIP() << "NOT TESTED: there is no " << folder << "; configure with -DEDGEVO_DATA_DIR=DIR to test accuracy on "
+      GTEST_SKIP() << "NOT TESTED: there is no " << folder
+                   << "; configure with -DEDGEVO_DATA_DIR=DIR to test accuracy on "
                    << "real images";
     }
     SourceOptions options;

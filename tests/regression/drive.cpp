@@ -119,15 +119,18 @@ Trajectory trajectory_of(const Run& run) {
 Trajectory truth_of(const Scene& scene, int begin, int end) {
   Trajectory truth;
   truth.path = "scene " + scene.name;
-  for (int i = begin; i < end; ++i) truth.poses.push_back({scene.times[size_t(i)], scene.T_scene_cam[size_t(i)]});
+  for (int i = begin; i < end; ++i)
+    truth.poses.push_back({scene.times[size_t(i)], scene.T_scene_cam[size_t(i)]});
   return truth;
 }
 
 std::ostream& operator<<(std::ostream& out, const DriveFigures& f) {
-  return out << f.run.frames.size() << " frames, path " << f.path_m << " m: ATE " << f.evaluation.ate_sim3.rmse << " m ("
-             << f.ate_percent << " % of the path), local scale off by " << 100 * f.scale_drift << " %, first pose at frame "
-             << f.first_posed << ", completion " << f.completion << ", " << f.mean_cpu_ms << " CPU ms a frame; error over covariance "
-             << f.consistency.mean_ratio << ", " << 100 * f.consistency.inside << " % of " << f.consistency.frames
+  return out << f.run.frames.size() << " frames, path " << f.path_m << " m: ATE "
+             << f.evaluation.ate_sim3.rmse << " m (" << f.ate_percent
+             << " % of the path), local scale off by " << 100 * f.scale_drift << " %, first pose at frame "
+             << f.first_posed << ", completion " << f.completion << ", " << f.mean_cpu_ms
+             << " CPU ms a frame; error over covariance " << f.consistency.mean_ratio << ", "
+             << 100 * f.consistency.inside << " % of " << f.consistency.frames
              << " frames within its 95 % bounds";
 }
 

@@ -13,26 +13,28 @@
 
 namespace edgevo::testing {
 
-/// The told covariance of poses against their true error. The error is that of T_frame_reference against the keyframe a frame was tracked
-/// against: xi = log(T_est T_true^-1), [v, w], lengths brought to metres by the scale of the run. Its part along the translation,
-/// which a wrong unit of length makes, is taken out with the told covariance as metric, so that the normalised square of the rest
-/// follows chi^2 with five degrees of freedom where the covariance is right.
+/// The told covariance of poses against their true error. The error is that of T_frame_reference against the
+/// keyframe a frame was tracked against: xi = log(T_est T_true^-1), [v, w], lengths brought to metres by the
+/// scale of the run. Its part along the translation, which a wrong unit of length makes, is taken out with
+/// the told covariance as metric, so that the normalised square of the rest follows chi^2 with five degrees
+/// of freedom where the covariance is right.
 struct Consistency {
   int frames = 0;
-  double mean_ratio = 0;       ///< mean of the normalised square over five: 1 where the covariance is right
-  double inside = 0;           ///< share of the frames within the two-sided 95 % bounds of chi^2_5
+  double mean_ratio = 0;  ///< mean of the normalised square over five: 1 where the covariance is right
+  double inside = 0;      ///< share of the frames within the two-sided 95 % bounds of chi^2_5
 };
 
 struct DriveFigures {
   Run run;
   Consistency consistency;
   TrajectoryEvaluation evaluation;
-  double path_m = 0;           ///< of the ground truth over the frames with a pose
-  double ate_percent = 0;      ///< ATE after Sim(3), of the path
-  double scale_drift = 0;      ///< largest |ln(local scale / scale of the run)| over windows of a tenth of the run or more
-  int first_posed = -1;        ///< number of input frames before the first one with a pose
-  double completion = 0;       ///< share of the frames with a pose
-  double mean_cpu_ms = 0;      ///< all stages, CPU milliseconds a frame; told, not asserted
+  double path_m = 0;       ///< of the ground truth over the frames with a pose
+  double ate_percent = 0;  ///< ATE after Sim(3), of the path
+  double scale_drift =
+      0;  ///< largest |ln(local scale / scale of the run)| over windows of a tenth of the run or more
+  int first_posed = -1;    ///< number of input frames before the first one with a pose
+  double completion = 0;   ///< share of the frames with a pose
+  double mean_cpu_ms = 0;  ///< all stages, CPU milliseconds a frame; told, not asserted
 };
 
 /// Feeds the whole source, synchronously. Throws InputError as the source does.

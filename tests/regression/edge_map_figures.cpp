@@ -30,15 +30,17 @@ int figures(const std::vector<std::string>& args) {
   std::unique_ptr<ImageSource> source = std::make_unique<RenderedSource>(renderer, 0, frames);
   if (args.size() > 2 && args[2] != "-")
     source = std::make_unique<RelitSource>(std::move(source), Relight(args[2], seed));
-  const DriveFigures drive_figures = measure(drive(*source, params, seed), truth_of(renderer->scene(), 0, renderer->size()));
+  const DriveFigures drive_figures =
+      measure(drive(*source, params, seed), truth_of(renderer->scene(), 0, renderer->size()));
   const bool is_desk = args[0] == "desk";
   const TrueEdges truth(*renderer, drive_figures.run, is_desk ? 2 : 20, is_desk ? 0.005 : 0.1);
   double cpu_ms = 0;
   for (const FrameRecord& f : drive_figures.run.frames)
     for (const auto& [stage, ms] : f.stage_ms) cpu_ms += stage == "edge_map" ? ms : 0;
   std::cout << args[0] << ' ' << seed << ' ' << (args.size() > 2 ? args[2] : "-") << ": "
-            << truth.judge(drive_figures.run) << "; ATE " << drive_figures.evaluation.ate_sim3.rmse << " m, edge map "
-            << cpu_ms / double(drive_figures.run.frames.size()) << " CPU ms a frame" << std::endl;
+            << truth.judge(drive_figures.run) << "; ATE " << drive_figures.evaluation.ate_sim3.rmse
+            << " m, edge map " << cpu_ms / double(drive_figures.run.frames.size()) << " CPU ms a frame"
+            << std::endl;
   return 0;
 }
 

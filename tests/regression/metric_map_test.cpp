@@ -1,5 +1,5 @@
-// A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to what was measured
-// (share/lab/2026-11-22_metric_map.md).
+// A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to
+// what was measured (share/lab/2026-11-22_metric_map.md).
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
@@ -51,14 +51,16 @@ TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
   const RunScale scale = estimate_run_scale(run, requested, {}, ScaleParams());
   ASSERT_EQ(scale.problem, "");
   make_metric(scale, {}, requested, &run);
-  const DriveFigures figures = measure(std::move(run), read_trajectory(options.path + "/groundtruth_tum.txt"));
+  const DriveFigures figures =
+      measure(std::move(run), read_trajectory(options.path + "/groundtruth_tum.txt"));
   const TrajectoryEvaluation& e = figures.evaluation;
   double length = 0;
   const Trajectory estimate = trajectory_of(figures.run);
   for (size_t i = 1; i < estimate.poses.size(); ++i)
-    length += (estimate.poses[i].T_world_cam.translation() - estimate.poses[i - 1].T_world_cam.translation()).norm();
-  std::cout << "[ figures  ] length over truth " << length / figures.path_m << ", ATE SE(3) " << e.ate_se3.rmse << " m, Sim(3) "
-            << e.ate_sim3.rmse << " m" << std::endl;
+    length += (estimate.poses[i].T_world_cam.translation() - estimate.poses[i - 1].T_world_cam.translation())
+                  .norm();
+  std::cout << "[ figures  ] length over truth " << length / figures.path_m << ", ATE SE(3) "
+            << e.ate_se3.rmse << " m, Sim(3) " << e.ate_sim3.rmse << " m" << std::endl;
   EXPECT_NEAR(length / figures.path_m, 1, 0.03);
   EXPECT_LE(e.ate_se3.rmse, 1.5 * e.ate_sim3.rmse + 1);
 }

@@ -128,8 +128,9 @@ TEST_F(Planning, OmplAndFclThroughTheOctree) {
   const BallInOctree map(folder / "edges.bt");
   const auto start = free_place_near(map, camera(kStart)), goal = free_place_near(map, camera(kGoal));
   ASSERT_TRUE(start && goal) << "no free place where the camera was";
-  // A wall without texture has no edge in the map, and a sampled way may touch it: of one map's ways two or three of nine do, of which
-  // seeds depends on every voxel. Hence five ways, and most of them must keep clear.
+  // A wall without texture has no edge in the map, and a sampled way may touch it: of one map's ways two or
+  // three of nine do, of which seeds depends on every voxel. Hence five ways, and most of them must keep
+  // clear.
   ompl::RNG::setSeed(1);
   constexpr int kWays = 5;
   int clear = 0;
@@ -166,7 +167,8 @@ TEST_F(Planning, MrptSimplePlannerOverTheGrid) {
   planner.occupancyThreshold = 0.6f;  // unknown (0.5) is no way
   std::deque<mrpt::math::TPoint2D> path;
   bool not_found = true;
-  // Right before the first cameras some cells were crossed by no ray: the robot starts where it knows what is around it.
+  // Right before the first cameras some cells were crossed by no ray: the robot starts where it knows what is
+  // around it.
   int from = kStart;
   while (from < kGoal / 2 && !is_free_around(grid, camera(from))) ++from;
   const Eigen::Vector3d start = camera(from), goal = camera(kGoal);

@@ -22,8 +22,8 @@ Eigen::Matrix4d fit(const Points& from, const Points& to, bool with_scale) {
   return Eigen::umeyama(a, b, with_scale);
 }
 
-// Lays the path of the run onto the true one: scale, then motion. A straight way leaves the roll open; a second point a
-// metre above each camera ties it.
+// Lays the path of the run onto the true one: scale, then motion. A straight way leaves the roll open; a
+// second point a metre above each camera ties it.
 void fit_path(const Scene& scene, const Run& run, double* scale, SE3* T_scene_run) {
   Points from, to;
   for (const FrameRecord& f : run.frames) {
@@ -49,9 +49,9 @@ double share(int64_t part, int64_t all) { return double(part) / double(std::max<
 
 std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& q) {
   return out << 100 * q.completeness << " % of " << q.true_cells << " cells of true edges reconstructed, "
-             << 100 * q.accuracy << " % of " << q.length << " m of lines at true edges (points alone: "
-             << 100 * q.points_completeness << ", " << 100 * q.points_accuracy << " %; both: "
-             << 100 * q.both_completeness << " %); " << q.lines
+             << 100 * q.accuracy << " % of " << q.length
+             << " m of lines at true edges (points alone: " << 100 * q.points_completeness << ", "
+             << 100 * q.points_accuracy << " %; both: " << 100 * q.both_completeness << " %); " << q.lines
              << " lines with " << q.vertices << " vertices in " << q.keyframes << " keyframes";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The edges that the keyframes of a run saw, at their true place in a rendered scene, as the judge of its map.
+// The edges that the keyframes of a run saw, at their true place in a rendered scene, as the judge of its
+// map.
 //
 // A true edge is an edge pixel of the clean rendered image of a keyframe (whatever light the run had) at its
 // true depth: creases, outlines, borders of texture and of shadow, and whatever else looks like an edge.
@@ -19,8 +20,8 @@ struct EdgeMapQuality {
   double accuracy = 0;      ///< share of the reconstructed length that lies at a true edge
   double points_completeness = 0, points_accuracy = 0;  ///< the same of the sparse points alone
   double both_completeness = 0;
-  int64_t true_cells = 0;   ///< cubes of half the tolerance with true edges
-  double length = 0;        ///< metres of reconstructed edges within range
+  int64_t true_cells = 0;  ///< cubes of half the tolerance with true edges
+  double length = 0;       ///< metres of reconstructed edges within range
   int64_t vertices = 0, lines = 0, keyframes = 0;
 };
 std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& quality);

@@ -1,6 +1,6 @@
 #pragma once
-// The inside of a convex hollow with a solid texture, seen by a pinhole camera: exact images and exact depth without a
-// renderer, and, unlike a plane, no degenerate case for the essential matrix.
+// The inside of a convex hollow with a solid texture, seen by a pinhole camera: exact images and exact depth
+// without a renderer, and, unlike a plane, no degenerate case for the essential matrix.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -16,7 +16,8 @@ namespace edgevo::test {
 
 /// Sum of waves through space, saturating so that it gives edges and not only shading.
 class SolidTexture {
-  // A wave of period 1, a sine to 0.1 %: two parabolas, bent once more. Rendering is most of the time of many tests.
+  // A wave of period 1, a sine to 0.1 %: two parabolas, bent once more. Rendering is most of the time of many
+  // tests.
   static double wave(double turns) {
     const double x = turns - double(int64_t(turns + (turns > 0 ? 0.5 : -0.5)));  // -0.5 ... 0.5
     const double y = 8 * x - 16 * x * std::abs(x);
@@ -45,12 +46,13 @@ class SolidTexture {
   Wave waves_[12];
 };
 
-/// World: the axes of a camera that stands in the middle and looks at the far wall, 7 away; the others stand 3.5 to the
-/// left and right, 2.5 below and above, all slanted outwards.
+/// World: the axes of a camera that stands in the middle and looks at the far wall, 7 away; the others
+/// stand 3.5 to the left and right, 2.5 below and above, all slanted outwards.
 class HollowScene {
  public:
   /// `shortest` and `longest` are the wave lengths of the texture.
-  explicit HollowScene(uint64_t seed = 5, int width = 320, int height = 240, double shortest = 0.3, double longest = 1.8)
+  explicit HollowScene(uint64_t seed = 5, int width = 320, int height = 240, double shortest = 0.3,
+                       double longest = 1.8)
       : texture_(seed, shortest, longest) {
     const double f = 0.8 * width;
     camera.pinhole = {f, f, 0.5 * width - 0.5, 0.5 * height - 0.5, width, height};
@@ -92,14 +94,16 @@ class HollowScene {
     Eigen::Vector3d normal;
     double distance;
   };
-  void add_wall(const Eigen::Vector3d& normal, double distance) { walls_.push_back({normal.normalized(), distance}); }
+  void add_wall(const Eigen::Vector3d& normal, double distance) {
+    walls_.push_back({normal.normalized(), distance});
+  }
 
   std::vector<Wall> walls_;
   SolidTexture texture_;
 };
 
-/// Sideways with some forward motion and turning: T_world_cam of frame k, about 0.04 a frame; smooth, stays in the hollow
-/// for |k| < 200.
+/// Sideways with some forward motion and turning: T_world_cam of frame k, about 0.04 a frame; smooth, stays
+/// in the hollow for |k| < 200.
 inline SE3 sweep_pose(double k) {
   const double s = 0.02 * k;
   const Eigen::Vector3d position(1.9 * std::sin(s), 0.3 * std::sin(1.3 * s), 0.7 * (1 - std::cos(s)));

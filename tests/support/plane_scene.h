@@ -1,5 +1,6 @@
 #pragma once
-// A textured, slanted plane seen by a pinhole camera: exact images and exact depth for tests, without a renderer.
+// A textured, slanted plane seen by a pinhole camera: exact images and exact depth for tests, without a
+// renderer.
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/se3.h"
@@ -23,12 +24,12 @@ class PlaneScene {
   }
   GrayImage render(const SE3& T_world_cam, double gain = 1.0, double offset = 0.0) const {
     return make_image(camera.pinhole.width, camera.pinhole.height, [&](double u, double v) {
-      const Eigen::Vector3d p =
-          T_world_cam * (camera.pinhole.ray({u, v}) / idepth(T_world_cam, {u, v}));
+      const Eigen::Vector3d p = T_world_cam * (camera.pinhole.ray({u, v}) / idepth(T_world_cam, {u, v}));
       return gain * texture_.at(p.head<2>()) + offset;
     });
   }
-  std::shared_ptr<const FramePyramid> pyramid(const SE3& T_world_cam, double gain = 1.0, double offset = 0.0) const {
+  std::shared_ptr<const FramePyramid> pyramid(const SE3& T_world_cam, double gain = 1.0,
+                                              double offset = 0.0) const {
     PyramidBuilder builder(camera, EdgeParams());
     return builder.build(render(T_world_cam, gain, offset));
   }

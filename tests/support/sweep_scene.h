@@ -1,5 +1,6 @@
 #pragma once
-// What the tests of window and mapper share: keyframes and a bootstrap with exact poses and depths in the hollow scene.
+// What the tests of window and mapper share: keyframes and a bootstrap with exact poses and depths in the
+// hollow scene.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -60,7 +61,8 @@ inline Keyframe true_keyframe(int id, int frame, double depth_noise, Random* ran
   return k;
 }
 
-/// Frames first..last with true poses and depths, as a bootstrap would find them; `unit` is its arbitrary unit of length.
+/// Frames first..last with true poses and depths, as a bootstrap would find them; `unit` is its arbitrary
+/// unit of length.
 inline BootstrapResult true_bootstrap(int first, int last, double unit = 1.0) {
   BootstrapResult result;
   for (int f = first; f <= last; ++f) {
@@ -79,7 +81,8 @@ inline BootstrapResult true_bootstrap(int first, int last, double unit = 1.0) {
       BootstrapCorner c;
       c.px_first = {x, y};
       const double q = Sweep::idepth(first, c.px_first);
-      const Projection p = project(Sweep::pinhole(), T_last_first.R(), T_last_first.translation(), Sweep::pinhole().ray(c.px_first), q);
+      const Projection p = project(Sweep::pinhole(), T_last_first.R(), T_last_first.translation(),
+                                   Sweep::pinhole().ray(c.px_first), q);
       if (!p.valid || !Sweep::pinhole().contains(p.px)) continue;
       c.px_last = p.px;
       c.idepth_first = q / unit;

@@ -1,6 +1,7 @@
 #pragma once
-// A place to write to that no other test, run or user shares. Never write to a fixed name in the common temporary folder: ctest
-// runs every test as a process of its own, several at a time, and what another user left there cannot be overwritten.
+// A place to write to that no other test, run or user shares. Never write to a fixed name in the common
+// temporary folder: ctest runs every test as a process of its own, several at a time, and what another user
+// left there cannot be overwritten.
 #include <unistd.h>
 
 #include <cerrno>

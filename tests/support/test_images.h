@@ -15,13 +15,14 @@ GrayImage make_image(int width, int height, const F& f) {
   GrayImage image{width, height, std::vector<uint8_t>(size_t(width) * height)};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      image.pixels[size_t(y) * width + x] = uint8_t(std::clamp(std::lround(f(double(x), double(y))), 0l, 255l));
+      image.pixels[size_t(y) * width + x] =
+          uint8_t(std::clamp(std::lround(f(double(x), double(y))), 0l, 255l));
   return image;
 }
 
 /// A soft step (width about 2 px) through `on`, bright on the side of `normal`.
-inline GrayImage slanted_step(int width, int height, const Eigen::Vector2d& on, const Eigen::Vector2d& normal, double dark,
-                              double bright) {
+inline GrayImage slanted_step(int width, int height, const Eigen::Vector2d& on, const Eigen::Vector2d& normal,
+                              double dark, double bright) {
   return make_image(width, height, [&](double x, double y) {
     const double d = normal.dot(Eigen::Vector2d(x, y) - on);
     return dark + (bright - dark) * 0.5 * (1 + std::erf(d / 1.4));
@@ -29,7 +30,8 @@ inline GrayImage slanted_step(int width, int height, const Eigen::Vector2d& on, 
 }
 
 /// A soft bright disc.
-inline GrayImage disc_image(int width, int height, const Eigen::Vector2d& centre, double radius, double dark, double bright) {
+inline GrayImage disc_image(int width, int height, const Eigen::Vector2d& centre, double radius, double dark,
+                            double bright) {
   return make_image(width, height, [&](double x, double y) {
     const double d = radius - (Eigen::Vector2d(x, y) - centre).norm();
     return dark + (bright - dark) * 0.5 * (1 + std::erf(d / 1.4));
@@ -43,7 +45,8 @@ class Texture {
     Random random(seed);
     for (Wave& w : waves_) {
       const double length = random.uniform(shortest_px, longest_px), angle = random.uniform(0, 2 * M_PI);
-      w = {2 * M_PI / length * Eigen::Vector2d(std::cos(angle), std::sin(angle)), random.uniform(0, 2 * M_PI)};
+      w = {2 * M_PI / length * Eigen::Vector2d(std::cos(angle), std::sin(angle)),
+           random.uniform(0, 2 * M_PI)};
     }
   }
   double at(const Eigen::Vector2d& p) const {

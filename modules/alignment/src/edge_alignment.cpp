@@ -45,10 +45,11 @@ bool solve_step(const NormalEquations& eq, double lambda, Vector6d* xi) {
   return xi->allFinite();
 }
 
-// Levenberg-Marquardt around any `linearise(T) -> NormalEquations`; `pixels_per_radian` turns a step into pixels for stopping.
+// Levenberg-Marquardt around any `linearise(T) -> NormalEquations`; `pixels_per_radian` turns a step into
+// pixels for stopping.
 template <class Linearise>
-NormalEquations minimise(const Linearise& linearise, int max_iterations, double pixels_per_radian, double min_step_px,
-                         SE3* T) {
+NormalEquations minimise(const Linearise& linearise, int max_iterations, double pixels_per_radian,
+                         double min_step_px, SE3* T) {
   NormalEquations current = linearise(*T);
   double lambda = kFirstDamping;
   int iteration = 0;
@@ -78,8 +79,11 @@ NormalEquations minimise(const Linearise& linearise, int max_iterations, double 
 class EdgeCost {
  public:
   EdgeCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
-      : level_(current.levels[level]), cloud_(cloud), params_(params),
-        huber_(params.robust == "huber"), photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {
+      : level_(current.levels[level]),
+        cloud_(cloud),
+        params_(params),
+        huber_(params.robust == "huber"),
+        photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {
     matched_.reserve(cloud.points.size());
   }
 
@@ -108,8 +112,8 @@ class EdgeCost {
   }
 
  private:
-  // A point out of view speaks for a pose as little as against it: half a miss. Free, points would be pushed out of the view; at the price
-  // of a miss, a camera that drives past the last near points is held back.
+  // A point out of view speaks for a pose as little as against it: half a miss. Free, points would be pushed
+  // out of the view; at the price of a miss, a camera that drives past the last near points is held back.
   static constexpr double kOutOfView = 0.5;
 
   double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
@@ -123,8 +127,8 @@ class EdgeCost {
   void match(const CloudPoint& point, const Projection& p) const {
     const EdgeMatch match = match_edge(level_, p.px, point.normal, params_);
     if (!match.found) return;
-    matched_.append(p.Y, point.idepth, point.idepth_sigma, match.normal, match.residual_px, robust_weight(match.residual_px),
-                    robust_cost(match.residual_px));
+    matched_.append(p.Y, point.idepth, point.idepth_sigma, match.normal, match.residual_px,
+                    robust_weight(match.residual_px), robust_cost(match.residual_px));
   }
 
   // Eq. (photometricerror) with F the gradient magnitude, normalised patch by patch.
@@ -152,7 +156,9 @@ class EdgeCost {
 class CostWithPrior {
  public:
   CostWithPrior(const EdgeCost& edges, const TranslationPrior& prior, size_t points)
-      : edges_(edges), T_expected_inverse_(prior.T_expected.inverse()), points_(double(std::max<size_t>(1, points))) {
+      : edges_(edges),
+        T_expected_inverse_(prior.T_expected.inverse()),
+        points_(double(std::max<size_t>(1, points))) {
     // Residuals in pixels weigh 1 each, and points of one edge err together.
     constexpr double kVarianceOfResidual = 4;  // px^2
     weight_ = kVarianceOfResidual * prior.sigma.cwiseAbs2().cwiseInverse();
@@ -176,7 +182,8 @@ class CostWithPrior {
 
 class PatchCost {
  public:
-  PatchCost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params)
+  PatchCost(const FramePyramid& current, const ReferenceCloud& cloud, int level,
+            const AlignmentParams& params)
       : level_(current.levels[level]), cloud_(cloud), patches_(cloud.patches[level]), params_(params) {}
 
   NormalEquations operator()(const SE3& T_cur_ref) const {
@@ -191,7 +198,8 @@ class PatchCost {
       ++usable;
       const Projection p = project(level_.pinhole, R, t, cloud_.points[i].ray, cloud_.points[i].idepth);
       const PatchDifference d =
-          p.valid ? compare_patch(level_.gray.view(), patches_[i], float(p.px.x()), float(p.px.y())) : PatchDifference();
+          p.valid ? compare_patch(level_.gray.view(), patches_[i], float(p.px.x()), float(p.px.y()))
+                  : PatchDifference();
       if (!d.usable) {
         cost += miss;
         continue;
@@ -219,25 +227,31 @@ class PatchCost {
 }  // namespace
 
 void AlignmentParams::visit(ParamVisitor& v) {
-  v.integer("patch_finest_level", patch_finest_level, 1, 7, "the coarse start by patches ends on this pyramid level");
+  v.integer("patch_finest_level", patch_finest_level, 1, 7,
+            "the coarse start by patches ends on this pyramid level");
   v.integer("patch_iterations", patch_iterations, 1, 100, "at most, each level");
   v.number("patch_huber", patch_huber, 0.05, 5, "Huber width on the rms of a normalised patch difference");
   v.integer("edge_iterations", edge_iterations, 1, 100, "at most, each level");
   v.number("huber_px", huber_px, 0.1, 10, "width of the robust weight on edge residuals, pixels");
-  v.number("truncation_normal_px", truncation_normal_px, 0.5, 15, "matches beyond this along the edge normal are misses");
-  v.number("truncation_tangent_px", truncation_tangent_px, 0.5, 15, "matches beyond this along the edge are misses");
-  v.number("min_normal_cosine", min_normal_cosine, -1, 1, "orientation gate between the two edge normals, signed");
+  v.number("truncation_normal_px", truncation_normal_px, 0.5, 15,
+           "matches beyond this along the edge normal are misses");
+  v.number("truncation_tangent_px", truncation_tangent_px, 0.5, 15,
+           "matches beyond this along the edge are misses");
+  v.number("min_normal_cosine", min_normal_cosine, -1, 1,
+           "orientation gate between the two edge normals, signed");
   v.text("robust", robust, {"huber", "student_t"}, "robust weight of edge residuals");
   v.boolean("photometric", photometric, "add the image-gradient cost to the finest level (slower)");
   v.number("photometric_weight", photometric_weight, 0, 100, "its weight against edge residuals in pixels");
-  v.number("degraded_share", degraded_share, 0, 1, "share of the weighed points below which a frame is DEGRADED");
+  v.number("degraded_share", degraded_share, 0, 1,
+           "share of the weighed points below which a frame is DEGRADED");
   v.number("lost_share", lost_share, 0, 1, "share of the weighed points below which a frame is LOST");
   v.integer("min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
-  v.number("weak_sigma", weak_sigma, 1e-5, 1, "a direction with a larger standard deviation (share of depth, rad) is weak");
+  v.number("weak_sigma", weak_sigma, 1e-5, 1,
+           "a direction with a larger standard deviation (share of depth, rad) is weak");
 }
 
-EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray, double idepth,
-                           const Eigen::Vector2d& match, const Eigen::Vector2d& normal) {
+EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray,
+                           double idepth, const Eigen::Vector2d& match, const Eigen::Vector2d& normal) {
   const Projection p = project(camera, T_cur_ref.R(), T_cur_ref.translation(), ray, idepth);
   return {normal.dot(p.px - match), normal.transpose() * pose_jacobian(camera, p.Y, idepth)};
 }
@@ -254,8 +268,8 @@ double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, i
   return cost;
 }
 
-double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level, const AlignmentParams& params,
-                 const SE3& T_cur_ref) {
+double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level,
+                 const AlignmentParams& params, const SE3& T_cur_ref) {
   return EdgeCost(current, cloud, level, params)(T_cur_ref).stats.cost;
 }
 

@@ -29,9 +29,11 @@ EDGEVO_WIDE_CLONES void sum_blocks(const double* block, int count, const Constan
     Quad n[M::kNumbers];
     std::memcpy(n, block, sizeof(n));
     const Quad x = n[M::kX], y = n[M::kY], r = n[M::kResidual], a = n[M::kIdepth] * n[M::kInverseZ];
-    const Quad gx = c.fx * n[M::kNormalX], gy = c.fy * n[M::kNormalY], g = gx * x + gy * y;  // g^T J_pi Y_z = (gx, gy, -g)
+    const Quad gx = c.fx * n[M::kNormalX], gy = c.fy * n[M::kNormalY],
+               g = gx * x + gy * y;  // g^T J_pi Y_z = (gx, gy, -g)
     const Quad J[6] = {a * gx, a * gy, -(a * g), -(y * g + gy), x * g + gx, x * gy - y * gx};
-    // depth_weight of edge_match.h: 1 / (1 + s^2), s the deviation along the normal by an uncertain depth, pixels.
+    // depth_weight of edge_match.h: 1 / (1 + s^2), s the deviation along the normal by an uncertain depth,
+    // pixels.
     const Quad s = (gx * c.tx + gy * c.ty - g * c.tz) * n[M::kInverseZ] * n[M::kSigma];
     const Quad w_depth = 1.0 / (1.0 + s * s), w = w_depth * n[M::kWeight];
     int k = kH;
@@ -50,7 +52,9 @@ EDGEVO_WIDE_CLONES void sum_blocks(const double* block, int count, const Constan
 
 }  // namespace
 
-void MatchedEdges::reserve(size_t points) { memory_.resize((points + kLanes - 1) / kLanes * kLanes * kNumbers); }
+void MatchedEdges::reserve(size_t points) {
+  memory_.resize((points + kLanes - 1) / kLanes * kLanes * kNumbers);
+}
 
 void EdgeSums::add_to(Matrix6d* H_out, Vector6d* b_out) const {
   int k = 0;
@@ -62,7 +66,8 @@ void EdgeSums::add_to(Matrix6d* H_out, Vector6d* b_out) const {
   for (int i = 0; i < 6; ++i) (*b_out)[i] += b[i];
 }
 
-EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen::Vector3d& t, double miss_cost) {
+EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen::Vector3d& t,
+                   double miss_cost) {
   const Constants constants{camera.fx, camera.fy, t.x(), t.y(), t.z(), miss_cost};
   constexpr int kBlock = MatchedEdges::kNumbers * kLanes;  // numbers
   const int whole = edges.size() / kLanes, rest = edges.size() % kLanes;
@@ -70,13 +75,15 @@ EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen
   sum_blocks(edges.block(0), whole, constants, lanes.data());
   if (rest > 0) {  // with zeros for the points that are missing: they weigh nothing and cost nothing
     std::array<double, kBlock> block{};
-    for (int k = 0; k < MatchedEdges::kNumbers; ++k) std::copy_n(edges.block(whole) + k * kLanes, rest, &block[size_t(k) * kLanes]);
+    for (int k = 0; k < MatchedEdges::kNumbers; ++k)
+      std::copy_n(edges.block(whole) + k * kLanes, rest, &block[size_t(k) * kLanes]);
     sum_blocks(block.data(), 1, constants, last.data());
   }
   double sums[kSums];
   for (int k = 0; k < kSums; ++k) {
     sums[k] = 0;
-    for (int lane = 0; lane < kLanes; ++lane) sums[k] += lanes[size_t(k) * kLanes + lane] + last[size_t(k) * kLanes + lane];
+    for (int lane = 0; lane < kLanes; ++lane)
+      sums[k] += lanes[size_t(k) * kLanes + lane] + last[size_t(k) * kLanes + lane];
   }
   EdgeSums out;
   std::copy_n(sums + kH, kB - kH, out.H);

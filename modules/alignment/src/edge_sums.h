@@ -17,12 +17,14 @@ class MatchedEdges {
   void clear() { size_ = 0; }
   int size() const { return int(size_); }
 
-  /// `Y`: the point in the current camera, times its inverse depth in the reference; `normal` and `residual` in pixels of the match,
-  /// Eq. (edgeerror); `weight` and `cost`: what the robust loss makes of the residual. At most as many points as reserved.
-  void append(const Eigen::Vector3d& Y, double idepth, double idepth_sigma, const Eigen::Vector2d& normal, double residual, double weight,
-              double cost) {
+  /// `Y`: the point in the current camera, times its inverse depth in the reference; `normal` and `residual`
+  /// in pixels of the match, Eq. (edgeerror); `weight` and `cost`: what the robust loss makes of the
+  /// residual. At most as many points as reserved.
+  void append(const Eigen::Vector3d& Y, double idepth, double idepth_sigma, const Eigen::Vector2d& normal,
+              double residual, double weight, double cost) {
     const double iz = 1.0 / Y.z();
-    const double numbers[kNumbers] = {Y.x() * iz, Y.y() * iz, iz, idepth, idepth_sigma, normal.x(), normal.y(), residual, weight, cost};
+    const double numbers[kNumbers] = {Y.x() * iz, Y.y() * iz, iz,       idepth, idepth_sigma,
+                                      normal.x(), normal.y(), residual, weight, cost};
     double* to = &memory_[size_ / kLanes * (kLanes * kNumbers) + size_ % kLanes];
     for (int k = 0; k < kNumbers; ++k) to[k * kLanes] = numbers[k];
     ++size_;
@@ -45,8 +47,9 @@ struct EdgeSums {
   void add_to(Matrix6d* H_out, Vector6d* b_out) const;
 };
 
-/// J and w of Eq. (edgeerror) at translation `t` of the current camera. A point is believed as far as its depth is known: `miss_cost`
-/// bounds the cost of the rest.
-EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen::Vector3d& t, double miss_cost);
+/// J and w of Eq. (edgeerror) at translation `t` of the current camera. A point is believed as far as its
+/// depth is known: `miss_cost` bounds the cost of the rest.
+EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen::Vector3d& t,
+                   double miss_cost);
 
 }  // namespace edgevo

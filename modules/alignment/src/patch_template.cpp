@@ -18,7 +18,9 @@ template <int kSide, class T>
 bool sample(const ImageView<T>& image, float x, float y, std::array<float, kSide * kSide>* out) {
   constexpr int kRadius = kSide / 2;  // pixels
   const float xf = std::floor(x), yf = std::floor(y);
-  if (!(xf >= kRadius && yf >= kRadius && xf < float(image.width - kRadius - 1) && yf < float(image.height - kRadius - 1))) return false;
+  if (!(xf >= kRadius && yf >= kRadius && xf < float(image.width - kRadius - 1) &&
+        yf < float(image.height - kRadius - 1)))
+    return false;
   const T* corner = image.data + (int(yf) - kRadius) * image.stride + int(xf) - kRadius;
   sample_square<kSide>(corner, image.stride, x - xf, y - yf, out->data());
   return true;
@@ -43,7 +45,9 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
     const float x = positions[k].x(), y = positions[k].y();
     std::array<float, kWideSide * kWideSide> wide;
     if (!sample<kWideSide>(image, x, y, &wide)) continue;
-    const auto centre = [&wide](int i) { return &wide[(i / kPatchSide + 1) * kWideSide + i % kPatchSide + 1]; };
+    const auto centre = [&wide](int i) {
+      return &wide[(i / kPatchSide + 1) * kWideSide + i % kPatchSide + 1];
+    };
     for (int i = 0; i < kPatchPixels; ++i) p.value[i] = *centre(i);
     const float deviation = normalise(&p.value);
     if (deviation == 0) continue;
@@ -56,7 +60,8 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
     project_out_normalisation(p.value.data(), kPatchPixels, p.gx.data());
     project_out_normalisation(p.value.data(), kPatchPixels, p.gy.data());
     double xx = 0, xy = 0, yy = 0;
-    for (int i = 0; i < kPatchPixels; ++i) xx += p.gx[i] * p.gx[i], xy += p.gx[i] * p.gy[i], yy += p.gy[i] * p.gy[i];
+    for (int i = 0; i < kPatchPixels; ++i)
+      xx += p.gx[i] * p.gx[i], xy += p.gx[i] * p.gy[i], yy += p.gy[i] * p.gy[i];
     p.information << xx, xy, xy, yy;
     p.information /= kPatchPixels;
     p.usable = true;
@@ -64,8 +69,9 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
   return patches;
 }
 
-// The template has zero mean and unit deviation, its derivatives are orthogonal to a constant and to it: of the image's normalisation only
-// the division by its deviation is left in the sums, so that one pass over the pixels does.
+// The template has zero mean and unit deviation, its derivatives are orthogonal to a constant and to it: of
+// the image's normalisation only the division by its deviation is left in the sums, so that one pass over the
+// pixels does.
 template <class T>
 PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& patch, float x, float y) {
   PatchDifference d;

@@ -4,8 +4,8 @@
 
 namespace edgevo {
 
-ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid, std::vector<CloudPoint> points,
-                                    bool with_gradient_patches) {
+ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid,
+                                    std::vector<CloudPoint> points, bool with_gradient_patches) {
   ReferenceCloud cloud;
   cloud.pyramid = std::move(pyramid);
   cloud.points = std::move(points);

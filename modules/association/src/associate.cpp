@@ -35,7 +35,8 @@ Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
   const auto go = [&](int step, auto& pixel, auto& arc) {
     int n = 0;
     double length = 0;
-    for (int i = centre, j = edges.neighbour(i, step); j >= 0 && n < kMaxCandidates / 2 - 1; i = j, j = edges.neighbour(j, step)) {
+    for (int i = centre, j = edges.neighbour(i, step); j >= 0 && n < kMaxCandidates / 2 - 1;
+         i = j, j = edges.neighbour(j, step)) {
       length += (edges.pixels[j].position() - edges.pixels[i].position()).norm();
       if (length > half_length) break;
       pixel[n] = j;
@@ -44,7 +45,8 @@ Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
     return n;
   };
   const int n_before = go(-1, before, arc_before), n_after = go(+1, after, arc_after);
-  for (int k = n_before - 1; k >= 0; --k) walk.pixel[walk.count] = before[k], walk.arc[walk.count++] = -arc_before[k];
+  for (int k = n_before - 1; k >= 0; --k)
+    walk.pixel[walk.count] = before[k], walk.arc[walk.count++] = -arc_before[k];
   walk.pixel[walk.count] = centre, walk.arc[walk.count++] = 0;
   for (int k = 0; k < n_after; ++k) walk.pixel[walk.count] = after[k], walk.arc[walk.count++] = arc_after[k];
   return walk;
@@ -52,12 +54,12 @@ Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
 
 struct TemplateMatch {
   bool found = false;
-  int best = 0;                 // index into the walk
+  int best = 0;                                               // index into the walk
   double cost = kWorstPatchCost, confidence = 0, offset = 0;  // offset: sub-pixel, in candidates, [-0.5, 0.5]
 };
 
-TemplateMatch match_template(const PatchComparison& comparison, const Patch& patch, const PyramidLevel& target, const Walk& walk,
-                             double sigma_c) {
+TemplateMatch match_template(const PatchComparison& comparison, const Patch& patch,
+                             const PyramidLevel& target, const Walk& walk, double sigma_c) {
   TemplateMatch m;
   std::array<double, kMaxCandidates> cost;
   for (int k = 0; k < walk.count; ++k) {
@@ -90,7 +92,8 @@ int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen:
               const AssociationParams& params) {
   const int reach = int(kReachPerNormal * params.max_normal_px);
   const int n = target.field.nearest_such(float(p.x()), float(p.y()), reach, [&](int i) {
-    return target.edges.pixels[size_t(i)].normal().cast<double>().dot(predicted_normal) >= params.min_normal_cosine;
+    return target.edges.pixels[size_t(i)].normal().cast<double>().dot(predicted_normal) >=
+           params.min_normal_cosine;
   });
   if (n < 0) return -1;
   const EdgePixel& e = target.edges.pixels[n];
@@ -101,9 +104,10 @@ int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen:
              : -1;
 }
 
-// Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was found.
-bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int centre, const AssociationParams& params,
-                        const PatchComparison& comparison, Match* match) {
+// Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was
+// found.
+bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int centre,
+                        const AssociationParams& params, const PatchComparison& comparison, Match* match) {
   const PatchSource host = patch_source(*q.host, q.px_host, A);
   const PyramidLevel& target = q.target->finest();
   const Walk walk = walk_along_edge(target.edges, centre, match->search_px);
@@ -116,7 +120,8 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
     match->cost = m.cost;
     match->match_confidence = m.confidence;
     if (!m.found || m.cost > params.max_cost) return false;
-    if (m.confidence < params.tau_m && match->search_px > params.tau_lambda_px) continue;  // ambiguous: grow the patch
+    if (m.confidence < params.tau_m && match->search_px > params.tau_lambda_px)
+      continue;  // ambiguous: grow the patch
     match->px = position_on_edge(target.edges, walk, m);
     match->normal = target.edges.pixels[walk.pixel[m.best]].normal().cast<double>();
     return true;
@@ -124,10 +129,12 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
   return false;
 }
 
-void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, const AssociationParams& params, Match* match) {
+void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, const AssociationParams& params,
+            Match* match) {
   const PatchSource host = patch_source(*q.host, q.px_host, A);
   NormalTemplate patch;
-  if (!make_normal_template(host.level->gray.view(), host.px, host.A_target_host, match->normal, params.refine_radius, &patch)) {
+  if (!make_normal_template(host.level->gray.view(), host.px, host.A_target_host, match->normal,
+                            params.refine_radius, &patch)) {
     match->kind = MatchKind::kNone;
     return;
   }
@@ -143,8 +150,9 @@ void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, const Associati
 
 void weigh(const AssociationParams& params, Match* match) {
   match->inv_sigma_normal = 1.0 / (match->refined ? params.sigma_refined_px : params.sigma_normal_px);
-  match->inv_sigma_tangent =
-      match->kind == MatchKind::kPhotometric && params.sigma_tangent_px > 0 ? 1.0 / params.sigma_tangent_px : 0.0;
+  match->inv_sigma_tangent = match->kind == MatchKind::kPhotometric && params.sigma_tangent_px > 0
+                                 ? 1.0 / params.sigma_tangent_px
+                                 : 0.0;
 }
 
 }  // namespace
@@ -156,29 +164,41 @@ void AssociationParams::visit(ParamVisitor& v) {
   v.number("max_search_px", max_search_px, 0, 30, "cap of the half search length, pixels");
   v.boolean("photometric", photometric, "search along the edge by patches (paper); false: edge matches only");
   v.odd("patch_side", patch_side, 3, 11, "first patch size S_p, pixels");
-  v.odd("max_patch_side", max_patch_side, 3, 11, "patches grow up to tau_S, pixels; a larger first size does not grow");
+  v.odd("max_patch_side", max_patch_side, 3, 11,
+        "patches grow up to tau_S, pixels; a larger first size does not grow");
   v.number("max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
   v.number("sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
   v.number("tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");
-  v.number("tau_lambda_px", tau_lambda_px, 0, 30, "searches up to this half length skip the confidence check, pixels");
-  v.number("min_depth_confidence", min_depth_confidence, 0, 100, "ambiguous matches below it keep their depth fixed, 1/px");
-  v.number("sigma_p_floor_px", sigma_p_floor_px, 0.01, 10, "floor of the projection sigma in the depth confidence, pixels");
-  v.number("max_normal_px", max_normal_px, 0.5, 15, "an edge match lies within this of the prediction, pixels");
+  v.number("tau_lambda_px", tau_lambda_px, 0, 30,
+           "searches up to this half length skip the confidence check, pixels");
+  v.number("min_depth_confidence", min_depth_confidence, 0, 100,
+           "ambiguous matches below it keep their depth fixed, 1/px");
+  v.number("sigma_p_floor_px", sigma_p_floor_px, 0.01, 10,
+           "floor of the projection sigma in the depth confidence, pixels");
+  v.number("max_normal_px", max_normal_px, 0.5, 15,
+           "an edge match lies within this of the prediction, pixels");
   v.number("min_normal_cosine", min_normal_cosine, -1, 1, "orientation gate, signed");
   v.boolean("refine", refine, "one-dimensional refinement along the edge normal");
   v.integer("refine_radius", refine_radius, 1, 4, "its patch has 2 r + 1 pixels a side");
   v.integer("refine_iterations", refine_iterations, 1, 50, "at most");
-  v.number("refine_max_move_px", refine_max_move_px, 0.1, 10, "a refinement that moves further is rejected, pixels");
-  v.number("refine_max_zncc_loss", refine_max_zncc_loss, 0.01, 1, "1 - ZNCC above which a refinement is rejected");
-  v.number("k_m", k_m, 0.1, 10, "matches further along the edge than this share of the search length are searched again");
+  v.number("refine_max_move_px", refine_max_move_px, 0.1, 10,
+           "a refinement that moves further is rejected, pixels");
+  v.number("refine_max_zncc_loss", refine_max_zncc_loss, 0.01, 1,
+           "1 - ZNCC above which a refinement is rejected");
+  v.number("k_m", k_m, 0.1, 10,
+           "matches further along the edge than this share of the search length are searched again");
   v.number("sigma_normal_px", sigma_normal_px, 0.01, 10, "of an edge match along the normal, pixels");
   v.number("sigma_refined_px", sigma_refined_px, 0.01, 10, "of a refined match along the normal, pixels");
-  v.number("sigma_tangent_px", sigma_tangent_px, 0, 100, "of a photometric match along the edge, pixels; 0: unused");
+  v.number("sigma_tangent_px", sigma_tangent_px, 0, 100,
+           "of a photometric match along the edge, pixels; 0: unused");
 }
 
-Match associate(const AssociationQuery& q, const AssociationParams& params) { return associate(q, params, gradient_comparison()); }
+Match associate(const AssociationQuery& q, const AssociationParams& params) {
+  return associate(q, params, gradient_comparison());
+}
 
-Match associate(const AssociationQuery& q, const AssociationParams& params, const PatchComparison& comparison) {
+Match associate(const AssociationQuery& q, const AssociationParams& params,
+                const PatchComparison& comparison) {
   Match match;
   const PyramidLevel& target = q.target->finest();
   const Pinhole& camera = target.pinhole;
@@ -200,11 +220,13 @@ Match associate(const AssociationQuery& q, const AssociationParams& params, cons
   if (params.photometric && search_photometric(q, A, centre, params, comparison, &match)) {
     match.kind = MatchKind::kPhotometric;
   } else {
-    if (params.photometric && match.cost > 0 && match.cost > params.max_cost) return match;  // looks like something else
+    if (params.photometric && match.cost > 0 && match.cost > params.max_cost)
+      return match;  // looks like something else
     // The foot of the projection on the edge's tangent: an edge match says nothing along the edge.
     match.normal = edge.normal().cast<double>();
     match.px = p.px + match.normal * match.normal.dot(edge.position().cast<double>() - p.px);
-    match.kind = match.depth_confidence < params.min_depth_confidence ? MatchKind::kEdgeFixed : MatchKind::kEdge;
+    match.kind =
+        match.depth_confidence < params.min_depth_confidence ? MatchKind::kEdgeFixed : MatchKind::kEdge;
   }
   if (params.refine) refine(q, A, params, &match);
   weigh(params, &match);
@@ -215,7 +237,8 @@ bool needs_update(const Match& match, double residual_normal_px, double residual
                   const AssociationParams& params) {
   constexpr double kMaxSigmas = 3.5;  // along the normal: one in two thousand of right matches
   if (std::abs(residual_normal_px) * match.inv_sigma_normal > kMaxSigmas) return true;
-  return std::abs(residual_tangent_px) > params.k_m * std::max(match.search_px, params.min_search_px);  // Eq. (distancecheck)
+  return std::abs(residual_tangent_px) >
+         params.k_m * std::max(match.search_px, params.min_search_px);  // Eq. (distancecheck)
 }
 
 }  // namespace edgevo

@@ -18,8 +18,9 @@ struct Comparison {
   float gradient = 0;     // sum of slope * (image - template)
 };
 
-// The template has zero mean, and its slope is orthogonal to a constant and to the template itself: of the image's normalisation only
-// the division by its deviation is left in both sums, so that one pass over the pixels does.
+// The template has zero mean, and its slope is orthogonal to a constant and to the template itself: of the
+// image's normalisation only the division by its deviation is left in both sums, so that one pass over the
+// pixels does.
 bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
   const int n = image.size();
   const float* v = image.value.data();
@@ -43,8 +44,9 @@ bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
 
 }  // namespace
 
-bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
-                          const Eigen::Vector2d& normal_target, int radius, NormalTemplate* out) {
+bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host,
+                          const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_target,
+                          int radius, NormalTemplate* out) {
   // One pixel more on each side, for central differences.
   Patch wide;
   if (!sample_warped(host, px_host, A_target_host, radius + 1, &wide)) return false;
@@ -78,7 +80,8 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
     const Eigen::Vector2d px = start + move * normal;
     Patch current;
     Comparison c;
-    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || !compare(patch, current, &c)) return result;
+    if (!sample_patch(target, px.x(), px.y(), patch.value.radius, &current) || !compare(patch, current, &c))
+      return result;
     const double step = -double(c.gradient) / patch.slope_square;
     result.px = px;
     result.move_px = move;

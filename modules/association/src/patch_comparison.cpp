@@ -40,7 +40,8 @@ class IntensityComparison final : public PatchComparison {
   }
 };
 
-// A census patch holds +1 where a pixel is brighter than the centre, else -1; the centre itself is always -1 and never counts.
+// A census patch holds +1 where a pixel is brighter than the centre, else -1; the centre itself is always -1
+// and never counts.
 void turn_into_census(Patch* patch) {
   const int n = patch->size();
   const float centre = patch->value[n / 2];

@@ -4,11 +4,14 @@
 
 namespace edgevo {
 
-PatchSource patch_source(const FramePyramid& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host) {
-  constexpr double kMuchSmaller = 0.36;  // 0.6 squared: the coarser level is blurred beside an image of its size, half the area is too soon
+PatchSource patch_source(const FramePyramid& host, const Eigen::Vector2d& px_host,
+                         const Eigen::Matrix2d& A_target_host) {
+  constexpr double kMuchSmaller = 0.36;  // 0.6 squared: the coarser level is blurred beside an image of its
+                                         // size, half the area is too soon
   PatchSource source{&host.finest(), px_host, A_target_host};
   for (size_t l = 1; l < host.levels.size(); ++l) {
-    if (!(source.A_target_host.determinant() < kMuchSmaller) || host.levels[l].gradient_magnitude.empty()) break;
+    if (!(source.A_target_host.determinant() < kMuchSmaller) || host.levels[l].gradient_magnitude.empty())
+      break;
     source.level = &host.levels[l];
     source.px /= 2;  // x_l = x_0 / 2^l
     source.A_target_host *= 2;

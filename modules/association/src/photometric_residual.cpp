@@ -21,7 +21,9 @@ PhotometricResidual photometric_residual(const ImageView<float>& host, const Eig
   PhotometricResidual result;
   Patch wide, current;
   if (!sample_warped(host, px_host, A_target_host, kRadius + 1, &wide)) return result;
-  if (!sample_patch(target, px_target.x(), px_target.y(), kRadius, &current) || normalise(&current, kMinDeviation) == 0) return result;
+  if (!sample_patch(target, px_target.x(), px_target.y(), kRadius, &current) ||
+      normalise(&current, kMinDeviation) == 0)
+    return result;
   const int side = 2 * kRadius + 1, wide_side = wide.side();
   Patch value, gx, gy;
   value.radius = gx.radius = gy.radius = kRadius;

@@ -7,8 +7,8 @@
 
 namespace edgevo {
 
-DepthMotion depth_motion(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector3d& ray, double idepth,
-                         double idepth_sigma) {
+DepthMotion depth_motion(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector3d& ray,
+                         double idepth, double idepth_sigma) {
   DepthMotion motion;
   const Eigen::Matrix3d R = T_target_host.R();
   const Eigen::Vector3d t = T_target_host.translation();
@@ -41,11 +41,12 @@ double sigma_along(const Eigen::Matrix2d& covariance, const Eigen::Vector2d& dir
 double search_variance(const Eigen::Matrix2d& Sigma_p, const DepthMotion& depth, const Eigen::Vector2d& g) {
   const Eigen::Vector2d g_perp(-g.y(), g.x());
   const double sin_theta = g_perp.dot(depth.direction);
-  return g_perp.dot(Sigma_p * g_perp) + std::pow(depth.sigma_mu_px * sin_theta, 2);  // Eq. (rediusuncertainty)
+  return g_perp.dot(Sigma_p * g_perp) +
+         std::pow(depth.sigma_mu_px * sin_theta, 2);  // Eq. (rediusuncertainty)
 }
 
-double search_half_length(const Eigen::Matrix2d& Sigma_p, const DepthMotion& depth, const Eigen::Vector2d& g, double k_p,
-                          double k_mu) {
+double search_half_length(const Eigen::Matrix2d& Sigma_p, const DepthMotion& depth, const Eigen::Vector2d& g,
+                          double k_p, double k_mu) {
   const Eigen::Vector2d g_perp(-g.y(), g.x());
   return k_p * sigma_along(Sigma_p, g_perp) +
          k_mu * depth.sigma_mu_px * std::abs(g_perp.dot(depth.direction));  // Eq. (searchregion)

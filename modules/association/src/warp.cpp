@@ -11,7 +11,8 @@
 
 namespace edgevo {
 
-Eigen::Matrix2d patch_warp(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host, double idepth) {
+Eigen::Matrix2d patch_warp(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host,
+                           double idepth) {
   // d p' / d ray R d ray / d px, the inverse depth held.
   const Eigen::Matrix3d R = T_target_host.R();
   const Eigen::Vector3d Y = R * camera.ray(px_host) + idepth * T_target_host.translation();
@@ -43,13 +44,15 @@ void project_out_normalisation(const Patch& normalised, Patch* derivative) {
 
 namespace {
 
-// Where the pixels of a warped patch lie in the host: grid point, as an offset into the image, and the fraction beyond it.
+// Where the pixels of a warped patch lie in the host: grid point, as an offset into the image, and the
+// fraction beyond it.
 struct WarpedGrid {
   std::array<int32_t, kMaxPatchPixels> offset;
   std::array<float, kMaxPatchPixels> fx, fy;
 };
 
-EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B, int radius, int stride, WarpedGrid* grid) {
+EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B, int radius, int stride,
+                                   WarpedGrid* grid) {
   const float b00 = B(0, 0), b01 = B(0, 1), b10 = B(1, 0), b11 = B(1, 1);
   const int side = 2 * radius + 1;
   for (int v = 0; v < side; ++v) {
@@ -75,11 +78,13 @@ struct Corners {
 };
 
 template <class T>
-EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid, int count, float* __restrict out) {
+EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid, int count,
+                                    float* __restrict out) {
 #pragma omp simd
   for (int i = 0; i < count; ++i) {
     const float top = float(c.top_left[i]) + grid.fx[i] * (float(c.top_right[i]) - float(c.top_left[i]));
-    const float bottom = float(c.bottom_left[i]) + grid.fx[i] * (float(c.bottom_right[i]) - float(c.bottom_left[i]));
+    const float bottom =
+        float(c.bottom_left[i]) + grid.fx[i] * (float(c.bottom_right[i]) - float(c.bottom_left[i]));
     out[i] = top + grid.fy[i] * (bottom - top);
   }
 }
@@ -87,8 +92,8 @@ EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid,
 }  // namespace
 
 template <class T>
-bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host, int radius,
-                   Patch* patch) {
+bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host,
+                   const Eigen::Matrix2d& A_target_host, int radius, Patch* patch) {
   // Area in the target over that in the host: beyond these the patch is a streak, or a few pixels drawn
   // large.
   constexpr double kLeastArea = 0.05, kMostArea = 20.0;
@@ -119,25 +124,40 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host, con
 template <class T>
 bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Patch* patch) {
   const double xf = std::floor(x), yf = std::floor(y);
-  if (!(xf >= radius && yf >= radius && xf < image.width - radius - 1 && yf < image.height - radius - 1)) return false;
+  if (!(xf >= radius && yf >= radius && xf < image.width - radius - 1 && yf < image.height - radius - 1))
+    return false;
   const float fx = float(x - xf), fy = float(y - yf);
   const T* corner = image.data + (int(yf) - radius) * image.stride + int(xf) - radius;
   float* to = patch->value.data();
   patch->radius = radius;
   static_assert(kMaxPatchRadius == 5);
   switch (radius) {
-    case 0: to[0] = bilinear(image, float(x), float(y)); break;
-    case 1: sample_square<3>(corner, image.stride, fx, fy, to); break;
-    case 2: sample_square<5>(corner, image.stride, fx, fy, to); break;
-    case 3: sample_square<7>(corner, image.stride, fx, fy, to); break;
-    case 4: sample_square<9>(corner, image.stride, fx, fy, to); break;
-    default: sample_square<11>(corner, image.stride, fx, fy, to); break;
+    case 0:
+      to[0] = bilinear(image, float(x), float(y));
+      break;
+    case 1:
+      sample_square<3>(corner, image.stride, fx, fy, to);
+      break;
+    case 2:
+      sample_square<5>(corner, image.stride, fx, fy, to);
+      break;
+    case 3:
+      sample_square<7>(corner, image.stride, fx, fy, to);
+      break;
+    case 4:
+      sample_square<9>(corner, image.stride, fx, fy, to);
+      break;
+    default:
+      sample_square<11>(corner, image.stride, fx, fy, to);
+      break;
   }
   return true;
 }
 
-template bool sample_warped(const ImageView<uint8_t>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int, Patch*);
-template bool sample_warped(const ImageView<float>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int, Patch*);
+template bool sample_warped(const ImageView<uint8_t>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int,
+                            Patch*);
+template bool sample_warped(const ImageView<float>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int,
+                            Patch*);
 template bool sample_patch(const ImageView<uint8_t>&, double, double, int, Patch*);
 template bool sample_patch(const ImageView<float>&, double, double, int, Patch*);
 

@@ -56,7 +56,7 @@ struct TargetRange {
 
 struct PackedProblem {
   int pose_count = 0;
-  std::vector<int> host_begin;  ///< points of host h: [host_begin[h], host_begin[h + 1])
+  std::vector<int> host_begin;       ///< points of host h: [host_begin[h], host_begin[h + 1])
   std::vector<TargetRange> targets;  ///< per host
   std::vector<PackedPoint> points;
   std::vector<PackedObservation> observations;

@@ -38,7 +38,8 @@ cv::Mat pixels_of(const GrayImage& image) {
   return cv::Mat(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
 }
 
-// Where the gradients around a corner meet. OpenCV's own window shrinks with the markers' distance, to nothing.
+// Where the gradients around a corner meet. OpenCV's own window shrinks with the markers' distance, to
+// nothing.
 void refine(const cv::Mat& pixels, std::vector<cv::Point2f>* corners) {
   const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
   cv::cornerSubPix(pixels, *corners, {4, 4}, {-1, -1}, until);

@@ -18,7 +18,8 @@ bool is_key_character(char c) {
 
 std::string_view trimmed(std::string_view s) {
   const size_t begin = s.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos ? std::string_view() : s.substr(begin, s.find_last_not_of(kBlanks) - begin + 1);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : s.substr(begin, s.find_last_not_of(kBlanks) - begin + 1);
 }
 
 // Up to a '#' that begins the text or follows a blank.
@@ -81,10 +82,16 @@ class Value {
   char unescape(size_t i) const {
     const char c = i < rest_.size() ? rest_[i] : '\0';
     switch (c) {
-      case '\\': case '"': case '/': return c;
-      case 'n': return '\n';
-      case 't': return '\t';
-      case 'r': return '\r';
+      case '\\':
+      case '"':
+      case '/':
+        return c;
+      case 'n':
+        return '\n';
+      case 't':
+        return '\t';
+      case 'r':
+        return '\r';
     }
     fail("an escape in a double-quoted text is not one of \\\\ \\\" \\/ \\n \\t \\r", "use single quotes");
   }
@@ -138,8 +145,9 @@ class Reader {
       fail("holds a list, but every parameter is one value", "write `key: value`");
     const auto end = std::find_if_not(content.begin(), content.end(), is_key_character);
     const size_t length = size_t(end - content.begin());
-    const bool is_key = length > 0 && length < content.size() && content[length] == ':' &&
-                        (length + 1 == content.size() || kBlanks.find(content[length + 1]) != std::string_view::npos);
+    const bool is_key =
+        length > 0 && length < content.size() && content[length] == ':' &&
+        (length + 1 == content.size() || kBlanks.find(content[length + 1]) != std::string_view::npos);
     if (!is_key) fail("is not readable as `key: value`", "write a name, a colon, a blank and one value");
     enter_level(indent);
     YamlEntry entry{levels_.back().prefix + std::string(content.substr(0, length)), "", true, number_};
@@ -150,7 +158,8 @@ class Reader {
     if (levels_.empty()) levels_.push_back({indent, ""});
     if (indent > levels_.back().indent) {
       if (entries.empty() || entries.back().has_value)
-        fail("is indented more than the line above, which opens no group", "align it with the keys beside it");
+        fail("is indented more than the line above, which opens no group",
+             "align it with the keys beside it");
       levels_.push_back({indent, entries.back().key + "."});
     }
     while (levels_.size() > 1 && indent < levels_.back().indent) levels_.pop_back();
@@ -159,7 +168,8 @@ class Reader {
   }
   void add(const YamlEntry& entry) {
     const auto [first, is_new] = lines_.emplace(entry.key, number_);
-    if (!is_new) fail(entry.key + " was given in line " + std::to_string(first->second) + " already", "keep one");
+    if (!is_new)
+      fail(entry.key + " was given in line " + std::to_string(first->second) + " already", "keep one");
     entries.push_back(entry);
   }
 
@@ -186,8 +196,8 @@ bool is_plain_text(const std::string& text) {
 }
 
 std::string quoted(const std::string& text) {
-  const bool has_control = std::any_of(text.begin(), text.end(),
-                                       [](char c) { return c == '\n' || c == '\t' || c == '\r'; });
+  const bool has_control =
+      std::any_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t' || c == '\r'; });
   if (!has_control) {
     std::string out = "'";
     for (char c : text) out += c == '\'' ? "''" : std::string(1, c);
@@ -196,11 +206,21 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (char c : text) {
     switch (c) {
-      case '\n': out += "\\n"; break;
-      case '\t': out += "\\t"; break;
-      case '\r': out += "\\r"; break;
-      case '"': case '\\': out += '\\'; [[fallthrough]];
-      default: out += c;
+      case '\n':
+        out += "\\n";
+        break;
+      case '\t':
+        out += "\\t";
+        break;
+      case '\r':
+        out += "\\r";
+        break;
+      case '"':
+      case '\\':
+        out += '\\';
+        [[fallthrough]];
+      default:
+        out += c;
     }
   }
   return out + "\"";

@@ -69,8 +69,9 @@ bool Camera::undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) c
 void Camera::check(const std::string& where) const {
   const Pinhole& p = pinhole;
   if (p.width <= 0 || p.height <= 0)
-    throw InputError(where, "image size " + std::to_string(p.width) + "x" + std::to_string(p.height) +
-                                " is not positive", "give width and height in pixels");
+    throw InputError(
+        where, "image size " + std::to_string(p.width) + "x" + std::to_string(p.height) + " is not positive",
+        "give width and height in pixels");
   if (!(p.fx > 0) || !(p.fy > 0) || !std::isfinite(p.fx) || !std::isfinite(p.fy))
     throw InputError(where, "focal lengths must be positive numbers", "give fx fy in pixels");
   for (const double f : {p.fx, p.fy})
@@ -81,7 +82,8 @@ void Camera::check(const std::string& where) const {
     throw InputError(where, "the principal point lies outside the image", "give cx cy in pixels");
   const Distortion& d = distortion;
   for (double k : {d.k1, d.k2, d.p1, d.p2, d.k3})
-    if (!std::isfinite(k)) throw InputError(where, "a distortion coefficient is not a number", "give k1 k2 p1 p2 k3");
+    if (!std::isfinite(k))
+      throw InputError(where, "a distortion coefficient is not a number", "give k1 k2 p1 p2 k3");
 }
 
 UndistortionMaps make_undistortion_maps(const Camera& camera) {

@@ -36,7 +36,8 @@ std::string padded_number(int number) {
 }
 
 std::string image_name(const Frame& frame) {
-  return frame.image_path.empty() ? padded_number(frame.index) : std::filesystem::path(frame.image_path).stem().string();
+  return frame.image_path.empty() ? padded_number(frame.index)
+                                  : std::filesystem::path(frame.image_path).stem().string();
 }
 
 }  // namespace edgevo

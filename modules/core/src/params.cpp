@@ -24,7 +24,8 @@ std::string one_line(std::string text) {
 std::string format_number(double value) {
   char buffer[64];
   const auto text = [&](std::to_chars_result end) { return std::string(buffer, end.ptr); };
-  const std::string rounded = text(std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 10));
+  const std::string rounded =
+      text(std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 10));
   double back = 0;
   std::from_chars(rounded.data(), rounded.data() + rounded.size(), back);
   return back == value ? rounded : text(std::to_chars(buffer, buffer + sizeof buffer, value));
@@ -36,7 +37,9 @@ class KeyCollector : public ParamVisitor {
   void number(const char* key, double&, double, double, const char*) override { add(key); }
   void integer(const char* key, int&, int, int, const char*) override { add(key); }
   void boolean(const char* key, bool&, const char*) override { add(key); }
-  void text(const char* key, std::string&, const std::vector<std::string>&, const char*) override { add(key); }
+  void text(const char* key, std::string&, const std::vector<std::string>&, const char*) override {
+    add(key);
+  }
   void begin_group(const char* key) override {
     prefix_.push_back(prefix() + key);
     groups.insert(prefix_.back());
@@ -81,7 +84,8 @@ class Assigner : public ParamVisitor {
     if (!given) return;
     const double parsed = to_number(*given, key);
     if (parsed != std::floor(parsed)) fail(*given, key, "is not a whole number; write one without decimals");
-    if (!(parsed >= min && parsed <= max)) out_of_range(*given, key, std::to_string(min), std::to_string(max));
+    if (!(parsed >= min && parsed <= max))
+      out_of_range(*given, key, std::to_string(min), std::to_string(max));
     value = int(parsed);
   }
   void odd(const char* key, int& value, int min, int max, const char* help) override {
@@ -94,16 +98,19 @@ class Assigner : public ParamVisitor {
   void boolean(const char* key, bool& value, const char*) override {
     const Given* given = find(key);
     if (!given) return;
-    if (given->text != "true" && given->text != "false") fail(*given, key, "is neither true nor false; write one of the two");
+    if (given->text != "true" && given->text != "false")
+      fail(*given, key, "is neither true nor false; write one of the two");
     value = given->text == "true";
   }
-  void text(const char* key, std::string& value, const std::vector<std::string>& choices, const char*) override {
+  void text(const char* key, std::string& value, const std::vector<std::string>& choices,
+            const char*) override {
     const Given* given = find(key);
     if (!given) return;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), given->text) == choices.end()) {
       std::string list;
       for (const std::string& c : choices) list += (list.empty() ? "" : ", ") + c;
-      fail(*given, key, "is not one of " + list + "; did you mean " + nearest_name(given->text, choices) + "?");
+      fail(*given, key,
+           "is not one of " + list + "; did you mean " + nearest_name(given->text, choices) + "?");
     }
     value = given->text;
   }
@@ -120,7 +127,8 @@ class Assigner : public ParamVisitor {
     const char* const end = given.text.data() + given.text.size();
     double parsed = 0;
     const auto result = std::from_chars(given.text.data(), end, parsed);
-    if (result.ec != std::errc() || result.ptr != end) fail(given, key, "is not a number; write one without a unit");
+    if (result.ec != std::errc() || result.ptr != end)
+      fail(given, key, "is not a number; write one without a unit");
     return parsed;
   }
   [[noreturn]] void fail(const Given& given, const char* key, const std::string& why) const {
@@ -152,7 +160,8 @@ void check_known(const YamlEntry& entry, const std::string& where, const KeyColl
     throw InputError(where, "unknown parameter '" + one_line(entry.key) + "'",
                      "did you mean '" + suggestion(entry.key, known.keys) + "'?");
   } else if (entry.has_value) {
-    throw InputError(where, entry.key + " is a group of parameters, not a value", "give its keys, indented, below it");
+    throw InputError(where, entry.key + " is a group of parameters, not a value",
+                     "give its keys, indented, below it");
   }
 }
 
@@ -184,7 +193,8 @@ class Writer : public ParamVisitor {
   void boolean(const char* key, bool& value, const char* help) override {
     line(key, value ? "true" : "false", help, "true or false");
   }
-  void text(const char* key, std::string& value, const std::vector<std::string>& choices, const char* help) override {
+  void text(const char* key, std::string& value, const std::vector<std::string>& choices,
+            const char* help) override {
     std::string list;
     for (const std::string& c : choices) list += (list.empty() ? "" : " | ") + c;
     line(key, yaml_scalar(value), help, list);

@@ -4,10 +4,14 @@ namespace edgevo {
 
 std::string_view to_string(TrackingState state) {
   switch (state) {
-    case TrackingState::kBootstrapping: return "BOOTSTRAPPING";
-    case TrackingState::kTracking: return "TRACKING";
-    case TrackingState::kDegraded: return "DEGRADED";
-    case TrackingState::kLost: return "LOST";
+    case TrackingState::kBootstrapping:
+      return "BOOTSTRAPPING";
+    case TrackingState::kTracking:
+      return "TRACKING";
+    case TrackingState::kDegraded:
+      return "DEGRADED";
+    case TrackingState::kLost:
+      return "LOST";
   }
   return "?";
 }

@@ -74,8 +74,7 @@ void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
   lines->emplace_back("duration", fixed(seconds_between(times.front(), times.back()), 3) + " s, from " +
                                       to_string(times.front()) + " to " + to_string(times.back()));
   if (usual > 0)
-    lines->emplace_back("rate",
-                        fixed(1.0 / usual, 2) + " Hz (median step " + fixed(1e3 * usual, 2) + " ms)");
+    lines->emplace_back("rate", fixed(1.0 / usual, 2) + " Hz (median step " + fixed(1e3 * usual, 2) + " ms)");
   describe_gaps(times, usual, lines);
 }
 

@@ -28,7 +28,8 @@ std::string played_backward(const std::string& tum, Timestamp first, Timestamp l
     const size_t end = line.find(' ');
     Timestamp t;
     if (!parse_seconds(std::string_view(line).substr(0, end), &t))
-      throw InputError("ground truth", "has no time in '" + line + "'", "write lines `t tx ty tz qx qy qz qw`");
+      throw InputError("ground truth", "has no time in '" + line + "'",
+                       "write lines `t tx ty tz qx qy qz qw`");
     t.ticks = first.ticks + last.ticks - t.ticks;
     if (t.ticks >= 0) poses.push_back(to_string(t) + line.substr(std::min(end, line.size())) + '\n');
   }

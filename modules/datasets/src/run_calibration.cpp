@@ -32,7 +32,9 @@ std::string camera_groups(const std::string& text) {
 
 struct Numbers {
   double largest = std::numeric_limits<double>::max();
-  void read(ParamVisitor& v, const char* key, double& value) const { v.number(key, value, -largest, largest, ""); }
+  void read(ParamVisitor& v, const char* key, double& value) const {
+    v.number(key, value, -largest, largest, "");
+  }
 };
 
 void visit_camera(ParamVisitor& v, Camera* camera) {
@@ -42,8 +44,10 @@ void visit_camera(ParamVisitor& v, Camera* camera) {
   v.integer("width", p.width, 1, kLargestSide, "");
   v.integer("height", p.height, 1, kLargestSide, "");
   const Numbers any;
-  for (const auto& [key, value] : {std::pair("fx", &p.fx), {"fy", &p.fy}, {"cx", &p.cx}, {"cy", &p.cy}}) any.read(v, key, *value);
-  for (const auto& [key, value] : {std::pair("k1", &d.k1), {"k2", &d.k2}, {"p1", &d.p1}, {"p2", &d.p2}, {"k3", &d.k3}})
+  for (const auto& [key, value] : {std::pair("fx", &p.fx), {"fy", &p.fy}, {"cx", &p.cx}, {"cy", &p.cy}})
+    any.read(v, key, *value);
+  for (const auto& [key, value] :
+       {std::pair("k1", &d.k1), {"k2", &d.k2}, {"p1", &d.p1}, {"p2", &d.p2}, {"k3", &d.k3}})
     any.read(v, key, *value);
 }
 
@@ -95,15 +99,19 @@ FoldedCamera corrected_camera(const RunCalibration& run) {
     case State::kOff:
       throw InputError(run.path, "self-calibration was off", "run again without --set camera.refine=none");
     case State::kTooEarly:
-      throw InputError(run.path, "the run was too short to calibrate the camera", "run on a longer sequence: 60 keyframes and more");
+      throw InputError(run.path, "the run was too short to calibrate the camera",
+                       "run on a longer sequence: 60 keyframes and more");
     case State::kNotObservable:
       throw InputError(run.path, "the motion does not tell the camera's distortion",
                        "run on a sequence that moves forward over a longer way, past structure near and far");
     case State::kAtLimit:
-      throw InputError(run.path, "the distortion that was found is at its limit: the camera file is wrong in some other way",
-                       "calibrate the camera (edgevo calibrate --chessboard)");
+      throw InputError(
+          run.path,
+          "the distortion that was found is at its limit: the camera file is wrong in some other way",
+          "calibrate the camera (edgevo calibrate --chessboard)");
     case State::kInsignificant:
-    case State::kApplied: break;
+    case State::kApplied:
+      break;
   }
   Camera camera = run.camera;
   camera.residual_k1 = run.refinement.k1;

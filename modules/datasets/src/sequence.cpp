@@ -118,7 +118,8 @@ Camera choose_camera(const SourceOptions& options, const std::string& own) {
   if (!options.camera_file.empty()) return read_camera_file(options.camera_file);
   if (!existing(own).empty()) return read_camera_file(own);
   throw InputError(options.path, "no calibration" + (own.empty() ? "" : " (" + own + " is missing)"),
-                   "give the camera's file with --camera (edgevo calibrate --chessboard makes one), or its angle with --fov");
+                   "give the camera's file with --camera (edgevo calibrate --chessboard makes one), or its "
+                   "angle with --fov");
 }
 
 std::string existing(const std::string& path) {

@@ -20,7 +20,7 @@ struct Sequence {
   std::vector<std::string> images;  ///< paths, in order
   std::vector<Timestamp> times;     ///< one for each; whether they increase is checked frame by frame
   Camera camera;
-  std::string ground_truth_path;  ///< TUM format; may be empty
+  std::string ground_truth_path;     ///< TUM format; may be empty
   std::optional<SE3> T_vehicle_cam;  ///< where the camera sits, if the data set says so
   VehicleTrack gps;                  ///< where the vehicle's GPS says that it was; may be empty
   Details details;

@@ -145,7 +145,9 @@ class LiveCamera : public ImageSource {
     const bool came = grab_(&pixels) && !pixels.empty() && pixels.depth() == CV_8U;
     const Timestamp now = Timestamp::from_nanoseconds(nanoseconds_now());
     const std::string where = path_ + ", frame " + std::to_string(index_);
-    if (!came) throw InputError(where, "the camera gives no image", "check its cable, and whether another program uses it");
+    if (!came)
+      throw InputError(where, "the camera gives no image",
+                       "check its cable, and whether another program uses it");
     Frame frame{index_, now, to_gray(pixels)};
     if (index_ > 0) check_time_increases(previous_, frame.time, where);
     check_image_size(frame.image, camera_.pinhole, where);
@@ -199,7 +201,8 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const Camera camera = choose_or_assume_camera(options, "", size_of(*capture), &details);
   capture->set(cv::CAP_PROP_FRAME_WIDTH, camera.pinhole.width);
   capture->set(cv::CAP_PROP_FRAME_HEIGHT, camera.pinhole.height);
-  return play_live(options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); }, details);
+  return play_live(
+      options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); }, details);
 }
 
 std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab,

@@ -3,8 +3,8 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 
-#include "edgevo/core/image_source.h"
 #include "assumed_camera.h"
+#include "edgevo/core/image_source.h"
 #include "edgevo/datasets/open_source.h"
 
 namespace edgevo {
@@ -12,8 +12,8 @@ namespace edgevo {
 /// A video file, by OpenCV. Throws InputError if it does not open as one.
 std::unique_ptr<ImageSource> open_video(const SourceOptions& options);
 
-/// "camera:N", by OpenCV, which is asked for images of the calibration's size; the time is when an image came in. It has no end: next()
-/// throws InputError when no image comes any more.
+/// "camera:N", by OpenCV, which is asked for images of the calibration's size; the time is when an image came
+/// in. It has no end: next() throws InputError when no image comes any more.
 std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options);
 
 /// Waits for the next image; false: there is none.

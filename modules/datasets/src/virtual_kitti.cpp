@@ -32,7 +32,9 @@ fs::path sequence_folder(const std::string& folder) {
 
 // ---- where things are ----
 
-bool is_release_1(const fs::path& sequence) { return sequence.parent_path().parent_path().filename() == "vkitti_1.3.1_rgb"; }
+bool is_release_1(const fs::path& sequence) {
+  return sequence.parent_path().parent_path().filename() == "vkitti_1.3.1_rgb";
+}
 
 std::vector<std::string> camera_names(const fs::path& sequence) {
   std::vector<std::string> found;
@@ -46,7 +48,8 @@ std::string choose_camera_name(const fs::path& sequence, const std::string& want
   const auto found = camera_names(sequence);
   if (wanted.empty()) return found.front();
   if (std::find(found.begin(), found.end(), wanted) != found.end()) return wanted;
-  throw InputError(sequence.string(), "no camera '" + wanted + "'", "did you mean --sensor " + nearest_name(wanted, found) + "?");
+  throw InputError(sequence.string(), "no camera '" + wanted + "'",
+                   "did you mean --sensor " + nearest_name(wanted, found) + "?");
 }
 
 // `path` with the folder `from` in it called `to` instead: archives unpacked side by side.
@@ -57,7 +60,8 @@ fs::path in_sibling(const fs::path& path, const std::string& from, const std::st
 }
 
 // `relative` in the sequence's folder if it is there, else where the other archive of release 2 puts it.
-fs::path find_in_release_2(const fs::path& sequence, const std::string& relative, const std::string& archive) {
+fs::path find_in_release_2(const fs::path& sequence, const std::string& relative,
+                           const std::string& archive) {
   std::error_code ignored;
   const fs::path beside = sequence / relative;
   return fs::exists(beside, ignored) ? beside : in_sibling(sequence, "vkitti_2.0.3_rgb", archive) / relative;
@@ -119,8 +123,8 @@ Camera read_intrinsics(const std::string& path, const std::string& camera_name, 
     if (count_from(n[1], line.where) != camera_name.back() - '0') continue;
     const Pinhole pinhole{n[2], n[3], n[4], n[5], image.width, image.height};
     const Pinhole& before = camera.pinhole;
-    if (before.width > 0 &&
-        (before.fx != pinhole.fx || before.fy != pinhole.fy || before.cx != pinhole.cx || before.cy != pinhole.cy))
+    if (before.width > 0 && (before.fx != pinhole.fx || before.fy != pinhole.fy || before.cx != pinhole.cx ||
+                             before.cy != pinhole.cy))
       throw InputError(line.where, "the calibration changes within the sequence", "restore the file");
     camera.pinhole = pinhole;
   }
@@ -146,7 +150,8 @@ std::string numbered(const fs::path& folder, const char* before, int frame) {
 }
 
 VirtualKitti read_release_1(const fs::path& sequence) {
-  const std::string variation = sequence.filename().string(), world = sequence.parent_path().filename().string();
+  const std::string variation = sequence.filename().string(),
+                    world = sequence.parent_path().filename().string();
   const fs::path root = sequence.parent_path().parent_path().parent_path();
   VirtualKitti result;
   result.release = "1.3.1";
@@ -154,8 +159,10 @@ VirtualKitti read_release_1(const fs::path& sequence) {
   const GrayImage first = read_gray_image(result.images.front());
   result.camera.pinhole = {725, 725, 620.5, 187, first.width, first.height};  // of the release's README
   for (const std::string& image : result.images)
-    result.depths.push_back(numbered(root / "vkitti_1.3.1_depthgt" / world / variation, "", frame_number(image)));
-  const std::string poses = existing((root / "vkitti_1.3.1_extrinsicsgt" / (world + "_" + variation + ".txt")).string());
+    result.depths.push_back(
+        numbered(root / "vkitti_1.3.1_depthgt" / world / variation, "", frame_number(image)));
+  const std::string poses =
+      existing((root / "vkitti_1.3.1_extrinsicsgt" / (world + "_" + variation + ".txt")).string());
   if (!poses.empty()) set_poses(poses, &result);
   return result;
 }
@@ -165,11 +172,14 @@ VirtualKitti read_release_2(const fs::path& sequence, const std::string& wanted_
   result.release = "2.0.3";
   result.camera_name = choose_camera_name(sequence, wanted_camera);
   result.images = list_images((sequence / "frames" / "rgb" / result.camera_name).string());
-  const fs::path depth = find_in_release_2(sequence, "frames/depth/" + result.camera_name, "vkitti_2.0.3_depth");
-  for (const std::string& image : result.images) result.depths.push_back(numbered(depth, "depth_", frame_number(image)));
+  const fs::path depth =
+      find_in_release_2(sequence, "frames/depth/" + result.camera_name, "vkitti_2.0.3_depth");
+  for (const std::string& image : result.images)
+    result.depths.push_back(numbered(depth, "depth_", frame_number(image)));
   const std::string intrinsics = find_in_release_2(sequence, "intrinsic.txt", "vkitti_2.0.3_textgt").string();
   result.camera = read_intrinsics(intrinsics, result.camera_name, read_gray_image(result.images.front()));
-  const std::string poses = existing(find_in_release_2(sequence, "extrinsic.txt", "vkitti_2.0.3_textgt").string());
+  const std::string poses =
+      existing(find_in_release_2(sequence, "extrinsic.txt", "vkitti_2.0.3_textgt").string());
   if (!poses.empty()) set_poses(poses, &result);
   return result;
 }
@@ -184,12 +194,15 @@ bool is_virtual_kitti(const std::string& folder) {
 VirtualKitti read_virtual_kitti(const SourceOptions& options) {
   const fs::path sequence = sequence_folder(options.path);
   if (is_release_1(sequence) && !options.sensor_label.empty())
-    throw InputError(options.path, "no sensor '" + options.sensor_label + "': it has one camera, without a name",
+    throw InputError(options.path,
+                     "no sensor '" + options.sensor_label + "': it has one camera, without a name",
                      "leave --sensor out");
-  VirtualKitti result = is_release_1(sequence) ? read_release_1(sequence) : read_release_2(sequence, options.sensor_label);
+  VirtualKitti result =
+      is_release_1(sequence) ? read_release_1(sequence) : read_release_2(sequence, options.sensor_label);
   if (!options.camera_file.empty()) result.camera = read_camera_file(options.camera_file);
   const double fps = options.fps > 0 ? options.fps : kFps;
-  for (const std::string& image : result.images) result.times.push_back(Timestamp::from_seconds(frame_number(image) / fps));
+  for (const std::string& image : result.images)
+    result.times.push_back(Timestamp::from_seconds(frame_number(image) / fps));
   return result;
 }
 
@@ -197,8 +210,8 @@ std::vector<float> read_virtual_kitti_depth(const std::string& path, int width, 
   const GrayImage whole = read_gray_image(path);  // for its checks: missing, cut short, damaged
   if (whole.width != width || whole.height != height)
     throw InputError(path,
-                     "has " + std::to_string(whole.width) + " x " + std::to_string(whole.height) + " pixels, the image " +
-                         std::to_string(width) + " x " + std::to_string(height),
+                     "has " + std::to_string(whole.width) + " x " + std::to_string(whole.height) +
+                         " pixels, the image " + std::to_string(width) + " x " + std::to_string(height),
                      "restore the file");
   const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
   if (image.type() != CV_16UC1) throw InputError(path, "is not a depth image of 16 bits", "restore the file");

@@ -17,8 +17,8 @@ class ContactSheet {
   explicit ContactSheet(std::optional<int> size);
   /// A frame of the source, in its order; kept if it is one of the sheet's.
   void offer(const Frame& frame);
-  /// Writes folder/contact_sheet.jpg, with the probabilities that are in the folder by now, and the edges that `edges.detector` makes of
-  /// them. Nothing without a frame. Throws InputError.
+  /// Writes folder/contact_sheet.jpg, with the probabilities that are in the folder by now, and the edges
+  /// that `edges.detector` makes of them. Nothing without a frame. Throws InputError.
   void write(const std::string& folder, const EdgeParams& edges) const;
 
  private:

@@ -103,7 +103,8 @@ Drive drive(ImageSource& source, const OdometryParams& params, const DriveOption
   const Stop stop = requested.stop ? requested.stop : [] { return false; };
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
-  ImageSource& frames = requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
+  ImageSource& frames =
+      requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   Drive result;
   const Course course{lenient, odometry, options, stop, on_frame, &result};
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };

@@ -43,9 +43,12 @@ class EdgeImager {
 
 std::string journal_text(const EdgeImageOptions& options, const EdgeImager& imager, const Pinhole& size) {
   std::error_code ignored;
-  const std::string source = fs::exists(options.source_path, ignored) ? fs::canonical(options.source_path, ignored).string() : options.source_path;
-  return "# What `edgevo edges` made these images of\ndetector: " + yaml_scalar(options.edges.detector) + "\nmodel: " + yaml_scalar(imager.description()) +
-         "\nsource: " + yaml_scalar(source) + "\nimage_size: " + std::to_string(size.width) + "x" + std::to_string(size.height) + "\n";
+  const std::string source = fs::exists(options.source_path, ignored)
+                                 ? fs::canonical(options.source_path, ignored).string()
+                                 : options.source_path;
+  return "# What `edgevo edges` made these images of\ndetector: " + yaml_scalar(options.edges.detector) +
+         "\nmodel: " + yaml_scalar(imager.description()) + "\nsource: " + yaml_scalar(source) +
+         "\nimage_size: " + std::to_string(size.width) + "x" + std::to_string(size.height) + "\n";
 }
 
 void begin_folder(const EdgeImageOptions& options, const std::string& journal) {
@@ -54,25 +57,29 @@ void begin_folder(const EdgeImageOptions& options, const std::string& journal) {
   const std::string path = (fs::path(options.folder) / kJournal).string();
   std::error_code ignored;
   if (fs::exists(path, ignored) && read_file(path, "remove it") != journal)
-    throw InputError(options.folder, "holds edges of another source, size, detector or model (" + path + ")", "give another -o, or remove the folder");
+    throw InputError(options.folder, "holds edges of another source, size, detector or model (" + path + ")",
+                     "give another -o, or remove the folder");
   write_file(path, journal);
 }
 
 // Under another name first: a file that is there is whole.
 void write_whole(const std::string& path, const Plane<uint8_t>& image) {
   std::vector<uint8_t> bytes;
-  cv::imencode(".png", cv::Mat(image.height(), image.width(), CV_8UC1, const_cast<uint8_t*>(image.row(0))), bytes);
+  cv::imencode(".png", cv::Mat(image.height(), image.width(), CV_8UC1, const_cast<uint8_t*>(image.row(0))),
+               bytes);
   const std::string part = path + ".part";
   write_file(part, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   std::error_code error;
   fs::rename(part, path, error);
-  if (error) throw InputError(path, "cannot be written: " + error.message(), "free the name, or give another -o");
+  if (error)
+    throw InputError(path, "cannot be written: " + error.message(), "free the name, or give another -o");
 }
 
 // The source, shared by the threads, and what has been done.
 class SharedWork {
  public:
-  SharedWork(ImageSource& source, const EdgeImageOptions& options) : source_(source), options_(options), sheet_(source.size()) {}
+  SharedWork(ImageSource& source, const EdgeImageOptions& options)
+      : source_(source), options_(options), sheet_(source.size()) {}
 
   std::optional<Frame> next() {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -120,13 +127,15 @@ void work_on(SharedWork& shared, EdgeImager& imager, const std::string& folder) 
 }  // namespace
 
 EdgeImageCounts write_edge_images(ImageSource& source, const EdgeImageOptions& options) {
-  if (source.is_live()) throw InputError(options.source_path, "is a live camera, whose images have no names", "record it first");
+  if (source.is_live())
+    throw InputError(options.source_path, "is a live camera, whose images have no names", "record it first");
   cv::setNumThreads(1);  // the threads are ours
   std::vector<EdgeImager> imagers;
   for (int i = 0; i < std::max(1, options.threads); ++i) imagers.emplace_back(options.edges);
   begin_folder(options, journal_text(options, imagers.front(), source.camera().pinhole));
   SharedWork shared(source, options);
-  run_parallel(0, int(imagers.size()), int(imagers.size()), [&](int i) { work_on(shared, imagers[size_t(i)], options.folder); });
+  run_parallel(0, int(imagers.size()), int(imagers.size()),
+               [&](int i) { work_on(shared, imagers[size_t(i)], options.folder); });
   if (!(options.stop && options.stop())) shared.sheet().write(options.folder, options.edges);
   return shared.counts();
 }

@@ -8,10 +8,10 @@ namespace edgevo {
 namespace {
 
 // All in views that do not show the edge.
-constexpr double kNoneShare = 0.5;   // of the views that see the pixel: with fewer than half none is cheaper
-constexpr double kNoneAtLeast = 1.0; // where few see it
-constexpr double kBreak = 1.5;       // a jump in depth
-constexpr double kBeginOrEnd = 0.5;  // from a depth to none, or back
+constexpr double kNoneShare = 0.5;    // of the views that see the pixel: with fewer than half none is cheaper
+constexpr double kNoneAtLeast = 1.0;  // where few see it
+constexpr double kBreak = 1.5;        // a jump in depth
+constexpr double kBeginOrEnd = 0.5;   // from a depth to none, or back
 // Inverse depths of neighbours two pixels apart differ by this share and their deviations, where the edge
 // goes on: one that leads away at 60 degrees does so 20 pixels from the point that the camera goes to.
 constexpr double kSmoothShare = 0.02;
@@ -25,7 +25,8 @@ double own_cost(const ChainNode& node, int label) {
 
 double squared_jump(const Hypothesis& a, const Hypothesis& b) {
   const double share = kSmoothShare * std::max(a.idepth, b.idepth);
-  const double variance = share * share + 1 / std::max(a.information, 1e-12) + 1 / std::max(b.information, 1e-12);
+  const double variance =
+      share * share + 1 / std::max(a.information, 1e-12) + 1 / std::max(b.information, 1e-12);
   return std::pow(a.idepth - b.idepth, 2) / variance;
 }
 

@@ -34,9 +34,7 @@ struct LineFit {
   double residual = 0;             // weighted sum of squares
 };
 
-double weight_of(const ChainValue& v) {
-  return v.variance > 0 ? 1 / (v.variance + v.common * v.common) : 0;
-}
+double weight_of(const ChainValue& v) { return v.variance > 0 ? 1 / (v.variance + v.common * v.common) : 0; }
 
 LineFit fit_line(const Sums& s, double at) {
   LineFit fit;

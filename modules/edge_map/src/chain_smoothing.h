@@ -15,9 +15,9 @@ struct SmoothValue {
   double value = 0, sigma = 0;
 };
 
-/// At each place the value of a straight line fitted to its neighbours, as far to both sides as a straight line
-/// describes them, and its standard deviation; places without information get it, too. Ascending `at`. Cost:
-/// linear.
+/// At each place the value of a straight line fitted to its neighbours, as far to both sides as a straight
+/// line describes them, and its standard deviation; places without information get it, too. Ascending `at`.
+/// Cost: linear.
 std::vector<SmoothValue> smooth_chain(const std::vector<ChainValue>& values);
 
 }  // namespace edgevo

@@ -6,15 +6,15 @@
 namespace edgevo {
 namespace {
 
-constexpr double kBorderPx = 3;      // edges nearer to the image's border may be cut off
-constexpr double kMinDepth = 0.05;   // of a point over its depth in the host: nearer is beside the camera
+constexpr double kBorderPx = 3;     // edges nearer to the image's border may be cut off
+constexpr double kMinDepth = 0.05;  // of a point over its depth in the host: nearer is beside the camera
 // From the projected point to the edge, across it: in the first two looks the depth is not yet exact.
 constexpr double kReachPx[] = {3.0, 2.0, 1.25};
 constexpr int kLooks = 3;
-constexpr double kAlongPx = 2.5;     // from the point to the nearest edge pixel, any direction, plus the reach
-constexpr float kSidePx = 2;        // off the edge: outside the blur of the step itself
-constexpr float kGrayTolerance = 12;   // gray levels: noise, and texture beside the edge
-constexpr float kGrayShare = 0.4f;     // of the step: a side differs when it is off by more
+constexpr double kAlongPx = 2.5;  // from the point to the nearest edge pixel, any direction, plus the reach
+constexpr float kSidePx = 2;      // off the edge: outside the blur of the step itself
+constexpr float kGrayTolerance = 12;  // gray levels: noise, and texture beside the edge
+constexpr float kGrayShare = 0.4f;    // of the step: a side differs when it is off by more
 // Pixels across the edge that a point would move were it infinitely far: below, a view tells no depth.
 constexpr double kMinMotionPx = 3;
 
@@ -50,14 +50,16 @@ void project(const EdgeSight& sight, const std::vector<ViewGeometry>& views, dou
   }
 }
 
-void compare_with_edge(const EdgeSight& sight, const ViewGeometry& view, double idepth, double reach, Look* look) {
+void compare_with_edge(const EdgeSight& sight, const ViewGeometry& view, double idepth, double reach,
+                       Look* look) {
   if (look->pixel < 0) return;
   const size_t j = size_t(view.level->field.edge_at(look->pixel));
   const EdgePixel& e = view.level->edges.pixels[j];
   const Eigen::Vector2d offset = e.position().cast<double>() - look->p;
   const Eigen::Vector2d n = e.normal().cast<double>();
   look->residual = n.dot(offset);
-  if (std::abs(look->residual) > reach || offset.squaredNorm() > (kAlongPx + reach) * (kAlongPx + reach)) return;
+  if (std::abs(look->residual) > reach || offset.squaredNorm() > (kAlongPx + reach) * (kAlongPx + reach))
+    return;
   if (!is_like_direction(view, sight.normal, e)) return;
   look->change = compare_sides(sight.sides, view, j);
   look->found = !(look->change.dark && look->change.bright);
@@ -69,12 +71,14 @@ void compare_with_edge(const EdgeSight& sight, const ViewGeometry& view, double 
 std::vector<EdgeSides> sample_sides(const PyramidLevel& level) {
   const Plane<uint8_t>& gray = level.gray;
   const auto at = [&](float x, float y) {
-    return gray.at(std::clamp(int(x + 0.5f), 0, gray.width() - 1), std::clamp(int(y + 0.5f), 0, gray.height() - 1));
+    return gray.at(std::clamp(int(x + 0.5f), 0, gray.width() - 1),
+                   std::clamp(int(y + 0.5f), 0, gray.height() - 1));
   };
   std::vector<EdgeSides> sides;
   sides.reserve(level.edges.pixels.size());
   for (const EdgePixel& e : level.edges.pixels)
-    sides.push_back({at(e.x - kSidePx * e.nx, e.y - kSidePx * e.ny), at(e.x + kSidePx * e.nx, e.y + kSidePx * e.ny)});
+    sides.push_back(
+        {at(e.x - kSidePx * e.nx, e.y - kSidePx * e.ny), at(e.x + kSidePx * e.nx, e.y + kSidePx * e.ny)});
   return sides;
 }
 

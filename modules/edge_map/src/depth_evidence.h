@@ -14,7 +14,7 @@ struct Hypothesis {
   double cost = 0;         ///< in views: each one in whose image the point lies adds 0 (fits) to 1 (does not)
   int in_view = 0;         ///< images in which the point lies
   int views = 0;           ///< of them, those that show the edge there
-  int informative = 0;     ///< of these, those in whose image a change of depth moves the point across the edge
+  int informative = 0;  ///< of these, those in whose image a change of depth moves the point across the edge
   int dark_differs = 0, bright_differs = 0;  ///< of `views`: the side of the edge looks another
 
   bool is_outline() const {
@@ -27,7 +27,7 @@ struct Hypothesis {
 struct EdgeSight {
   Eigen::Vector2d px, normal;
   EdgeSides sides;
-  std::vector<SightLine> lines;     ///< of each view
+  std::vector<SightLine> lines;  ///< of each view
 };
 
 /// How good an inverse depth is before it is weighed.

@@ -10,11 +10,11 @@
 namespace edgevo {
 namespace {
 
-constexpr int kSearchedViews = 2;      // in which crossings are searched: one may be covered
-constexpr int kSearchEveryPx = 12;     // along the edge; in between, what was found is carried along
-constexpr int kMaxHypotheses = 3;      // kept of a pixel
-constexpr double kSameIdepth = 0.03;   // hypotheses within this share are one
-constexpr double kMinSupport = 0.5;    // of the views in which a point lies, that must show it
+constexpr int kSearchedViews = 2;     // in which crossings are searched: one may be covered
+constexpr int kSearchEveryPx = 12;    // along the edge; in between, what was found is carried along
+constexpr int kMaxHypotheses = 3;     // kept of a pixel
+constexpr double kSameIdepth = 0.03;  // hypotheses within this share are one
+constexpr double kMinSupport = 0.5;   // of the views in which a point lies, that must show it
 // Pixels that all views may be off alike, by the pose or the lens: no number of views averages it out.
 constexpr double kCommonPx = 0.25;
 // Between two vertices of known depth: a longer gap, or a steeper one, may be more than one edge.
@@ -141,8 +141,8 @@ class DepthSearch {
     nodes->clear();
   }
 
-  void smooth_piece(const std::vector<ChainNode>& nodes, const std::vector<int>& label, size_t begin, size_t end,
-                    std::vector<Settled>* settled) const {
+  void smooth_piece(const std::vector<ChainNode>& nodes, const std::vector<int>& label, size_t begin,
+                    size_t end, std::vector<Settled>* settled) const {
     std::vector<ChainValue> values;
     for (size_t i = begin; i < end; ++i) {
       const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
@@ -180,7 +180,8 @@ class DepthSearch {
     if (std::max(p.idepth, q.idepth) > kMaxBridgeRatio * std::min(p.idepth, q.idepth)) return false;
     for (size_t i = from; i < to; ++i) {
       const Eigen::Vector2d d = position(settled[i]) - a;
-      if (settled[i].breaks || std::abs(chord.x() * d.y() - chord.y() * d.x()) > kStraightPx * length) return false;
+      if (settled[i].breaks || std::abs(chord.x() * d.y() - chord.y() * d.x()) > kStraightPx * length)
+        return false;
     }
     return true;
   }

@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/order_statistics.h"
 #include "depth_evidence.h"
+#include "edgevo/core/order_statistics.h"
 #include "straight_line.h"
 
 namespace edgevo {
 namespace {
 
-constexpr double kBorderPx = 4;     // a vertex nearer to the border of an image may not be seen there
-constexpr double kAcrossPx = 1.5;   // from a projected vertex to the edge that it is
+constexpr double kBorderPx = 4;    // a vertex nearer to the border of an image may not be seen there
+constexpr double kAcrossPx = 1.5;  // from a projected vertex to the edge that it is
 constexpr double kAlongPx = 2.5;
-constexpr double kInFront = 1.1;    // times the inverse depth: of two lines at one pixel the nearer is seen
+constexpr double kInFront = 1.1;  // times the inverse depth: of two lines at one pixel the nearer is seen
 // A known depth is as good as one found here, unless that is so much more certain.
 constexpr double kMuchBetter = 0.75;
 // A vertex is confirmed by a second keyframe that tells the same depth, or by so many images: of those that
 // only their host tells, from few, half are wrong.
 constexpr int kMinSeen = 2, kManyViews = 6;
-constexpr int kMaxBridge = 40;      // pixels of a chain between two neighbours on a line that comes nearer
+constexpr int kMaxBridge = 40;  // pixels of a chain between two neighbours on a line that comes nearer
 constexpr double kSameSigmas = 3, kSameShare = 0.03;  // two depths of one edge
 
 /// A depth that an earlier keyframe's line tells of an edge pixel.
@@ -37,8 +37,8 @@ bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
 
 // The edge pixels of a keyframe that lines of earlier ones explain.
 struct EdgeFusion::Explained {
-  std::vector<KnownDepth> known;    // by edge pixel
-  std::vector<Vertex*> by;          // the vertex that tells it; those between two, the nearer one
+  std::vector<KnownDepth> known;  // by edge pixel
+  std::vector<Vertex*> by;        // the vertex that tells it; those between two, the nearer one
   std::vector<Vertex*> seen, missed;
 };
 
@@ -131,7 +131,8 @@ void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* 
     // z' = z (h + rho e)_z: the inverse depth and its deviation in this keyframe.
     const KnownDepth here{idepth / depth, double(v.vertex.idepth_sigma) / depth};
     explain(j, here, &v);
-    if (before >= 0 && level.edges.pixels[size_t(before)].chain == e->chain && std::abs(j - before) < kMaxBridge)
+    if (before >= 0 && level.edges.pixels[size_t(before)].chain == e->chain &&
+        std::abs(j - before) < kMaxBridge)
       for (int k = std::min(before, j) + 1; k < std::max(before, j); ++k) {
         const double share = double(k - before) / (j - before);
         explain(k, {last.idepth + share * (here.idepth - last.idepth), std::max(last.sigma, here.sigma)}, &v);
@@ -211,7 +212,8 @@ void EdgeFusion::settle_line(const Line& line, std::vector<EdgeLine>* lines) con
 
 void EdgeFusion::apply(const MapRevision& revision) {
   const auto move = [&](const ImageMotion& motion, double length_ratio, EdgeVertex* v) {
-    v->px = correct_pixel(pinhole_, revision.before, revision.now, motion, v->px.cast<double>()).cast<float>();
+    v->px =
+        correct_pixel(pinhole_, revision.before, revision.now, motion, v->px.cast<double>()).cast<float>();
     v->idepth /= float(length_ratio), v->idepth_sigma /= float(length_ratio);
   };
   for (const RevisedKeyframe& r : revision.keyframes) {

@@ -14,8 +14,8 @@ struct EdgeHost {
   std::shared_ptr<const FramePyramid> pyramid;
   std::shared_ptr<const std::vector<EdgeSides>> sides;
   SE3 T_cam_world;
-  ImageMotion motion;       ///< of its image
-  double max_idepth = 0;    ///< nothing is nearer than 1 over it
+  ImageMotion motion;     ///< of its image
+  double max_idepth = 0;  ///< nothing is nearer than 1 over it
 };
 
 class EdgeFusion {
@@ -57,9 +57,9 @@ class EdgeFusion {
 
   Pinhole pinhole_;
   EdgeMapParams params_;
-  std::deque<OpenHost> open_;          // ascending id
-  std::vector<HostedLines> settled_;   // ascending id
-  std::vector<ImageMotion> motions_;   // of the settled ones: their pixels move when the camera is corrected
+  std::deque<OpenHost> open_;         // ascending id
+  std::vector<HostedLines> settled_;  // ascending id
+  std::vector<ImageMotion> motions_;  // of the settled ones: their pixels move when the camera is corrected
 };
 
 }  // namespace edgevo

@@ -11,11 +11,13 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kOlder = 8;        // keyframes kept beyond the window: what leaves the view is seen by them only
-constexpr double kNearestShare = 0.95, kNearestTimes = 5;  // nothing is nearer than a fifth of the nearest points
-constexpr int kMaxViews = 12;       // handed over; a pixel is looked up in those that show it, params.views at most
-constexpr int kMinPoints = 10;      // to tell how near the scene is, or how bright an image
-constexpr size_t kMaxWaiting = 4;   // keyframes; a thread further behind does not catch up
+constexpr size_t kOlder = 8;  // keyframes kept beyond the window: what leaves the view is seen by them only
+constexpr double kNearestShare = 0.95,
+                 kNearestTimes = 5;  // nothing is nearer than a fifth of the nearest points
+constexpr int kMaxViews =
+    12;  // handed over; a pixel is looked up in those that show it, params.views at most
+constexpr int kMinPoints = 10;     // to tell how near the scene is, or how bright an image
+constexpr size_t kMaxWaiting = 4;  // keyframes; a thread further behind does not catch up
 
 // Numbers of keyframes after (before, if negative) the host, the nearest first: short baselines find an edge,
 // long ones tell its depth.
@@ -85,7 +87,7 @@ struct EdgeMapper::Impl {
   EdgeMapParams params;
   EdgeFusion fusion;  // the worker's
   Worker worker;
-  std::deque<Keyframe> older;  // ascending id
+  std::deque<Keyframe> older;                                          // ascending id
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
 };
 
@@ -95,8 +97,8 @@ EdgeMapper::~EdgeMapper() = default;
 
 void EdgeMapper::add(const Keyframe& keyframe, const std::deque<Keyframe>& younger) {
   if (!impl_->params.is_on()) return;
-  const EdgeHost host{keyframe.id, keyframe.pyramid, impl_->sides_of(keyframe), keyframe.T_cam_world, keyframe.motion,
-                      max_idepth_of(keyframe, younger)};
+  const EdgeHost host{keyframe.id,          keyframe.pyramid, impl_->sides_of(keyframe),
+                      keyframe.T_cam_world, keyframe.motion,  max_idepth_of(keyframe, younger)};
   std::vector<EdgeView> views = impl_->views_of(keyframe, younger);
   impl_->remember(keyframe);
   EdgeFusion* fusion = &impl_->fusion;

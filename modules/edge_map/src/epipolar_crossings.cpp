@@ -13,7 +13,7 @@ constexpr double kMinDepth = 0.1;     // as in depth_evidence.cpp, with room
 constexpr double kNearPx = 1.5;       // an edge pixel this near to the line is tried
 constexpr double kMaxSlidePx = 3;     // from there to where edge and line cross
 constexpr double kMinCrossing = 0.2;  // sine of the angle between edge and line: 12 degrees
-constexpr double kStepPast = 1.5;     // pixels, beyond a crossing: the next pixel of the same edge is the same
+constexpr double kStepPast = 1.5;  // pixels, beyond a crossing: the next pixel of the same edge is the same
 
 // The part of p(0..max_idepth) within the image, as start + s direction, 0 <= s <= length.
 struct Segment {
@@ -50,7 +50,8 @@ Segment visible_segment(const Pinhole& c, const SightLine& line, double max_idep
 }
 
 // Where the line crosses the tangent of an edge pixel; negative where it does not nearby.
-double crossing(const EdgeSight& sight, const ViewGeometry& view, const Segment& segment, double s, size_t j) {
+double crossing(const EdgeSight& sight, const ViewGeometry& view, const Segment& segment, double s,
+                size_t j) {
   const EdgePixel& e = view.level->edges.pixels[j];
   const Eigen::Vector2d n = e.normal().cast<double>();
   const double sine = n.dot(segment.direction);
@@ -63,8 +64,8 @@ double crossing(const EdgeSight& sight, const ViewGeometry& view, const Segment&
 
 }  // namespace
 
-bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line, double max_idepth,
-                    std::vector<double>* idepths) {
+bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line,
+                    double max_idepth, std::vector<double>* idepths) {
   const Segment segment = visible_segment(view.level->pinhole, line, max_idepth);
   if (segment.length < kMinLengthPx) return false;
   double last = -kStepPast;

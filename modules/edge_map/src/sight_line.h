@@ -13,9 +13,9 @@ struct ViewGeometry {
 
   const PyramidLevel* level;
   const std::vector<EdgeSides>* sides;
-  Eigen::Matrix3d H;        ///< K R K^-1: of a pixel infinitely far away
-  Eigen::Vector3d e;        ///< K t
-  Eigen::Matrix2d turn;     ///< of directions, by the rotation about the optical axis
+  Eigen::Matrix3d H;     ///< K R K^-1: of a pixel infinitely far away
+  Eigen::Vector3d e;     ///< K t
+  Eigen::Matrix2d turn;  ///< of directions, by the rotation about the optical axis
   double gain;
 };
 
@@ -25,9 +25,7 @@ struct SightLine {
       : h(view.H * Eigen::Vector3d(px_host.x(), px_host.y(), 1)), e(view.e) {}
 
   double depth(double idepth) const { return h.z() + idepth * e.z(); }
-  Eigen::Vector2d at(double idepth) const {
-    return (h.head<2>() + idepth * e.head<2>()) / depth(idepth);
-  }
+  Eigen::Vector2d at(double idepth) const { return (h.head<2>() + idepth * e.head<2>()) / depth(idepth); }
   /// d p / d rho, where p = at(idepth).
   Eigen::Vector2d slope(double idepth, const Eigen::Vector2d& p) const {
     return (e.head<2>() - p * e.z()) / depth(idepth);

@@ -43,8 +43,8 @@ void Worker::wait_idle() {
 }
 
 void Worker::loop() {
-  // Tracking and mapping come first: what the thread does not keep up with is left out. On Linux a thread has a
-  // nice level of its own; where it cannot be set, it shares alike.
+  // Tracking and mapping come first: what the thread does not keep up with is left out. On Linux a thread has
+  // a nice level of its own; where it cannot be set, it shares alike.
   constexpr int kNice = 10;
   (void)setpriority(PRIO_PROCESS, id_t(gettid()), kNice);
   std::unique_lock<std::mutex> lock(mutex_);

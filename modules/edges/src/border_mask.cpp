@@ -8,14 +8,18 @@
 namespace edgevo {
 namespace {
 
-constexpr int kBlurPx = 9;                   // side of the mean: noise of a sensor, blocks of a JPEG
-constexpr double kDarkestShare = 0.001;      // of the pixels, as dark as an image gets
-constexpr int kAboveDarkest = 5;             // gray levels that noise leaves after the blur
-constexpr int kBlackest = 20;                // gray level of black at most: 16 in video, and an offset. What is lighter belongs to the scene.
-constexpr double kMinAreaShare = 0.04;       // of the image; smaller ones do little harm
-constexpr double kWorthLooking = 0.01;       // Areas are searched again when this share of the dark pixels was lit: noise lights one now and then.
-constexpr int kMarginPx = kBlurPx / 2 + 6;   // The outline is blurred here, by the lens, by the undistortion and by the gradient's filter.
-constexpr int kImagesNeeded = 20;            // One image cannot tell a black border from a dark corner of the scene.
+constexpr int kBlurPx = 9;               // side of the mean: noise of a sensor, blocks of a JPEG
+constexpr double kDarkestShare = 0.001;  // of the pixels, as dark as an image gets
+constexpr int kAboveDarkest = 5;         // gray levels that noise leaves after the blur
+constexpr int kBlackest =
+    20;  // gray level of black at most: 16 in video, and an offset. What is lighter belongs to the scene.
+constexpr double kMinAreaShare = 0.04;  // of the image; smaller ones do little harm
+constexpr double kWorthLooking = 0.01;  // Areas are searched again when this share of the dark pixels was
+                                        // lit: noise lights one now and then.
+constexpr int kMarginPx =
+    kBlurPx / 2 +
+    6;  // The outline is blurred here, by the lens, by the undistortion and by the gradient's filter.
+constexpr int kImagesNeeded = 20;  // One image cannot tell a black border from a dark corner of the scene.
 
 // The gray level that `share` of the pixels do not exceed.
 int level_of_share(const cv::Mat& image, double share) {
@@ -42,8 +46,10 @@ void BorderMask::add(const ImageView<uint8_t>& image) {
   const bool is_first = dark_.empty();
   if (is_first) dark_ = Plane<uint8_t>(image.width, image.height);
   cv::Mat kept = as_mat(dark_);
-  if (is_first) dark.copyTo(kept);
-  else cv::bitwise_and(kept, dark, kept);
+  if (is_first)
+    dark.copyTo(kept);
+  else
+    cv::bitwise_and(kept, dark, kept);
   const int pixels = cv::countNonZero(kept);
   if (!is_first && dark_pixels_ - pixels <= kWorthLooking * dark_pixels_) return;
   dark_pixels_ = pixels;
@@ -61,16 +67,21 @@ void BorderMask::find_areas() {
   for (int i = 1; i < count; ++i) {
     const cv::Rect box(boxes.at<int>(i, cv::CC_STAT_LEFT), boxes.at<int>(i, cv::CC_STAT_TOP),
                        boxes.at<int>(i, cv::CC_STAT_WIDTH), boxes.at<int>(i, cv::CC_STAT_HEIGHT));
-    if (boxes.at<int>(i, cv::CC_STAT_AREA) < kMinAreaShare * double(dark.total()) || !reaches_border(box, dark.size())) continue;
+    if (boxes.at<int>(i, cv::CC_STAT_AREA) < kMinAreaShare * double(dark.total()) ||
+        !reaches_border(box, dark.size()))
+      continue;
     marked.setTo(255, labels == i);
     is_gone_ = false;
   }
   areas_.reset();
   if (is_gone_) return;
-  cv::dilate(marked, marked, cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kMarginPx + 1, 2 * kMarginPx + 1}));
+  cv::dilate(marked, marked,
+             cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * kMarginPx + 1, 2 * kMarginPx + 1}));
   areas_ = std::move(mask);
 }
 
-std::shared_ptr<const Plane<uint8_t>> BorderMask::mask() const { return images_ >= kImagesNeeded ? areas_ : nullptr; }
+std::shared_ptr<const Plane<uint8_t>> BorderMask::mask() const {
+  return images_ >= kImagesNeeded ? areas_ : nullptr;
+}
 
 }  // namespace edgevo

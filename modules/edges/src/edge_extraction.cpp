@@ -90,7 +90,8 @@ class Walker {
       if (row[x]) pixels_.push_back({x, y});
   }
 
-  // Side neighbours before corner ones at equal turn, smaller turns first; never more than 90 degrees. -1: the edge ends here.
+  // Side neighbours before corner ones at equal turn, smaller turns first; never more than 90 degrees. -1:
+  // the edge ends here.
   int next_direction(const uint8_t* at, int heading) const {
     static constexpr std::array<int, 5> kTurns{0, 1, -1, 2, -2};  // of 45 degrees
     if (heading >= 0) {
@@ -103,7 +104,8 @@ class Walker {
     return -1;
   }
 
-  // A corner step passes between two pixels that share a side with both ends: they belong to the same thick line.
+  // A corner step passes between two pixels that share a side with both ends: they belong to the same thick
+  // line.
   void strike_shoulders(uint8_t* at, int d) const {
     if (d % 2 == 1) at[offset_[(d + 1) & 7]] = at[offset_[d - 1]] = 0;
   }
@@ -121,7 +123,8 @@ constexpr float kLeastMagnitude = 1e-3f;  // Sobel units; keeps the division by 
 constexpr float kFlat = 1.0f;
 using Floats = std::array<float, kRun>;
 
-// Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in both, and at those behind.
+// Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in
+// both, and at those behind.
 struct Surroundings {
   Floats dx, dy, here, ahead_x, ahead_y, ahead_xy, behind_x, behind_y, behind_xy;
 };
@@ -130,16 +133,21 @@ struct Places {
   Floats nx, ny, shift;
 };
 
-// The maximum of a parabola through the magnitudes at the pixel and one pixel along the normal on both sides, at most half a pixel away.
+// The maximum of a parabola through the magnitudes at the pixel and one pixel along the normal on both sides,
+// at most half a pixel away.
 EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, Places* __restrict out) {
   for (int i = 0; i < count; ++i) {
     const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, kLeastMagnitude));
     const float nx = s.dx[i] * scale, ny = s.dy[i] * scale, ax = std::abs(nx), ay = std::abs(ny);
-    const float ahead_row = m + ax * (s.ahead_x[i] - m), ahead_next = s.ahead_y[i] + ax * (s.ahead_xy[i] - s.ahead_y[i]);
-    const float behind_row = m + ax * (s.behind_x[i] - m), behind_next = s.behind_y[i] + ax * (s.behind_xy[i] - s.behind_y[i]);
-    const float ahead = ahead_row + ay * (ahead_next - ahead_row), behind = behind_row + ay * (behind_next - behind_row);
+    const float ahead_row = m + ax * (s.ahead_x[i] - m),
+                ahead_next = s.ahead_y[i] + ax * (s.ahead_xy[i] - s.ahead_y[i]);
+    const float behind_row = m + ax * (s.behind_x[i] - m),
+                behind_next = s.behind_y[i] + ax * (s.behind_xy[i] - s.behind_y[i]);
+    const float ahead = ahead_row + ay * (ahead_next - ahead_row),
+                behind = behind_row + ay * (behind_next - behind_row);
     const float curvature = behind - 2.0f * m + ahead;
-    const float top = 0.5f * (behind - ahead) / std::min(curvature, -kLeastCurvature);  // a division that never fails needs no branch
+    const float top = 0.5f * (behind - ahead) /
+                      std::min(curvature, -kLeastCurvature);  // a division that never fails needs no branch
     out->nx[i] = nx, out->ny[i] = ny;
     out->shift[i] = curvature < -kLeastCurvature ? std::min(std::max(top, -0.5f), 0.5f) : 0.0f;
   }
@@ -155,7 +163,12 @@ class Placement {
     place(around_, count, &places_);
     for (int i = 0; i < count; ++i) {
       const float nx = places_.nx[i], ny = places_.ny[i], shift = places_.shift[i];
-      out[i] = {float(pixels[i].x) + shift * nx, float(pixels[i].y) + shift * ny, nx, ny, around_.here[i] / kSobelPerGrayLevel, 0};
+      out[i] = {float(pixels[i].x) + shift * nx,
+                float(pixels[i].y) + shift * ny,
+                nx,
+                ny,
+                around_.here[i] / kSobelPerGrayLevel,
+                0};
     }
   }
 
@@ -196,7 +209,8 @@ EdgeMap place_all(Chains chains, const Gradient& gradient) {
   const int count = int(chains.pixels.size());
   map.pixels.resize(count);
   Placement placement(gradient);
-  for (int i = 0; i < count; i += kRun) placement.run(&chains.pixels[i], std::min(kRun, count - i), &map.pixels[i]);
+  for (int i = 0; i < count; i += kRun)
+    placement.run(&chains.pixels[i], std::min(kRun, count - i), &map.pixels[i]);
   map.chains = std::move(chains.chains);
   for (size_t c = 0; c < map.chains.size(); ++c)
     for (int i = map.chains[c].begin; i < map.chains[c].end; ++i) map.pixels[i].chain = int(c);
@@ -227,7 +241,8 @@ EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int 
   }
   for (const Pixel& p : walker.pixels()) {
     if (!walker.is_open(p)) continue;
-    // A closed edge, or what a branch left: walk both ways from here and join the two halves, without p twice.
+    // A closed edge, or what a branch left: walk both ways from here and join the two halves, without p
+    // twice.
     walker.walk(p, &path);
     std::reverse(path.begin(), path.end());
     path.pop_back();

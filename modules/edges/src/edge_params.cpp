@@ -6,8 +6,12 @@ namespace edgevo {
 
 void EdgeParams::visit(ParamVisitor& v) {
   v.text("detector", detector, edge_detector_names(), "what marks edge pixels");
-  v.text("model", model, {}, "structured: forest in OpenCV's format; network: .onnx with its .yaml beside it; empty: the one that comes with edgevo");
-  v.text("folder", folder, {}, "precomputed: folder of probability images, NAME.png for the image NAME.*, as `edgevo edges` writes it");
+  v.text("model", model, {},
+         "structured: forest in OpenCV's format; network: .onnx with its .yaml beside it; empty: the one "
+         "that comes with edgevo");
+  v.text("folder", folder, {},
+         "precomputed: folder of probability images, NAME.png for the image NAME.*, as `edgevo edges` writes "
+         "it");
   v.integer("levels", levels, 1, 8, "levels of the image pyramid");
   v.integer("edge_levels", edge_levels, 1, 4, "finest levels that get edges and a nearest-neighbour field");
   v.number("canny_percentile", canny_percentile, 0.5, 0.99,
@@ -17,7 +21,8 @@ void EdgeParams::visit(ParamVisitor& v) {
   v.integer("min_chain", min_chain, 2, 100, "shorter edges are dropped, pixels");
   v.integer("field_radius", field_radius, 2, 15, "nearest-neighbour fields reach this far, pixels");
   v.boolean("oriented_field", oriented_field,
-            "matches look behind a nearest edge of another direction for the nearest one of a compatible direction");
+            "matches look behind a nearest edge of another direction for the nearest one of a compatible "
+            "direction");
 }
 
 }  // namespace edgevo

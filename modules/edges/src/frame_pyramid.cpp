@@ -4,12 +4,12 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "border_mask.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/image_names.h"
 #include "edgevo/edges/edge_extraction.h"
 #include "opencv_view.h"
 #include "undistortion.h"
-#include "border_mask.h"
 
 namespace edgevo {
 namespace {
@@ -43,10 +43,11 @@ struct PyramidBuilder::Impl {
   double readout_s = 0;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
-  std::unique_ptr<EdgeProbability> probability;  // null where the detector needs none, or nothing but rebuilding is asked for
-  std::optional<Undistortion> undistortion;  // none where the camera has no distortion
+  std::unique_ptr<EdgeProbability>
+      probability;  // null where the detector needs none, or nothing but rebuilding is asked for
+  std::optional<Undistortion> undistortion;    // none where the camera has no distortion
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
-  BorderMask border;                      // of the images as they come
+  BorderMask border;                           // of the images as they come
 
   bool has_area() const { return camera.pinhole.width > 1 && camera.pinhole.height > 1; }
 
@@ -64,26 +65,31 @@ struct PyramidBuilder::Impl {
     } else if (undistortion) {
       undistortion->apply(image, &out);
     } else {
-      for (int y = 0; y < image.height; ++y) std::copy_n(image.data + y * image.stride, image.width, out.row(y));
+      for (int y = 0; y < image.height; ++y)
+        std::copy_n(image.data + y * image.stride, image.width, out.row(y));
     }
     return out;
   }
 
-  // How far the rolling shutter moves the points of the undistorted image in the raw one, at the nodes of a grid.
+  // How far the rolling shutter moves the points of the undistorted image in the raw one, at the nodes of a
+  // grid.
   ShiftGrid rolling_shift(const ImageMotion& motion) const {
     const Pinhole& p = camera.pinhole;
     ShiftGrid grid(p.width, p.height);
     for (int row = 0; row < grid.rows(); ++row)
       for (int column = 0; column < grid.columns(); ++column) {
-        const Eigen::Vector2d x = p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
-        const Eigen::Vector2d moved = camera.distort(add_rolling(p, readout_s, motion, x)) - camera.distort(x);
+        const Eigen::Vector2d x =
+            p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
+        const Eigen::Vector2d moved =
+            camera.distort(add_rolling(p, readout_s, motion, x)) - camera.distort(x);
         grid.set(column, row, float(p.fx * moved.x()), float(p.fy * moved.y()));
       }
     return grid;
   }
 
   // `border`: the border mask of the finest level, or empty; `likely`: of this one, or empty.
-  void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& likely, PyramidLevel* level) const {
+  void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& likely,
+                  PyramidLevel* level) const {
     Gradient gradient = compute_gradient(level->gray.view());
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
@@ -92,7 +98,8 @@ struct PyramidBuilder::Impl {
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 
-  std::shared_ptr<const FramePyramid> take(const GrayImage& image, const std::string& name, const ImageMotion& motion);
+  std::shared_ptr<const FramePyramid> take(const GrayImage& image, const std::string& name,
+                                           const ImageMotion& motion);
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion,
                                             std::shared_ptr<const Plane<uint8_t>> border,
                                             std::shared_ptr<const Plane<uint8_t>> likely);
@@ -100,7 +107,8 @@ struct PyramidBuilder::Impl {
 
 double FramePyramid::masked_share() const {
   if (!border_mask) return 0;
-  return double(cv::countNonZero(as_mat(*border_mask))) / (double(border_mask->width()) * border_mask->height());
+  return double(cv::countNonZero(as_mat(*border_mask))) /
+         (double(border_mask->width()) * border_mask->height());
 }
 
 PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params)
@@ -110,7 +118,8 @@ PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgePa
   return PyramidBuilder(camera, params, nullptr);
 }
 
-PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params, std::unique_ptr<EdgeProbability> probability)
+PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+                               std::unique_ptr<EdgeProbability> probability)
     : impl_(new Impl) {
   camera.check("camera");
   impl_->camera = camera;
@@ -140,34 +149,40 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::build(const Frame& frame, co
   return impl_->take(frame.image, image_name(frame), motion);
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& image, const std::string& name,
+std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& image,
+                                                               const std::string& name,
                                                                const ImageMotion& motion) {
   const Pinhole& expected = camera.pinhole;
   if (image.width != expected.width || image.height != expected.height)
-    throw InputError("image", "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                                  " but the camera is " + std::to_string(expected.width) + "x" +
-                                  std::to_string(expected.height), "give the camera file of these images");
+    throw InputError("image",
+                     "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                         " but the camera is " + std::to_string(expected.width) + "x" +
+                         std::to_string(expected.height),
+                     "give the camera file of these images");
   std::shared_ptr<const Plane<uint8_t>> likely;
   if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(image.view(), name));
   border.add(image.view());
   return build(image, motion, border.mask(), std::move(likely));
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old, const ImageMotion& motion) {
+std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
+                                                            const ImageMotion& motion) {
   return impl_->build(old.source, motion, old.border_mask, old.probability);
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image, const ImageMotion& motion,
-                                                                std::shared_ptr<const Plane<uint8_t>> border,
-                                                                std::shared_ptr<const Plane<uint8_t>> likely) {
+std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(
+    const GrayImage& image, const ImageMotion& motion, std::shared_ptr<const Plane<uint8_t>> border,
+    std::shared_ptr<const Plane<uint8_t>> likely) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
   pyramid->border_mask = std::move(border);
   pyramid->probability = std::move(likely);
   pyramid->correction = {camera.residual_k1, readout_s};
   pyramid->levels.resize(size_t(params.levels));
-  const Plane<uint8_t> border_here = pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
-  Plane<uint8_t> likely_here = pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
+  const Plane<uint8_t> border_here =
+      pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
+  Plane<uint8_t> likely_here =
+      pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[size_t(l)];
     level.pinhole = camera.pinhole.at_level(l);

@@ -10,8 +10,9 @@
 namespace edgevo {
 namespace {
 
-// Binomial and Sobel are separable, and so is their product: seven taps to smooth, [1 4 6 4 1] * [1 2 1], and seven to differentiate,
-// [1 4 6 4 1] * [-1 0 1]. In 16 bits: a smoothed value is at most 64 * 255, an eighth of it times the taps 5, 4, 1 at most 20400.
+// Binomial and Sobel are separable, and so is their product: seven taps to smooth, [1 4 6 4 1] * [1 2 1], and
+// seven to differentiate, [1 4 6 4 1] * [-1 0 1]. In 16 bits: a smoothed value is at most 64 * 255, an eighth
+// of it times the taps 5, 4, 1 at most 20400.
 constexpr int kReach = 3;
 constexpr int kTaps = 2 * kReach + 1;
 
@@ -25,8 +26,9 @@ Window<T> along(const T* row) {
   return w;
 }
 
-EDGEVO_WIDE_CLONES void smooth(const uint8_t* __restrict a, const uint8_t* __restrict b, const uint8_t* __restrict c,
-                               const uint8_t* __restrict d, const uint8_t* __restrict e, const uint8_t* __restrict f,
+EDGEVO_WIDE_CLONES void smooth(const uint8_t* __restrict a, const uint8_t* __restrict b,
+                               const uint8_t* __restrict c, const uint8_t* __restrict d,
+                               const uint8_t* __restrict e, const uint8_t* __restrict f,
                                const uint8_t* __restrict g, int16_t* __restrict out, int n) {
   for (int i = 0; i < n; ++i) {
     const uint16_t outer = uint16_t(a[i] + g[i]), next = uint16_t(b[i] + f[i]), inner = uint16_t(c[i] + e[i]);
@@ -34,8 +36,9 @@ EDGEVO_WIDE_CLONES void smooth(const uint8_t* __restrict a, const uint8_t* __res
   }
 }
 
-EDGEVO_WIDE_CLONES void differentiate(const int16_t* __restrict a, const int16_t* __restrict b, const int16_t* __restrict c,
-                                      const int16_t* __restrict e, const int16_t* __restrict f, const int16_t* __restrict g,
+EDGEVO_WIDE_CLONES void differentiate(const int16_t* __restrict a, const int16_t* __restrict b,
+                                      const int16_t* __restrict c, const int16_t* __restrict e,
+                                      const int16_t* __restrict f, const int16_t* __restrict g,
                                       int16_t* __restrict out, int n) {
   for (int i = 0; i < n; ++i) {
     const int16_t outer = int16_t(g[i] - a[i]), next = int16_t(f[i] - b[i]), inner = int16_t(e[i] - c[i]);
@@ -43,17 +46,23 @@ EDGEVO_WIDE_CLONES void differentiate(const int16_t* __restrict a, const int16_t
   }
 }
 
-EDGEVO_WIDE_CLONES void take_magnitude(const int16_t* __restrict dx, const int16_t* __restrict dy, float* __restrict out, int n) {
+EDGEVO_WIDE_CLONES void take_magnitude(const int16_t* __restrict dx, const int16_t* __restrict dy,
+                                       float* __restrict out, int n) {
   for (int i = 0; i < n; ++i) {
     const float x = dx[i], y = dy[i];
     out[i] = std::sqrt(x * x + y * y) * (1.0f / kGradientSteps);
   }
 }
 
-void smooth(const Window<uint8_t>& w, int16_t* out, int n) { smooth(w[0], w[1], w[2], w[3], w[4], w[5], w[6], out, n); }
-void differentiate(const Window<int16_t>& w, int16_t* out, int n) { differentiate(w[0], w[1], w[2], w[4], w[5], w[6], out, n); }
+void smooth(const Window<uint8_t>& w, int16_t* out, int n) {
+  smooth(w[0], w[1], w[2], w[3], w[4], w[5], w[6], out, n);
+}
+void differentiate(const Window<int16_t>& w, int16_t* out, int n) {
+  differentiate(w[0], w[1], w[2], w[4], w[5], w[6], out, n);
+}
 
-// The last seven rows of an image, each continued by three pixels on both sides, and the same smoothed along the row.
+// The last seven rows of an image, each continued by three pixels on both sides, and the same smoothed along
+// the row.
 class RowRing {
  public:
   explicit RowRing(const ImageView<uint8_t>& gray) : gray_(gray), padded_(gray.width + 2 * kReach) {

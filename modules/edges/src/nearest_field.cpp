@@ -16,11 +16,13 @@ constexpr int16_t kFar = 0x3FFF;
 // Keys around one edge pixel of a row, from `radius` columns before it to as many after it.
 std::vector<int16_t> make_ramp(int radius) {
   std::vector<int16_t> keys;
-  for (int d = -radius; d <= radius; ++d) keys.push_back(int16_t((d * d << kShift) + int(d > 0)));  // after it: the edge lies to the left
+  for (int d = -radius; d <= radius; ++d)
+    keys.push_back(int16_t((d * d << kShift) + int(d > 0)));  // after it: the edge lies to the left
   return keys;
 }
 
-// One bit a pixel, row by row: the columns of a row come out of it in ascending order and once each, without sorting.
+// One bit a pixel, row by row: the columns of a row come out of it in ascending order and once each, without
+// sorting.
 class EdgeBits {
  public:
   EdgeBits(int width, int height) : words_((width + 63) / 64), bits_(size_t(words_) * height, 0) {}
@@ -30,7 +32,8 @@ class EdgeBits {
     xs->clear();
     const uint64_t* word = &bits_[size_t(y) * words_];
     for (int w = 0; w < words_; ++w)
-      for (uint64_t rest = word[w]; rest != 0; rest &= rest - 1) xs->push_back(64 * w + __builtin_ctzll(rest));
+      for (uint64_t rest = word[w]; rest != 0; rest &= rest - 1)
+        xs->push_back(64 * w + __builtin_ctzll(rest));
   }
 
  private:
@@ -39,7 +42,8 @@ class EdgeBits {
 };
 
 // Writes, for the edges at columns `xs` (ascending) of one row, each column's key to the nearest.
-void fill_row(const std::vector<int>& xs, int width, int radius, const std::vector<int16_t>& ramp, int16_t* key) {
+void fill_row(const std::vector<int>& xs, int width, int radius, const std::vector<int16_t>& ramp,
+              int16_t* key) {
   std::fill(key, key + width, kFar);
   for (size_t k = 0; k < xs.size(); ++k) {
     const int left = k == 0 ? 0 : (xs[k - 1] + xs[k]) / 2 + 1;  // a tie goes to the left edge
@@ -54,7 +58,8 @@ using Keys = int16_t __attribute__((vector_size(32)));
 constexpr int kBlock = 64;  // columns that stay in registers while the rows go by
 
 // best[x] = min over rows of rows[k][x] + share[k]; `width` is a multiple of kBlock.
-EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* share, int count, int16_t* best, int width) {
+EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* share, int count,
+                                     int16_t* best, int width) {
   constexpr int kLanes = sizeof(Keys) / sizeof(int16_t),
                 kParts = kBlock / kLanes;  // columns of a register, registers of a block
   for (int x = 0; x < width; x += kBlock) {

@@ -16,7 +16,8 @@ const cv::Mat as_mat(const Plane<T>& plane) {
 }
 template <class T>
 const cv::Mat as_mat(const ImageView<T>& view) {
-  return cv::Mat(view.height, view.width, cv::DataType<T>::type, const_cast<T*>(view.data), view.stride * sizeof(T));
+  return cv::Mat(view.height, view.width, cv::DataType<T>::type, const_cast<T*>(view.data),
+                 view.stride * sizeof(T));
 }
 
 }  // namespace edgevo

@@ -10,7 +10,8 @@
 namespace edgevo {
 namespace {
 
-constexpr int kOne = 128;        // a pixel in the units of the fractions: products of two and a gray level fit 32 bits
+constexpr int kOne =
+    128;  // a pixel in the units of the fractions: products of two and a gray level fit 32 bits
 constexpr int kRunLength = 256;  // pixels gathered, then blended, at a time: they stay in the nearest cache
 
 // Two neighbours in a row, the left one first.
@@ -19,8 +20,8 @@ struct Pair {
 };
 using Pairs = std::array<Pair, kRunLength>;
 
-EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint8_t* right, const uint8_t* down, int count,
-                              uint8_t* __restrict out) {
+EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint8_t* right,
+                              const uint8_t* down, int count, uint8_t* __restrict out) {
   for (int i = 0; i < count; ++i) {
     const int x = right[i], y = down[i];
     const int top = above[i].left * (kOne - x) + above[i].right * x;
@@ -33,8 +34,8 @@ EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint
 float within(float position, int size) { return std::min(std::max(0.0f, position), float(size - 1)); }
 
 // Of one row: fetches the neighbours of each position and blends them.
-void fetch_run(const ImageView<uint8_t>& image, const int32_t* corner, const uint8_t* right, const uint8_t* down, int count,
-               uint8_t* out) {
+void fetch_run(const ImageView<uint8_t>& image, const int32_t* corner, const uint8_t* right,
+               const uint8_t* down, int count, uint8_t* out) {
   Pairs above, below;
   for (int i = 0; i < count; ++i) {
     const uint8_t* p = image.data + corner[i];
@@ -97,11 +98,13 @@ void Undistortion::apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) c
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; x += kRunLength) {
       const size_t first = size_t(y) * width_ + x;
-      fetch_run(image, &corner_[first], &right_[first], &down_[first], std::min(kRunLength, width_ - x), out->row(y) + x);
+      fetch_run(image, &corner_[first], &right_[first], &down_[first], std::min(kRunLength, width_ - x),
+                out->row(y) + x);
     }
 }
 
-void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<uint8_t>& image, Plane<uint8_t>* out) const {
+void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<uint8_t>& image,
+                                Plane<uint8_t>* out) const {
   static_assert(kRunLength % ShiftGrid::kCell == 0, "runs begin at nodes");
   const int width = maps_.width, height = maps_.height;
   Run run;

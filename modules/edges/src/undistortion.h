@@ -23,12 +23,16 @@ class Undistortion {
   std::vector<uint8_t> right_, down_;  // from there, in 1/128 px, 0..128
 };
 
-/// A smooth shift of an image of width x height, given at nodes kCell pixels apart that reach over its border.
+/// A smooth shift of an image of width x height, given at nodes kCell pixels apart that reach over its
+/// border.
 class ShiftGrid {
  public:
   static constexpr int kCell = 16;  ///< pixels: over so few the shift by a smooth motion is nearly linear
   ShiftGrid(int width, int height)
-      : columns_((width - 1) / kCell + 2), rows_((height - 1) / kCell + 2), x_(size_t(columns_) * rows_), y_(x_.size()) {}
+      : columns_((width - 1) / kCell + 2),
+        rows_((height - 1) / kCell + 2),
+        x_(size_t(columns_) * rows_),
+        y_(x_.size()) {}
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -42,8 +46,8 @@ class ShiftGrid {
   std::vector<float> x_, y_;
 };
 
-/// As Undistortion, with a further shift in the raw image that is another for each one: a rolling shutter. Slower: positions are
-/// computed again.
+/// As Undistortion, with a further shift in the raw image that is another for each one: a rolling shutter.
+/// Slower: positions are computed again.
 class ShiftedUndistortion {
  public:
   explicit ShiftedUndistortion(UndistortionMaps maps) : maps_(std::move(maps)) {}

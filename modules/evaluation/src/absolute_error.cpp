@@ -79,14 +79,16 @@ std::optional<AbsoluteError> ate_se3(const std::vector<MatchedPose>& matches) {
 double stretch_scale(const std::vector<MatchedPose>& stretch, double whole_spread_est, double whole_spread_gt,
                      double fallback) {
   const Points est = estimate_points(stretch), truth = truth_points(stretch);
-  const bool moves = spread(est) > kStandstill * whole_spread_est && spread(truth) > kStandstill * whole_spread_gt;
+  const bool moves =
+      spread(est) > kStandstill * whole_spread_est && spread(truth) > kStandstill * whole_spread_gt;
   if (const auto fit = moves ? fit_sim3(est, truth) : std::nullopt) return fit->scale;
   const double path_est = path_length(est), path_gt = path_length(truth);
   const bool has_path = path_est > kStandstill * whole_spread_est && path_gt > kStandstill * whole_spread_gt;
   return has_path ? path_gt / path_est : fallback;
 }
 
-std::vector<MatchedPose> rescale_blocks(const std::vector<MatchedPose>& matches, int block_frames, double fallback) {
+std::vector<MatchedPose> rescale_blocks(const std::vector<MatchedPose>& matches, int block_frames,
+                                        double fallback) {
   if (matches.empty()) return {};
   const std::vector<double> scales = block_scales(matches, block_frames, fallback);
   std::vector<MatchedPose> out = matches;

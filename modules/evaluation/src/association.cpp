@@ -23,7 +23,8 @@ SE3 interpolate(const StampedPose& a, const StampedPose& b, Timestamp time) {
 }  // namespace
 
 GroundTruth::GroundTruth(const Trajectory& trajectory)
-    : poses_(&trajectory.poses), longest_gap_ticks_(kLongestGapSteps * median_step_ticks(times_of(trajectory))) {}
+    : poses_(&trajectory.poses),
+      longest_gap_ticks_(kLongestGapSteps * median_step_ticks(times_of(trajectory))) {}
 
 std::optional<SE3> GroundTruth::at(Timestamp time) const {
   const auto after = std::lower_bound(poses_->begin(), poses_->end(), time,
@@ -63,9 +64,11 @@ Association associate(const Trajectory& estimate, const Trajectory& ground_truth
     result.matches.push_back({pose.time, frame, pose.T_world_cam, *T_gt});
   }
   if (result.matches.size() < kFewestMatches)
-    throw InputError(estimate.path, "only " + std::to_string(result.matches.size()) + " of its " +
-                                        std::to_string(estimate.poses.size()) + " poses lie within the times of " +
-                                        ground_truth.path, "give the ground truth of the same sequence, in the same clock");
+    throw InputError(estimate.path,
+                     "only " + std::to_string(result.matches.size()) + " of its " +
+                         std::to_string(estimate.poses.size()) + " poses lie within the times of " +
+                         ground_truth.path,
+                     "give the ground truth of the same sequence, in the same clock");
   for (size_t i = 0; i < result.frames.size(); ++i)
     if (!result.frames[i].T_gt) result.frames[i].T_gt = truth.at(input.times[i]);
   return result;

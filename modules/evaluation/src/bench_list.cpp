@@ -50,10 +50,12 @@ void add_seeds(const std::string& word, const std::string& where, std::vector<ui
   constexpr uint64_t kMost = 1000;  // seeds of a range: more is a slip of the pen
   const size_t dots = word.find("..");
   uint64_t first = 0, last = 0;
-  const bool good = dots == std::string::npos ? whole(word, &first) && whole(word, &last)
-                                              : whole(word.substr(0, dots), &first) && whole(word.substr(dots + 2), &last);
+  const bool good = dots == std::string::npos
+                        ? whole(word, &first) && whole(word, &last)
+                        : whole(word.substr(0, dots), &first) && whole(word.substr(dots + 2), &last);
   if (!good || last < first || last - first >= kMost)
-    throw InputError(where, "'" + word + "' is no seed", "write whole numbers as `1 2 7` or `1..5`, a thousand at most");
+    throw InputError(where, "'" + word + "' is no seed",
+                     "write whole numbers as `1 2 7` or `1..5`, a thousand at most");
   for (uint64_t i = 0; i <= last - first; ++i) {
     if (std::find(seeds->begin(), seeds->end(), first + i) != seeds->end())
       throw InputError(where, "the seed " + std::to_string(first + i) + " stands there twice", "keep one");
@@ -80,15 +82,18 @@ bool is_detector(const std::string& word, const KnownWords& known) {
   std::vector<std::string> all = known.lights;
   all.insert(all.end(), known.detectors.begin(), known.detectors.end());
   all.insert(all.end(), {"normal", "every3", "backward", "gaps"});
-  throw InputError(where, "unknown variant '" + word + "'", "did you mean '" + nearest_name(word, all) + "'?");
+  throw InputError(where, "unknown variant '" + word + "'",
+                   "did you mean '" + nearest_name(word, all) + "'?");
 }
 
-void set_once(std::string* field, const std::string& word, const std::string& where, const std::string& what) {
+void set_once(std::string* field, const std::string& word, const std::string& where,
+              const std::string& what) {
   if (!field->empty()) throw InputError(where, what + " twice", "keep one");
   *field = word;
 }
 
-void add_effect(const std::string& word, const std::string& where, const KnownWords& known, BenchVariant* variant) {
+void add_effect(const std::string& word, const std::string& where, const KnownWords& known,
+                BenchVariant* variant) {
   constexpr std::string_view kEvery = "every";
   const bool thins = word.compare(0, kEvery.size(), kEvery) == 0;
   if (thins && whole(word.substr(kEvery.size()), &variant->every) && variant->every >= 1) return;
@@ -105,14 +110,17 @@ void add_effect(const std::string& word, const std::string& where, const KnownWo
     unknown_word(word, where, known);
 }
 
-std::vector<BenchVariant> parse_variants(const std::string& text, const std::string& where, const KnownWords& known) {
+std::vector<BenchVariant> parse_variants(const std::string& text, const std::string& where,
+                                         const KnownWords& known) {
   std::vector<BenchVariant> variants;
   std::set<std::string> names;
   for (const std::string& name : words(text, " \t,")) {
-    if (!names.insert(name).second) throw InputError(where, "the variant '" + name + "' stands there twice", "keep one");
+    if (!names.insert(name).second)
+      throw InputError(where, "the variant '" + name + "' stands there twice", "keep one");
     BenchVariant variant;
     variant.name = name;
-    if (words(name, "+").empty()) throw InputError(where, "'" + name + "' is no variant", "write for example every3+glare");
+    if (words(name, "+").empty())
+      throw InputError(where, "'" + name + "' is no variant", "write for example every3+glare");
     for (const std::string& word : words(name, "+")) add_effect(word, where, known, &variant);
     variants.push_back(variant);
   }
@@ -128,7 +136,8 @@ std::string crossed(const std::string& variants, const std::string& detectors) {
   return all.empty() ? variants : all;
 }
 
-// Sequences have names of the user's choosing: a first look finds them, so that the strict reader knows all keys.
+// Sequences have names of the user's choosing: a first look finds them, so that the strict reader knows all
+// keys.
 void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
   std::set<std::string> names;
   for (const YamlEntry& entry : entries) {
@@ -137,9 +146,11 @@ void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
     const std::string name = entry.key.substr(std::string_view(kGroup).size());
     if (names.count(name.substr(0, name.find('.')))) continue;
     if (entry.has_value)
-      throw InputError(list->place(entry.key), "the sequence '" + name + "' is not a group", "write its `source: ...` indented below it");
+      throw InputError(list->place(entry.key), "the sequence '" + name + "' is not a group",
+                       "write its `source: ...` indented below it");
     if (name.find('.') != std::string::npos)
-      throw InputError(list->place(entry.key), "a sequence's name holds a dot", "use letters, digits, - and _");
+      throw InputError(list->place(entry.key), "a sequence's name holds a dot",
+                       "use letters, digits, - and _");
     names.insert(name);
     BenchSequence sequence;
     sequence.name = name;
@@ -196,7 +207,8 @@ std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& wh
   return seeds;
 }
 
-BenchList parse_bench_list(const std::string& text, const std::string& where, const std::vector<std::string>& lights,
+BenchList parse_bench_list(const std::string& text, const std::string& where,
+                           const std::vector<std::string>& lights,
                            const std::vector<std::string>& detectors) {
   const KnownWords known{lights, detectors};
   RawList raw = read_raw(text, where);
@@ -206,7 +218,8 @@ BenchList parse_bench_list(const std::string& text, const std::string& where, co
   for (size_t i = 0; i < raw.sequences.size(); ++i) {
     BenchSequence& s = raw.sequences[i];
     if (s.source.empty())
-      throw InputError(s.where, "the sequence '" + s.name + "' has no source", "write `source: ...` indented below it");
+      throw InputError(s.where, "the sequence '" + s.name + "' has no source",
+                       "write `source: ...` indented below it");
     const std::string group = kGroup + s.name, own = raw.sequence_variants[i];
     s.where = raw.place(group + ".source");
     const std::string place = raw.place(own.empty() ? "variants" : group + ".variants");

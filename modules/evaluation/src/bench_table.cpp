@@ -13,7 +13,8 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 using Format = std::string (*)(double value);
 
-// Three digits that say something, from 123.46 down to 0.000312: errors range from kilometres to tenths of a millimetre.
+// Three digits that say something, from 123.46 down to 0.000312: errors range from kilometres to tenths of a
+// millimetre.
 std::string three_digits(double value) {
   const double leading = value > 0 ? std::floor(std::log10(value)) : 0;
   return fixed(value, int(std::clamp(2 - leading, 2.0, 6.0)));
@@ -33,11 +34,14 @@ double if_evaluated(const Trial& t, double value) { return t.evaluated ? value :
 
 const Column kColumns[] = {
     {"ate_m", "ATE Sim(3) m", [](const Trial& t) { return if_evaluated(t, t.ate_m); }, three_digits, false},
-    {"ate_percent", "% of the path", [](const Trial& t) { return if_evaluated(t, t.path_m > 0 ? 100 * t.ate_m / t.path_m : kNone); },
+    {"ate_percent", "% of the path",
+     [](const Trial& t) { return if_evaluated(t, t.path_m > 0 ? 100 * t.ate_m / t.path_m : kNone); },
      three_digits, false},
     {"ate200_m", "ATE200 m", [](const Trial& t) { return if_evaluated(t, t.ate200_m); }, three_digits, false},
-    {"drift_cm_per_m", "drift cm/m", [](const Trial& t) { return if_evaluated(t, t.drift_cm_per_m); }, three_digits, false},
-    {"completion_percent", "frames with a pose %", [](const Trial& t) { return t.completion_percent; }, one_decimal, true},
+    {"drift_cm_per_m", "drift cm/m", [](const Trial& t) { return if_evaluated(t, t.drift_cm_per_m); },
+     three_digits, false},
+    {"completion_percent", "frames with a pose %", [](const Trial& t) { return t.completion_percent; },
+     one_decimal, true},
     {"segments", "segments", [](const Trial& t) { return double(t.segments); }, whole, false},
     {"cpu_ms", "CPU ms a frame", [](const Trial& t) { return t.cpu_ms; }, one_decimal, false},
 };
@@ -65,7 +69,8 @@ double path_of(const BenchRow& row) {
 
 std::string trials_text(const BenchRow& row) {
   const size_t ended = row.trials.size();
-  return row.missing == 0 ? std::to_string(ended) : std::to_string(ended) + " of " + std::to_string(ended + size_t(row.missing));
+  return row.missing == 0 ? std::to_string(ended)
+                          : std::to_string(ended) + " of " + std::to_string(ended + size_t(row.missing));
 }
 
 }  // namespace
@@ -84,8 +89,8 @@ std::string bench_csv(const BenchHeader& header, const std::vector<BenchRow>& ro
   for (const Column& c : kColumns) text += std::string(",") + c.csv_name + "_median," + c.csv_name + "_worst";
   text += '\n';
   for (const BenchRow& row : rows) {
-    text += row.sequence + ',' + row.variant + ',' + std::to_string(row.trials.size()) + ',' + std::to_string(row.missing) + ',' +
-            number(path_of(row), three_digits);
+    text += row.sequence + ',' + row.variant + ',' + std::to_string(row.trials.size()) + ',' +
+            std::to_string(row.missing) + ',' + number(path_of(row), three_digits);
     for (const Column& c : kColumns) {
       const Summary s = summarise(row, c);
       text += ',' + s.median + ',' + s.worst;
@@ -102,7 +107,8 @@ std::string bench_markdown(const BenchHeader& header, const std::vector<BenchRow
   for (const Column& c : kColumns) text += std::string(" ") + c.title + " |", rule += "---|";
   text += '\n' + rule + '\n';
   for (const BenchRow& row : rows) {
-    text += "| " + row.sequence + " | " + row.variant + " | " + trials_text(row) + " | " + number(path_of(row), one_decimal) + " |";
+    text += "| " + row.sequence + " | " + row.variant + " | " + trials_text(row) + " | " +
+            number(path_of(row), one_decimal) + " |";
     for (const Column& c : kColumns) {
       const Summary s = summarise(row, c);
       text += ' ' + s.median + " (" + s.worst + ") |";

@@ -19,8 +19,9 @@ TrajectoryFacts facts_of(const Trajectory& t) {
 // KITTI files have no times: beside a TUM file of as many poses they take its times, line by line.
 void lend_times(const Trajectory& from, Trajectory* to) {
   if (from.poses.size() != to->poses.size())
-    throw InputError(to->path, "is a KITTI file of " + std::to_string(to->poses.size()) + " poses without times, and " +
-                                   from.path + " has " + std::to_string(from.poses.size()),
+    throw InputError(to->path,
+                     "is a KITTI file of " + std::to_string(to->poses.size()) + " poses without times, and " +
+                         from.path + " has " + std::to_string(from.poses.size()),
                      "give both in the TUM format, or both in KITTI's");
   for (size_t i = 0; i < to->poses.size(); ++i) to->poses[i].time = from.poses[i].time;
 }
@@ -37,7 +38,8 @@ void reconcile_times(Trajectory* estimate, Trajectory* ground_truth) {
 
 void require_motion(const Points& points, const std::string& path) {
   if (coincide(points))
-    throw InputError(path, "all its positions are equal", "nothing can be aligned; give a trajectory that moves");
+    throw InputError(path, "all its positions are equal",
+                     "nothing can be aligned; give a trajectory that moves");
 }
 
 Coverage coverage_of(const std::vector<EvaluatedFrame>& frames, const std::string& source) {
@@ -54,7 +56,9 @@ Coverage coverage_of(const std::vector<EvaluatedFrame>& frames, const std::strin
 }
 
 AbsoluteError required(const std::optional<AbsoluteError>& error, const std::string& path) {
-  if (!error) throw InputError(path, "no similarity fits it to the ground truth", "check that both are the same sequence");
+  if (!error)
+    throw InputError(path, "no similarity fits it to the ground truth",
+                     "check that both are the same sequence");
   return *error;
 }
 
@@ -78,7 +82,8 @@ TrajectoryEvaluation evaluate(const Trajectory& estimate_in, const Trajectory& g
   e.coverage = coverage_of(a.frames, input.source);
   e.ate_sim3 = required(ate_sim3(a.matches), estimate.path);
   e.ate_se3 = required(ate_se3(a.matches), estimate.path);
-  const std::vector<MatchedPose> metric = rescale_blocks(a.matches, options.rescale_block_frames, e.ate_sim3.scale);
+  const std::vector<MatchedPose> metric =
+      rescale_blocks(a.matches, options.rescale_block_frames, e.ate_sim3.scale);
   e.ate_blocks = required(ate_se3(metric), estimate.path);
   e.drift = drift(a.frames, metric, options.drift_cap_cm_per_m);
   e.kitti = kitti_relative(a.frames, a.matches, e.ate_sim3.scale);

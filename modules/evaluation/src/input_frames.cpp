@@ -37,13 +37,15 @@ int time_column(std::string_view header, const std::string& where) {
     const std::string_view name = trimmed(csv_field(header, c));
     if (name == "time" || name == "time_s") return c;
   }
-  throw InputError(where, "has no column named time", "give a frames.csv that edgevo run wrote, or --frames-total N");
+  throw InputError(where, "has no column named time",
+                   "give a frames.csv that edgevo run wrote, or --frames-total N");
 }
 
 void add_time(std::string_view text, const std::string& where, std::vector<Timestamp>* times) {
   Timestamp t;
   if (!parse_seconds(trimmed(text), &t))
-    throw InputError(where, "the time is not a number of seconds", "correct the line, or give --frames-total N");
+    throw InputError(where, "the time is not a number of seconds",
+                     "correct the line, or give --frames-total N");
   if (!times->empty() && t <= times->back())
     throw InputError(where, "time " + to_string(t) + " does not come after the one before",
                      "correct the line, or give --frames-total N");

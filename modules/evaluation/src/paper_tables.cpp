@@ -61,7 +61,7 @@ TableCell plain(double value) {
 }
 
 // ---- the lake
-// ----------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 std::vector<std::string> lake_columns() {
   std::vector<std::string> columns;
@@ -123,7 +123,7 @@ TableRow own_row(const std::string& name, const Rows& rows) {
 }
 
 // ---- KITTI
-// -------------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 // "00" of "kitti00"; the name itself of anything else, such as a piece.
 std::string kitti_row_name(const std::string& sequence) {

@@ -9,13 +9,13 @@
 namespace edgevo {
 namespace {
 
-constexpr double kShortPath = 400;  // m
+constexpr double kShortPath = 400;        // m
 constexpr int kKittiFirstFrameStep = 10;  // frames, as KITTI's own program steps
 
 // The input frames with ground truth, and how far along the true path each lies.
 struct Path {
-  std::vector<int> frames;       // indices into the input
-  std::vector<double> metres;    // from the first of these
+  std::vector<int> frames;     // indices into the input
+  std::vector<double> metres;  // from the first of these
   double length() const { return metres.empty() ? 0 : metres.back(); }
 };
 
@@ -43,7 +43,8 @@ std::vector<double> drift_lengths(double path_m) {
 
 // First entry of the path at least `length` beyond entry `begin`; -1 if it ends before.
 int end_of_stretch(const Path& path, int begin, double length) {
-  const auto it = std::lower_bound(path.metres.begin() + begin, path.metres.end(), path.metres[size_t(begin)] + length);
+  const auto it =
+      std::lower_bound(path.metres.begin() + begin, path.metres.end(), path.metres[size_t(begin)] + length);
   return it == path.metres.end() ? -1 : int(it - path.metres.begin());
 }
 
@@ -89,8 +90,8 @@ Drift::OfLength figures_of(const std::vector<double>& drifts) {
 
 }  // namespace
 
-std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames, const std::vector<MatchedPose>& metric_matches,
-                           double cap_cm_per_m) {
+std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames,
+                           const std::vector<MatchedPose>& metric_matches, double cap_cm_per_m) {
   const Path path = true_path(frames);
   if (!(path.length() > 0)) return std::nullopt;
   const std::vector<int> posed = posed_before(frames);
@@ -104,8 +105,8 @@ std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames, const std:
       const int b = end_of_stretch(path, a, length);
       if (b < 0) break;
       const double true_length = path.metres[size_t(b)] - path.metres[size_t(a)];
-      const auto d = stretch_drift(frames, posed, metric_matches, path.frames[size_t(a)], path.frames[size_t(b)],
-                                   true_length);
+      const auto d = stretch_drift(frames, posed, metric_matches, path.frames[size_t(a)],
+                                   path.frames[size_t(b)], true_length);
       result.without_poses += !d;
       result.capped += d && *d > cap_cm_per_m;
       drifts.push_back(std::min(d.value_or(cap_cm_per_m), cap_cm_per_m));
@@ -128,7 +129,8 @@ std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& f
     for (double length : kitti_lengths()) {
       const int b = end_of_stretch(path, a, length);
       if (b < 0) break;
-      const int i = frames[size_t(path.frames[size_t(a)])].match, j = frames[size_t(path.frames[size_t(b)])].match;
+      const int i = frames[size_t(path.frames[size_t(a)])].match,
+                j = frames[size_t(path.frames[size_t(b)])].match;
       if (i < 0 || j < 0) continue;
       const SE3 E = relative_error(matches[size_t(i)], matches[size_t(j)], scale);
       sum.t_rel_percent += 100.0 * E.translation().norm() / length;
@@ -141,7 +143,8 @@ std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& f
   return sum;
 }
 
-std::vector<ScalePoint> scale_curve(const std::vector<MatchedPose>& matches, int window_frames, double whole_scale) {
+std::vector<ScalePoint> scale_curve(const std::vector<MatchedPose>& matches, int window_frames,
+                                    double whole_scale) {
   const double spread_est = spread(estimate_points(matches)), spread_gt = spread(truth_points(matches));
   const auto at_frame = [&](int frame) {
     return std::lower_bound(matches.begin(), matches.end(), frame,

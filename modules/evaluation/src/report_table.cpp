@@ -43,15 +43,16 @@ void add_relative(const TrajectoryEvaluation& e, std::vector<Row>* rows) {
   if (e.drift)
     rows->push_back({"drift", number(e.drift->mean_cm_per_m, "%.2f"), "cm/m", stretches(e.drift->stretches),
                      blocks + "; stretches of " + lengths_text(e.drift->lengths_m) + "; " +
-                         std::to_string(e.drift->capped) + " capped, " + std::to_string(e.drift->without_poses) +
-                         " without poses"});
+                         std::to_string(e.drift->capped) + " capped, " +
+                         std::to_string(e.drift->without_poses) + " without poses"});
   else
     rows->push_back({"drift", "-", "cm/m", stretches(0), "the ground truth does not move"});
   const std::string kitti = "one Sim(3) scale; stretches of 100 to 800 m";
   const int n = e.kitti ? e.kitti->stretches : 0;
-  rows->push_back({"t_rel", e.kitti ? number(e.kitti->t_rel_percent, "%.3f") : "-", "%", stretches(n), kitti});
-  rows->push_back({"r_rel", e.kitti ? number(e.kitti->r_rel_deg_per_100m, "%.3f") : "-", "deg/100m", stretches(n),
-                   kitti});
+  rows->push_back(
+      {"t_rel", e.kitti ? number(e.kitti->t_rel_percent, "%.3f") : "-", "%", stretches(n), kitti});
+  rows->push_back({"r_rel", e.kitti ? number(e.kitti->r_rel_deg_per_100m, "%.3f") : "-", "deg/100m",
+                   stretches(n), kitti});
 }
 
 void add_scale(const TrajectoryEvaluation& e, std::vector<Row>* rows) {
@@ -89,8 +90,8 @@ std::string layout(const std::vector<Row>& rows) {
   }
   std::string text;
   for (const Row& r : rows)
-    text += padded(r.metric, metric) + "  " + padded(r.value, value, true) + "  " + padded(r.unit, unit) + "  " +
-            padded(r.over, over) + "  " + r.alignment + "\n";
+    text += padded(r.metric, metric) + "  " + padded(r.value, value, true) + "  " + padded(r.unit, unit) +
+            "  " + padded(r.over, over) + "  " + r.alignment + "\n";
   return text;
 }
 
@@ -105,7 +106,8 @@ std::string to_table(const TrajectoryEvaluation& e) {
   head << "trajectory    " << describe(e.estimate) << "\n";
   head << "ground truth  " << describe(e.ground_truth) << ", interpolated to the trajectory's times";
   if (e.drift) head << "; path " << number(e.drift->path_m, "%.1f") << " m";
-  head << "\nmatched       " << poses(e.matched) << "; " << e.without_ground_truth << " without ground truth\n";
+  head << "\nmatched       " << poses(e.matched) << "; " << e.without_ground_truth
+       << " without ground truth\n";
   head << "input         " << e.coverage.input_frames << " frames (" << e.coverage.source << ")\n\n";
   std::vector<Row> rows{{"metric", "value", "unit", "over", "alignment or scale"}};
   add_absolute(e, &rows);

@@ -60,7 +60,8 @@ double to_number(std::string_view field, const std::string& where) {
 StampedPose parse_tum(const Fields& f, const std::string& where) {
   StampedPose pose;
   if (!parse_seconds(f[0], &pose.time))
-    throw InputError(where, "time " + shown(f[0]) + " is not a number of seconds", "correct or remove the line");
+    throw InputError(where, "time " + shown(f[0]) + " is not a number of seconds",
+                     "correct or remove the line");
   std::array<double, 7> v{};
   for (size_t i = 0; i < v.size(); ++i) v[i] = to_number(f[i + 1], where);
   const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
@@ -82,7 +83,9 @@ StampedPose parse_kitti(const Fields& f, int row, const std::string& where) {
 
 }  // namespace
 
-std::string_view to_string(TrajectoryFormat format) { return format == TrajectoryFormat::kTum ? "TUM" : "KITTI"; }
+std::string_view to_string(TrajectoryFormat format) {
+  return format == TrajectoryFormat::kTum ? "TUM" : "KITTI";
+}
 
 Trajectory parse_trajectory(std::string_view text, const std::string& where) {
   Trajectory trajectory{where, TrajectoryFormat::kTum, {}};
@@ -100,14 +103,18 @@ Trajectory parse_trajectory(std::string_view text, const std::string& where) {
       trajectory.format = expected == kTumFields ? TrajectoryFormat::kTum : TrajectoryFormat::kKitti;
     }
     if (fields.size() != expected)
-      throw InputError(at, std::to_string(fields.size()) + " fields where the lines before have " +
-                               std::to_string(expected), "correct or remove the line");
+      throw InputError(
+          at,
+          std::to_string(fields.size()) + " fields where the lines before have " + std::to_string(expected),
+          "correct or remove the line");
     const StampedPose pose = trajectory.format == TrajectoryFormat::kTum
                                  ? parse_tum(fields, at)
                                  : parse_kitti(fields, int(trajectory.poses.size()), at);
     if (!trajectory.poses.empty() && pose.time <= trajectory.poses.back().time)
-      throw InputError(at, "time " + to_string(pose.time) + " does not come after " +
-                               to_string(trajectory.poses.back().time), "sort the lines and keep one a time");
+      throw InputError(
+          at,
+          "time " + to_string(pose.time) + " does not come after " + to_string(trajectory.poses.back().time),
+          "sort the lines and keep one a time");
     trajectory.poses.push_back(pose);
   }
   if (trajectory.poses.empty())

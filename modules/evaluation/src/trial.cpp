@@ -18,14 +18,17 @@ void Trial::visit(ParamVisitor& v) {
   v.number("ate_m", ate_m, 0, kLarge, "RMSE after Sim(3)");
   v.number("ate200_m", ate200_m, 0, kLarge, "scale re-corrected every 200 input frames");
   v.number("drift_cm_per_m", drift_cm_per_m, 0, kLarge, "mean over stretches");
-  v.number("failure_percent", failure_percent, 0, 100, "stretches above the cap of the drift, or without poses");
+  v.number("failure_percent", failure_percent, 0, 100,
+           "stretches above the cap of the drift, or without poses");
   v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, a frame");
   v.number("map_ms", map_ms, 0, kLarge, "all other stages, a frame");
 }
 
 namespace {
 
-bool is_tracking(const std::string& stage) { return stage == "edges" || stage == "alignment" || stage == "corners"; }
+bool is_tracking(const std::string& stage) {
+  return stage == "edges" || stage == "alignment" || stage == "corners";
+}
 
 }  // namespace
 
@@ -36,7 +39,8 @@ Trial trial_of(const Run& run, double cpu_s) {
   for (const FrameRecord& frame : run.frames) {
     posed += frame.T_world_cam.has_value();
     trial.segments = std::max(trial.segments, frame.segment + 1);
-    for (const auto& [stage, ms] : frame.stage_ms) (is_tracking(stage) ? trial.track_ms : trial.map_ms) += ms / trial.frames;
+    for (const auto& [stage, ms] : frame.stage_ms)
+      (is_tracking(stage) ? trial.track_ms : trial.map_ms) += ms / trial.frames;
   }
   if (trial.frames == 0) return trial;
   trial.completion_percent = 100.0 * posed / trial.frames;
@@ -52,7 +56,8 @@ void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
   trial->path_m = evaluation.drift->path_m;
   trial->drift_cm_per_m = evaluation.drift->mean_cm_per_m;
   const Drift& drift = *evaluation.drift;
-  if (drift.stretches > 0) trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.stretches;
+  if (drift.stretches > 0)
+    trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.stretches;
 }
 
 }  // namespace edgevo

@@ -56,8 +56,8 @@ struct Bootstrap::Impl {
   Random random{0};
   std::vector<BootstrapView> views;
   std::vector<Corners> corners_in_view;  // for each view, where the corners still alive now were
-  size_t first_corners = 0;  // followed from the first view on
-  int disagreeing = 0;       // frames in a row
+  size_t first_corners = 0;              // followed from the first view on
+  int disagreeing = 0;                   // frames in a row
   cv::Mat previous;
 
   void start(BootstrapView view, cv::Mat image) {

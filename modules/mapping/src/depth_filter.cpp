@@ -10,7 +10,7 @@ namespace {
 constexpr double kAgreeSigmas = 3;
 // Outliers more than agreements, beyond which a point is given up: two may be an occlusion.
 constexpr int kMoreBad = 2;
-constexpr double kSearchSigmas = 2;      // standard deviations to each side: 95 of 100 points lie within
+constexpr double kSearchSigmas = 2;  // standard deviations to each side: 95 of 100 points lie within
 // Share of an inverse depth that a search goes down to: it stays in front of the camera.
 constexpr double kNearestToNone = 1e-3;
 // Between neighbours, across the edge: further off it is another one, or a corner.

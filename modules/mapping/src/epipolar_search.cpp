@@ -69,7 +69,7 @@ class EpipolarSearch {
  private:
   struct Candidate {
     double cost = 2;
-    double along = 0;            // on the segment, pixels
+    double along = 0;  // on the segment, pixels
     Eigen::Vector2d px, normal;
     double idepth = 0;
   };

@@ -9,9 +9,12 @@ namespace {
 
 float probability_of_free(GridCell cell) {
   switch (cell) {
-    case GridCell::kOccupied: return 0.01f;
-    case GridCell::kFree: return 0.99f;
-    case GridCell::kUnknown: return 0.5f;
+    case GridCell::kOccupied:
+      return 0.01f;
+    case GridCell::kFree:
+      return 0.99f;
+    case GridCell::kUnknown:
+      return 0.5f;
   }
   return 0.5f;
 }
@@ -21,13 +24,14 @@ float probability_of_free(GridCell cell) {
 void write_gridmap(const OccupancyGrid& grid, const std::string& path) {
   const auto resolution = float(grid.resolution);
   const auto x0 = float(grid.origin_x), y0 = float(grid.origin_y);
-  mrpt::maps::COccupancyGridMap2D map(x0, x0 + float(grid.width) * resolution, y0, y0 + float(grid.height) * resolution, resolution);
+  mrpt::maps::COccupancyGridMap2D map(x0, x0 + float(grid.width) * resolution, y0,
+                                      y0 + float(grid.height) * resolution, resolution);
   // MRPT rounds the corners to multiples of a cell, so that cells are found by where they lie.
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x)
       if (grid.at(x, y) != GridCell::kUnknown)
-        map.setPos(float(grid.origin_x + (x + 0.5) * grid.resolution), float(grid.origin_y + (y + 0.5) * grid.resolution),
-                   probability_of_free(grid.at(x, y)));
+        map.setPos(float(grid.origin_x + (x + 0.5) * grid.resolution),
+                   float(grid.origin_y + (y + 0.5) * grid.resolution), probability_of_free(grid.at(x, y)));
   ObjectFile out(path);
   out.write(map);
   out.close();

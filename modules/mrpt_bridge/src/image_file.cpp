@@ -6,9 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/image_integrity.h"
 #include "edgevo/core/output_file.h"
 #include "gray_conversion.h"
-#include "edgevo/core/image_integrity.h"
 
 namespace edgevo {
 namespace {

@@ -78,7 +78,9 @@ class RawlogSource : public ImageSource {
   }
   std::string kind() const override { return "rawlog"; }
   std::string label() const override { return chosen_.label; }
-  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return read_vehicle_track(path_, sensor); }
+  VehicleTrack vehicle_track(VehicleSensor sensor) const override {
+    return read_vehicle_track(path_, sensor);
+  }
   std::vector<std::pair<std::string, std::string>> details() const override;
   std::vector<Timestamp> times() const override {
     return survey_.complete ? chosen_.times : std::vector<Timestamp>();

@@ -1,9 +1,9 @@
 #include "rawlog_survey.h"
 
 #include "edgevo/core/error.h"
+#include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "gz_archive.h"
-#include "edgevo/mrpt_bridge/rawlog_image.h"
 
 namespace edgevo {
 namespace {

@@ -197,8 +197,8 @@ void add_ground(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   scene->insert(mrpt::opengl::stock_objects::CornerXYZSimple(step));
 }
 
-// The main viewport's own camera has all in sight, from behind the start and above. SceneViewer3D takes it over only
-// where the scene asks for that.
+// The main viewport's own camera has all in sight, from behind the start and above. SceneViewer3D takes it
+// over only where the scene asks for that.
 void look_at(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   const Eigen::Vector3f c = extent.centre();
   mrpt::opengl::CCamera& camera = scene->getViewport()->getCamera();

@@ -4,8 +4,8 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
-#include "edgevo/mrpt_bridge/edge_scan.h"
 #include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/edge_scan.h"
 #include "object_file.h"
 
 namespace edgevo {

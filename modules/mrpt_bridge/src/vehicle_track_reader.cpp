@@ -24,9 +24,11 @@ Eigen::Vector3d earth_centred(double latitude_deg, double longitude_deg, double 
   constexpr double kEquator = 6378137.0, kFlattening = 1 / 298.257223563, kRadian = M_PI / 180;
   constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
   const double sin_lat = std::sin(latitude_deg * kRadian), cos_lat = std::cos(latitude_deg * kRadian);
-  const double across = kEquator / std::sqrt(1 - kEccentricity2 * sin_lat * sin_lat);  // radius of the prime vertical
+  const double across =
+      kEquator / std::sqrt(1 - kEccentricity2 * sin_lat * sin_lat);  // radius of the prime vertical
   return {(across + height_m) * cos_lat * std::cos(longitude_deg * kRadian),
-          (across + height_m) * cos_lat * std::sin(longitude_deg * kRadian), (across * (1 - kEccentricity2) + height_m) * sin_lat};
+          (across + height_m) * cos_lat * std::sin(longitude_deg * kRadian),
+          (across * (1 - kEccentricity2) + height_m) * sin_lat};
 }
 
 std::optional<Eigen::Vector3d> gps_position(const CObservation& observation) {
@@ -59,8 +61,11 @@ bool is_our_own(const std::string& label) { return label == "EDGE_VO" || label =
 
 void sort_by_time(VehicleTrack* track) {
   auto& p = track->positions;
-  std::stable_sort(p.begin(), p.end(), [](const VehiclePosition& a, const VehiclePosition& b) { return a.time < b.time; });
-  p.erase(std::unique(p.begin(), p.end(), [](const VehiclePosition& a, const VehiclePosition& b) { return a.time == b.time; }), p.end());
+  std::stable_sort(p.begin(), p.end(),
+                   [](const VehiclePosition& a, const VehiclePosition& b) { return a.time < b.time; });
+  p.erase(std::unique(p.begin(), p.end(),
+                      [](const VehiclePosition& a, const VehiclePosition& b) { return a.time == b.time; }),
+          p.end());
 }
 
 }  // namespace

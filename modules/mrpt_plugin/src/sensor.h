@@ -25,7 +25,8 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   /// Opens camera and odometry. Throws std::runtime_error with one line.
   void initialize() override;
   /// One image through the odometry. When no more come, or after Ctrl-C, says so once, waits until all is
-  /// written and then throws, which is how a sensor ends rawlog-grabber; with at_end = wait only after Ctrl-C.
+  /// written and then throws, which is how a sensor ends rawlog-grabber; with at_end = wait only after
+  /// Ctrl-C.
   void doProcess() override;
 
  protected:

@@ -30,7 +30,8 @@ class VoxelGrays {
   void add_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int gray) {
     octomap::OcTreeKey key;
     const octomap::point3d a = to_octomap(from), b = to_octomap(to);
-    if (!tree_.coordToKeyChecked(a, key) || !tree_.coordToKeyChecked(b, key) || !tree_.computeRayKeys(a, b, ray_))
+    if (!tree_.coordToKeyChecked(a, key) || !tree_.coordToKeyChecked(b, key) ||
+        !tree_.computeRayKeys(a, b, ray_))
       return;
     for (const octomap::OcTreeKey& between : ray_) add(between, gray);
   }
@@ -43,7 +44,8 @@ class VoxelGrays {
       const auto mean = uint8_t(gray.sum / gray.count);
       colored.setNodeValue(key, node->getLogOdds(), /*lazy_eval=*/true)->setColor(mean, mean, mean);
     }
-    if (colored.size() > 0) colored.updateInnerOccupancy();  // octomap 1.9 does not look whether there is a root
+    if (colored.size() > 0)
+      colored.updateInnerOccupancy();  // octomap 1.9 does not look whether there is a root
     return colored;
   }
 
@@ -74,7 +76,8 @@ void add_keyframe(const Run& run, const KeyframeRecord& k, const PointFilter& fi
 
 }  // namespace
 
-void write_color_octree(const Run& run, const PointFilter& filter, const OctreeMap& map, const std::string& path) {
+void write_color_octree(const Run& run, const PointFilter& filter, const OctreeMap& map,
+                        const std::string& path) {
   VoxelGrays grays(map.tree());
   for (const KeyframeRecord& k : run.keyframes)
     if (k.T_world_cam.is_finite()) add_keyframe(run, k, filter, &grays);

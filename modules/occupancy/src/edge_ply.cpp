@@ -57,7 +57,8 @@ void put_points(const Run& run, const PointFilter& filter, size_t k, const SE3& 
 }
 
 void put_line(const Run& run, const EdgeLine& line, size_t k, const SE3& T_map_cam, Body* body) {
-  const uint8_t kind = uint8_t((line.is_straight ? ply::kStraight : 0) | (line.is_outline ? ply::kOutline : 0));
+  const uint8_t kind =
+      uint8_t((line.is_straight ? ply::kStraight : 0) | (line.is_outline ? ply::kOutline : 0));
   for (size_t i = 0; i < line.vertices.size(); ++i) {
     const EdgeVertex& v = line.vertices[i];
     const uint8_t gray = uint8_t((v.gray_dark + v.gray_bright) / 2);
@@ -81,11 +82,14 @@ std::string pose_text(const SE3& T) {
   return text;
 }
 
-std::string comment(const char* key, const std::string& value) { return std::string("comment ") + key + value + "\n"; }
+std::string comment(const char* key, const std::string& value) {
+  return std::string("comment ") + key + value + "\n";
+}
 
 // What it takes to build the map again: edge_ply_reader.h.
 std::string run_comments(const Run& run) {
-  std::string text = comment(ply::kScale, " " + run.scale_source + " " + fixed(run.scale.factor, 9) + " " + fixed(run.scale.sigma, 9));
+  std::string text = comment(ply::kScale, " " + run.scale_source + " " + fixed(run.scale.factor, 9) + " " +
+                                              fixed(run.scale.sigma, 9));
   if (run.T_vehicle_cam) text += comment(ply::kMount, pose_text(*run.T_vehicle_cam));
   for (const KeyframeRecord& k : run.keyframes) {
     const SE3 T_map_cam = T_map_world(run) * k.T_world_cam;
@@ -105,9 +109,7 @@ std::string header(const Run& run, const Body& body) {
          (run.T_vehicle_cam && run.is_metric() ? "vehicle" : "camera") +
          " pose\n"
          "comment idepth: inverse depth in the host keyframe, idepth_sigma: its standard deviation\n" +
-         run_comments(run) +
-         "element vertex " +
-         std::to_string(body.vertex_count) +
+         run_comments(run) + "element vertex " + std::to_string(body.vertex_count) +
          "\n"
          "property float x\nproperty float y\nproperty float z\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\n"

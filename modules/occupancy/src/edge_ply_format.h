@@ -4,13 +4,15 @@
 
 namespace edgevo::ply {
 
-/// First words of the header's comments: `keyframe FRAME SEGMENT tx ty tz qx qy qz qw` (its pose in the map, in the order of
-/// the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE METRES_PER_UNIT SIGMA`.
+/// First words of the header's comments: `keyframe FRAME SEGMENT tx ty tz qx qy qz qw` (its pose in the map,
+/// in the order of the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE
+/// METRES_PER_UNIT SIGMA`.
 constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale";
 
-/// float x y z, uchar red green blue, float idepth idepth_sigma, int keyframe observations line, uchar gray_dark
-/// gray_bright line_kind.
-constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kLineOffset = 31, kSidesOffset = 35, kVertexBytes = 38;
+/// float x y z, uchar red green blue, float idepth idepth_sigma, int keyframe observations line, uchar
+/// gray_dark gray_bright line_kind.
+constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kLineOffset = 31, kSidesOffset = 35,
+                 kVertexBytes = 38;
 
 /// int vertex1 vertex2.
 constexpr size_t kEdgeBytes = 8;

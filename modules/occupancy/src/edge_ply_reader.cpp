@@ -36,7 +36,8 @@ bool read_pose(std::istream& in, SE3* T) {
   return T->is_finite();
 }
 
-// T_map_cam of each keyframe goes to `poses`: where the map lies depends on unit and mount, which may come after.
+// T_map_cam of each keyframe goes to `poses`: where the map lies depends on unit and mount, which may come
+// after.
 struct Header {
   Run run;
   std::vector<SE3> T_map_cam;
@@ -50,8 +51,10 @@ void read_line(const std::string& path, const std::string& line, Header* header)
   std::string word, key;
   in >> word >> key;
   if (word == "property" && line == "property uchar line_kind") header->has_lines = true;
-  if (word == "element" && key == "vertex" && !(in >> header->vertices)) refuse(path, "its header tells no number of points");
-  if (word == "element" && key == "edge" && !(in >> header->edges)) refuse(path, "its header tells no number of edges");
+  if (word == "element" && key == "vertex" && !(in >> header->vertices))
+    refuse(path, "its header tells no number of points");
+  if (word == "element" && key == "edge" && !(in >> header->edges))
+    refuse(path, "its header tells no number of edges");
   if (word != "comment") return;
   bool readable = true;
   if (key == ply::kKeyframe) {
@@ -73,7 +76,8 @@ void read_line(const std::string& path, const std::string& line, Header* header)
 
 Header read_header(const std::string& path, const std::string& bytes) {
   Header header;
-  if (bytes.rfind("ply\nformat binary_little_endian 1.0\n", 0) != 0) refuse(path, "is not a PLY file of edgevo");
+  if (bytes.rfind("ply\nformat binary_little_endian 1.0\n", 0) != 0)
+    refuse(path, "is not a PLY file of edgevo");
   const size_t end = bytes.find("end_header\n");
   if (end == std::string::npos) refuse(path, "its header does not end");
   std::istringstream lines(bytes.substr(0, end));
@@ -111,7 +115,8 @@ void read_vertex(const std::string& path, const char* bytes, Header* header) {
   point.normal = {1, 0};
   point.gray = uint8_t(bytes[12]);
   point.idepth = float(1 / p_cam.z());
-  point.idepth_sigma = real(bytes + ply::kIdepthOffset + 4) * (point.idepth / real(bytes + ply::kIdepthOffset));
+  point.idepth_sigma =
+      real(bytes + ply::kIdepthOffset + 4) * (point.idepth / real(bytes + ply::kIdepthOffset));
   point.observations = int(little_endian(bytes + ply::kKeyframeOffset + 4));
   KeyframeRecord& host = header->run.keyframes[keyframe];
   if (const int line = int(little_endian(bytes + ply::kLineOffset)); line >= 0)
@@ -125,11 +130,13 @@ void read_vertex(const std::string& path, const char* bytes, Header* header) {
 Run read_edge_ply(const std::string& path) {
   const std::string bytes = read_file(path, "give the folder of a finished `edgevo run`");
   Header header = read_header(path, bytes);
-  for (size_t i = 0; i < header.vertices; ++i) read_vertex(path, bytes.data() + header.end + i * ply::kVertexBytes, &header);
+  for (size_t i = 0; i < header.vertices; ++i)
+    read_vertex(path, bytes.data() + header.end + i * ply::kVertexBytes, &header);
   Run run = std::move(header.run);
   run.pinhole = {1, 1, 0, 0, 1, 1};
   const SE3 T_world_map = T_map_world(run).inverse();
-  for (size_t k = 0; k < run.keyframes.size(); ++k) run.keyframes[k].T_world_cam = T_world_map * header.T_map_cam[k];
+  for (size_t k = 0; k < run.keyframes.size(); ++k)
+    run.keyframes[k].T_world_cam = T_world_map * header.T_map_cam[k];
   return run;
 }
 

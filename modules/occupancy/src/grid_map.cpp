@@ -25,7 +25,8 @@ struct Band {
 // Heights of the band over each cell.
 class BandAlongTheWay {
  public:
-  BandAlongTheWay(const Run& run, double camera_height, const GridParams& params) : camera_height_(camera_height), params_(params) {
+  BandAlongTheWay(const Run& run, double camera_height, const GridParams& params)
+      : camera_height_(camera_height), params_(params) {
     const SE3 T_map = T_map_world(run);
     for (const KeyframeRecord& k : run.keyframes) {
       const Eigen::Vector3d p = (T_map * k.T_world_cam).translation();
@@ -36,9 +37,10 @@ class BandAlongTheWay {
   Band at(double x, double y) const {
     if (camera_height_ <= 0 || cameras_.empty()) return {};
     const Eigen::Vector2d here(x, y);
-    const auto nearest = std::min_element(cameras_.begin(), cameras_.end(), [&](const auto& a, const auto& b) {
-      return (a.template head<2>() - here).squaredNorm() < (b.template head<2>() - here).squaredNorm();
-    });
+    const auto nearest =
+        std::min_element(cameras_.begin(), cameras_.end(), [&](const auto& a, const auto& b) {
+          return (a.template head<2>() - here).squaredNorm() < (b.template head<2>() - here).squaredNorm();
+        });
     const double ground = nearest->z() - camera_height_;
     return {ground + params_.band_low * camera_height_, ground + params_.band_high * camera_height_};
   }
@@ -53,10 +55,14 @@ OccupancyGrid empty_grid(const octomap::OcTree& tree) {
   OccupancyGrid grid;
   grid.resolution = tree.getResolution();
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-  if (tree.size() > 0) tree.getMetricMin(low[0], low[1], low[2]), tree.getMetricMax(high[0], high[1], high[2]);
-  const auto cells = [&](int axis) { return std::max<int64_t>(1, std::llround((high[axis] - low[axis]) / grid.resolution)); };
+  if (tree.size() > 0)
+    tree.getMetricMin(low[0], low[1], low[2]), tree.getMetricMax(high[0], high[1], high[2]);
+  const auto cells = [&](int axis) {
+    return std::max<int64_t>(1, std::llround((high[axis] - low[axis]) / grid.resolution));
+  };
   if (cells(0) * cells(1) > kMostCells)
-    throw InputError("grid", "would have " + std::to_string(cells(0) * cells(1)) + " cells", "set a larger occupancy.resolution");
+    throw InputError("grid", "would have " + std::to_string(cells(0) * cells(1)) + " cells",
+                     "set a larger occupancy.resolution");
   grid.width = int(cells(0)), grid.height = int(cells(1));
   grid.origin_x = low[0], grid.origin_y = low[1];
   grid.cells.assign(size_t(grid.width) * size_t(grid.height), GridCell::kUnknown);
@@ -70,7 +76,8 @@ void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, Occupanc
   std::vector<Band> band;  // of each cell
   for (int y = 0; y < grid->height; ++y)
     for (int x = 0; x < grid->width; ++x)
-      band.push_back(bands.at(grid->origin_x + (x + 0.5) * grid->resolution, grid->origin_y + (y + 0.5) * grid->resolution));
+      band.push_back(bands.at(grid->origin_x + (x + 0.5) * grid->resolution,
+                              grid->origin_y + (y + 0.5) * grid->resolution));
   for (auto leaf = tree.begin_leafs(), end = tree.end_leafs(); leaf != end; ++leaf) {
     const GridCell value = tree.isNodeOccupied(*leaf) ? GridCell::kOccupied : GridCell::kFree;
     const double half = leaf.getSize() / 2;
@@ -80,7 +87,8 @@ void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, Occupanc
     for (int y = std::max(0, y0); y < std::min(grid->height, y0 + side); ++y)
       for (int x = std::max(0, x0); x < std::min(grid->width, x0 + side); ++x) {
         const size_t cell = size_t(y) * size_t(grid->width) + size_t(x);
-        if (leaf.getZ() + half > band[cell].low && leaf.getZ() - half < band[cell].high) raise(value, &grid->cells[cell]);
+        if (leaf.getZ() + half > band[cell].low && leaf.getZ() - half < band[cell].high)
+          raise(value, &grid->cells[cell]);
       }
   }
 }
@@ -88,14 +96,19 @@ void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, Occupanc
 // All cells within `radius` of the way from a to b.
 void free_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius, OccupancyGrid* grid) {
   const Eigen::Vector2d origin(grid->origin_x, grid->origin_y), span = b - a;
-  const Eigen::Vector2d low = (a.cwiseMin(b) - origin).array() - radius, high = (a.cwiseMax(b) - origin).array() + radius;
+  const Eigen::Vector2d low = (a.cwiseMin(b) - origin).array() - radius,
+                        high = (a.cwiseMax(b) - origin).array() + radius;
   const auto first = [&](double x) { return std::max(0, int(std::floor(x / grid->resolution))); };
-  const auto last = [&](double x, int size) { return std::min(size - 1, int(std::floor(x / grid->resolution))); };
+  const auto last = [&](double x, int size) {
+    return std::min(size - 1, int(std::floor(x / grid->resolution)));
+  };
   for (int y = first(low.y()); y <= last(high.y(), grid->height); ++y)
     for (int x = first(low.x()); x <= last(high.x(), grid->width); ++x) {
       const Eigen::Vector2d p = origin + grid->resolution * Eigen::Vector2d(x + 0.5, y + 0.5);
-      const double share = span.squaredNorm() > 0 ? std::clamp(span.dot(p - a) / span.squaredNorm(), 0.0, 1.0) : 0;
-      if ((a + share * span - p).norm() <= radius) grid->cells[size_t(y) * size_t(grid->width) + size_t(x)] = GridCell::kFree;
+      const double share =
+          span.squaredNorm() > 0 ? std::clamp(span.dot(p - a) / span.squaredNorm(), 0.0, 1.0) : 0;
+      if ((a + share * span - p).norm() <= radius)
+        grid->cells[size_t(y) * size_t(grid->width) + size_t(x)] = GridCell::kFree;
     }
 }
 
@@ -108,7 +121,8 @@ void free_driven_way(const Run& run, double width, OccupancyGrid* grid) {
     if (!f.T_world_cam || !f.T_world_cam->is_finite()) continue;
     const Eigen::Vector2d here = (T_map * f.T_world_cam->translation()).head<2>();
     const bool goes_on = last && last->segment == f.segment;
-    free_along(goes_on ? Eigen::Vector2d((T_map * last->T_world_cam->translation()).head<2>()) : here, here, radius, grid);
+    free_along(goes_on ? Eigen::Vector2d((T_map * last->T_world_cam->translation()).head<2>()) : here, here,
+               radius, grid);
     last = &f;
   }
 }
@@ -116,13 +130,15 @@ void free_driven_way(const Run& run, double width, OccupancyGrid* grid) {
 std::string statement_of(const Run& run, double camera_height, const GridParams& params) {
   const std::string unit = "; unit: " + unit_statement(run);
   if (camera_height <= 0) return "all heights, since the ground is not known (set grid.camera_height)" + unit;
-  return "heights " + fixed(params.band_low * camera_height, 3) + " to " + fixed(params.band_high * camera_height, 3) +
-         " over the ground, which lies " + fixed(camera_height, 3) + " under the camera's way" + unit;
+  return "heights " + fixed(params.band_low * camera_height, 3) + " to " +
+         fixed(params.band_high * camera_height, 3) + " over the ground, which lies " +
+         fixed(camera_height, 3) + " under the camera's way" + unit;
 }
 
 uint8_t gray(GridCell cell) {
   switch (cell) {
-    case GridCell::kOccupied: return 0;
+    case GridCell::kOccupied:
+      return 0;
     case GridCell::kFree:
       return kGrayFree;
     case GridCell::kUnknown:
@@ -132,7 +148,8 @@ uint8_t gray(GridCell cell) {
 }
 
 std::string pgm(const OccupancyGrid& grid) {
-  std::string bytes = "P5\n# " + grid.statement + "\n" + std::to_string(grid.width) + " " + std::to_string(grid.height) + "\n255\n";
+  std::string bytes = "P5\n# " + grid.statement + "\n" + std::to_string(grid.width) + " " +
+                      std::to_string(grid.height) + "\n255\n";
   for (int y = grid.height - 1; y >= 0; --y)
     for (int x = 0; x < grid.width; ++x) bytes += char(gray(grid.at(x, y)));
   return bytes;
@@ -141,23 +158,31 @@ std::string pgm(const OccupancyGrid& grid) {
 }  // namespace
 
 void GridParams::visit(ParamVisitor& v) {
-  v.text("camera_height", camera_height, {}, "of the camera over the ground, unit of the run, or auto: as --scale, the ground that was seen or the mount say");
-  v.number("band_low", band_low, -10, 10, "the grid shows what stands higher than this, in camera heights over the ground");
+  v.text("camera_height", camera_height, {},
+         "of the camera over the ground, unit of the run, or auto: as --scale, the ground that was seen or "
+         "the mount say");
+  v.number("band_low", band_low, -10, 10,
+           "the grid shows what stands higher than this, in camera heights over the ground");
   v.number("band_high", band_high, -10, 100, "and lower than this");
-  v.number("driven_width", driven_width, 0, 10, "where the vehicle was nothing stands: its way is free, so wide, in camera heights; 0: as the map says");
+  v.number("driven_width", driven_width, 0, 10,
+           "where the vehicle was nothing stands: its way is free, so wide, in camera heights; 0: as the map "
+           "says");
 }
 
 double GridParams::given_camera_height() const { return auto_or_length("grid.camera_height", camera_height); }
 
 void GridParams::check() const {
   given_camera_height();
-  if (!(band_low < band_high)) throw InputError("grid.band_low", "is not below grid.band_high", "give for example 0.18 and 1.1");
+  if (!(band_low < band_high))
+    throw InputError("grid.band_low", "is not below grid.band_high", "give for example 0.18 and 1.1");
 }
 
-OccupancyGrid make_grid(const Run& run, const OctreeMap& map, double camera_height, const GridParams& params) {
+OccupancyGrid make_grid(const Run& run, const OctreeMap& map, double camera_height,
+                        const GridParams& params) {
   OccupancyGrid grid = empty_grid(map.tree());
   flatten(map.tree(), BandAlongTheWay(run, camera_height, params), &grid);
-  if (camera_height > 0 && params.driven_width > 0) free_driven_way(run, params.driven_width * camera_height, &grid);
+  if (camera_height > 0 && params.driven_width > 0)
+    free_driven_way(run, params.driven_width * camera_height, &grid);
   grid.statement = statement_of(run, camera_height, params);
   return grid;
 }
@@ -165,8 +190,9 @@ OccupancyGrid make_grid(const Run& run, const OctreeMap& map, double camera_heig
 void write_ros_grid(const OccupancyGrid& grid, const std::string& yaml_path) {
   const std::filesystem::path image = std::filesystem::path(yaml_path).replace_extension(".pgm");
   write_file(image.string(), pgm(grid));
-  std::string yaml = "# " + grid.statement + "\nimage: " + image.filename().string() + "\nmode: trinary\nresolution: " +
-                     fixed(grid.resolution, 9) + "\norigin: [" + fixed(grid.origin_x, 6) + ", " + fixed(grid.origin_y, 6) +
+  std::string yaml = "# " + grid.statement + "\nimage: " + image.filename().string() +
+                     "\nmode: trinary\nresolution: " + fixed(grid.resolution, 9) + "\norigin: [" +
+                     fixed(grid.origin_x, 6) + ", " + fixed(grid.origin_y, 6) +
                      ", 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   write_file(yaml_path, yaml);
 }

@@ -33,8 +33,10 @@ std::string row_of(const Run& run, const EdgeLine& line, const SE3& T_map_cam) {
   append_numbers(points.back(), &row);
   append_fixed(&(row += ','), length_of(points), kDecimals);
   append_numbers(direction, &row);
-  append_fixed(&(row += ','), double(middle.idepth_sigma) / (double(middle.idepth) * double(middle.idepth)), kDecimals);
-  for (const int number : {n, line.keyframes, int(line.is_straight), int(line.is_outline), dark / n, bright / n})
+  append_fixed(&(row += ','), double(middle.idepth_sigma) / (double(middle.idepth) * double(middle.idepth)),
+               kDecimals);
+  for (const int number :
+       {n, line.keyframes, int(line.is_straight), int(line.is_outline), dark / n, bright / n})
     row += ',' + std::to_string(number);
   return row;
 }
@@ -43,7 +45,8 @@ std::string row_of(const Run& run, const EdgeLine& line, const SE3& T_map_cam) {
 
 std::string line_table_csv(const Run& run) {
   std::string text =
-      "line,keyframe,frame,x1,y1,z1,x2,y2,z2,length,dx,dy,dz,sigma,vertices,keyframes,straight,outline,gray_dark,"
+      "line,keyframe,frame,x1,y1,z1,x2,y2,z2,length,dx,dy,dz,sigma,vertices,keyframes,straight,outline,gray_"
+      "dark,"
       "gray_bright\n";
   int number = 0;
   for (size_t k = 0; k < run.keyframes.size(); ++k) {
@@ -51,8 +54,8 @@ std::string line_table_csv(const Run& run) {
     const SE3 T_map_cam = T_map_world(run) * keyframe.T_world_cam;
     if (!T_map_cam.is_finite()) continue;
     for (const EdgeLine& line : keyframe.lines)
-      text += std::to_string(number++) + ',' + std::to_string(k) + ',' + std::to_string(keyframe.frame_index) +
-              row_of(run, line, T_map_cam) + '\n';
+      text += std::to_string(number++) + ',' + std::to_string(k) + ',' +
+              std::to_string(keyframe.frame_index) + row_of(run, line, T_map_cam) + '\n';
   }
   return text;
 }

@@ -39,7 +39,9 @@ void OccupancyParams::visit(ParamVisitor& v) {
   points.visit(v);
 }
 
-double OccupancyParams::given_resolution() const { return auto_or_length("occupancy.resolution", resolution); }
+double OccupancyParams::given_resolution() const {
+  return auto_or_length("occupancy.resolution", resolution);
+}
 double OccupancyParams::given_max_range() const { return auto_or_length("occupancy.max_range", max_range); }
 
 void OccupancyParams::check() const {

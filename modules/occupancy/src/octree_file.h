@@ -16,6 +16,7 @@ constexpr const char* kBtFirstLine = "# Octomap OcTree binary file";
 std::string octree_comments(const Run& run);
 
 /// The header that octomap would write; `comments` are whole lines that begin with #.
-std::string octree_header(const char* first_line, const std::string& comments, const octomap::AbstractOcTree& tree);
+std::string octree_header(const char* first_line, const std::string& comments,
+                          const octomap::AbstractOcTree& tree);
 
 }  // namespace edgevo

@@ -49,8 +49,9 @@ std::map<int, Keyframes> keyframes_by_segment(const Run& run) {
   return segments;
 }
 
-// Merges equal children whenever the tree has grown to twice its size: memory stays near that of the finished map, and all the passes
-// over the tree together cost no more than two over the finished one, however long the run.
+// Merges equal children whenever the tree has grown to twice its size: memory stays near that of the finished
+// map, and all the passes over the tree together cost no more than two over the finished one, however long
+// the run.
 void merge_when_doubled(OcTree* tree, size_t* size_after_merging) {
   constexpr size_t kSmall = 200000;  // nodes: a few MB, not worth a pass
   if (tree->size() < std::max(kSmall, 2 * *size_after_merging)) return;
@@ -62,7 +63,8 @@ void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionL
                     OctreeStats* stats, const OnKeyframeMapped& on_keyframe) {
   const SE3 T_map = T_map_world(run);
   SegmentInserter inserter(run.pinhole, limits, tree, stats);
-  for (const KeyframeRecord* keyframe : keyframes) inserter.note_points(*keyframe, T_map * keyframe->T_world_cam);
+  for (const KeyframeRecord* keyframe : keyframes)
+    inserter.note_points(*keyframe, T_map * keyframe->T_world_cam);
   size_t size_after_merging = 0;
   for (const KeyframeRecord* keyframe : keyframes) {
     const double start = thread_cpu_ms();
@@ -89,8 +91,12 @@ OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params, const OnKeyf
   stats_.median_depth = lengths.median_depth;
   stats_.resolution = lengths.resolution;
   stats_.max_range = lengths.max_range;
-  const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma,
-                               params.carve_stop_sigmas, params.carve_neighbours, params.carve_neighbour_share};
+  const InsertionLimits limits{params.points,
+                               stats_.max_range,
+                               params.carve_max_relative_sigma,
+                               params.carve_stop_sigmas,
+                               params.carve_neighbours,
+                               params.carve_neighbour_share};
 
   tree_ = empty_tree(stats_.resolution, params);
   for (const auto& [segment, keyframes] : keyframes_by_segment(run)) {

@@ -8,11 +8,14 @@ std::vector<std::string> describe_changes(const ImageCorrection& before, const C
   std::vector<std::string> lines;
   char line[160];
   if (now.correction().k1 != before.k1) {
-    std::snprintf(line, sizeof line, "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", now.k1, now.sigma, now.keyframes);
+    std::snprintf(line, sizeof line,
+                  "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", now.k1,
+                  now.sigma, now.keyframes);
     lines.push_back(line);
   }
   if (now.correction().readout_s != before.readout_s) {
-    std::snprintf(line, sizeof line, "self-calibration: rolling shutter, read-out %.4f +- %.4f s from %d keyframes, applied",
+    std::snprintf(line, sizeof line,
+                  "self-calibration: rolling shutter, read-out %.4f +- %.4f s from %d keyframes, applied",
                   now.shutter.readout_s, now.shutter.sigma, now.shutter.keyframes);
     lines.push_back(line);
   }
@@ -21,7 +24,9 @@ std::vector<std::string> describe_changes(const ImageCorrection& before, const C
 
 std::string describe_border_mask(double share) {
   char line[120];
-  std::snprintf(line, sizeof line, "border mask: %.0f %% of the images never receive light; no edges are taken there", 100 * share);
+  std::snprintf(line, sizeof line,
+                "border mask: %.0f %% of the images never receive light; no edges are taken there",
+                100 * share);
   return line;
 }
 

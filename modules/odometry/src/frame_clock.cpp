@@ -12,7 +12,8 @@ namespace {
 // Intervals a frame: times of arrival jitter by less; one frame more or less lies right beyond.
 constexpr double kShortest = 0.5, kLongest = 1.5;
 
-// Of those that no frame is missing from: the median of what lies about the lower quartile, then about that median.
+// Of those that no frame is missing from: the median of what lies about the lower quartile, then about that
+// median.
 double usual_interval(const std::deque<double>& intervals) {
   constexpr int kRounds = 3;  // the median settles within two
   std::vector<double> some(intervals.begin(), intervals.end());

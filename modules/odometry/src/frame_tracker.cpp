@@ -29,8 +29,8 @@ bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, cons
          (task.keyframes.follows_keyframe() && task.keyframes.calls_for_keyframe(pose, task.reference));
 }
 
-// A hypothesis from corners (mapping/corner_motion.h), searched from the predicted pose, not from the one that the
-// edges led to: rotation and direction from corners, the length from the edges.
+// A hypothesis from corners (mapping/corner_motion.h), searched from the predicted pose, not from the one
+// that the edges led to: rotation and direction from corners, the length from the edges.
 std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* track) {
   const double start = thread_cpu_ms();
   const SE3 expected = task.motion.predict();

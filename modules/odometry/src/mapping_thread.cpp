@@ -2,7 +2,8 @@
 
 namespace edgevo {
 namespace {
-constexpr size_t kMaxQueue = 6;  // frames, a fifth of a second: beyond it only keyframes are taken, and the map stays near the camera
+constexpr size_t kMaxQueue =
+    6;  // frames, a fifth of a second: beyond it only keyframes are taken, and the map stays near the camera
 }
 
 MappingThread::MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update)

@@ -1,5 +1,6 @@
 #pragma once
-// Runs a Mapper either in the caller (synchronous) or in a thread of its own behind a bounded queue (realtime).
+// Runs a Mapper either in the caller (synchronous) or in a thread of its own behind a bounded queue
+// (realtime).
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -20,9 +21,11 @@ class MappingThread {
   MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update);
   ~MappingThread();
 
-  /// Hands a frame over. In realtime, frames that are no keyframes are left out while the queue is full; keyframes never are.
+  /// Hands a frame over. In realtime, frames that are no keyframes are left out while the queue is full;
+  /// keyframes never are.
   void submit(TrackedFrame frame);
-  /// Waits until all that was submitted is processed; rethrows what the mapping thread threw. Afterwards the caller may use the mapper.
+  /// Waits until all that was submitted is processed; rethrows what the mapping thread threw. Afterwards the
+  /// caller may use the mapper.
   void wait_idle();
   /// A keyframe was submitted and is not processed yet.
   bool keyframe_pending() const;

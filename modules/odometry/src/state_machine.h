@@ -13,14 +13,15 @@ enum class Phase {
   kBootstrapping,  ///< no map: two views are searched that make one
   kTracking,       ///< frames are tracked against the map
   kSeeking,        ///< tracked, with a second bootstrap under way: the map is out of view
-  kLost,           ///< no pose: relocalisation in the old map is tried for some frames, and a bootstrap is under way
+  kLost,  ///< no pose: relocalisation in the old map is tried for some frames, and a bootstrap is under way
 };
 
 enum class Event {
   kTracked,     ///< a pose with the verdict TRACKING
   kDegraded,    ///< a pose with the verdict DEGRADED
   kUntracked,   ///< no pose
-  kOutOfView,   ///< tracked, but next to nothing of known depth is in view, and that does not explain the images
+  kOutOfView,   ///< tracked, but next to nothing of known depth is in view, and that does not explain the
+                ///< images
   kInView,      ///< tracked, and the map is in view
   kMapMade,     ///< a bootstrap has made a map
   kMapRefused,  ///< two views were found, but make no map; the map before them is closed
@@ -49,7 +50,8 @@ Transition transition(Phase phase, Event event);
 class OdometryState {
  public:
   /// `max_relocalisation_tries`: frames with enough edges in which a relocalisation is tried after a loss.
-  explicit OdometryState(int max_relocalisation_tries) : max_relocalisation_tries_(max_relocalisation_tries) {}
+  explicit OdometryState(int max_relocalisation_tries)
+      : max_relocalisation_tries_(max_relocalisation_tries) {}
 
   Phase phase() const { return phase_; }
   bool has_map() const { return phase_ != Phase::kBootstrapping; }
@@ -79,7 +81,7 @@ class OdometryState {
   Phase phase_ = Phase::kBootstrapping;
   int segment_ = -1;
   int relocalisation_tries_ = 0;  // since the loss
-  int lost_at_ = -1;       // frame
+  int lost_at_ = -1;              // frame
 };
 
 }  // namespace edgevo

@@ -8,7 +8,8 @@
 namespace edgevo {
 namespace {
 
-// The depth is what is uncertain: the point moves along its ray by as much, relatively. `p`: EdgePoint, EdgeVertex.
+// The depth is what is uncertain: the point moves along its ray by as much, relatively. `p`: EdgePoint,
+// EdgeVertex.
 template <typename Seen>
 float sigma_of(const Seen& p, const Eigen::Vector3d& p_cam) {
   return float(p_cam.norm() * double(p.idepth_sigma) / double(p.idepth));
@@ -66,7 +67,8 @@ std::string draw(const MapView& all) {
   return "<div class=\"map3d\">\n" + std::string(assets::kMapViewHtml) +
          note_html(count_statement(view.vertices.size(), all.vertices.size())) +
          "<script type=\"application/json\">" + packed(view) + "</script>\n</div>\n" +
-         script_html(assets::kMapDataJs) + script_html(assets::kMapDrawingJs) + script_html(assets::kMapViewJs);
+         script_html(assets::kMapDataJs) + script_html(assets::kMapDrawingJs) +
+         script_html(assets::kMapViewJs);
 }
 
 }  // namespace edgevo

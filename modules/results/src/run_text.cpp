@@ -105,7 +105,8 @@ std::string trajectory_kitti(const Run& run) {
 
 std::string frames_csv(const Run& run) {
   const std::vector<std::string> stages = stages_of(run);
-  std::string text = "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms";
+  std::string text =
+      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);

@@ -9,23 +9,26 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxAhead = 3;            // camera heights: beyond the end of a path the pitch would count
-constexpr double kMaxWayPerDistance = 2;   // a point not passed on twice the way to it never will be
-constexpr double kDirectionHeights = 0.5;  // the direction of the way is taken over this many heights to each side, at least
-constexpr int kDirectionFrames = 2;        // and over so many frames
-constexpr double kLeastChord = 0.5;        // of that reach: with less it stands, or turns on the spot
+constexpr double kMaxAhead = 3;           // camera heights: beyond the end of a path the pitch would count
+constexpr double kMaxWayPerDistance = 2;  // a point not passed on twice the way to it never will be
+constexpr double kDirectionHeights =
+    0.5;  // the direction of the way is taken over this many heights to each side, at least
+constexpr int kDirectionFrames = 2;  // and over so many frames
+constexpr double kLeastChord = 0.5;  // of that reach: with less it stands, or turns on the spot
 // Sine of the angle between way and camera's y axis: with less it looks up, down or rises.
 constexpr double kLeastLevel = 0.5;
 constexpr double kNearHeights = 4;  // a point further away is not passed yet
 
-// Axes of the way at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y axis).
+// Axes of the way at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y
+// axis).
 struct WayAxes {
   Eigen::Vector3d forward, down;
 };
 
 std::optional<WayAxes> way_axes(const Path& path, size_t j, double reach) {
   const auto far_enough = [&](size_t i) {
-    return std::abs(path[i].way - path[j].way) >= reach && (i > j ? i - j : j - i) >= size_t(kDirectionFrames);
+    return std::abs(path[i].way - path[j].way) >= reach &&
+           (i > j ? i - j : j - i) >= size_t(kDirectionFrames);
   };
   size_t a = j, b = j;
   while (a > 0 && !far_enough(a)) --a;
@@ -39,8 +42,10 @@ std::optional<WayAxes> way_axes(const Path& path, size_t j, double reach) {
   return WayAxes{forward, down.normalized()};
 }
 
-// The pose of the path at which the camera is level with the point; the last one if there is none and the path has ended.
-std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::Vector3d& p_world, double height_guess, bool is_path_ended) {
+// The pose of the path at which the camera is level with the point; the last one if there is none and the
+// path has ended.
+std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::Vector3d& p_world,
+                                   double height_guess, bool is_path_ended) {
   const double distance = (p_world - path[host].T_world_cam.translation()).norm();
   for (size_t j = host; j < path.size(); ++j) {
     if (path[j].way - path[host].way > kMaxWayPerDistance * distance) return std::nullopt;
@@ -53,8 +58,8 @@ std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::V
   return std::nullopt;
 }
 
-std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::Vector3d& p_cam, bool is_path_ended,
-                                    const ScaleParams& params) {
+std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::Vector3d& p_cam,
+                                    bool is_path_ended, const ScaleParams& params) {
   const double guess = p_cam.y();  // the height, if the camera looked straight ahead
   if (!(guess > 0)) return std::nullopt;
   const Eigen::Vector3d p_world = path[host].T_world_cam * p_cam;
@@ -64,11 +69,13 @@ std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::
   if (!axes) return std::nullopt;
   const Eigen::Vector3d d = p_world - path[*j].T_world_cam.translation();
   const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
-  if (!(height > 0) || aside > params.ground_width * height || d.dot(axes->forward) > kMaxAhead * height) return std::nullopt;
+  if (!(height > 0) || aside > params.ground_width * height || d.dot(axes->forward) > kMaxAhead * height)
+    return std::nullopt;
   return HeightSample{path[*j].way, height, p_world};
 }
 
-// ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its peak ----
+// ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its
+// peak ----
 
 // Of log height: bins of 1 %, smoothed to about the spread of a ground, which makes one peak.
 constexpr double kBin = 0.01, kSmoothing = 0.03;
@@ -76,7 +83,8 @@ constexpr double kBin = 0.01, kSmoothing = 0.03;
 constexpr double kWidth = 0.04;
 constexpr double kReachSigmas = 3;   // beyond it a normal weight is nothing
 constexpr int kMeanShifts = 20;      // more than the mean takes to stand still
-constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly up to the largest 0.3 to 0.4
+constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly
+                                     // up to the largest 0.3 to 0.4
 
 double histogram_peak(const std::vector<double>& logs) {
   const auto [low, high] = std::minmax_element(logs.begin(), logs.end());
@@ -106,8 +114,8 @@ double mean_shift(const std::vector<double>& logs, double mode) {
 
 }  // namespace
 
-std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeRecord& keyframe, const Path& path, bool is_path_ended,
-                                         const ScaleParams& params) {
+std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeRecord& keyframe,
+                                         const Path& path, bool is_path_ended, const ScaleParams& params) {
   const auto host = std::lower_bound(path.begin(), path.end(), keyframe.frame_index,
                                      [](const PathPose& p, int index) { return p.frame_index < index; });
   std::vector<HeightSample> samples;
@@ -115,13 +123,15 @@ std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeR
   const PointFilter filter;
   for (const EdgePoint& point : keyframe.points) {
     if (!filter.keeps(point)) continue;
-    const auto sample = look_at(path, size_t(host - path.begin()), point_in_camera(pinhole, point), is_path_ended, params);
+    const auto sample =
+        look_at(path, size_t(host - path.begin()), point_in_camera(pinhole, point), is_path_ended, params);
     if (sample) samples.push_back(*sample);
   }
   return samples;
 }
 
-std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height, const ScaleParams& params) {
+std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height,
+                                        const ScaleParams& params) {
   if (int(samples.size()) < params.min_ground_points) return std::nullopt;
   std::vector<double> logs;
   for (const HeightSample& s : samples) logs.push_back(std::log(s.height));
@@ -129,7 +139,9 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   std::vector<double> residuals;  // of those near the mode, in the order of the way
   for (const double x : logs)
     if (std::abs(x - mode) < kReachSigmas * kWidth) residuals.push_back(x - mode);
-  if (double(residuals.size()) < kLeastShare * double(logs.size()) || int(residuals.size()) < params.min_ground_points) return std::nullopt;
+  if (double(residuals.size()) < kLeastShare * double(logs.size()) ||
+      int(residuals.size()) < params.min_ground_points)
+    return std::nullopt;
   double squares = 0;
   for (const double r : residuals) squares += r * r;
   const double of_mean = squares / double(residuals.size()) / effective_count(residuals);
@@ -140,7 +152,8 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
 
 std::optional<double> seen_camera_height(const Run& run, const ScaleParams& params) {
   std::map<int, Path> paths;  // of the keyframes, by segment
-  for (const KeyframeRecord& k : run.keyframes) extend(k.frame_index, k.time, k.T_world_cam, &paths[k.segment]);
+  for (const KeyframeRecord& k : run.keyframes)
+    extend(k.frame_index, k.time, k.T_world_cam, &paths[k.segment]);
   std::vector<HeightSample> heights;
   for (const KeyframeRecord& k : run.keyframes) {
     const std::vector<HeightSample> more = ground_heights(run.pinhole, k, paths[k.segment], true, params);

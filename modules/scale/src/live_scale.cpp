@@ -16,9 +16,13 @@ Eigen::Vector3d sensor_in_camera(const VehicleTrack& track, const std::optional<
   return T_vehicle_cam->inverse() * track.sensor_on_vehicle;
 }
 
-LiveScale::LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track, std::optional<SE3> T_vehicle_cam,
-                     const ScaleParams& params)
-    : pinhole_(pinhole), source_(source), track_(std::move(track)), T_vehicle_cam_(std::move(T_vehicle_cam)), params_(params) {}
+LiveScale::LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track,
+                     std::optional<SE3> T_vehicle_cam, const ScaleParams& params)
+    : pinhole_(pinhole),
+      source_(source),
+      track_(std::move(track)),
+      T_vehicle_cam_(std::move(T_vehicle_cam)),
+      params_(params) {}
 
 void LiveScale::add_frame(const FrameRecord& frame) {
   if (frame.T_world_cam_live) {
@@ -37,7 +41,8 @@ void LiveScale::add_keyframe(const KeyframeRecord& keyframe) {
   estimate_from_ground();
 }
 
-// The scale of a new segment is that of the old one only by equal speed: a guess, which holds until there is better.
+// The scale of a new segment is that of the old one only by equal speed: a guess, which holds until there is
+// better.
 void LiveScale::begin_segment(int segment) {
   segment_ = segment;
   path_.clear();
@@ -45,31 +50,38 @@ void LiveScale::begin_segment(int segment) {
   frames_since_fit_ = 0;
 }
 
-double LiveScale::stretch_units() const { return newest_ ? params_.stretch / newest_->factor : path_.back().way; }
+double LiveScale::stretch_units() const {
+  return newest_ ? params_.stretch / newest_->factor : path_.back().way;
+}
 
 void LiveScale::forget_what_lies_behind() {
   if (!newest_) return;
   const double oldest = path_.back().way - kRememberedStretches * stretch_units();
   // In big bites: each moves all that remains.
   if (path_[path_.size() / 4].way < oldest)
-    path_.erase(path_.begin(), std::find_if(path_.begin(), path_.end(), [&](const PathPose& p) { return p.way >= oldest; }));
-  heights_.erase(std::remove_if(heights_.begin(), heights_.end(), [&](const HeightSample& h) { return h.way < oldest; }),
-                 heights_.end());
+    path_.erase(path_.begin(),
+                std::find_if(path_.begin(), path_.end(), [&](const PathPose& p) { return p.way >= oldest; }));
+  heights_.erase(
+      std::remove_if(heights_.begin(), heights_.end(), [&](const HeightSample& h) { return h.way < oldest; }),
+      heights_.end());
 }
 
 void LiveScale::estimate_from_track() {
   frames_since_fit_ = 0;
   std::vector<TrackPair> pairs = pair_up(path_, track_);
   const double begin = path_.back().way - stretch_units();
-  pairs.erase(pairs.begin(), std::find_if(pairs.begin(), pairs.end(), [&](const TrackPair& p) { return p.way >= begin; }));
+  pairs.erase(pairs.begin(),
+              std::find_if(pairs.begin(), pairs.end(), [&](const TrackPair& p) { return p.way >= begin; }));
   if (const auto fit = fit_track(pairs, sensor_in_camera(track_, T_vehicle_cam_), params_)) newest_ = fit;
 }
 
 void LiveScale::estimate_from_ground() {
   if (heights_.empty()) return;
-  std::sort(heights_.begin(), heights_.end(), [](const HeightSample& a, const HeightSample& b) { return a.way < b.way; });
+  std::sort(heights_.begin(), heights_.end(),
+            [](const HeightSample& a, const HeightSample& b) { return a.way < b.way; });
   const double begin = heights_.back().way - stretch_units();
-  const auto first = std::find_if(heights_.begin(), heights_.end(), [&](const HeightSample& h) { return h.way >= begin; });
+  const auto first =
+      std::find_if(heights_.begin(), heights_.end(), [&](const HeightSample& h) { return h.way >= begin; });
   if (const auto fit = fit_height({first, heights_.end()}, source_.value, params_)) newest_ = fit;
 }
 

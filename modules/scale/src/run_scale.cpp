@@ -17,36 +17,42 @@ namespace {
 // Those of a list sorted by way that lie in a stretch.
 template <class Sample>
 std::vector<Sample> in_stretch(const std::vector<Sample>& sorted, double begin, double end) {
-  const auto first = std::lower_bound(sorted.begin(), sorted.end(), begin, [](const Sample& s, double w) { return s.way < w; });
-  const auto last = std::upper_bound(first, sorted.end(), end, [](double w, const Sample& s) { return w < s.way; });
+  const auto first = std::lower_bound(sorted.begin(), sorted.end(), begin,
+                                      [](const Sample& s, double w) { return s.way < w; });
+  const auto last =
+      std::upper_bound(first, sorted.end(), end, [](double w, const Sample& s) { return w < s.way; });
   return {first, last};
 }
 
-std::vector<ScaleEstimate> slide_over_ground(const Run& run, int segment, const Path& path, const ScaleSource& source,
-                                             const ScaleParams& params) {
+std::vector<ScaleEstimate> slide_over_ground(const Run& run, int segment, const Path& path,
+                                             const ScaleSource& source, const ScaleParams& params) {
   std::vector<HeightSample> heights;
   for (const KeyframeRecord& k : run.keyframes) {
     if (k.segment != segment) continue;
     const std::vector<HeightSample> more = ground_heights(run.pinhole, k, path, true, params);
     heights.insert(heights.end(), more.begin(), more.end());
   }
-  std::stable_sort(heights.begin(), heights.end(), [](const HeightSample& a, const HeightSample& b) { return a.way < b.way; });
+  std::stable_sort(heights.begin(), heights.end(),
+                   [](const HeightSample& a, const HeightSample& b) { return a.way < b.way; });
   return slide(path, params.stretch, [&](double begin, double end) {
     return fit_height(in_stretch(heights, begin, end), source.value, params);
   });
 }
 
-std::vector<ScaleEstimate> slide_over_track(const Run& run, const Path& path, const VehicleTrack& track, const ScaleParams& params) {
+std::vector<ScaleEstimate> slide_over_track(const Run& run, const Path& path, const VehicleTrack& track,
+                                            const ScaleParams& params) {
   const std::vector<TrackPair> pairs = pair_up(path, track);
   const Eigen::Vector3d sensor = sensor_in_camera(track, run.T_vehicle_cam);
-  return slide(path, params.stretch,
-               [&](double begin, double end) { return fit_track(in_stretch(pairs, begin, end), sensor, params); });
+  return slide(path, params.stretch, [&](double begin, double end) {
+    return fit_track(in_stretch(pairs, begin, end), sensor, params);
+  });
 }
 
 std::string problem_of(const ScaleSource& source) {
   if (source.kind == ScaleSource::Kind::kCameraHeight)
     return "the edges show no ground at one height under the camera's way; give another --scale";
-  return "its positions do not fit the path of the camera, or cover too little of it; see `edgevo info`, or give another --scale";
+  return "its positions do not fit the path of the camera, or cover too little of it; see `edgevo info`, or "
+         "give another --scale";
 }
 
 // Frames that no estimate reaches take that of the nearest frame before them, else after.
@@ -55,8 +61,10 @@ void carry_over(std::vector<ScaleEstimate>* of_frame) {
   const auto first = std::find_if(of_frame->begin(), of_frame->end(), known);
   ScaleEstimate last = *first;
   for (ScaleEstimate& e : *of_frame) {
-    if (known(e)) last = e;
-    else e = {last.factor, last.sigma, 0};
+    if (known(e))
+      last = e;
+    else
+      e = {last.factor, last.sigma, 0};
   }
 }
 
@@ -69,7 +77,8 @@ class Chain {
   Eigen::Vector3d next(const Eigen::Vector3d& position, double factor) {
     if (is_first_) metres_ = factor * position;
     // The scale changes slowly: the mean of both ends stands for the step.
-    else metres_ += 0.5 * (factor + factor_) * (position - position_);
+    else
+      metres_ += 0.5 * (factor + factor_) * (position - position_);
     is_first_ = false, position_ = position, factor_ = factor;
     return metres_;
   }
@@ -127,7 +136,8 @@ void move_live(const std::vector<std::optional<ScaleEstimate>>& live, double oth
   }
 }
 
-ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live, const Run& run) {
+ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live,
+                      const Run& run) {
   ScaleRecord record;
   std::vector<double> factors, sigmas;
   for (size_t i = 0; i < run.frames.size(); ++i) {
@@ -149,7 +159,8 @@ ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<Sca
 
 }  // namespace
 
-RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const VehicleTrack& track, const ScaleParams& params) {
+RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const VehicleTrack& track,
+                            const ScaleParams& params) {
   RunScale result;
   std::vector<ScaleEstimate> of_frame(run.frames.size(), ScaleEstimate{1, 0, 0});
   std::map<int, size_t> place;
@@ -157,8 +168,9 @@ RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const Veh
   bool any = false;
   const std::vector<Path> paths = paths_of(run);
   for (size_t s = 0; s < paths.size(); ++s) {
-    const std::vector<ScaleEstimate> scales = source.sensor() ? slide_over_track(run, paths[s], track, params)
-                                                              : slide_over_ground(run, int(s), paths[s], source, params);
+    const std::vector<ScaleEstimate> scales = source.sensor()
+                                                  ? slide_over_track(run, paths[s], track, params)
+                                                  : slide_over_ground(run, int(s), paths[s], source, params);
     for (size_t i = 0; i < scales.size(); ++i) of_frame[place.at(paths[s][i].frame_index)] = scales[i];
     any |= !scales.empty();
   }
@@ -171,7 +183,8 @@ RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const Veh
   return result;
 }
 
-void make_metric(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live, const ScaleSource& source, Run* run) {
+void make_metric(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live,
+                 const ScaleSource& source, Run* run) {
   run->scale = record_of(scale, live, *run);
   run->scale_source = source.text;
   const std::map<int, Move> moves = move_frames(scale, run);

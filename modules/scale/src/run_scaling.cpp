@@ -36,7 +36,9 @@ VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) 
     throw InputError(where, "this source (" + source.kind() + ") recorded no " + what,
                      "give a rawlog that holds it, or another --scale");
   if (positions_beside_images(track, source.times()) < kMinTrackPairs)
-    throw InputError(where, "fewer than " + std::to_string(kMinTrackPairs) + " of the source's " + what + " were taken while its images were",
+    throw InputError(where,
+                     "fewer than " + std::to_string(kMinTrackPairs) + " of the source's " + what +
+                         " were taken while its images were",
                      "compare the times, see edgevo info");
   return track;
 }
@@ -44,7 +46,8 @@ VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) 
 }  // namespace
 
 RunScaling::RunScaling(const ScaleSource& requested, const ImageSource& source, const ScaleParams& params)
-    : RunScaling(requested, track_for(requested, source), source.camera().pinhole, source.T_vehicle_cam(), params) {}
+    : RunScaling(requested, track_for(requested, source), source.camera().pinhole, source.T_vehicle_cam(),
+                 params) {}
 
 RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
                        const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params)

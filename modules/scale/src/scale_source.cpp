@@ -55,7 +55,8 @@ double positive(const std::string& option, const std::string& text, const Known&
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
-    throw InputError("--scale " + option, "'" + text + "' is not a positive number", std::string("give for example ") + known.example);
+    throw InputError("--scale " + option, "'" + text + "' is not a positive number",
+                     std::string("give for example ") + known.example);
   return value;
 }
 
@@ -72,9 +73,11 @@ ScaleSource parse_scale_source(const std::string& option) {
   const Known& known = known_source(option, option.substr(0, equals));
   const bool takes_value = known.value[0] != '\0', has_value = equals != std::string::npos;
   if (has_value && !takes_value)
-    throw InputError("--scale " + option, std::string(known.name) + " takes no value", std::string("give --scale ") + known.name);
+    throw InputError("--scale " + option, std::string(known.name) + " takes no value",
+                     std::string("give --scale ") + known.name);
   if (!has_value && takes_value)
-    throw InputError("--scale " + option, "a number is missing", std::string("give for example ") + known.example);
+    throw InputError("--scale " + option, "a number is missing",
+                     std::string("give for example ") + known.example);
   return {known.kind, takes_value ? positive(option, option.substr(equals + 1), known) : 0.0, option};
 }
 

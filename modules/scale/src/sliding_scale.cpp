@@ -16,11 +16,13 @@ struct Knot {
 ScaleEstimate between(const Knot& a, const Knot& b, double way) {
   const double share = (way - a.way) / (b.way - a.way);
   const auto mix = [&](double x, double y) { return (1 - share) * x + share * y; };
-  return {mix(a.scale.factor, b.scale.factor), mix(a.scale.sigma, b.scale.sigma), std::min(a.scale.samples, b.scale.samples)};
+  return {mix(a.scale.factor, b.scale.factor), mix(a.scale.sigma, b.scale.sigma),
+          std::min(a.scale.samples, b.scale.samples)};
 }
 
 ScaleEstimate at(const std::vector<Knot>& knots, double way) {
-  const auto next = std::upper_bound(knots.begin(), knots.end(), way, [](double w, const Knot& k) { return w < k.way; });
+  const auto next =
+      std::upper_bound(knots.begin(), knots.end(), way, [](double w, const Knot& k) { return w < k.way; });
   if (next == knots.begin()) return knots.front().scale;
   if (next == knots.end()) return knots.back().scale;
   return between(*(next - 1), *next, way);

@@ -25,12 +25,15 @@ struct Fit {
   std::vector<double> residuals;  // distance of each pair, metres
 };
 
-// target ~ scale R source + t. The sensor's place in the run's units depends on the scale: `scale_guess` > 0 puts it there.
-std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::Vector3d& sensor_in_camera, double scale_guess) {
+// target ~ scale R source + t. The sensor's place in the run's units depends on the scale: `scale_guess` > 0
+// puts it there.
+std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::Vector3d& sensor_in_camera,
+                             double scale_guess) {
   Eigen::Matrix3Xd source(3, pairs.size()), target(3, pairs.size());
   for (size_t i = 0; i < pairs.size(); ++i) {
     source.col(Eigen::Index(i)) = pairs[i].T_world_cam.translation();
-    if (scale_guess > 0) source.col(Eigen::Index(i)) += pairs[i].T_world_cam.R() * sensor_in_camera / scale_guess;
+    if (scale_guess > 0)
+      source.col(Eigen::Index(i)) += pairs[i].T_world_cam.R() * sensor_in_camera / scale_guess;
     target.col(Eigen::Index(i)) = pairs[i].position;
   }
   const double spread = (source.colwise() - source.rowwise().mean()).norm();
@@ -41,12 +44,14 @@ std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::V
   fit.spread = spread;
   fit.scale = std::cbrt(T.topLeftCorner<3, 3>().determinant());
   if (!(fit.scale > 0) || !std::isfinite(fit.scale)) return std::nullopt;
-  const Eigen::Matrix3Xd off = target - ((T.topLeftCorner<3, 3>() * source).colwise() + Eigen::Vector3d(T.topRightCorner<3, 1>()));
+  const Eigen::Matrix3Xd off =
+      target - ((T.topLeftCorner<3, 3>() * source).colwise() + Eigen::Vector3d(T.topRightCorner<3, 1>()));
   for (Eigen::Index i = 0; i < off.cols(); ++i) fit.residuals.push_back(off.col(i).norm());
   return fit;
 }
 
-std::vector<TrackPair> without_outliers(const std::vector<TrackPair>& pairs, const std::vector<double>& residuals) {
+std::vector<TrackPair> without_outliers(const std::vector<TrackPair>& pairs,
+                                        const std::vector<double>& residuals) {
   const double limit = kOutlierSigmas * median(residuals) / kMedianPerSigma + kNoLength;
   std::vector<TrackPair> kept;
   for (size_t i = 0; i < pairs.size(); ++i)
@@ -66,13 +71,14 @@ std::vector<TrackPair> pair_up(const Path& path, const VehicleTrack& track) {
     const double gap = seconds_between(a.time, b.time), since = seconds_between(a.time, p.time);
     if (since < 0 || !(gap > 0) || gap > kMaxFrameGap_s) continue;
     const double share = since / gap;
-    pairs.push_back({(1 - share) * a.way + share * b.way, interpolate(a.T_world_cam, b.T_world_cam, share), p.position});
+    pairs.push_back(
+        {(1 - share) * a.way + share * b.way, interpolate(a.T_world_cam, b.T_world_cam, share), p.position});
   }
   return pairs;
 }
 
-std::optional<ScaleEstimate> fit_track(const std::vector<TrackPair>& all, const Eigen::Vector3d& sensor_in_camera,
-                                       const ScaleParams& params) {
+std::optional<ScaleEstimate> fit_track(const std::vector<TrackPair>& all,
+                                       const Eigen::Vector3d& sensor_in_camera, const ScaleParams& params) {
   std::vector<TrackPair> pairs = all;
   std::optional<Fit> fit;
   for (int round = 0; round < kRounds; ++round) {

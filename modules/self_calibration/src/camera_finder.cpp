@@ -105,9 +105,9 @@ class CameraFinder {
     return estimate_camera(problem_, s, options_);
   }
 
-  // Beside a k1 that was estimated alone: the read-out time as one more step shows it. Such a step is less sure
-  // than a search, and far from the minimum its own deviation says little; where it is large a search for
-  // both decides.
+  // Beside a k1 that was estimated alone: the read-out time as one more step shows it. Such a step is less
+  // sure than a search, and far from the minimum its own deviation says little; where it is large a search
+  // for both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
     const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, params_, keyframes_);
     if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
@@ -138,8 +138,8 @@ class CameraFinder {
     return f;
   }
 
-  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is estimated
-  // again.
+  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is
+  // estimated again.
   CameraFinding settle(CameraEstimate e) {
     const bool k1_free = e.free[0], readout_free = e.free[1];
     bool k1 = false, readout = false, given_up = false;

@@ -47,8 +47,8 @@ struct CameraEstimate {
   ba::Unknowns sigma = ba::Unknowns::Zero();
   /// One Newton step from `value` with all unknowns free: what the others seem to be.
   ba::Unknowns if_all_free = ba::Unknowns::Zero();
-  double cost = 0;                          ///< at `value`
-  BaProblem solution;                       ///< poses and depths at `value`
+  double cost = 0;     ///< at `value`
+  BaProblem solution;  ///< poses and depths at `value`
 };
 
 /// Newton's method on the profile cost. Cost: about three to five solves.

@@ -41,7 +41,7 @@ BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions&
   const ba::ProblemIndex index = ba::index_problem(solution);
   // The first pose, and its distance to this one, fix the gauge.
   const int held = std::min(n - 1, kGaugeSpan);
-  int span = held + 1;                           // keyframes that any one shares points with, itself included
+  int span = held + 1;  // keyframes that any one shares points with, itself included
   for (const BaObservation& o : solution.observations)
     span = std::max(span, o.target - solution.points[o.point].host + 1);
   BaPrior prior = ba::hold_baseline(solution.poses[0].T_cam_world, solution.poses[held].T_cam_world,

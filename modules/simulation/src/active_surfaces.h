@@ -6,16 +6,18 @@
 
 namespace edgevo {
 
-/// Calls `draw(surface, its number)` for the surfaces that may touch row v; rows are asked for in order. Cut-outs come last and
-/// from near to far: their masks are then asked only where they are not hidden.
+/// Calls `draw(surface, its number)` for the surfaces that may touch row v; rows are asked for in order.
+/// Cut-outs come last and from near to far: their masks are then asked only where they are not hidden.
 class ActiveSurfaces {
  public:
   explicit ActiveSurfaces(const std::vector<ViewSurface>& views);
   template <class Draw>
   void for_row(int v, Draw draw) {
-    for (; next_ < by_row_.size() && views_[size_t(by_row_[next_])].row_begin <= v; ++next_) enter(by_row_[next_]);
+    for (; next_ < by_row_.size() && views_[size_t(by_row_[next_])].row_begin <= v; ++next_)
+      enter(by_row_[next_]);
     for (std::vector<int>* active : {&opaque_, &cut_out_}) {
-      active->erase(std::remove_if(active->begin(), active->end(), [&](int i) { return views_[size_t(i)].row_end <= v; }),
+      active->erase(std::remove_if(active->begin(), active->end(),
+                                   [&](int i) { return views_[size_t(i)].row_end <= v; }),
                     active->end());
       for (int i : *active) draw(views_[size_t(i)], i);
     }

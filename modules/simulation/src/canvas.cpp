@@ -9,10 +9,13 @@ namespace {
 int wrap(int i, int n) { return ((i % n) + n) % n; }
 
 // Length of the overlap of [a, b) with texel i.
-float overlap(double a, double b, int i) { return float(std::clamp(std::min(b, i + 1.0) - std::max(a, double(i)), 0.0, 1.0)); }
+float overlap(double a, double b, int i) {
+  return float(std::clamp(std::min(b, i + 1.0) - std::max(a, double(i)), 0.0, 1.0));
+}
 
 // Smooth lattice noise in [-1, 1]: one octave, added to the board.
-void add_octave(Random& random, int cells_x, int cells_y, float amplitude, int width, int height, float* gray) {
+void add_octave(Random& random, int cells_x, int cells_y, float amplitude, int width, int height,
+                float* gray) {
   std::vector<float> lattice(size_t(cells_x) * cells_y);
   for (float& value : lattice) value = amplitude * float(random.uniform(-1, 1));
   std::vector<int> left(static_cast<size_t>(width)), right(static_cast<size_t>(width));
@@ -63,7 +66,8 @@ void Canvas::blend(int x, int y, float gray, float opacity) {
 
 void Canvas::rect(double x0, double y0, double x1, double y1, float gray, float opacity) {
   for (int y = int(std::floor(y0)); y < y1; ++y)
-    for (int x = int(std::floor(x0)); x < x1; ++x) blend(x, y, gray, opacity * overlap(x0, x1, x) * overlap(y0, y1, y));
+    for (int x = int(std::floor(x0)); x < x1; ++x)
+      blend(x, y, gray, opacity * overlap(x0, x1, x) * overlap(y0, y1, y));
 }
 
 void Canvas::panel(double x0, double y0, double x1, double y1, float gray, double rim, float relief) {
@@ -80,13 +84,15 @@ void Canvas::ellipse(double cx, double cy, double a, double b, double angle, flo
     for (int x = int(std::floor(cx - reach)); x <= cx + reach; ++x) {
       const double dx = x + 0.5 - cx, dy = y + 0.5 - cy;
       const double u = (c * dx + s * dy) / a, v = (-s * dx + c * dy) / b;
-      const double inside = (1 - std::sqrt(u * u + v * v)) * std::min(a, b) + 0.5;  // texels within the outline
+      const double inside =
+          (1 - std::sqrt(u * u + v * v)) * std::min(a, b) + 0.5;  // texels within the outline
       if (inside > 0) blend(x, y, gray, opacity * float(std::min(inside, 1.0)));
     }
 }
 
 void Canvas::line(double x0, double y0, double x1, double y1, double width, float gray, float opacity) {
-  const double dx = x1 - x0, dy = y1 - y0, length2 = std::max(1e-9, dx * dx + dy * dy), reach = 0.5 * width + 1;
+  const double dx = x1 - x0, dy = y1 - y0, length2 = std::max(1e-9, dx * dx + dy * dy),
+               reach = 0.5 * width + 1;
   for (int y = int(std::floor(std::min(y0, y1) - reach)); y <= std::max(y0, y1) + reach; ++y)
     for (int x = int(std::floor(std::min(x0, x1) - reach)); x <= std::max(x0, x1) + reach; ++x) {
       const double t = std::clamp(((x + 0.5 - x0) * dx + (y + 0.5 - y0) * dy) / length2, 0.0, 1.0);
@@ -120,12 +126,15 @@ void Canvas::fade(float top, float bottom) {
 Texture Canvas::texture() const {
   GrayImage image{width_, height_, std::vector<uint8_t>(gray_.size())};
   std::vector<uint8_t> alpha(cover_.size());
-  for (size_t i = 0; i < gray_.size(); ++i) image.pixels[i] = uint8_t(std::clamp(gray_[i], 0.0f, 255.0f) + 0.5f);
-  for (size_t i = 0; i < cover_.size(); ++i) alpha[i] = uint8_t(std::clamp(cover_[i], 0.0f, 1.0f) * 255 + 0.5f);
+  for (size_t i = 0; i < gray_.size(); ++i)
+    image.pixels[i] = uint8_t(std::clamp(gray_[i], 0.0f, 255.0f) + 0.5f);
+  for (size_t i = 0; i < cover_.size(); ++i)
+    alpha[i] = uint8_t(std::clamp(cover_[i], 0.0f, 1.0f) * 255 + 0.5f);
   return make_texture(image, alpha);
 }
 
-void write_text(Canvas* canvas, Random& random, double x0, double y0, double x1, double y1, double line, float ink) {
+void write_text(Canvas* canvas, Random& random, double x0, double y0, double x1, double y1, double line,
+                float ink) {
   for (double y = y0; y + line <= y1; y += line * 1.6) {
     const double end = random.uniform() < 0.2 ? x0 + (x1 - x0) * random.uniform(0.3, 0.8) : x1;
     double x = x0;
@@ -138,10 +147,18 @@ void write_text(Canvas* canvas, Random& random, double x0, double y0, double x1,
       if (x + w > end) break;
       const double top = random.uniform() < 0.35 ? y : y + 0.3 * line;  // with or without ascender
       canvas->line(x + stem, top, x + stem, y + line, stem, ink);
-      if (random.uniform() < 0.7) canvas->line(x + w - stem, y + 0.3 * line, x + w - stem, y + line, stem, ink);
+      if (random.uniform() < 0.7)
+        canvas->line(x + w - stem, y + 0.3 * line, x + w - stem, y + line, stem, ink);
       const int bar = random.below(3);
-      canvas->line(x + stem, y + line * (bar == 0 ? 0.35 : bar == 1 ? 0.65 : 0.95), x + w - stem,
-                   y + line * (bar == 0 ? 0.35 : bar == 1 ? 0.65 : 0.95), stem, ink);
+      canvas->line(x + stem,
+                   y + line * (bar == 0   ? 0.35
+                               : bar == 1 ? 0.65
+                                          : 0.95),
+                   x + w - stem,
+                   y + line * (bar == 0   ? 0.35
+                               : bar == 1 ? 0.65
+                                          : 0.95),
+                   stem, ink);
       x += w + 0.12 * line;
     }
   }

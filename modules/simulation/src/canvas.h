@@ -1,8 +1,9 @@
 #pragma once
-// A drawing board for procedural textures: gray and cover as floats, anti-aliased shapes, noise of several octaves.
+// A drawing board for procedural textures: gray and cover as floats, anti-aliased shapes, noise of several
+// octaves.
 //
-// Coordinates are texels with (0,0) at the upper left corner of the board, not the centre of a texel. Shapes wrap around
-// all four borders, so that boards tile.
+// Coordinates are texels with (0,0) at the upper left corner of the board, not the centre of a texel. Shapes
+// wrap around all four borders, so that boards tile.
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -28,15 +29,16 @@ class Canvas {
 
   /// Blends `gray` over the rectangle [x0, x1) x [y0, y1).
   void rect(double x0, double y0, double x1, double y1, float gray, float opacity = 1);
-  /// A rectangle with a light upper left and a dark lower right rim of `rim` texels: something that stands out.
+  /// A rectangle with a light upper left and a dark lower right rim of `rim` texels: something that stands
+  /// out.
   void panel(double x0, double y0, double x1, double y1, float gray, double rim, float relief);
   /// An ellipse with half axes a, b, turned by `angle` radians.
   void ellipse(double cx, double cy, double a, double b, double angle, float gray, float opacity = 1);
   /// A straight stroke.
   void line(double x0, double y0, double x1, double y1, double width, float gray, float opacity = 1);
 
-  /// Adds tileable noise: octaves from `cells` across the width on, each twice as fine and `gain` as strong; the sum has a
-  /// range of about +-amplitude. `stretch` > 1 draws it out along y.
+  /// Adds tileable noise: octaves from `cells` across the width on, each twice as fine and `gain` as strong;
+  /// the sum has a range of about +-amplitude. `stretch` > 1 draws it out along y.
   void noise(Random& random, int cells, int octaves, float amplitude, float gain = 0.6f, int stretch = 1);
   /// Adds a random value of +-amplitude to each texel.
   void grain(Random& random, float amplitude);
@@ -53,6 +55,7 @@ class Canvas {
 };
 
 /// Marks that look like lines of writing in the rectangle; `line` is the height of a line in texels.
-void write_text(Canvas* canvas, Random& random, double x0, double y0, double x1, double y1, double line, float ink);
+void write_text(Canvas* canvas, Random& random, double x0, double y0, double x1, double y1, double line,
+                float ink);
 
 }  // namespace edgevo

@@ -27,7 +27,8 @@ void check_trajectory(const Scene& scene, const std::string& where) {
     for (const Surface& s : scene.world->surfaces)
       if (s.is_solid && crosses(s, a, b))
         throw InputError(where,
-                         "the camera passes through a wall between frames " + std::to_string(i) + " and " + std::to_string(i + 1),
+                         "the camera passes through a wall between frames " + std::to_string(i) + " and " +
+                             std::to_string(i + 1),
                          "move the way points, or change motion.lane_offset or world.density");
   }
 }

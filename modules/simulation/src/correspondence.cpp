@@ -29,15 +29,18 @@ bool contains(const ImageView<float>& depth, const Eigen::Vector2d& px) {
 
 // The four pixels around a position inside the image, as the upper left one.
 Eigen::Vector2i cell_of(const ImageView<float>& depth, const Eigen::Vector2d& px) {
-  return {std::clamp(int(px.x()), 0, std::max(depth.width - 2, 0)), std::clamp(int(px.y()), 0, std::max(depth.height - 2, 0))};
+  return {std::clamp(int(px.x()), 0, std::max(depth.width - 2, 0)),
+          std::clamp(int(px.y()), 0, std::max(depth.height - 2, 0))};
 }
 
 // One of the pixels around `px` has the inverse depth `expected`.
-bool has_surface(const ImageView<float>& depth, const Eigen::Vector2d& px, double expected, double tolerance) {
+bool has_surface(const ImageView<float>& depth, const Eigen::Vector2d& px, double expected,
+                 double tolerance) {
   const Eigen::Vector2i cell = cell_of(depth, px);
   for (int dv = 0; dv <= 1; ++dv)
     for (int du = 0; du <= 1; ++du) {
-      const double q = idepth_at(depth, std::min(cell.x() + du, depth.width - 1), std::min(cell.y() + dv, depth.height - 1));
+      const double q = idepth_at(depth, std::min(cell.x() + du, depth.width - 1),
+                                 std::min(cell.y() + dv, depth.height - 1));
       if (std::abs(q - expected) <= tolerance * expected) return true;
     }
   return false;
@@ -53,7 +56,8 @@ double edge_idepth(const ImageView<float>& depth, const Eigen::Vector2d& px) {
   const Eigen::Vector2i cell = cell_of(depth, px);
   const double a = px.x() - cell.x(), b = px.y() - cell.y();
   const double q00 = idepth_at(depth, cell.x(), cell.y()), q10 = idepth_at(depth, cell.x() + 1, cell.y());
-  const double q01 = idepth_at(depth, cell.x(), cell.y() + 1), q11 = idepth_at(depth, cell.x() + 1, cell.y() + 1);
+  const double q01 = idepth_at(depth, cell.x(), cell.y() + 1),
+               q11 = idepth_at(depth, cell.x() + 1, cell.y() + 1);
   const bool is_one_surface = std::min({q00, q10, q01, q11}) >= (1 - kOneSurface) * nearest;
   return is_one_surface ? (q00 * (1 - a) + q10 * a) * (1 - b) + (q01 * (1 - a) + q11 * a) * b : nearest;
 }
@@ -63,8 +67,8 @@ Correspondence find_correspondence(const ViewPair& views, const Eigen::Vector2d&
   const double idepth = edge_idepth(views.depth_from, px);
   if (!(idepth >= 0)) return c;
   c.idepth = idepth;
-  const Eigen::Vector3d Y =
-      views.T_to_from.R() * views.pinhole.ray(px) + idepth * views.T_to_from.translation();  // z_from times closer
+  const Eigen::Vector3d Y = views.T_to_from.R() * views.pinhole.ray(px) +
+                            idepth * views.T_to_from.translation();  // z_from times closer
   if (!(Y.z() > 0)) return c;
   c.px = views.pinhole.project(Y);
   c.in_view = contains(views.depth_to, c.px);

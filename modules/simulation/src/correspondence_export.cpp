@@ -23,7 +23,8 @@ void append_row(std::string* text, const EdgePixel& edge, const Correspondence& 
 
 std::string rows_of(const EdgeMap& edges, const ViewPair& views) {
   std::string text = "x,y,x_next,y_next,visible\n";
-  for (const EdgePixel& edge : edges.pixels) append_row(&text, edge, find_correspondence(views, edge.position().cast<double>()));
+  for (const EdgePixel& edge : edges.pixels)
+    append_row(&text, edge, find_correspondence(views, edge.position().cast<double>()));
   return text;
 }
 
@@ -41,9 +42,10 @@ void export_correspondences(const SceneRenderer& renderer, const std::string& fo
     throw InputError("scene " + renderer.scene().name, "correspondences need two frames of it",
                      "it has frames 0:" + std::to_string(renderer.size()));
   if (renderer.scene().shutter.rolling_s > 0)
-    throw InputError("scene " + renderer.scene().name,
-                     "with a rolling shutter its rows have poses of their own: correspondences would not be exact",
-                     "leave the rolling shutter out");
+    throw InputError(
+        "scene " + renderer.scene().name,
+        "with a rolling shutter its rows have poses of their own: correspondences would not be exact",
+        "leave the rolling shutter out");
   make_output_folder(folder + "/correspondences");
   const int width = renderer.camera().pinhole.width, height = renderer.camera().pinhole.height;
   PyramidBuilder builder(renderer.camera(), EdgeParams());

@@ -1,4 +1,5 @@
-// A corridor with turns. Most edges run along it; in one stretch nothing else is there, so that motion along it hardly shows.
+// A corridor with turns. Most edges run along it; in one stretch nothing else is there, so that motion along
+// it hardly shows.
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +9,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kHalf = 1.25, kHeight = 2.7;        // metres
-constexpr double kBareFrom = 0.42, kBareTo = 0.68;   // the bare stretch, shares of the first leg
+constexpr double kHalf = 1.25, kHeight = 2.7;       // metres
+constexpr double kBareFrom = 0.42, kBareTo = 0.68;  // the bare stretch, shares of the first leg
 
 class CorridorBuilder {
  public:
@@ -45,8 +46,9 @@ class CorridorBuilder {
     constexpr double kStep = 0.25;
     double begin = -1;
     for (double s = 0; s <= side.street->length + kStep / 2; s += kStep) {
-      const bool goes_on = s < side.street->length && is_wall(side, s + kStep / 2) &&
-                           (begin < 0 || is_bare(*side.street, begin + 0.01) == is_bare(*side.street, s + 0.01));
+      const bool goes_on =
+          s < side.street->length && is_wall(side, s + kStep / 2) &&
+          (begin < 0 || is_bare(*side.street, begin + 0.01) == is_bare(*side.street, s + 0.01));
       if (begin >= 0 && !goes_on) {
         wall_piece(side, begin, s);
         begin = s < side.street->length && is_wall(side, s + kStep / 2) ? s : -1;
@@ -62,8 +64,8 @@ class CorridorBuilder {
     const bool bare = is_bare(*side.street, s0 + 0.01);
     const int metal = b_.texture("metal", 1), rail = b_.texture("stripes", 0);
     b_.wall(p, 0, w, 0, kHeight, 0, bare ? paint_ : wall_, true);
-    b_.box(p, {0, w, 0, 0.02, 0, 0.12}, rail, rail, -1, true, 0.45f);         // skirting
-    b_.box(p, {0, w, 0, 0.05, 0.92, 1.02}, rail, rail, -1, true, 0.6f);       // hand rail
+    b_.box(p, {0, w, 0, 0.02, 0, 0.12}, rail, rail, -1, true, 0.45f);                      // skirting
+    b_.box(p, {0, w, 0, 0.05, 0.92, 1.02}, rail, rail, -1, true, 0.6f);                    // hand rail
     if (side.sign > 0) b_.box(p, {0, w, 0, 0.12, 2.3, 2.38}, rail, rail, -1, true, 1.1f);  // pipe
     b_.box(p, {0, w, 0, 0.07, 2.5, 2.55}, rail, rail, -1, true, 0.7f);
     if (!bare) furnish(p, w, metal);
@@ -89,9 +91,11 @@ class CorridorBuilder {
   }
 
   void floor_and_ceiling(const Street& way) {
-    const int tiles = b_.texture("floor_tiles", 0), along = b_.texture("stripes", 2), white = b_.texture("stripes", 3);
+    const int tiles = b_.texture("floor_tiles", 0), along = b_.texture("stripes", 2),
+              white = b_.texture("stripes", 3);
     const Side left{&way, 1};
-    const double lift = &way == &ways_.front() ? 0 : 0.001;  // where two ways overlap, the later one lies on top
+    const double lift =
+        &way == &ways_.front() ? 0 : 0.001;  // where two ways overlap, the later one lies on top
     const double cuts[] = {0, kBareFrom * way.length, kBareTo * way.length, way.length};
     for (int i = 0; i < 3; ++i) {
       const double w = cuts[i + 1] - cuts[i];
@@ -114,7 +118,8 @@ class CorridorBuilder {
     const Place place = facing({p.x(), p.y(), 0}, std::atan2(back.y(), back.x()));
     for (double r = -kHalf; r < kHalf - 0.01; r += kHalf / 4) {  // open where another way goes through
       const Eigen::Vector3d at = place.point(r + kHalf / 8, -0.1, 0);
-      if (room(ways_, way, at.head<2>()) > kHalf) b_.wall(place, r, r + kHalf / 4, 0, kHeight, 0, wall_, true);
+      if (room(ways_, way, at.head<2>()) > kHalf)
+        b_.wall(place, r, r + kHalf / 4, 0, kHeight, 0, wall_, true);
     }
     if (room(ways_, way, p) < 2 * kHalf + 0.1 && direction > 0)
       b_.wall(place, -0.35, 0.35, 0.9, 2.2, 0.01, b_.any_texture("poster", 6), false);

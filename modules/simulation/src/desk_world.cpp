@@ -27,12 +27,15 @@ class DeskBuilder {
  private:
   // `desk_`: the origin is below the middle of the desk, `out` points at the person.
   void room() {
-    const int wall = b_.texture(site_.walls.front(), 0), floor = b_.texture("carpet", 0), wood = b_.texture("wood", 1);
+    const int wall = b_.texture(site_.walls.front(), 0), floor = b_.texture("carpet", 0),
+              wood = b_.texture("wood", 1);
     const double back = -1.5, side = 3.2, front = 4.5, height = 2.8;
     b_.tile(desk_.point(-side, back, 0), 2 * side * desk_.right, (front - back) * desk_.out, floor);
-    b_.tile(desk_.point(-side, front, height), 2 * side * desk_.right, -(front - back) * desk_.out, wall).gain = 1.1f;
+    b_.tile(desk_.point(-side, front, height), 2 * side * desk_.right, -(front - back) * desk_.out, wall)
+        .gain = 1.1f;
     b_.wall(desk_, -side, side, 0, height, back, wall, true);
-    b_.tile(desk_.point(-side, front, height), -(front - back) * desk_.out, {0, 0, -height}, wall).gain = 0.85f;
+    b_.tile(desk_.point(-side, front, height), -(front - back) * desk_.out, {0, 0, -height}, wall).gain =
+        0.85f;
     b_.tile(desk_.point(side, back, height), (front - back) * desk_.out, {0, 0, -height}, wall).gain = 1.0f;
     b_.tile(desk_.point(side, front, height), -2 * side * desk_.right, {0, 0, -height}, wall);
     b_.wall(desk_, -side, side, 0, 0.12, back + 0.02, wood, true);
@@ -47,7 +50,8 @@ class DeskBuilder {
     const int wood = b_.texture("wood", 0);
     b_.box(desk_, {-0.95, 0.95, -0.5, 0.5, top_ - 0.04, top_}, wood, wood);
     for (double r : {-0.88, 0.82})
-      for (double o : {-0.44, 0.38}) b_.box(desk_, {r, r + 0.06, o, o + 0.06, 0, top_ - 0.04}, wood, wood, -1, true, 0.7f);
+      for (double o : {-0.44, 0.38})
+        b_.box(desk_, {r, r + 0.06, o, o + 0.06, 0, top_ - 0.04}, wood, wood, -1, true, 0.7f);
     const int metal = b_.texture("metal", 1);
     b_.box(desk_, {0.45, 0.85, -0.42, 0.4, 0, top_ - 0.1}, metal, metal);  // drawers
   }
@@ -76,8 +80,10 @@ class DeskBuilder {
     for (int i = 0; i < count; ++i) {
       const double h = random_.uniform(0.015, 0.045), w = random_.uniform(0.15, 0.22), d = w * 1.35;
       const int cover = b_.any_texture("book", 8), spine = b_.any_texture("metal", 12);
-      b_.box(p.moved(random_.uniform(-0.02, 0.02), random_.uniform(-0.02, 0.02), 0, random_.uniform(-0.3, 0.3)),
-             {-w / 2, w / 2, -d / 2, d / 2, z, z + h}, spine, cover, -1, false, float(random_.uniform(0.8, 1.2)));
+      b_.box(
+          p.moved(random_.uniform(-0.02, 0.02), random_.uniform(-0.02, 0.02), 0, random_.uniform(-0.3, 0.3)),
+          {-w / 2, w / 2, -d / 2, d / 2, z, z + h}, spine, cover, -1, false,
+          float(random_.uniform(0.8, 1.2)));
       z += h;
     }
   }
@@ -85,15 +91,16 @@ class DeskBuilder {
   void mug(const Place& p) {
     const int skin = b_.any_texture("mug", 3);
     b_.prism(p, 0.042, 0.1, 12, skin);
-    b_.box(p, {0.035, 0.07, -0.008, 0.008, 0.02, 0.08}, b_.texture("metal", 3), b_.texture("metal", 3), -1, false);
+    b_.box(p, {0.035, 0.07, -0.008, 0.008, 0.02, 0.08}, b_.texture("metal", 3), b_.texture("metal", 3), -1,
+           false);
     const Eigen::Vector3d r = 0.029 * p.right, o = 0.029 * p.out;
     b_.fit(p.point(0, 0, 0.085) - r - o, 2 * r, 2 * o, b_.texture("metal", 4)).gain *= 0.35f;
   }
 
   void things() {
     for (int i = 0; i < 7; ++i)
-      sheet(on_desk(random_.uniform(-0.8, 0.8), random_.uniform(-0.1, 0.36), random_.uniform(-0.6, 0.6)), 0.21, 0.297, 0.002 + 0.001 * i,
-            "paper", i);
+      sheet(on_desk(random_.uniform(-0.8, 0.8), random_.uniform(-0.1, 0.36), random_.uniform(-0.6, 0.6)),
+            0.21, 0.297, 0.002 + 0.001 * i, "paper", i);
     books(on_desk(-0.75, -0.2, 0.3), 4);
     books(on_desk(0.72, 0.08, -0.4), 5);
     books(on_desk(0.42, 0.33, 0.9), 2);
@@ -103,14 +110,16 @@ class DeskBuilder {
     b_.box(on_desk(0.68, -0.3, -0.5), {-0.13, 0.13, -0.1, 0.1, 0, 0.2}, box, box, -1, false);
     b_.box(on_desk(-0.72, 0.15, 0.4), {-0.08, 0.08, -0.06, 0.06, 0, 0.1}, other, other, -1, false);
     for (int i = 0; i < 9; ++i) {  // pens
-      const Place p = on_desk(random_.uniform(-0.6, 0.75), random_.uniform(0.0, 0.4), random_.uniform(0, 3.1));
+      const Place p =
+          on_desk(random_.uniform(-0.6, 0.75), random_.uniform(0.0, 0.4), random_.uniform(0, 3.1));
       const int skin = b_.any_texture("metal", 12);
-      b_.box(p, {-0.07, 0.07, -0.004, 0.004, 0.008, 0.016}, skin, skin, -1, false, float(random_.uniform(0.3, 1.3)));
+      b_.box(p, {-0.07, 0.07, -0.004, 0.004, 0.008, 0.016}, skin, skin, -1, false,
+             float(random_.uniform(0.3, 1.3)));
     }
     b_.prism(on_desk(0.5, -0.12, 0), 0.035, 0.1, 8, b_.texture("metal", 5), 0.6f);  // pencil cup
     for (int i = 0; i < 6; ++i)
-      b_.prism(on_desk(0.5 + random_.uniform(-0.02, 0.02), -0.12 + random_.uniform(-0.02, 0.02), 0), 0.004, random_.uniform(0.14, 0.19), 5,
-               b_.any_texture("metal", 12), float(random_.uniform(0.4, 1.4)));
+      b_.prism(on_desk(0.5 + random_.uniform(-0.02, 0.02), -0.12 + random_.uniform(-0.02, 0.02), 0), 0.004,
+               random_.uniform(0.14, 0.19), 5, b_.any_texture("metal", 12), float(random_.uniform(0.4, 1.4)));
   }
 
   void furniture() {
@@ -125,7 +134,8 @@ class DeskBuilder {
     }
     const int plant = b_.texture("bush", 0);
     for (int i = 0; i < 3; ++i) b_.card(desk_.moved(-2.2, -1.28, 1.1), 0.7, 0.6, 1.05 * i, plant);
-    for (int i = 0; i < 3; ++i) b_.card(desk_.moved(1.25, -1.1, 0.3), 0.9, 1.1, 1.05 * i, b_.texture("crown", 0));
+    for (int i = 0; i < 3; ++i)
+      b_.card(desk_.moved(1.25, -1.1, 0.3), 0.9, 1.1, 1.05 * i, b_.texture("crown", 0));
     b_.prism(desk_.moved(1.25, -1.1, 0), 0.16, 0.35, 10, b_.texture("mug", 2));
   }
 

@@ -50,8 +50,9 @@ Points rounded(const Points& way, double radius, const std::string& where) {
     const double angle = std::atan2(cross(in, on), in.dot(on));
     const double setback = radius * std::tan(std::abs(angle) / 2);
     if (setback > (way[i] - start).dot(in) || setback > (way[i + 1] - way[i]).norm())
-      throw InputError(where, "the leg before or after way point " + std::to_string(i) + " is too short for its turn",
-                       "make motion.turn_radius smaller");
+      throw InputError(
+          where, "the leg before or after way point " + std::to_string(i) + " is too short for its turn",
+          "make motion.turn_radius smaller");
     const Eigen::Vector2d entry = way[i] - setback * in;
     append_line(start, entry, &out);
     const Eigen::Vector2d centre = entry + std::copysign(radius, angle) * left_of(in);
@@ -99,25 +100,29 @@ void limit_speed(const MotionParams& m, double stop_at, Way* way) {
   const size_t n = way->points.size();
   way->speed.assign(n, m.speed);
   for (size_t i = 0; i + 20 < n; ++i) {  // curvature over a metre
-    const double turn = std::abs(std::asin(std::clamp(
-        cross(direction(way->points, i), direction(way->points, i + 20)), -1.0, 1.0)));
+    const double turn = std::abs(
+        std::asin(std::clamp(cross(direction(way->points, i), direction(way->points, i + 20)), -1.0, 1.0)));
     const double limit = std::sqrt(m.acceleration * 20 * kStep / std::max(turn, 1e-6));
     way->speed[i + 10] = std::min(way->speed[i + 10], limit);
   }
   if (stop_at >= 0)
     for (size_t i = 0; i < n; ++i)
-      way->speed[i] = std::min(way->speed[i], std::max(0.02, std::sqrt(2 * m.acceleration * std::abs(way->gone[i] - stop_at))));
+      way->speed[i] = std::min(
+          way->speed[i], std::max(0.02, std::sqrt(2 * m.acceleration * std::abs(way->gone[i] - stop_at))));
   const auto reachable = [&](double v, size_t a, size_t b) {
     return std::sqrt(v * v + 2 * m.acceleration * std::abs(way->gone[a] - way->gone[b]));
   };
-  for (size_t i = 1; i < n; ++i) way->speed[i] = std::min(way->speed[i], reachable(way->speed[i - 1], i, i - 1));
-  for (size_t i = n - 1; i-- > 0;) way->speed[i] = std::min(way->speed[i], reachable(way->speed[i + 1], i, i + 1));
+  for (size_t i = 1; i < n; ++i)
+    way->speed[i] = std::min(way->speed[i], reachable(way->speed[i - 1], i, i - 1));
+  for (size_t i = n - 1; i-- > 0;)
+    way->speed[i] = std::min(way->speed[i], reachable(way->speed[i + 1], i, i + 1));
 }
 
 Way make_way(const SceneParams& params, double stop_share, const std::string& where) {
   const MotionParams& m = params.motion;
   Way way;
-  way.points = smoothed(rounded(shifted(flat(params.way_points, where), m.lane_offset), m.turn_radius, where), 0.35 * m.turn_radius);
+  way.points = smoothed(rounded(shifted(flat(params.way_points, where), m.lane_offset), m.turn_radius, where),
+                        0.35 * m.turn_radius);
   way.gone.push_back(0);
   for (size_t i = 1; i < way.points.size(); ++i)
     way.gone.push_back(way.gone.back() + (way.points[i] - way.points[i - 1]).norm());
@@ -163,7 +168,8 @@ std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_fram
   const bool pauses = m.pause_turn_deg != 0;
   const Way way = make_way(params, pauses ? m.pause_at : -1, where);
   const double stop = pauses ? m.pause_at * way.gone.back() : 1e18;
-  const double pause_seconds = pauses ? 1.5 * std::abs(m.pause_turn_deg) / m.pause_rate_deg : 0;  // 1.5: peak rate of ease()
+  const double pause_seconds =
+      pauses ? 1.5 * std::abs(m.pause_turn_deg) / m.pause_rate_deg : 0;  // 1.5: peak rate of ease()
   const double dt = 1 / params.rate_hz / steps_per_frame;
   Driver driver(way);
   double paused = 0;
@@ -179,7 +185,8 @@ std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_fram
         driver.advance(dt);
     }
     if (driver.at_end() && i + 1 < params.frames)
-      throw InputError(where, "the way ends at frame " + std::to_string(i) + " of " + std::to_string(params.frames),
+      throw InputError(where,
+                       "the way ends at frame " + std::to_string(i) + " of " + std::to_string(params.frames),
                        "add way points, or make frames or motion.speed smaller");
   }
   return out;

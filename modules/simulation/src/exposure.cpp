@@ -21,7 +21,8 @@ double instant(int k, int count, double exposure_s) { return exposure_s * ((k + 
 void check_time(const Scene& scene, const char* name, double seconds) {
   const double period = scene.size() > 1 ? seconds_between(scene.times[0], scene.times[1]) : 1;
   if (!(seconds >= 0 && seconds <= period))
-    throw InputError("scene " + scene.name, std::string("the ") + name + " of " + std::to_string(seconds) + " s is out of range",
+    throw InputError("scene " + scene.name,
+                     std::string("the ") + name + " of " + std::to_string(seconds) + " s is out of range",
                      "give 0 to " + std::to_string(period) + " s, the time between two frames");
 }
 
@@ -53,13 +54,15 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
   return int(std::clamp(std::ceil(quantile(std::move(shifts), kShare) / kPixelsApart), 1.0, double(kMost)));
 }
 
-std::vector<float> expose(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, int frame, int instants) {
+std::vector<float> expose(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, int frame,
+                          int instants) {
   const Pinhole& p = scene.camera.pinhole;
   std::vector<float> gray(size_t(p.width) * p.height);
   const int rows_at_once = scene.shutter.rolling_s > 0 ? 1 : p.height;
   for (int k = 0; k < instants; ++k)
     for (int v = 0; v < p.height; v += rows_at_once) {
-      const double seconds = scene.shutter.row_time(v, p.height) + instant(k, instants, scene.shutter.exposure_s);
+      const double seconds =
+          scene.shutter.row_time(v, p.height) + instant(k, instants, scene.shutter.exposure_s);
       add_rows_seen(scene, rays, T_scene_cam(scene, frame, seconds), {v, v + rows_at_once}, &gray);
     }
   for (float& g : gray) g /= float(instants);

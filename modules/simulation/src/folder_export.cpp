@@ -29,7 +29,8 @@ void write_png(const std::string& path, const GrayImage& image) {
 void write_pfm(const std::string& path, const std::vector<float>& depth, int width, int height) {
   std::string bytes = "Pf\n" + std::to_string(width) + " " + std::to_string(height) + "\n-1.0\n";
   for (int v = height - 1; v >= 0; --v)
-    bytes.append(reinterpret_cast<const char*>(depth.data() + size_t(v) * width), size_t(width) * sizeof(float));
+    bytes.append(reinterpret_cast<const char*>(depth.data() + size_t(v) * width),
+                 size_t(width) * sizeof(float));
   write_file(path, bytes);
 }
 
@@ -59,16 +60,20 @@ std::string seconds_option(const char* name, double seconds) {
 
 std::string shutter_note(const Shutter& shutter) {
   if (shutter.rolling_s == 0 && shutter.exposure_s == 0) return {};
-  return "The shutter takes time: time, pose and depth of a frame are those of the middle of the exposure of its middle row.\n";
+  return "The shutter takes time: time, pose and depth of a frame are those of the middle of the exposure of "
+         "its middle row.\n";
 }
 
 std::string source_text(const Scene& scene, int begin, int end) {
   const std::string shutter = seconds_option(" --rolling-shutter ", scene.shutter.rolling_s) +
                               seconds_option(" --exposure ", scene.shutter.exposure_s);
-  const std::string seed = std::to_string(scene.seed), frames = std::to_string(begin) + ":" + std::to_string(end);
+  const std::string seed = std::to_string(scene.seed),
+                    frames = std::to_string(begin) + ":" + std::to_string(end);
   return "# Rendered scene `" + scene.name + "`\n\nFrames " + frames + ", seed " + seed +
-         ". Rendered by edgevo; nothing in it was photographed or taken from others.\nPoses and depth are exact, in metres. Again: `edgevo simulate " +
-         scene.name + " --seed " + seed + " --frames " + frames + shutter + " -o FOLDER`\n" + shutter_note(scene.shutter);
+         ". Rendered by edgevo; nothing in it was photographed or taken from others.\nPoses and depth are "
+         "exact, in metres. Again: `edgevo simulate " +
+         scene.name + " --seed " + seed + " --frames " + frames + shutter + " -o FOLDER`\n" +
+         shutter_note(scene.shutter);
 }
 
 void write_texts(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
@@ -87,7 +92,8 @@ std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end) 
   const Scene& scene = renderer.scene();
   const SE3 T_first_scene = scene.T_scene_cam[size_t(begin)].inverse();
   std::string text = "# t tx ty tz qx qy qz qw (T_world_cam, metres)\n";
-  for (int i = begin; i < end; ++i) text += pose_line(scene.times[size_t(i)], T_first_scene * scene.T_scene_cam[size_t(i)]);
+  for (int i = begin; i < end; ++i)
+    text += pose_line(scene.times[size_t(i)], T_first_scene * scene.T_scene_cam[size_t(i)]);
   return text;
 }
 
@@ -95,21 +101,23 @@ void clear_sequence(const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (!fs::exists(folder + "/SOURCE.md", ignored)) return;
-  for (const char* name :
-       {"images", "depth", "edges", "correspondences", "times.txt", "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
+  for (const char* name : {"images", "depth", "edges", "correspondences", "times.txt", "camera.txt",
+                           "groundtruth_tum.txt", "SOURCE.md"})
     fs::remove_all(fs::path(folder) / name, ignored);
 }
 
-FolderWriter::FolderWriter(std::string folder, const Camera& camera) : folder_(std::move(folder)), camera_(camera) {
+FolderWriter::FolderWriter(std::string folder, const Camera& camera)
+    : folder_(std::move(folder)), camera_(camera) {
   make_output_folder(folder_ + "/images");
 }
 
 void FolderWriter::add(const Frame& frame) {
   const std::string name = image_name(frame);
   if (!times_.empty() && !natural_less(last_name_, name))
-    throw InputError(frame.image_path.empty() ? name : frame.image_path,
-                     "does not follow " + last_name_ + " by its name, so that a folder would play in another order",
-                     "name the output OUT.rawlog");
+    throw InputError(
+        frame.image_path.empty() ? name : frame.image_path,
+        "does not follow " + last_name_ + " by its name, so that a folder would play in another order",
+        "name the output OUT.rawlog");
   write_png(folder_ + "/images/" + name + ".png", frame.image);
   last_name_ = name;
   times_ += to_string(frame.time) + "\n";
@@ -138,8 +146,8 @@ void export_folder(const SceneRenderer& renderer, const std::string& folder, con
   run_parallel(begin, end, std::max(1, options.threads), [&](int i) {
     write_png(numbered(folder + "/images", i, ".png"), renderer.render_image(i));
     if (options.depth)
-      write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i), renderer.camera().pinhole.width,
-                renderer.camera().pinhole.height);
+      write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i),
+                renderer.camera().pinhole.width, renderer.camera().pinhole.height);
     if (options.edges) write_png(numbered(folder + "/edges", i, ".png"), true_edge_labels(renderer, i));
     const std::lock_guard<std::mutex> lock(mutex);
     if (on_frame_done) on_frame_done(++done);

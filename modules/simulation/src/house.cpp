@@ -10,10 +10,12 @@ namespace {
 constexpr double kStorey = 3.0;  // metres
 
 // A window with a sill, its lower left corner at (r, z).
-void add_window(WorldBuilder& b, const Place& place, double r, double z, double width, double height, int texture, int stone) {
+void add_window(WorldBuilder& b, const Place& place, double r, double z, double width, double height,
+                int texture, int stone) {
   b.wall(place, r, r + width, z, z + height, 0.03, texture, false);
   b.box(place, {r - 0.1, r + width + 0.1, 0, 0.16, z - 0.1, z}, stone, stone, -1, true, 1.15f);
-  b.box(place, {r - 0.06, r + width + 0.06, 0, 0.07, z + height, z + height + 0.14}, stone, stone, -1, true, 1.05f);
+  b.box(place, {r - 0.06, r + width + 0.06, 0, 0.07, z + height, z + height + 0.14}, stone, stone, -1, true,
+        1.05f);
 }
 
 void add_ground_floor(WorldBuilder& b, const Place& place, double width, int window, int stone) {
@@ -37,19 +39,23 @@ void add_ground_floor(WorldBuilder& b, const Place& place, double width, int win
     if (x + 1.3 < door - 0.2 || x > door + 1.4) add_window(b, place, x, 0.95, 1.2, 1.5, window, stone);
 }
 
-void add_upper_floors(WorldBuilder& b, const Place& place, double width, int storeys, int window, int other, int stone) {
+void add_upper_floors(WorldBuilder& b, const Place& place, double width, int storeys, int window, int other,
+                      int stone) {
   Random& r = b.random();
   const double pitch = r.uniform(1.9, 2.7), w = r.uniform(0.95, 1.3), h = r.uniform(1.4, 1.8);
   const int count = std::max(1, int((width - 0.8) / pitch));
   const double margin = (width - (count - 1) * pitch - w) / 2;
   for (int storey = 1; storey < storeys; ++storey)
     for (int i = 0; i < count; ++i)
-      add_window(b, place, margin + i * pitch, storey * kStorey + 0.85, w, h, r.uniform() < 0.75 ? window : other, stone);
+      add_window(b, place, margin + i * pitch, storey * kStorey + 0.85, w, h,
+                 r.uniform() < 0.75 ? window : other, stone);
 }
 
 // Ridge along the front; the gables at both sides are two triangles each.
-void add_gable_roof(WorldBuilder& b, const Place& place, double width, double depth, double eaves, double rise, int tiles, int wall) {
-  const Eigen::Vector3d ridge = place.point(-0.3, -depth / 2, eaves + rise), right = (width + 0.6) * place.right;
+void add_gable_roof(WorldBuilder& b, const Place& place, double width, double depth, double eaves,
+                    double rise, int tiles, int wall) {
+  const Eigen::Vector3d ridge = place.point(-0.3, -depth / 2, eaves + rise),
+                        right = (width + 0.6) * place.right;
   const double over = 0.4, drop = over * rise / (depth / 2);
   b.tile(ridge, right, place.point(-0.3, over, eaves - drop) - ridge, tiles);
   const Eigen::Vector3d back = ridge + right;
@@ -63,7 +69,8 @@ void add_gable_roof(WorldBuilder& b, const Place& place, double width, double de
   }
 }
 
-void add_roof(WorldBuilder& b, const Place& place, double width, double depth, double eaves, int wall, int stone) {
+void add_roof(WorldBuilder& b, const Place& place, double width, double depth, double eaves, int wall,
+              int stone) {
   Random& r = b.random();
   if (r.uniform() < 0.3) {  // flat, with a cornice
     b.box(place, {-0.15, width + 0.15, -depth, 0.35, eaves, eaves + 0.35}, stone, stone);
@@ -73,20 +80,25 @@ void add_roof(WorldBuilder& b, const Place& place, double width, double depth, d
   const double rise = r.uniform(2.2, 4);
   add_gable_roof(b, place, width, depth, eaves, rise, b.any_texture("roof_tiles", 3), wall);
   const double at = r.uniform(0.15, 0.8) * width;
-  b.box(place, {at, at + 0.7, -depth / 2 - 0.4, -depth / 2 + 0.3, eaves, eaves + rise + 0.9}, b.any_texture("brick", 3), stone);
-  b.box(place, {-0.3, width + 0.3, 0.3, 0.45, eaves - 0.42, eaves - 0.28}, b.texture("metal", 22), b.texture("metal", 22), -1, true, 0.6f);
+  b.box(place, {at, at + 0.7, -depth / 2 - 0.4, -depth / 2 + 0.3, eaves, eaves + rise + 0.9},
+        b.any_texture("brick", 3), stone);
+  b.box(place, {-0.3, width + 0.3, 0.3, 0.45, eaves - 0.42, eaves - 0.28}, b.texture("metal", 22),
+        b.texture("metal", 22), -1, true, 0.6f);
 }
 
 }  // namespace
 
-void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys, const std::string& wall) {
+void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys,
+               const std::string& wall) {
   Random& r = b.random();
   const int skin = b.any_texture(wall, 3), stone = b.any_texture("concrete", 2);
   const int window = b.any_texture("window", 12), other = b.any_texture("window", 12);
   const double eaves = storeys * kStorey + 0.3;
   b.box(place, {0, width, -depth, 0, 0, eaves}, skin, skin, -1, true, float(r.uniform(0.75, 1.2)));
-  b.box(place, {-0.02, width + 0.02, -0.2, 0.06, 0, r.uniform(0.25, 0.6)}, stone, stone, -1, true, 0.8f);  // plinth
-  if (r.uniform() < 0.5) b.box(place, {0, width, 0, 0.08, kStorey, kStorey + 0.2}, stone, stone);        // string course
+  b.box(place, {-0.02, width + 0.02, -0.2, 0.06, 0, r.uniform(0.25, 0.6)}, stone, stone, -1, true,
+        0.8f);  // plinth
+  if (r.uniform() < 0.5)
+    b.box(place, {0, width, 0, 0.08, kStorey, kStorey + 0.2}, stone, stone);  // string course
   add_ground_floor(b, place, width, window, stone);
   add_upper_floors(b, place, width, storeys, window, other, stone);
   add_roof(b, place, width, depth, eaves, skin, stone);

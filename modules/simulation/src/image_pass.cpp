@@ -12,13 +12,15 @@ namespace {
 // The image, row by row: visibility of all samples, then one shading for each surface that a pixel sees.
 class ImagePass {
  public:
-  ImagePass(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, const SE3& T_scene_cam, RowRange rows)
+  ImagePass(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, const SE3& T_scene_cam,
+            RowRange rows)
       : pinhole_(scene.camera.pinhole),
         rays_(rays),
         rows_(rows),
         views_(view_surfaces(*scene.world, scene.camera, T_scene_cam, rows)),
         row_(pinhole_.width, kSamples) {
-    context_ = {float(1 / pinhole_.fx), float(1 / pinhole_.fy), scene.world->sky.gray, float(scene.world->sky.haze_per_metre)};
+    context_ = {float(1 / pinhole_.fx), float(1 / pinhole_.fy), scene.world->sky.gray,
+                float(scene.world->sky.haze_per_metre)};
     has_clouds_ = scene.world->sky.texture >= 0;
     if (has_clouds_) sky_ = view_sky(*scene.world, T_scene_cam);
     set_sample_columns(pinhole_, kSamples, &row_);
@@ -93,8 +95,8 @@ class ImagePass {
 
 }  // namespace
 
-void add_rows_seen(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, const SE3& T_scene_cam, RowRange rows,
-                   std::vector<float>* gray) {
+void add_rows_seen(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, const SE3& T_scene_cam,
+                   RowRange rows, std::vector<float>* gray) {
   ImagePass(scene, rays, T_scene_cam, rows).add_to(gray);
 }
 

@@ -18,11 +18,12 @@ void for_pixels(LitImage* image, F f) {
   const float half = 0.5f * float(std::max(image->width, image->height));
   for (int v = 0; v < image->height; ++v)
     for (int u = 0; u < image->width; ++u)
-      f((float(u) - 0.5f * float(image->width - 1)) / half, (float(v) - 0.5f * float(image->height - 1)) / half,
-        image->gray[size_t(v) * image->width + u]);
+      f((float(u) - 0.5f * float(image->width - 1)) / half,
+        (float(v) - 0.5f * float(image->height - 1)) / half, image->gray[size_t(v) * image->width + u]);
 }
 
-// Mean over 2 radius + 1 pixels along a row or column; `step` and `count` walk the line, beyond its ends it is continued.
+// Mean over 2 radius + 1 pixels along a row or column; `step` and `count` walk the line, beyond its ends it
+// is continued.
 void box_line(const float* in, float* out, int count, int step, int radius) {
   const auto at = [&](int i) { return in[std::clamp(i, 0, count - 1) * step]; };
   float sum = 0;
@@ -35,7 +36,8 @@ void box_line(const float* in, float* out, int count, int step, int radius) {
 
 void box_blur(std::vector<float>* gray, int width, int height, int radius) {
   std::vector<float> rows(gray->size());
-  for (int v = 0; v < height; ++v) box_line(gray->data() + size_t(v) * width, rows.data() + size_t(v) * width, width, 1, radius);
+  for (int v = 0; v < height; ++v)
+    box_line(gray->data() + size_t(v) * width, rows.data() + size_t(v) * width, width, 1, radius);
   for (int u = 0; u < width; ++u) box_line(rows.data() + u, gray->data() + u, height, width, radius);
 }
 
@@ -75,14 +77,18 @@ void bend_response(Random random, double seconds, double share, LitImage* image)
 }
 
 void vignette(double share, LitImage* image) {
-  const float corner2 = 1 + std::pow(float(std::min(image->width, image->height)) / float(std::max(image->width, image->height)), 2.0f);
-  for_pixels(image, [&](float x, float y, float& g) { g *= 1 - float(0.65 * share) * (x * x + y * y) / corner2; });
+  const float corner2 = 1 + std::pow(float(std::min(image->width, image->height)) /
+                                         float(std::max(image->width, image->height)),
+                                     2.0f);
+  for_pixels(image,
+             [&](float x, float y, float& g) { g *= 1 - float(0.65 * share) * (x * x + y * y) / corner2; });
 }
 
 void add_glare(Random random, double seconds, double share, LitImage* image) {
   const SmoothNoise across(&random, 0.08), down(&random, 0.08), strength(&random, 0.2);
   const float cx = float(0.7 * across(seconds)), cy = float(0.2 * down(seconds) - 0.1);
-  const float core = float(share * 420 * std::clamp(0.6 + 0.5 * strength(seconds), 0.0, 1.0)), veil = core * 0.16f;
+  const float core = float(share * 420 * std::clamp(0.6 + 0.5 * strength(seconds), 0.0, 1.0)),
+              veil = core * 0.16f;
   for_pixels(image, [&](float x, float y, float& g) {
     const float d2 = (x - cx) * (x - cx) + (y - cy) * (y - cy);
     g += core / (1 + 900 * d2 * d2 * 10) + veil / (1 + 8 * d2);
@@ -100,10 +106,13 @@ void eat_boundaries(LitImage* image) {
 
 void sweep_shadows(Random random, double seconds, LitImage* image) {
   for (int band = 0; band < 3; ++band) {
-    const double angle = random.uniform(-0.9, 0.9), speed = random.uniform(0.25, 0.7) * (random.uniform() < 0.5 ? -1 : 1);
-    const double phase = random.uniform(0, 4), half = random.uniform(0.08, 0.3), rim = random.uniform(0.01, 0.06);
+    const double angle = random.uniform(-0.9, 0.9),
+                 speed = random.uniform(0.25, 0.7) * (random.uniform() < 0.5 ? -1 : 1);
+    const double phase = random.uniform(0, 4), half = random.uniform(0.08, 0.3),
+                 rim = random.uniform(0.01, 0.06);
     const float c = float(std::cos(angle)), s = float(std::sin(angle));
-    const float middle = float(std::fmod(std::fmod(phase + speed * seconds, 4) + 4, 4) - 2);  // comes back every four widths
+    const float middle =
+        float(std::fmod(std::fmod(phase + speed * seconds, 4) + 4, 4) - 2);  // comes back every four widths
     for_pixels(image, [&](float x, float y, float& g) {
       const float inside = float(half) - std::abs(c * x + s * y - middle);
       if (inside > -float(rim)) g *= 1 - 0.6f * smooth_step(0.5f + 0.5f * inside / float(rim));
@@ -113,7 +122,8 @@ void sweep_shadows(Random random, double seconds, LitImage* image) {
 
 void blur_along_motion(Random random, double seconds, LitImage* image) {
   const SmoothNoise along_u(&random, 0.5), along_v(&random, 0.5);
-  const double du = 4 * std::clamp(along_u(seconds), -1.1, 1.1), dv = 2 * std::clamp(along_v(seconds), -1.1, 1.1);
+  const double du = 4 * std::clamp(along_u(seconds), -1.1, 1.1),
+               dv = 2 * std::clamp(along_v(seconds), -1.1, 1.1);
   constexpr int kTaps = 9;
   std::vector<float> out(image->gray.size(), 0.0f);
   for (int tap = 0; tap < kTaps; ++tap) {

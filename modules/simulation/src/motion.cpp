@@ -21,7 +21,8 @@ double seconds_at(size_t step, double rate_hz) {
 std::vector<SE3> drive(const SceneParams& params, Random random, const std::string& where) {
   const MotionParams& m = params.motion;
   const std::vector<PathPoint> way = drive_along(params, kStepsPerFrame, where);
-  const SmoothNoise pitch(&random, m.sway_hz), roll(&random, m.sway_hz), yaw(&random, m.sway_hz), lift(&random, m.sway_hz);
+  const SmoothNoise pitch(&random, m.sway_hz), roll(&random, m.sway_hz), yaw(&random, m.sway_hz),
+      lift(&random, m.sway_hz);
   std::vector<SE3> poses;
   for (size_t i = 0; i < way.size(); ++i) {
     const double t = seconds_at(i, params.rate_hz), sway = m.sway_deg * kRadian;
@@ -32,7 +33,8 @@ std::vector<SE3> drive(const SceneParams& params, Random random, const std::stri
   return poses;
 }
 
-// Moves about the first way point, always looking near the second. Time is stretched so that the mean speed is right.
+// Moves about the first way point, always looking near the second. Time is stretched so that the mean speed
+// is right.
 std::vector<SE3> hand(const SceneParams& params, Random random) {
   const MotionParams& m = params.motion;
   const SmoothNoise x(&random, 0.25), y(&random, 0.25), z(&random, 0.25);
@@ -57,7 +59,8 @@ std::vector<SE3> hand(const SceneParams& params, Random random) {
 }  // namespace
 
 SE3 look(const Eigen::Vector3d& position, double yaw, double down, double roll) {
-  const Eigen::Vector3d forward(std::cos(yaw) * std::cos(down), std::sin(yaw) * std::cos(down), -std::sin(down));
+  const Eigen::Vector3d forward(std::cos(yaw) * std::cos(down), std::sin(yaw) * std::cos(down),
+                                -std::sin(down));
   const Eigen::Vector3d level = forward.cross(Eigen::Vector3d::UnitZ()).normalized();
   const Eigen::Vector3d right = Eigen::AngleAxisd(roll, forward) * level;
   Eigen::Matrix3d R;
@@ -68,12 +71,14 @@ SE3 look(const Eigen::Vector3d& position, double yaw, double down, double roll) 
 SE3 CameraMotion::at(double seconds) const {
   const double steps = seconds / step_s;
   const size_t i = size_t(std::clamp(std::floor(steps), 0.0, double(T_scene_cam.size() - 2)));
-  return T_scene_cam[i] * SE3::exp((steps - double(i)) * (T_scene_cam[i].inverse() * T_scene_cam[i + 1]).log());
+  return T_scene_cam[i] *
+         SE3::exp((steps - double(i)) * (T_scene_cam[i].inverse() * T_scene_cam[i + 1]).log());
 }
 
 CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where) {
   const Random random = Random::derive(seed, kMotionPurpose);
-  return {1 / params.rate_hz / kStepsPerFrame, params.motion.kind == "hand" ? hand(params, random) : drive(params, random, where)};
+  return {1 / params.rate_hz / kStepsPerFrame,
+          params.motion.kind == "hand" ? hand(params, random) : drive(params, random, where)};
 }
 
 }  // namespace edgevo

@@ -15,7 +15,8 @@ void add_bench(WorldBuilder& b, const Place& place) {
   const int wood = b.texture("wood", 1), metal = b.texture("metal", 1);
   b.box(place, {-0.9, 0.9, -0.2, 0.2, 0.42, 0.46}, wood, wood, -1, true, 0.9f);
   b.box(place, {-0.9, 0.9, -0.26, -0.22, 0.5, 0.9}, wood, wood, -1, true, 0.8f);
-  for (double r : {-0.8, 0.74}) b.box(place, {r, r + 0.06, -0.25, 0.2, 0, 0.42}, metal, metal, -1, false, 0.4f);
+  for (double r : {-0.8, 0.74})
+    b.box(place, {r, r + 0.06, -0.25, 0.2, 0, 0.42}, metal, metal, -1, false, 0.4f);
 }
 
 void add_monument(WorldBuilder& b, const Place& place) {
@@ -63,7 +64,8 @@ void scatter(Site& site, const Box2& box) {
   Random& random = b.random();
   const int count = int(30 * site.params.world.density);
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector2d p(random.uniform(box.low.x() + 3, box.high.x() - 3), random.uniform(box.low.y() + 3, box.high.y() - 3));
+    const Eigen::Vector2d p(random.uniform(box.low.x() + 3, box.high.x() - 3),
+                            random.uniform(box.low.y() + 3, box.high.y() - 3));
     const double what = random.uniform(), angle = random.uniform(0, 2 * kPi);
     if (distance_to_way(site.params.way_points, p) < 4.5) continue;
     const Place place = facing({p.x(), p.y(), 0}, angle);

@@ -8,7 +8,8 @@
 namespace edgevo {
 
 /// A house whose front runs from `place`'s origin `width` metres to the right, `depth` metres deep.
-void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys, const std::string& wall);
+void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys,
+               const std::string& wall);
 
 /// A broad-leaved tree, or a conifer, with its foot at the origin of `place`.
 void add_tree(WorldBuilder& b, const Place& place, double height, const Leaves& leaves = {});

@@ -13,7 +13,9 @@ namespace {
 // A stream of its own for each effect.
 Random stream(uint64_t seed, uint64_t effect) { return Random::derive(seed, 0x72656c69676874 + effect); }
 
-void to_floats(const GrayImage& image, std::vector<float>* gray) { gray->assign(image.pixels.begin(), image.pixels.end()); }
+void to_floats(const GrayImage& image, std::vector<float>* gray) {
+  gray->assign(image.pixels.begin(), image.pixels.end());
+}
 
 }  // namespace
 
@@ -55,7 +57,8 @@ GrayImage Relight::apply(const GrayImage& image, int index, double seconds) cons
   if (has("jumps")) jump_exposure(stream(seed_, 5), seconds, share, &lit);
   if (has("eaten")) eat_boundaries(&lit);
   if (has("gamma")) bend_response(stream(seed_, 6), seconds, share, &lit);
-  return {image.width, image.height, with_sensor_noise(lit.gray, has("noise") ? 8 * share * share : 0, seed_ + 1, index)};
+  return {image.width, image.height,
+          with_sensor_noise(lit.gray, has("noise") ? 8 * share * share : 0, seed_ + 1, index)};
 }
 
 }  // namespace edgevo

@@ -2,9 +2,7 @@
 
 namespace edgevo {
 
-std::optional<int> RelitSource::size() const {
-  return relight_.may_drop() ? std::nullopt : source_->size();
-}
+std::optional<int> RelitSource::size() const { return relight_.may_drop() ? std::nullopt : source_->size(); }
 
 std::vector<Timestamp> RelitSource::times() const {
   return relight_.may_drop() ? std::vector<Timestamp>() : source_->times();

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where scenes lie: the source tree while one works in it, else what was installed, with the program (PREFIX/bin) or
-// for a program of another's.
+// Where scenes lie: the source tree while one works in it, else what was installed, with the program
+// (PREFIX/bin) or for a program of another's.
 std::vector<fs::path> scene_folders() {
   return {
 #ifdef EDGEVO_SCENE_SOURCE_DIR
@@ -35,14 +35,16 @@ void split_season(const std::string& name, std::string* scene, std::string* seas
   *scene = name.substr(0, colon), *season = name.substr(colon + 1);
   const std::vector<std::string> known{"spring", "summer", "autumn", "winter"};
   if (std::find(known.begin(), known.end(), *season) == known.end())
-    throw InputError("scene " + name, "'" + *season + "' is no season", "did you mean '" + nearest_name(*season, known) + "'?");
+    throw InputError("scene " + name, "'" + *season + "' is no season",
+                     "did you mean '" + nearest_name(*season, known) + "'?");
 }
 
 fs::path find_scene(const std::string& name_or_path) {
   std::error_code ignored;
   if (fs::is_regular_file(name_or_path, ignored)) return name_or_path;
   for (const fs::path& folder : scene_folders())
-    if (fs::is_regular_file(folder / (name_or_path + ".yaml"), ignored)) return folder / (name_or_path + ".yaml");
+    if (fs::is_regular_file(folder / (name_or_path + ".yaml"), ignored))
+      return folder / (name_or_path + ".yaml");
   std::string known;
   for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
   throw InputError("scene " + name_or_path, "is neither a file nor a known scene",

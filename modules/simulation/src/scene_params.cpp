@@ -10,21 +10,26 @@ namespace edgevo {
 namespace {
 
 constexpr const char* kKey = "way_points:";
-constexpr const char* kRemedy = "write each way point on a line of its own as `- [x, y]` or `- [x, y, z]`, metres";
+constexpr const char* kRemedy =
+    "write each way point on a line of its own as `- [x, y]` or `- [x, y, z]`, metres";
 
 std::string at_line(const std::string& file, int line) { return file + ":" + std::to_string(line); }
 
 std::string_view trimmed(std::string_view s) {
   constexpr std::string_view kBlanks = " \t\r";
   const size_t begin = s.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos ? std::string_view() : s.substr(begin, s.find_last_not_of(kBlanks) - begin + 1);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : s.substr(begin, s.find_last_not_of(kBlanks) - begin + 1);
 }
 std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
 
-bool opens_way_points(const std::string& line) { return line.compare(0, std::string_view(kKey).size(), kKey) == 0; }
+bool opens_way_points(const std::string& line) {
+  return line.compare(0, std::string_view(kKey).size(), kKey) == 0;
+}
 // A line of text outside of any list or group: it ends the section before it.
 bool is_top_level_key(const std::string& line) {
-  return !line.empty() && line[0] != ' ' && line[0] != '\t' && line[0] != '#' && line[0] != '-' && line[0] != '\r';
+  return !line.empty() && line[0] != ' ' && line[0] != '\t' && line[0] != '#' && line[0] != '-' &&
+         line[0] != '\r';
 }
 
 // "[x, y]" or "[x, y, z]".
@@ -62,7 +67,8 @@ std::string take_way_points(std::istream& in, const std::string& file, ScenePara
     rest += (inside ? "" : line) + "\n";
     const std::string where = at_line(file, number);
     if (inside && opens_way_points(line)) {
-      if (!params->where.way_points.empty()) throw InputError(where, "way_points was given already", "keep one");
+      if (!params->where.way_points.empty())
+        throw InputError(where, "way_points was given already", "keep one");
       params->where.way_points = where;
       if (!without_comment(std::string_view(line).substr(std::string_view(kKey).size())).empty())
         throw InputError(where, "something follows way_points on its line", kRemedy);
@@ -92,9 +98,11 @@ SceneParams parse_scene(const std::string& text, const std::string& file) {
   std::istringstream in(text);
   const std::string rest = take_way_points(in, file, &params);
   read_params(rest, file, [&](ParamVisitor& v) { params.visit(v); });
-  if (params.frames < 1) throw InputError(file, "frames is missing: the scene would be empty", "give for example frames: 300");
+  if (params.frames < 1)
+    throw InputError(file, "frames is missing: the scene would be empty", "give for example frames: 300");
   if (params.where.way_points.empty()) throw InputError(file, "has no way_points", kRemedy);
-  if (params.way_points.size() < 2) throw InputError(params.where.way_points, "has fewer than two way points", kRemedy);
+  if (params.way_points.size() < 2)
+    throw InputError(params.where.way_points, "has fewer than two way points", kRemedy);
   params.where.walls = where_in_world(text, "walls", file);
   params.where.sky = where_in_world(text, "sky", file);
   params.camera.camera.check(file);

@@ -25,7 +25,8 @@ struct CameraParams {
     v.number("p2", d.p2, -0.1, 0.1, "plumb-bob distortion, tangential");
     v.number("k3", d.k3, -5, 5, "plumb-bob distortion");
     v.number("noise_sigma", noise_sigma, 0, 50, "noise of the sensor, gray levels");
-    v.number("rolling_shutter_s", rolling_shutter_s, 0, 1, "read-out of the image, first row to last, seconds; 0: all at once");
+    v.number("rolling_shutter_s", rolling_shutter_s, 0, 1,
+             "read-out of the image, first row to last, seconds; 0: all at once");
     v.number("exposure_s", exposure_s, 0, 1, "each row gathers light for this long, seconds; 0: an instant");
   }
   double noise_sigma = 1.0;
@@ -49,7 +50,8 @@ struct MotionParams {
   double pause_rate_deg = 30;  ///< degrees a second
   double amplitude = 0.3;      ///< m, half the range of the movement (hand)
   void visit(ParamVisitor& v) {
-    v.text("kind", kind, {"drive", "hand"}, "drive along way points, or move about the first one looking at the second");
+    v.text("kind", kind, {"drive", "hand"},
+           "drive along way points, or move about the first one looking at the second");
     v.number("speed", speed, 0.01, 60, "metres a second");
     v.number("height", height, 0.05, 50, "drive: metres over the ground");
     v.number("lane_offset", lane_offset, -50, 50, "drive: metres to the right of the way points");
@@ -81,11 +83,13 @@ struct WorldParams {
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
     v.text("sky", sky, {}, "kind of texture for the sky; empty: plain");
     v.number("horizon_gray", horizon_gray, 0, 255, "gray of the sky at the horizon, which haze fades to");
-    v.number("haze_per_metre", haze_per_metre, 0, 1, "a surface at z metres keeps 1/(1 + haze z) of its brightness");
+    v.number("haze_per_metre", haze_per_metre, 0, 1,
+             "a surface at z metres keeps 1/(1 + haze z) of its brightness");
     v.number("sun_azimuth_deg", sun_azimuth_deg, -360, 360, "from the x axis to the left");
     v.number("sun_elevation_deg", sun_elevation_deg, 5, 90, "over the horizon");
     v.number("density", density, 0, 3, "how many cars, trees and other things stand about");
-    v.text("season", season, {"", "spring", "summer", "autumn", "winter"}, "lakeshore: leaves, light and haze of a season");
+    v.text("season", season, {"", "spring", "summer", "autumn", "winter"},
+           "lakeshore: leaves, light and haze of a season");
   }
 };
 
@@ -120,8 +124,9 @@ struct SceneParams {
   }
 };
 
-/// Reads the text of a scene file. Throws InputError: unknown key, value out of range, no frames, way points that are no
-/// lists of two or three numbers, fewer than two of them, no camera. Each message opens with `file` and, where there is one, the line.
+/// Reads the text of a scene file. Throws InputError: unknown key, value out of range, no frames, way points
+/// that are no lists of two or three numbers, fewer than two of them, no camera. Each message opens with
+/// `file` and, where there is one, the line.
 SceneParams parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace edgevo

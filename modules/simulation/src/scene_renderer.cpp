@@ -23,7 +23,8 @@ std::vector<Eigen::Vector2f> rays_through_lens(const Camera& camera) {
       for (int u = 0; u < p.width; ++u) {
         const Eigen::Vector2d distorted = p.ray(Eigen::Vector2d(u, v) + offset.cast<double>()).head<2>();
         Eigen::Vector2d x = distorted;
-        if (!camera.undistort(distorted, &x)) x = distorted;  // beyond the model: a corner that no ray reaches
+        if (!camera.undistort(distorted, &x))
+          x = distorted;  // beyond the model: a corner that no ray reaches
         rays.push_back(x.cast<float>());
       }
   return rays;
@@ -31,7 +32,8 @@ std::vector<Eigen::Vector2f> rays_through_lens(const Camera& camera) {
 
 }  // namespace
 
-SceneRenderer::SceneRenderer(Scene scene) : scene_(std::move(scene)), rays_(rays_through_lens(scene_.camera)) {
+SceneRenderer::SceneRenderer(Scene scene)
+    : scene_(std::move(scene)), rays_(rays_through_lens(scene_.camera)) {
   check_shutter(scene_);
 }
 
@@ -40,7 +42,8 @@ SE3 SceneRenderer::T_world_cam(int index) const {
 }
 
 GrayImage SceneRenderer::render_image(int index) const {
-  const int instants = scene_.shutter.exposure_s > 0 ? instants_of_exposure(scene_, index, render_depth(index)) : 1;
+  const int instants =
+      scene_.shutter.exposure_s > 0 ? instants_of_exposure(scene_, index, render_depth(index)) : 1;
   const std::vector<float> gray = expose(scene_, rays_, index, instants);
   const Pinhole& p = scene_.camera.pinhole;
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
@@ -53,7 +56,9 @@ GrayImage SceneRenderer::render_image_from(const SE3& T_scene_cam, int index) co
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
 
-std::vector<float> SceneRenderer::render_depth(int index) const { return render_depth_from(scene_.T_scene_cam[size_t(index)]); }
+std::vector<float> SceneRenderer::render_depth(int index) const {
+  return render_depth_from(scene_.T_scene_cam[size_t(index)]);
+}
 
 std::vector<float> SceneRenderer::render_depth_from(const SE3& T_scene_cam) const {
   Camera ideal = scene_.camera;

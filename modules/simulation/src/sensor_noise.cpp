@@ -20,7 +20,8 @@ std::vector<float> normal_table(double sigma) {
 
 }  // namespace
 
-std::vector<uint8_t> with_sensor_noise(const std::vector<float>& gray, double sigma, uint64_t seed, int frame) {
+std::vector<uint8_t> with_sensor_noise(const std::vector<float>& gray, double sigma, uint64_t seed,
+                                       int frame) {
   const std::vector<float> table = normal_table(sigma);
   Random random = Random::derive(seed ^ (uint64_t(frame) << 32), kNoisePurpose);
   std::vector<uint8_t> out(gray.size());

@@ -5,7 +5,9 @@
 
 namespace edgevo {
 
-/// Rounded and clamped gray plus normal noise of `sigma` gray levels. The noise follows from (seed, frame) alone.
-std::vector<uint8_t> with_sensor_noise(const std::vector<float>& gray, double sigma, uint64_t seed, int frame);
+/// Rounded and clamped gray plus normal noise of `sigma` gray levels. The noise follows from (seed, frame)
+/// alone.
+std::vector<uint8_t> with_sensor_noise(const std::vector<float>& gray, double sigma, uint64_t seed,
+                                       int frame);
 
 }  // namespace edgevo

@@ -11,15 +11,16 @@ namespace {
 constexpr int kMaxTaps = 8;
 constexpr int kFractionBits = 8;
 
-// log2 of a positive number, linear between powers of two: at most 0.09 too low, and no call into a library whose last
-// digit depends on the machine.
+// log2 of a positive number, linear between powers of two: at most 0.09 too low, and no call into a library
+// whose last digit depends on the machine.
 float fast_log2(float value) {
   uint32_t bits;
   std::memcpy(&bits, &value, sizeof bits);
   return float(int32_t(bits) - 0x3f800000) * (1.0f / float(1 << 23));
 }
 
-// Bilinear interpolation at fixed-point texel coordinates (24.8, pixel centres at whole numbers). Returns 0..255 in 16.16.
+// Bilinear interpolation at fixed-point texel coordinates (24.8, pixel centres at whole numbers). Returns
+// 0..255 in 16.16.
 template <bool kTiled>
 int32_t bilinear(const TextureLevel& t, int32_t x, int32_t y) {
   if (!kTiled) {
@@ -29,7 +30,8 @@ int32_t bilinear(const TextureLevel& t, int32_t x, int32_t y) {
   const int32_t fx = x & 255, fy = y & 255;
   const int32_t mask_x = t.width - 1, mask_y = t.height - 1;
   const int32_t x0 = (x >> kFractionBits) & mask_x, y0 = (y >> kFractionBits) & mask_y;
-  // At the last texel of a clamped texture the fraction is zero, so that the wrapped neighbour does not count.
+  // At the last texel of a clamped texture the fraction is zero, so that the wrapped neighbour does not
+  // count.
   const int32_t x1 = (x0 + 1) & mask_x, y1 = (y0 + 1) & mask_y;
   const uint8_t* upper = t.gray.data() + size_t(y0) * t.width;
   const uint8_t* lower = t.gray.data() + size_t(y1) * t.width;
@@ -68,7 +70,8 @@ int64_t sum_of_taps(const TextureLevel& t, int level, const Footprint& f, int ta
   constexpr float kBias = float(1 << 22);  // makes truncation a floor; a multiple of every texture's size
   int64_t sum = 0;
   for (int i = 0; i < taps; ++i, u += step_u, v += step_v) {
-    const int32_t iu = kTiled ? int32_t(u + kBias) : int32_t(u), iv = kTiled ? int32_t(v + kBias) : int32_t(v);
+    const int32_t iu = kTiled ? int32_t(u + kBias) : int32_t(u),
+                  iv = kTiled ? int32_t(v + kBias) : int32_t(v);
     sum += bilinear<kTiled>(t, iu, iv);
   }
   return sum;
@@ -83,8 +86,7 @@ float sample(const Texture& texture, const Footprint& f) {
   const float norm = 1.0f / (65536.0f * float(taps));
   float gray = float(sum_of_taps<kTiled>(texture.levels[size_t(fine)], fine, f, taps)) * norm;
   if (share < 0.02f || size_t(fine) + 1 >= texture.levels.size()) return gray;
-  const float coarse =
-      float(sum_of_taps<kTiled>(texture.levels[size_t(fine) + 1], fine + 1, f, taps)) * norm;
+  const float coarse = float(sum_of_taps<kTiled>(texture.levels[size_t(fine) + 1], fine + 1, f, taps)) * norm;
   return gray + share * (coarse - gray);
 }
 

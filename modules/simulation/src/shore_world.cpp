@@ -19,7 +19,9 @@ class ShoreBuilder {
         b_(site.build),
         look_(season_look(site.params.world.season)),
         random_(b_.random()),
-        way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kBeyond, kBeyond, kBeyond).front()),
+        way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kBeyond, kBeyond,
+                        kBeyond)
+                 .front()),
         shore_{&way_, -1},
         line_(&random_, 0.03),
         detail_(&random_, 0.15),
@@ -31,7 +33,8 @@ class ShoreBuilder {
     plants();
     for (double s = 30; s < way_.length - 20; s += random_.uniform(35, 60)) {
       const std::string& wall = site_.walls[size_t(random_.below(int(site_.walls.size())))];
-      add_house(b_, shore_.place(s, waterline(s) + 16, 1.6), random_.uniform(8, 12), 8, 1 + random_.below(2), wall);
+      add_house(b_, shore_.place(s, waterline(s) + 16, 1.6), random_.uniform(8, 12), 8, 1 + random_.below(2),
+                wall);
     }
     for (double s = 20; s < way_.length; s += random_.uniform(25, 40)) jetty(s);
   }
@@ -44,7 +47,8 @@ class ShoreBuilder {
   void water() {
     constexpr double kBright = 4, kDark = 11, kStep = 0.5;  // metres from the way
     water_strip(-48, kBright, 1.25);
-    for (double d = kBright; d < kDark; d += kStep) water_strip(d, d + kStep, 1.25 - 0.6 * (d - kBright) / (kDark - kBright));
+    for (double d = kBright; d < kDark; d += kStep)
+      water_strip(d, d + kStep, 1.25 - 0.6 * (d - kBright) / (kDark - kBright));
     water_strip(kDark, 24, 0.65);
   }
   void water_strip(double from, double to, double gain) {
@@ -69,10 +73,13 @@ class ShoreBuilder {
           const Eigen::Vector2d p = shore_.at(along, waterline(along) + out[ring]);
           return {p.x(), p.y(), up[ring]};
         };
-        // Seen from the water the right end has the smaller s. Two triangles, as four corners need not be flat.
-        const Eigen::Vector3d a = corner(s + step, k + 1), b = corner(s, k + 1), c = corner(s + step, k), d = corner(s, k);
+        // Seen from the water the right end has the smaller s. Two triangles, as four corners need not be
+        // flat.
+        const Eigen::Vector3d a = corner(s + step, k + 1), b = corner(s, k + 1), c = corner(s + step, k),
+                              d = corner(s, k);
         const float gain = k == 0 ? 1 : look_.grass_gain * float(1.15 + 0.12 * meadow_(s) + 0.06 * k);
-        for (const auto& [corner_of, side_u, side_v] : {std::tuple{a, b - a, c - a}, std::tuple{d, c - d, b - d}}) {
+        for (const auto& [corner_of, side_u, side_v] :
+             {std::tuple{a, b - a, c - a}, std::tuple{d, c - d, b - d}}) {
           Surface& half = b_.tile(corner_of, side_u, side_v, b_.texture(kinds[k], 0));
           half.is_triangle = true;
           half.gain *= gain;
@@ -80,28 +87,35 @@ class ShoreBuilder {
       }
     for (double s = 0; s < way_.length; s += random_.uniform(0.4, 2.2)) {
       const double width = random_.uniform(0.4, 1.7);
-      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.6, 0.9), -0.12), width, width * random_.uniform(0.35, 0.6),
-              random_.uniform(-0.3, 0.3), b_.any_texture("boulder", 6), float(random_.uniform(0.8, 1.15)));
+      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.6, 0.9), -0.12), width,
+              width * random_.uniform(0.35, 0.6), random_.uniform(-0.3, 0.3), b_.any_texture("boulder", 6),
+              float(random_.uniform(0.8, 1.15)));
     }
   }
 
   void plants() {
     const double density = std::max(0.05, site_.params.world.density);
     for (double s = 1; s < way_.length; s += random_.uniform(0.5, 2.6) / density)
-      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.9, 0.6), -0.05), random_.uniform(1.2, 2.6), random_.uniform(0.6, 1.4),
-              random_.uniform(-0.5, 0.5), b_.any_texture("reeds", 6), look_.reed_gain * float(random_.uniform(0.8, 1.2)));
+      b_.card(shore_.place(s, waterline(s) + random_.uniform(-0.9, 0.6), -0.05), random_.uniform(1.2, 2.6),
+              random_.uniform(0.6, 1.4), random_.uniform(-0.5, 0.5), b_.any_texture("reeds", 6),
+              look_.reed_gain * float(random_.uniform(0.8, 1.2)));
     for (double s = 1; s < way_.length; s += random_.uniform(2, 6) / density)
-      add_bush(b_, shore_.place(s, waterline(s) + random_.uniform(1.5, 6), 0.7), random_.uniform(1.2, 3.2), look_.leaves);
-    for (double s = 1; s < way_.length; s += random_.uniform(3, 7) / density) tree(s, random_.uniform(3, 14), 1.0);
-    for (double s = 1; s < way_.length; s += random_.uniform(3, 6) / density) tree(s, random_.uniform(26, 50), 3.0);
+      add_bush(b_, shore_.place(s, waterline(s) + random_.uniform(1.5, 6), 0.7), random_.uniform(1.2, 3.2),
+               look_.leaves);
+    for (double s = 1; s < way_.length; s += random_.uniform(3, 7) / density)
+      tree(s, random_.uniform(3, 14), 1.0);
+    for (double s = 1; s < way_.length; s += random_.uniform(3, 6) / density)
+      tree(s, random_.uniform(26, 50), 3.0);
     for (double s = 1; s < way_.length; s += random_.uniform(1, 3) / density) {  // undergrowth up the slope
       const double beyond = random_.uniform(16, 48);
-      add_bush(b_, shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 0.1), random_.uniform(1.2, 3.5), look_.leaves);
+      add_bush(b_, shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 0.1),
+               random_.uniform(1.2, 3.5), look_.leaves);
     }
     for (double beyond : {60.0, 56.0})  // the wood on the ridge
       for (double s = -10; s < way_.length + 10; s += random_.uniform(12, 17))
-        b_.card(shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 1.2), 28, random_.uniform(9, 13),
-                random_.uniform(-0.1, 0.1), b_.any_texture("forest" + look_.leaves.suffix(), 5),
+        b_.card(shore_.place(s, waterline(s) + beyond, height_of_meadow(beyond) - 1.2), 28,
+                random_.uniform(9, 13), random_.uniform(-0.1, 0.1),
+                b_.any_texture("forest" + look_.leaves.suffix(), 5),
                 look_.leaves.gain * float(random_.uniform(0.85, 1.1)));
   }
   // The last step of the bank, over the water.

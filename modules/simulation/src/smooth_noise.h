@@ -7,12 +7,14 @@
 
 namespace edgevo {
 
-/// Sum of a few sines of random phase and frequencies around `hz`; mean 0, standard deviation about 1, all derivatives exist.
+/// Sum of a few sines of random phase and frequencies around `hz`; mean 0, standard deviation about 1, all
+/// derivatives exist.
 class SmoothNoise {
  public:
   SmoothNoise(Random* random, double hz) {
     for (int i = 0; i < kTerms; ++i)
-      terms_.push_back({6.283185307179586 * hz * random->uniform(0.35, 1.5), random->uniform(0, 6.283185307179586)});
+      terms_.push_back(
+          {6.283185307179586 * hz * random->uniform(0.35, 1.5), random->uniform(0, 6.283185307179586)});
   }
   double operator()(double t) const {
     double sum = 0;

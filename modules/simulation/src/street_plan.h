@@ -24,7 +24,8 @@ struct Side {
   const Street* street;
   double sign;  // +1: left of the direction of the way points
   Eigen::Vector2d at(double s, double d) const {
-    return street->start + s * street->along + sign * d * Eigen::Vector2d(-street->along.y(), street->along.x());
+    return street->start + s * street->along +
+           sign * d * Eigen::Vector2d(-street->along.y(), street->along.x());
   }
   /// Facing the street, with the origin at (s, d).
   Place place(double s, double d, double z = 0) const {
@@ -32,15 +33,19 @@ struct Side {
     return facing({p.x(), p.y(), z}, std::atan2(out.y(), out.x()));
   }
   /// As place(), for something from s to s + width: seen from the street its left end is the origin.
-  Place left_end(double s, double width, double d, double z = 0) const { return place(sign > 0 ? s : s + width, d, z); }
+  Place left_end(double s, double width, double d, double z = 0) const {
+    return place(sign > 0 ? s : s + width, d, z);
+  }
 };
 
-/// One way for each leg between way points, longer by `before` and `beyond` metres; the first one by `first` at its start.
-inline std::vector<Street> streets_of(const std::vector<Eigen::Vector3d>& way_points, double first, double before,
-                                      double beyond) {
+/// One way for each leg between way points, longer by `before` and `beyond` metres; the first one by `first`
+/// at its start.
+inline std::vector<Street> streets_of(const std::vector<Eigen::Vector3d>& way_points, double first,
+                                      double before, double beyond) {
   std::vector<Street> streets;
   for (size_t i = 0; i + 1 < way_points.size(); ++i) {
-    const Eigen::Vector2d a = way_points[i].head<2>(), b = way_points[i + 1].head<2>(), along = (b - a).normalized();
+    const Eigen::Vector2d a = way_points[i].head<2>(), b = way_points[i + 1].head<2>(),
+                          along = (b - a).normalized();
     const double ahead = i == 0 ? first : before;
     streets.push_back({a - ahead * along, along, (b - a).norm() + ahead + beyond});
   }

@@ -1,5 +1,5 @@
-// A street with turns. Each leg between way points is a street that goes on beyond its ends; where two cross there is a
-// junction.
+// A street with turns. Each leg between way points is a street that goes on beyond its ends; where two cross
+// there is a junction.
 #include <algorithm>
 #include <cmath>
 
@@ -10,15 +10,18 @@
 namespace edgevo {
 namespace {
 
-constexpr double kRoad = 5.0;      // half the road, kerb to middle, metres
-constexpr double kWalk = 7.3;      // outer rim of the pavement
-constexpr double kKerb = 0.13;     // height of the kerb
-constexpr double kBeyond = 65;     // how far a street goes on beyond its way points
+constexpr double kRoad = 5.0;   // half the road, kerb to middle, metres
+constexpr double kWalk = 7.3;   // outer rim of the pavement
+constexpr double kKerb = 0.13;  // height of the kerb
+constexpr double kBeyond = 65;  // how far a street goes on beyond its way points
 
 class StreetBuilder {
  public:
   explicit StreetBuilder(Site& site)
-      : site_(site), b_(site.build), random_(b_.random()), streets_(streets_of(site.params.way_points, 25, kBeyond, kBeyond)) {}
+      : site_(site),
+        b_(site.build),
+        random_(b_.random()),
+        streets_(streets_of(site.params.way_points, 25, kBeyond, kBeyond)) {}
 
   void build() {
     ground();
@@ -62,7 +65,8 @@ class StreetBuilder {
         }
   }
   bool near_a_street(const Eigen::Vector2d& p, double reach) const {
-    return std::any_of(streets_.begin(), streets_.end(), [&](const Street& s) { return s.distance(p) < reach; });
+    return std::any_of(streets_.begin(), streets_.end(),
+                       [&](const Street& s) { return s.distance(p) < reach; });
   }
 
   void lane_marks(const Street& street) {
@@ -109,13 +113,16 @@ class StreetBuilder {
     const int stone = b_.texture("concrete", 0), slabs = b_.texture("slabs", 0);
     b_.box(p, {0, w, -0.16, 0, 0, kKerb}, stone, stone, -1, true, 1.2f);
     b_.tile(p.point(0, -(kWalk - kRoad), kKerb - 0.005), w * p.right, (kWalk - kRoad - 0.16) * p.out, slabs);
-    b_.tile(p.point(0, -26, kKerb - 0.02), w * p.right, (26 - (kWalk - kRoad)) * p.out, b_.texture("grass", 0)).gain *= 0.9f;
+    b_.tile(p.point(0, -26, kKerb - 0.02), w * p.right, (26 - (kWalk - kRoad)) * p.out,
+            b_.texture("grass", 0))
+        .gain *= 0.9f;
     b_.box(p, {0, w, 0, 0.3, 0, 0.006}, stone, stone, -1, true, 0.7f);  // gutter
   }
 
   void houses(const Side& side) {
     for (double s = 0.5; s < side.street->length;) {
-      const double width = random_.uniform(6.5, 13), setback = random_.uniform() < 0.45 ? 0.0 : random_.uniform(1.5, 4.5);
+      const double width = random_.uniform(6.5, 13),
+                   setback = random_.uniform() < 0.45 ? 0.0 : random_.uniform(1.5, 4.5);
       const double depth = random_.uniform(7, 10), d = kWalk + setback;
       if (!is_free(side, s, s + width, d - 0.5, d + depth, kWalk + 0.5)) {
         s += 1.5;
@@ -129,13 +136,16 @@ class StreetBuilder {
     }
   }
   void front_garden(const Place& place, double width, double setback) {
-    const double o = setback - 0.1, gate = random_.uniform(0.2, 0.7) * width, height = random_.uniform(0.7, 1.5);
-    const int skin = random_.uniform() < 0.5 ? b_.any_texture("hedge", 2)
-                                             : b_.any_texture(site_.walls[size_t(random_.below(int(site_.walls.size())))], 3);
+    const double o = setback - 0.1, gate = random_.uniform(0.2, 0.7) * width,
+                 height = random_.uniform(0.7, 1.5);
+    const int skin = random_.uniform() < 0.5
+                         ? b_.any_texture("hedge", 2)
+                         : b_.any_texture(site_.walls[size_t(random_.below(int(site_.walls.size())))], 3);
     b_.box(place, {0, gate, o - 0.4, o, 0, height}, skin, skin);
     b_.box(place, {gate + 1.4, width, o - 0.4, o, 0, height}, skin, skin);
     for (double r = 0.8; r < width; r += random_.uniform(1.5, 4))
-      if (random_.uniform() < density() * 0.5) add_bush(b_, place.moved(r, setback * random_.uniform(0.3, 0.7), 0), random_.uniform(0.8, 1.8));
+      if (random_.uniform() < density() * 0.5)
+        add_bush(b_, place.moved(r, setback * random_.uniform(0.3, 0.7), 0), random_.uniform(0.8, 1.8));
     if (setback > 3 && random_.uniform() < 0.5 * density())
       add_tree(b_, place.moved(random_.uniform(1, width - 1), 0.5 * setback, 0), random_.uniform(4, 6.5));
   }
@@ -160,7 +170,8 @@ class StreetBuilder {
     for (double s = 4; s + 5 < side.street->length; s += 5.4) {
       if (random_.uniform() > 0.55 * density()) continue;
       if (!is_free(side, s - 2.5, s + 2.5, kRoad - 2, kRoad, kRoad + 6)) continue;
-      const Place place = side.place(s + random_.uniform(-0.3, 0.3), kRoad - 1.05 + random_.uniform(-0.1, 0.05));
+      const Place place =
+          side.place(s + random_.uniform(-0.3, 0.3), kRoad - 1.05 + random_.uniform(-0.1, 0.05));
       add_car(b_, random_.uniform() < 0.85 ? place : place.moved(0, 0, 0, 3.14159265358979));
     }
   }
@@ -173,7 +184,8 @@ class StreetBuilder {
     const Place place = facing({p.x(), p.y(), 0}, std::atan2(inwards.y(), inwards.x()));
     add_house(b_, place.moved(-13, 0, 0), 13, 8, 3, site_.walls.front());
     add_house(b_, place.moved(0, 0, 0), 13, 8, 2, site_.walls.back());
-    for (double r = -11; r < 12; r += random_.uniform(3, 5)) add_tree(b_, place.moved(r, 2.5, 0), random_.uniform(5, 9));
+    for (double r = -11; r < 12; r += random_.uniform(3, 5))
+      add_tree(b_, place.moved(r, 2.5, 0), random_.uniform(5, 9));
   }
 
   Site& site_;

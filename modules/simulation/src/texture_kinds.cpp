@@ -7,7 +7,8 @@ namespace edgevo {
 const std::vector<TextureKind>& texture_kinds() {
   static const std::vector<TextureKind> kinds = [] {
     std::vector<TextureKind> all;
-    for (const auto& family : {wall_textures(), front_textures(), ground_textures(), nature_textures(), object_textures()})
+    for (const auto& family :
+         {wall_textures(), front_textures(), ground_textures(), nature_textures(), object_textures()})
       all.insert(all.end(), family.begin(), family.end());
     return all;
   }();
@@ -20,7 +21,8 @@ const TextureKind& texture_kind(const std::string& name, const std::string& wher
     if (kind.name == name) return kind;
     names.push_back(kind.name);
   }
-  throw InputError(where, "there is no texture '" + name + "'", "did you mean '" + nearest_name(name, names) + "'?");
+  throw InputError(where, "there is no texture '" + name + "'",
+                   "did you mean '" + nearest_name(name, names) + "'?");
 }
 
 }  // namespace edgevo

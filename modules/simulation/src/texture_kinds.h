@@ -18,7 +18,8 @@ std::vector<TextureKind> wall_textures();    // brick, plaster, stone, boards, c
 std::vector<TextureKind> front_textures();   // window, door, shop, garage, sign, poster
 std::vector<TextureKind> ground_textures();  // asphalt, slabs, grass, carpet, wood, water, tiles, ...
 std::vector<TextureKind> nature_textures();  // bark, leaves, conifer, bush, reeds, clouds, rock
-std::vector<TextureKind> object_textures();  // car_side, car_front, car_top, glass, screen, keyboard, paper, book, ...
+std::vector<TextureKind>
+object_textures();  // car_side, car_front, car_top, glass, screen, keyboard, paper, book, ...
 
 /// All of them; names are unique.
 const std::vector<TextureKind>& texture_kinds();

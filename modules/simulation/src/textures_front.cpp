@@ -32,8 +32,10 @@ Canvas window(Random& random) {
   const int columns = 1 + random.below(3), rows = 1 + random.below(3);
   const double frame = 9, bar = 5;
   const float shade = c.at(0, 0) - 70;
-  c.rect(0, 0, w, 2, shade), c.rect(0, h - 3, w, h, shade), c.rect(0, 0, 2, h, shade), c.rect(w - 2, 0, w, h, shade);
-  const double pw = (w - 2 * frame - (columns - 1) * bar) / columns, ph = (h - 2 * frame - (rows - 1) * bar) / rows;
+  c.rect(0, 0, w, 2, shade), c.rect(0, h - 3, w, h, shade), c.rect(0, 0, 2, h, shade),
+      c.rect(w - 2, 0, w, h, shade);
+  const double pw = (w - 2 * frame - (columns - 1) * bar) / columns,
+               ph = (h - 2 * frame - (rows - 1) * bar) / rows;
   for (int i = 0; i < columns; ++i)
     for (int k = 0; k < rows; ++k) {
       const double x = frame + i * (pw + bar), y = frame + k * (ph + bar);
@@ -92,7 +94,8 @@ Canvas garage(Random& random) {
   const float tone = float(random.uniform(90, 190));
   Canvas c(w, h, tone);
   for (int k = 0; k < 8; ++k)
-    for (int i = 0; i < 4; ++i) c.panel(i * 64 + 5, k * 32 + 3, i * 64 + 59, k * 32 + 29, tone + float(random.uniform(-6, 6)), 2, 24);
+    for (int i = 0; i < 4; ++i)
+      c.panel(i * 64 + 5, k * 32 + 3, i * 64 + 59, k * 32 + 29, tone + float(random.uniform(-6, 6)), 2, 24);
   c.rect(0, 0, 5, h, tone - 60), c.rect(w - 5, 0, w, h, tone - 60), c.rect(0, 0, w, 4, tone - 70);
   c.noise(random, 4, 7, 18, 0.7f);
   return c;
@@ -118,11 +121,11 @@ Canvas poster(Random& random) {
   Canvas c(w, h, float(random.uniform(120, 225)));
   c.noise(random, 2, 6, 60);
   for (int i = 0; i < 14; ++i)
-    c.ellipse(random.uniform(20, w - 20), random.uniform(40, 330), random.uniform(8, 55), random.uniform(8, 70),
-              random.uniform(0, 3), float(random.uniform(20, 240)), 0.8f);
+    c.ellipse(random.uniform(20, w - 20), random.uniform(40, 330), random.uniform(8, 55),
+              random.uniform(8, 70), random.uniform(0, 3), float(random.uniform(20, 240)), 0.8f);
   for (int i = 0; i < 8; ++i)
-    c.line(random.uniform(0, w), random.uniform(0, 340), random.uniform(0, w), random.uniform(0, 340), random.uniform(2, 9),
-           float(random.uniform(10, 250)), 0.8f);
+    c.line(random.uniform(0, w), random.uniform(0, 340), random.uniform(0, w), random.uniform(0, 340),
+           random.uniform(2, 9), float(random.uniform(10, 250)), 0.8f);
   c.rect(0, 350, w, h, float(random.uniform(190, 240)));
   write_text(&c, random, 16, 362, w - 16, 400, 30, 20);
   write_text(&c, random, 16, 420, w - 16, 505, 11, 40);
@@ -133,7 +136,7 @@ Canvas poster(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> front_textures() {
-  return {{"window", 1.1, 1.7, window}, {"door", 1.1, 2.3, door},  {"shop", 5.5, 2.8, shop},
+  return {{"window", 1.1, 1.7, window}, {"door", 1.1, 2.3, door}, {"shop", 5.5, 2.8, shop},
           {"garage", 2.6, 2.4, garage}, {"sign", 0.7, 0.7, sign}, {"poster", 0.7, 1.4, poster}};
 }
 

@@ -7,7 +7,8 @@ namespace edgevo {
 namespace {
 
 void wander(Canvas* c, Random& random, double length, double width, float gray, float opacity) {
-  double x = random.uniform(0, c->width()), y = random.uniform(0, c->height()), heading = random.uniform(0, 6.283);
+  double x = random.uniform(0, c->width()), y = random.uniform(0, c->height()),
+         heading = random.uniform(0, 6.283);
   for (double s = 0; s < length; s += 10) {
     const double nx = x + 10 * std::cos(heading), ny = y + 10 * std::sin(heading);
     c->line(x, y, nx, ny, width * random.uniform(0.6, 1.4), gray, opacity);
@@ -21,15 +22,16 @@ Canvas asphalt(Random& random) {
   c.noise(random, 2, 9, 40, 0.72f);
   c.grain(random, 9);
   for (int i = 0; i < 7; ++i) {  // patches of other age
-    const double x = random.uniform(0, n), y = random.uniform(0, n), w = random.uniform(60, 260), h = random.uniform(60, 300);
+    const double x = random.uniform(0, n), y = random.uniform(0, n), w = random.uniform(60, 260),
+                 h = random.uniform(60, 300);
     c.rect(x, y, x + w, y + h, float(random.uniform(75, 135)), 0.45f);
     c.rect(x, y, x + w, y + 3, 55, 0.6f), c.rect(x, y, x + 3, y + h, 55, 0.6f);
   }
   for (int i = 0; i < 9; ++i) wander(&c, random, random.uniform(150, 900), 2.5, 45, 0.75f);
   for (int i = 0; i < 4; ++i) wander(&c, random, random.uniform(200, 700), 7, 60, 0.6f);  // sealed cracks
   for (int i = 0; i < 60; ++i)
-    c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(2, 14), random.uniform(2, 9), random.uniform(0, 3),
-              float(random.uniform(60, 150)), 0.35f);
+    c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(2, 14), random.uniform(2, 9),
+              random.uniform(0, 3), float(random.uniform(60, 150)), 0.35f);
   return c;
 }
 
@@ -42,7 +44,8 @@ Canvas slabs(Random& random) {
   c.noise(random, 2, 8, 32, 0.72f);
   c.grain(random, 6);
   for (int i = 0; i < 40; ++i)
-    c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(1, 5), random.uniform(1, 4), 0, 65, 0.6f);
+    c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(1, 5), random.uniform(1, 4), 0, 65,
+              0.6f);
   return c;
 }
 
@@ -52,7 +55,8 @@ Canvas grass(Random& random) {
   c.noise(random, 3, 7, 35, 0.7f);
   for (int i = 0; i < 9000; ++i) {
     const double x = random.uniform(0, n), y = random.uniform(0, n);
-    c.line(x, y, x + random.uniform(-5, 5), y - random.uniform(3, 12), 1.2, float(random.uniform(45, 135)), 0.7f);
+    c.line(x, y, x + random.uniform(-5, 5), y - random.uniform(3, 12), 1.2, float(random.uniform(45, 135)),
+           0.7f);
   }
   return c;
 }
@@ -79,11 +83,13 @@ Canvas wood(Random& random) {
     const float tone = float(random.uniform(110, 165));
     c.rect(0, p * h, n, (p + 1) * h, tone);
     for (int i = 0; i < 60; ++i) {
-      const double y = p * h + random.uniform(3, h - 3), x = random.uniform(0, n), bend = random.uniform(-6, 6);
+      const double y = p * h + random.uniform(3, h - 3), x = random.uniform(0, n),
+                   bend = random.uniform(-6, 6);
       const double length = random.uniform(60, 500);
       for (int k = 0; k < 6; ++k)
-        c.line(x + length * k / 6, y + bend * std::sin(k * 0.5), x + length * (k + 1) / 6, y + bend * std::sin((k + 1) * 0.5),
-               random.uniform(0.8, 2), tone - float(random.uniform(10, 45)), 0.5f);
+        c.line(x + length * k / 6, y + bend * std::sin(k * 0.5), x + length * (k + 1) / 6,
+               y + bend * std::sin((k + 1) * 0.5), random.uniform(0.8, 2),
+               tone - float(random.uniform(10, 45)), 0.5f);
     }
     for (int i = 0, knots = random.below(3); i < knots; ++i) {
       const double x = random.uniform(0, n), y = p * h + random.uniform(15, h - 15);
@@ -117,8 +123,8 @@ Canvas floor_tiles(Random& random) {
       c.rect(x * 64 + 1, y * 64 + 1, x * 64 + 63, y * 64 + 63, 140 + float(random.uniform(-22, 22)));
   c.noise(random, 3, 8, 22, 0.75f);
   for (int i = 0; i < 300; ++i)
-    c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(0.7, 2.5), random.uniform(0.7, 2.5), 0,
-              float(random.uniform(60, 200)), 0.6f);
+    c.ellipse(random.uniform(0, n), random.uniform(0, n), random.uniform(0.7, 2.5), random.uniform(0.7, 2.5),
+              0, float(random.uniform(60, 200)), 0.6f);
   c.grain(random, 4);
   return c;
 }
@@ -128,7 +134,8 @@ Canvas water(Random& random) {
   Canvas c(n, n, 120);
   for (int i = 0; i < 2600; ++i) {
     const double x = random.uniform(0, n), y = random.uniform(0, n), w = random.uniform(6, 40);
-    c.ellipse(x, y, w, random.uniform(1, 3.5), random.uniform(-0.15, 0.15), float(random.uniform(85, 165)), 0.35f);
+    c.ellipse(x, y, w, random.uniform(1, 3.5), random.uniform(-0.15, 0.15), float(random.uniform(85, 165)),
+              0.35f);
   }
   c.noise(random, 4, 5, 14);
   return c;
@@ -146,7 +153,8 @@ Canvas stripes(Random& random) {
   const int n = 256;
   const float tone = float(random.uniform(120, 175));
   Canvas c(n, n, tone);
-  for (double y = 0; y < n; y += random.uniform(14, 44)) c.rect(0, y, n, y + random.uniform(2, 9), tone + float(random.uniform(-45, 25)));
+  for (double y = 0; y < n; y += random.uniform(14, 44))
+    c.rect(0, y, n, y + random.uniform(2, 9), tone + float(random.uniform(-45, 25)));
   c.grain(random, 2);
   return c;
 }
@@ -167,9 +175,16 @@ Canvas manhole(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> ground_textures() {
-  return {{"asphalt", 8, 8, asphalt},  {"slabs", 4, 4, slabs},   {"grass", 4, 4, grass},        {"gravel", 4, 4, gravel},
-          {"wood", 1.6, 1.6, wood},    {"carpet", 2, 2, carpet}, {"floor_tiles", 3.2, 3.2, floor_tiles},
-          {"water", 12, 12, water},    {"paint", 0.15, 3, paint}, {"stripes", 2, 1.4, stripes},
+  return {{"asphalt", 8, 8, asphalt},
+          {"slabs", 4, 4, slabs},
+          {"grass", 4, 4, grass},
+          {"gravel", 4, 4, gravel},
+          {"wood", 1.6, 1.6, wood},
+          {"carpet", 2, 2, carpet},
+          {"floor_tiles", 3.2, 3.2, floor_tiles},
+          {"water", 12, 12, water},
+          {"paint", 0.15, 3, paint},
+          {"stripes", 2, 1.4, stripes},
           {"manhole", 0.7, 0.7, manhole}};
 }
 

@@ -11,7 +11,8 @@ Canvas bark(Random& random) {
   Canvas c(128, 256, float(random.uniform(60, 105)));
   for (int i = 0; i < 260; ++i) {
     const double x = random.uniform(0, 128), y = random.uniform(0, 256), length = random.uniform(15, 60);
-    c.line(x, y, x + random.uniform(-6, 6), y + length, random.uniform(1, 3.5), float(random.uniform(40, 125)), 0.36f);
+    c.line(x, y, x + random.uniform(-6, 6), y + length, random.uniform(1, 3.5),
+           float(random.uniform(40, 125)), 0.36f);
   }
   c.noise(random, 4, 5, 20);
   return c;
@@ -23,7 +24,8 @@ void leaves(Canvas* c, Random& random, int clusters, int per_cluster, double spr
   for (int k = 0; k < clusters; ++k) {
     const double x = random.uniform(0, c->width()), y = random.uniform(0, c->height());
     if (!inside(x / c->width(), y / c->height())) continue;
-    const double light = random.uniform(0.65, 1.1) * (1.15 - 0.5 * y / c->height()) * (0.55 + 0.45 * k / clusters);
+    const double light =
+        random.uniform(0.65, 1.1) * (1.15 - 0.5 * y / c->height()) * (0.55 + 0.45 * k / clusters);
     for (int i = 0; i < per_cluster; ++i) {
       const double size = leaf * random.uniform(0.6, 1.3);
       const double px = x + spread * random.normal(), py = y + 0.8 * spread * random.normal();
@@ -39,7 +41,8 @@ void branch(Canvas* c, Random& random, double x, double y, double heading, doubl
   const double nx = x + length * std::cos(heading), ny = y + length * std::sin(heading);
   c->line(x, y, nx, ny, width, float(random.uniform(35, 70)));
   for (int i = 0; i < 2; ++i)
-    branch(c, random, nx, ny, heading + random.uniform(-0.75, 0.75), length * random.uniform(0.65, 0.85), width * 0.65);
+    branch(c, random, nx, ny, heading + random.uniform(-0.75, 0.75), length * random.uniform(0.65, 0.85),
+           width * 0.65);
 }
 
 // `clusters` of leaves: 460 of a tree in full leaf.
@@ -65,8 +68,8 @@ Canvas crown_bare(Random& random) {
   Canvas c(n, n, 60);
   c.cut_out();
   for (int i = 0; i < 9; ++i)
-    branch(&c, random, n / 2.0 + random.uniform(-8, 8), random.uniform(0.6, 0.92) * n, -1.5708 + random.uniform(-0.9, 0.9),
-           random.uniform(60, 95), random.uniform(5, 11));
+    branch(&c, random, n / 2.0 + random.uniform(-8, 8), random.uniform(0.6, 0.92) * n,
+           -1.5708 + random.uniform(-0.9, 0.9), random.uniform(60, 95), random.uniform(5, 11));
   return c;
 }
 
@@ -76,10 +79,12 @@ void needle_branch(Canvas* c, Random& random, double y, double side, double reac
   const float tone = float(random.uniform(28, 85));
   c->line(x0, y, x0 + side * reach, y + droop * reach, random.uniform(2, 4), tone);
   for (double t = 0.1; t < 1; t += 4 / reach) {
-    const double x = x0 + side * reach * t, top = y + droop * reach * t, length = random.uniform(4, 11) * (1.2 - 0.6 * t);
+    const double x = x0 + side * reach * t, top = y + droop * reach * t,
+                 length = random.uniform(4, 11) * (1.2 - 0.6 * t);
     const float light = tone + float(random.uniform(-10, 60)) * float(t);
     c->line(x, top - 2, x + side * random.uniform(0, 5), top + length, 2.2, light);
-    if (random.uniform() < 0.5) c->line(x, top, x + side * random.uniform(1, 6), top - 0.5 * length, 2, light + 18);
+    if (random.uniform() < 0.5)
+      c->line(x, top, x + side * random.uniform(1, 6), top - 0.5 * length, 2, light + 18);
   }
 }
 
@@ -107,7 +112,8 @@ Canvas bush_of(Random& random, int clusters) {
   });
   for (int i = 0; i < 60; ++i) {  // shade at its foot
     const double off = random.uniform(-1, 1);
-    c.ellipse(w * (0.5 + 0.42 * off), h - 8 - 14 * (1 - off * off) * random.uniform(), random.uniform(8, 16), random.uniform(5, 9), 0, 42);
+    c.ellipse(w * (0.5 + 0.42 * off), h - 8 - 14 * (1 - off * off) * random.uniform(), random.uniform(8, 16),
+              random.uniform(5, 9), 0, 42);
   }
   return c;
 }
@@ -121,8 +127,8 @@ Canvas bush_bare(Random& random) {
   Canvas c(w, h, 55);
   c.cut_out();
   for (int i = 0; i < 34; ++i)
-    branch(&c, random, w * random.uniform(0.15, 0.85), h - 4, -1.5708 + random.uniform(-0.5, 0.5), random.uniform(35, 60),
-           random.uniform(2.5, 4.5));
+    branch(&c, random, w * random.uniform(0.15, 0.85), h - 4, -1.5708 + random.uniform(-0.5, 0.5),
+           random.uniform(35, 60), random.uniform(2.5, 4.5));
   return c;
 }
 
@@ -133,12 +139,14 @@ Canvas forest_of(Random& random, int clusters) {
   Canvas c(w, h, 55);
   c.cut_out();
   for (int i = 0; i < 22; ++i) {
-    const double cx = random.uniform(50, w - 50), top = random.uniform(14, 130), half = random.uniform(22, 46);
+    const double cx = random.uniform(50, w - 50), top = random.uniform(14, 130),
+                 half = random.uniform(22, 46);
     const bool is_conifer = random.uniform() < 0.4;
     leaves(&c, random, is_conifer ? 700 : clusters, 14, 6, 3.4, [&](double x, double y) {
       const double dx = (x * w - cx) / half, dy = y * h - top;
       if (dy < 0) return false;
-      return is_conifer ? std::abs(dx) < 0.75 * dy / (h - top) : dx * dx < 1 - std::pow(std::max(0.0, 1 - dy / half), 2);
+      return is_conifer ? std::abs(dx) < 0.75 * dy / (h - top)
+                        : dx * dx < 1 - std::pow(std::max(0.0, 1 - dy / half), 2);
     });
   }
   return c;
@@ -151,7 +159,8 @@ Canvas forest_thin(Random& random) { return forest_of(random, 220); }
 Canvas forest_bare(Random& random) {
   Canvas c = forest_of(random, 0);
   for (int i = 0; i < 60; ++i)
-    branch(&c, random, random.uniform(30, 482), 250, -1.5708 + random.uniform(-0.3, 0.3), random.uniform(45, 62), random.uniform(3, 5));
+    branch(&c, random, random.uniform(30, 482), 250, -1.5708 + random.uniform(-0.3, 0.3),
+           random.uniform(45, 62), random.uniform(3, 5));
   return c;
 }
 
@@ -162,7 +171,8 @@ Canvas reeds(Random& random) {
   c.cut_out();
   for (int i = 0; i < blades; ++i) {
     const double off = std::clamp(0.4 * random.normal(), -1.0, 1.0), x = w * (0.5 + 0.4 * off);
-    const double top = 16 + 120 * off * off + random.uniform(0, 80), lean = 26 * off + random.uniform(-10, 10);
+    const double top = 16 + 120 * off * off + random.uniform(0, 80),
+                 lean = 26 * off + random.uniform(-10, 10);
     const float tone = float(random.uniform(50, 85) + 55.0 * i / blades);
     const double knee = h - 0.6 * (h - top);
     c.line(x, h - 3, x + 0.35 * lean, knee, random.uniform(2, 3.2), 0.75f * tone);
@@ -181,9 +191,11 @@ Canvas boulder(Random& random) {
   c.ellipse(w / 2.0, h - 32, 104, 27, 0, float(60 * tone));
   for (int i = 0; i < 70; ++i) {
     const double a = random.uniform(0, 3.1416), r = std::sqrt(random.uniform());
-    const double x = w / 2.0 + 80 * r * std::cos(a), y = h - 30 - 60 * r * std::sin(a) * (1 + tilt * std::cos(a));
+    const double x = w / 2.0 + 80 * r * std::cos(a),
+                 y = h - 30 - 60 * r * std::sin(a) * (1 + tilt * std::cos(a));
     const float light = float(tone * (150 - 85 * y / h + random.uniform(-14, 14)));
-    c.ellipse(x, y, random.uniform(10, 22), random.uniform(6, 14), random.uniform(-0.6, 0.6) + tilt, light, 0.9f);
+    c.ellipse(x, y, random.uniform(10, 22), random.uniform(6, 14), random.uniform(-0.6, 0.6) + tilt, light,
+              0.9f);
   }
   c.noise(random, 5, 6, 45, 0.8f);
   return c;
@@ -193,7 +205,8 @@ Canvas rock(Random& random) {
   Canvas c(256, 256, float(random.uniform(110, 160)));
   c.noise(random, 3, 7, 65, 0.75f);
   for (int i = 0; i < 14; ++i)
-    c.line(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256), 1.5, 50, 0.6f);
+    c.line(random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256), random.uniform(0, 256),
+           1.5, 50, 0.6f);
   c.grain(random, 8);
   return c;
 }
@@ -212,11 +225,20 @@ Canvas clouds(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> nature_textures() {
-  return {{"bark", 1, 2, bark},   {"crown", 5, 5, crown}, {"conifer", 4, 8, conifer}, {"bush", 2.4, 1.2, bush},
-          {"reeds", 2.4, 1.2, reeds}, {"forest", 28, 12, forest}, {"boulder", 1, 0.5, boulder},
+  return {{"bark", 1, 2, bark},
+          {"crown", 5, 5, crown},
+          {"conifer", 4, 8, conifer},
+          {"bush", 2.4, 1.2, bush},
+          {"reeds", 2.4, 1.2, reeds},
+          {"forest", 28, 12, forest},
+          {"boulder", 1, 0.5, boulder},
           {"rock", 1, 1, rock},
-          {"crown_thin", 5, 5, crown_thin}, {"crown_bare", 5, 5, crown_bare}, {"bush_thin", 2.4, 1.2, bush_thin},
-          {"bush_bare", 2.4, 1.2, bush_bare}, {"forest_thin", 28, 12, forest_thin}, {"forest_bare", 28, 12, forest_bare},
+          {"crown_thin", 5, 5, crown_thin},
+          {"crown_bare", 5, 5, crown_bare},
+          {"bush_thin", 2.4, 1.2, bush_thin},
+          {"bush_bare", 2.4, 1.2, bush_bare},
+          {"forest_thin", 28, 12, forest_thin},
+          {"forest_bare", 28, 12, forest_bare},
           {"clouds", 1800, 1800, clouds}};
 }
 

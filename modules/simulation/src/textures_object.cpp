@@ -67,7 +67,8 @@ Canvas car_glass(Random& random) {
   c.fade(1.9f, 0.6f);
   c.ellipse(40, 90, 18, 30, 0, 35, 0.8f), c.ellipse(92, 90, 18, 30, 0, 35, 0.8f);
   c.line(10, 120, 60, 108, 2.5, 15), c.line(64, 122, 112, 110, 2.5, 15);
-  c.rect(0, 0, 128, 4, 20), c.rect(0, 124, 128, 128, 20), c.rect(0, 0, 4, 128, 20), c.rect(124, 0, 128, 128, 20);
+  c.rect(0, 0, 128, 4, 20), c.rect(0, 124, 128, 128, 20), c.rect(0, 0, 4, 128, 20),
+      c.rect(124, 0, 128, 128, 20);
   c.noise(random, 2, 4, 10);
   return c;
 }
@@ -97,7 +98,8 @@ Canvas screen(Random& random) {
   Canvas c(w, h, 25);
   c.rect(10, 8, w - 10, h - 14, float(random.uniform(45, 215)));
   for (int i = 0; i < 3; ++i) {
-    const double x = random.uniform(14, 230), y = random.uniform(12, 90), x1 = x + random.uniform(150, 260), y1 = y + random.uniform(80, 140);
+    const double x = random.uniform(14, 230), y = random.uniform(12, 90), x1 = x + random.uniform(150, 260),
+                 y1 = y + random.uniform(80, 140);
     const float tone = float(random.uniform(30, 240));
     c.rect(x, y, x1, y1, tone), c.rect(x, y, x1, y + 9, 0.6f * tone + 60);
     write_text(&c, random, x + 5, y + 13, x1 - 5, y1 - 2, 7, tone > 120 ? 30.0f : 215.0f);
@@ -126,8 +128,8 @@ Canvas book(Random& random) {
   c.rect(8, 10, 120, 14, ink), c.rect(8, 240, 120, 244, ink);
   write_text(&c, random, 14, 26, 116, 90, 22, ink);
   for (int i = 0; i < 6; ++i)
-    c.ellipse(random.uniform(25, 105), random.uniform(110, 215), random.uniform(5, 26), random.uniform(5, 26), 0,
-              float(random.uniform(20, 240)), 0.8f);
+    c.ellipse(random.uniform(25, 105), random.uniform(110, 215), random.uniform(5, 26), random.uniform(5, 26),
+              0, float(random.uniform(20, 240)), 0.8f);
   return c;
 }
 
@@ -138,7 +140,8 @@ Canvas box(Random& random) {
   write_text(&c, random, 30, 30, 220, 104, 30, 45);
   c.panel(150, 160, 238, 236, 225, 2, -70);
   write_text(&c, random, 156, 166, 232, 232, 8, 30);
-  c.rect(0, 0, 256, 3, 60), c.rect(0, 253, 256, 256, 60), c.rect(0, 0, 3, 256, 60), c.rect(253, 0, 256, 256, 60);
+  c.rect(0, 0, 256, 3, 60), c.rect(0, 253, 256, 256, 60), c.rect(0, 0, 3, 256, 60),
+      c.rect(253, 0, 256, 256, 60);
   return c;
 }
 
@@ -162,7 +165,8 @@ Canvas shelf(Random& random) {
         c.panel(x, floor - tall, x + wide, floor, tone, 1.2, 22);
         if (wide > 12) c.rect(x + 3, floor - tall * 0.8, x + wide - 3, floor - tall * 0.7, ink);
         for (int k = 0; k < 4; ++k)
-          c.rect(x + wide * 0.35, floor - tall * (0.55 - 0.1 * k), x + wide * 0.65, floor - tall * (0.5 - 0.1 * k), ink, 0.8f);
+          c.rect(x + wide * 0.35, floor - tall * (0.55 - 0.1 * k), x + wide * 0.65,
+                 floor - tall * (0.5 - 0.1 * k), ink, 0.8f);
       }
       x += wide + 1;
     }
@@ -175,10 +179,17 @@ Canvas shelf(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> object_textures() {
-  return {{"car_side", 4.3, 1.5, car_side},   {"car_end", 1.7, 0.75, car_end}, {"car_glass", 1.4, 0.8, car_glass},
-          {"metal", 1, 1, metal},             {"paper", 0.21, 0.297, paper},   {"screen", 0.52, 0.32, screen},
-          {"keyboard", 0.45, 0.16, keyboard}, {"book", 0.17, 0.24, book},      {"box", 0.4, 0.4, box},
-          {"mug", 0.25, 0.1, mug},            {"shelf", 2, 2, shelf}};
+  return {{"car_side", 4.3, 1.5, car_side},
+          {"car_end", 1.7, 0.75, car_end},
+          {"car_glass", 1.4, 0.8, car_glass},
+          {"metal", 1, 1, metal},
+          {"paper", 0.21, 0.297, paper},
+          {"screen", 0.52, 0.32, screen},
+          {"keyboard", 0.45, 0.16, keyboard},
+          {"book", 0.17, 0.24, book},
+          {"box", 0.4, 0.4, box},
+          {"mug", 0.25, 0.1, mug},
+          {"shelf", 2, 2, shelf}};
 }
 
 }  // namespace edgevo

@@ -10,7 +10,8 @@ namespace {
 constexpr int kSize = 512;
 
 // Courses of blocks with joints between them; every other course is shifted by half a block.
-Canvas masonry(Random& random, int courses, int blocks, double joint, float block, float mortar, float spread) {
+Canvas masonry(Random& random, int courses, int blocks, double joint, float block, float mortar,
+               float spread) {
   Canvas c(kSize, kSize, mortar);
   c.noise(random, 16, 5, 14);
   const double h = double(kSize) / courses, w = double(kSize) / blocks;
@@ -45,7 +46,8 @@ void streaks(Canvas* c, Random& random, int count, float strength) {
 }
 
 void crack(Canvas* c, Random& random, double length) {
-  double x = random.uniform(0, c->width()), y = random.uniform(0, c->height()), heading = random.uniform(0, 6.283);
+  double x = random.uniform(0, c->width()), y = random.uniform(0, c->height()),
+         heading = random.uniform(0, 6.283);
   for (double s = 0; s < length; s += 8) {
     const double nx = x + 8 * std::cos(heading), ny = y + 8 * std::sin(heading);
     c->line(x, y, nx, ny, 1.2, 40, 0.7f);
@@ -124,7 +126,8 @@ Canvas hedge(Random& random) {
   for (int i = 0; i < 5200; ++i) {
     const double size = random.uniform(2.5, 6);
     c.ellipse(random.uniform(0, kSize), random.uniform(0, kSize), size, size * random.uniform(0.35, 0.7),
-              random.uniform(0, 3.1416), float(random.uniform(35, 50) + 60 * std::pow(random.uniform(), 2) * i / 5200), 0.8f);
+              random.uniform(0, 3.1416),
+              float(random.uniform(35, 50) + 60 * std::pow(random.uniform(), 2) * i / 5200), 0.8f);
   }
   c.noise(random, 3, 4, 22);
   return c;
@@ -135,7 +138,10 @@ Canvas hedge(Random& random) {
 std::vector<TextureKind> wall_textures() {
   return {
       {"brick", 4, 4, brick_wall},
-      {"stone", 4, 4, [](Random& r) { return masonry(r, 14, 8, 4.0, float(r.uniform(120, 148)), float(r.uniform(96, 112)), 12); }},
+      {"stone", 4, 4,
+       [](Random& r) {
+         return masonry(r, 14, 8, 4.0, float(r.uniform(120, 148)), float(r.uniform(96, 112)), 12);
+       }},
       {"plaster", 4, 4, plaster},
       {"boards", 4, 4, boards},
       {"concrete", 4, 4, concrete},

@@ -21,15 +21,15 @@ Polygon clip(const Polygon& polygon, const Eigen::Vector3d& plane, double offset
   return kept;
 }
 
-// Least and largest x, then y, in normalised coordinates, that the image rows from `top` to `bottom` look along; lens
-// distortion included.
+// Least and largest x, then y, in normalised coordinates, that the image rows from `top` to `bottom` look
+// along; lens distortion included.
 Eigen::Vector4d view_limits(const Camera& camera, double top, double bottom) {
   const Pinhole& p = camera.pinhole;
   Eigen::Vector4d limits(1e9, -1e9, 1e9, -1e9);
   for (int i = 0; i <= 8; ++i) {
     const double u = i / 8.0 * p.width, v = top + i / 8.0 * (bottom - top);
-    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-1, v), Eigen::Vector2d(p.width, v), Eigen::Vector2d(u, top),
-                                      Eigen::Vector2d(u, bottom)}) {
+    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-1, v), Eigen::Vector2d(p.width, v),
+                                      Eigen::Vector2d(u, top), Eigen::Vector2d(u, bottom)}) {
       const Eigen::Vector2d distorted = p.ray(px).head<2>();
       Eigen::Vector2d x = distorted;
       if (!camera.distortion.is_zero() && !camera.undistort(distorted, &x)) x = distorted;
@@ -43,8 +43,8 @@ Eigen::Vector4d view_limits(const Camera& camera, double top, double bottom) {
 // Wholly inside the view: what most surfaces are, and what needs no clipping.
 bool is_inside(const Polygon& polygon, const Eigen::Vector4d& limits) {
   return std::all_of(polygon.begin(), polygon.end(), [&](const Eigen::Vector3d& p) {
-    return p.z() >= kNear && p.x() >= limits[0] * p.z() && p.x() <= limits[1] * p.z() && p.y() >= limits[2] * p.z() &&
-           p.y() <= limits[3] * p.z();
+    return p.z() >= kNear && p.x() >= limits[0] * p.z() && p.x() <= limits[1] * p.z() &&
+           p.y() >= limits[2] * p.z() && p.y() <= limits[3] * p.z();
   });
 }
 
@@ -60,7 +60,9 @@ Polygon clip_to_view(Polygon polygon, const Eigen::Vector4d& limits) {
 // A ball that no ray within the limits meets: a quick test before the exact one.
 bool is_out_of_view(const Eigen::Vector3d& centre, double radius, const Eigen::Vector4d& limits) {
   const double x = centre.x(), y = centre.y(), z = centre.z();
-  const auto outside = [&](double distance, double slope) { return distance < -radius * std::sqrt(1 + slope * slope); };
+  const auto outside = [&](double distance, double slope) {
+    return distance < -radius * std::sqrt(1 + slope * slope);
+  };
   return z < -radius || outside(x - limits[0] * z, limits[0]) || outside(limits[1] * z - x, limits[1]) ||
          outside(y - limits[2] * z, limits[2]) || outside(limits[3] * z - y, limits[3]);
 }
@@ -70,14 +72,16 @@ bool is_speck(const Eigen::Vector3d& centre, double radius, const Pinhole& p) {
   return 2 * radius * std::max(p.fx, p.fy) < 0.5 * centre.norm();
 }
 
-// Bounds in the image of a polygon in front of the camera. A distorting lens bends its sides: they are sampled.
+// Bounds in the image of a polygon in front of the camera. A distorting lens bends its sides: they are
+// sampled.
 void bound(const Polygon& polygon, const Camera& camera, ViewSurface* view) {
   const Pinhole& p = camera.pinhole;
   const int steps = camera.distortion.is_zero() ? 1 : 8;
   Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
   for (size_t i = 0; i < polygon.size(); ++i)
     for (int k = 0; k < steps; ++k) {
-      const Eigen::Vector3d point = polygon[i] + (polygon[(i + 1) % polygon.size()] - polygon[i]) * (double(k) / steps);
+      const Eigen::Vector3d point =
+          polygon[i] + (polygon[(i + 1) % polygon.size()] - polygon[i]) * (double(k) / steps);
       const Eigen::Vector2d x = camera.distort(point.head<2>() / point.z());
       const Eigen::Array2d px(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
       low = low.min(px), high = high.max(px);
@@ -104,8 +108,8 @@ void set_limits(const Pinhole& p, ViewSurface* view) {
 }
 
 // N, A, B and the texture's functions, from the parallelogram in the camera frame.
-void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
-                   ViewSurface* view) {
+void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u,
+                   const Eigen::Vector3d& side_v, ViewSurface* view) {
   const Eigen::Vector3d normal = side_u.cross(side_v);
   const Eigen::Vector3d dual_u = side_v.cross(normal) / normal.squaredNorm();
   const Eigen::Vector3d dual_v = normal.cross(side_u) / normal.squaredNorm();
@@ -124,11 +128,13 @@ void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u,
 
 }  // namespace
 
-std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam, RowRange rows) {
+std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam,
+                                       RowRange rows) {
   constexpr double kMargin = 3;  // rows: samples reach beyond the centre, and a lens bends rows
   const double bottom = camera.pinhole.height;
   const Eigen::Vector4d limits = view_limits(camera, -1, bottom);
-  const Eigen::Vector4d row_limits = view_limits(camera, std::max(-1.0, rows.begin - kMargin), std::min(bottom, rows.end + kMargin));
+  const Eigen::Vector4d row_limits =
+      view_limits(camera, std::max(-1.0, rows.begin - kMargin), std::min(bottom, rows.end + kMargin));
   const SE3 T_cam_scene = T_scene_cam.inverse();
   const Eigen::Matrix3d R = T_cam_scene.R();
   const Eigen::Vector3d eye = T_scene_cam.translation();
@@ -139,7 +145,8 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     if (std::abs(facing) < 1e-9 || (facing < 0 && !s.is_two_sided)) continue;
     const Eigen::Vector3d diagonal = s.side_u + s.side_v;
     const Eigen::Vector3d middle = R * (s.origin + 0.5 * diagonal - eye);
-    const double radius = 0.5 * std::sqrt(std::max(diagonal.squaredNorm(), (s.side_u - s.side_v).squaredNorm()));
+    const double radius =
+        0.5 * std::sqrt(std::max(diagonal.squaredNorm(), (s.side_u - s.side_v).squaredNorm()));
     if (is_out_of_view(middle, radius, row_limits) || is_speck(middle, radius, camera.pinhole)) continue;
     const Eigen::Vector3d origin = R * (s.origin - eye), u = R * s.side_u, v = R * s.side_v;
     Polygon outline{origin, origin + u, origin + u + v, origin + v};
@@ -148,7 +155,9 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     if (seen.empty()) continue;
     ViewSurface view;
     bound(seen, camera, &view);
-    if (std::max(view.row_begin, rows.begin) >= std::min(view.row_end, rows.end) || view.col_begin >= view.col_end) continue;
+    if (std::max(view.row_begin, rows.begin) >= std::min(view.row_end, rows.end) ||
+        view.col_begin >= view.col_end)
+      continue;
     view.surface = &s;
     view.texture = &world.textures[size_t(s.texture)];
     view.distance = middle.norm();
@@ -170,8 +179,8 @@ ViewSurface view_sky(const World& world, const SE3& T_scene_cam) {
   view.surface = &layer;
   view.texture = &world.textures[size_t(world.sky.texture)];
   const Eigen::Matrix3d R = T_scene_cam.R().transpose();
-  set_functions(R * Eigen::Vector3d(0, 0, kHeight), R * Eigen::Vector3d(kTile, 0, 0), R * Eigen::Vector3d(0, kTile, 0),
-                &view);
+  set_functions(R * Eigen::Vector3d(0, 0, kHeight), R * Eigen::Vector3d(kTile, 0, 0),
+                R * Eigen::Vector3d(0, kTile, 0), &view);
   return view;
 }
 

@@ -11,12 +11,14 @@ struct Span {
   int begin, end;
 };
 
-// Where row v, sampled `offset` right of the pixel centres, lies on the surface: in double, so that no crack opens between
-// surfaces that share a side.
+// Where row v, sampled `offset` right of the pixel centres, lies on the surface: in double, so that no crack
+// opens between surfaces that share a side.
 Span columns_inside(const ViewSurface& view, double v, int width, double offset) {
   double low = 0, high = width - 1;
-  for (int i = 0; i < view.left_count; ++i) low = std::max(low, view.left[i].slope * v + view.left[i].offset - offset);
-  for (int i = 0; i < view.right_count; ++i) high = std::min(high, view.right[i].slope * v + view.right[i].offset - offset);
+  for (int i = 0; i < view.left_count; ++i)
+    low = std::max(low, view.left[i].slope * v + view.left[i].offset - offset);
+  for (int i = 0; i < view.right_count; ++i)
+    high = std::min(high, view.right[i].slope * v + view.right[i].offset - offset);
   for (int i = 0; i < view.always_count; ++i)
     if (view.always[i].slope * v + view.always[i].offset < 0) return {0, 0};
   if (!(low <= high)) return {0, 0};
@@ -25,8 +27,8 @@ Span columns_inside(const ViewSurface& view, double v, int width, double offset)
 }
 
 // Written so that it vectorises: no branch, and the pointers do not overlap.
-void enter_opaque(const float* __restrict x, float slope, float rest, int32_t id, int count, float* __restrict idepth,
-                  int32_t* __restrict owner) {
+void enter_opaque(const float* __restrict x, float slope, float rest, int32_t id, int count,
+                  float* __restrict idepth, int32_t* __restrict owner) {
   for (int u = 0; u < count; ++u) {
     const float q = slope * x[u] + rest, before = idepth[u];
     const int32_t nearer = -int32_t(q > before);
@@ -41,16 +43,17 @@ struct RayPlanes {
 };
 
 // The same where each sample has a ray of its own: inside where all five planes are not negative.
-void enter_opaque_inside(const float* __restrict xy, const Eigen::Vector3f& N, const RayPlanes& f, int32_t id, int count,
-                         float* __restrict idepth, int32_t* __restrict owner) {
+void enter_opaque_inside(const float* __restrict xy, const Eigen::Vector3f& N, const RayPlanes& f, int32_t id,
+                         int count, float* __restrict idepth, int32_t* __restrict owner) {
   const float nx = N.x(), ny = N.y(), nz = N.z();
   const RayPlanes g = f;  // by value: it does not change while idepth is written
   for (int u = 0; u < count; ++u) {
     const float x = xy[2 * u], y = xy[2 * u + 1];
     const float q = nx * x + ny * y + nz, before = idepth[u];
-    const int32_t nearer = -(int32_t(q > before) & int32_t(g.a[0] * x + g.b[0] * y + g.c[0] >= 0) &
-                             int32_t(g.a[1] * x + g.b[1] * y + g.c[1] >= 0) & int32_t(g.a[2] * x + g.b[2] * y + g.c[2] >= 0) &
-                             int32_t(g.a[3] * x + g.b[3] * y + g.c[3] >= 0) & int32_t(g.a[4] * x + g.b[4] * y + g.c[4] >= 0));
+    const int32_t nearer =
+        -(int32_t(q > before) & int32_t(g.a[0] * x + g.b[0] * y + g.c[0] >= 0) &
+          int32_t(g.a[1] * x + g.b[1] * y + g.c[1] >= 0) & int32_t(g.a[2] * x + g.b[2] * y + g.c[2] >= 0) &
+          int32_t(g.a[3] * x + g.b[3] * y + g.c[3] >= 0) & int32_t(g.a[4] * x + g.b[4] * y + g.c[4] >= 0));
     idepth[u] = nearer ? q : before;
     owner[u] = (owner[u] & ~nearer) | (id & nearer);
   }
@@ -63,13 +66,15 @@ int cut_out_level(const ViewSurface& view, float q, float focal) {
                                                 s.uv_size.y() * view.texture->height() / s.side_v.norm()));
   int level = 0;
   float texels_per_pixel = texels_per_metre / (q * focal);
-  for (; texels_per_pixel > 1.4f && level + 1 < int(view.texture->levels.size()); ++level) texels_per_pixel *= 0.5f;
+  for (; texels_per_pixel > 1.4f && level + 1 < int(view.texture->levels.size()); ++level)
+    texels_per_pixel *= 0.5f;
   return level;
 }
 
 // Linear interpolation of the mask between texel centres, for outlines seen from close by.
 bool exists_smooth(const TextureLevel& t, float u, float v) {
-  const float x = std::clamp(u - 0.5f, 0.0f, float(t.width) - 1.001f), y = std::clamp(v - 0.5f, 0.0f, float(t.height) - 1.001f);
+  const float x = std::clamp(u - 0.5f, 0.0f, float(t.width) - 1.001f),
+              y = std::clamp(v - 0.5f, 0.0f, float(t.height) - 1.001f);
   const int ix = int(x), iy = int(y);
   const float fx = x - float(ix), fy = y - float(iy);
   const uint8_t* upper = t.alpha.data() + size_t(iy) * t.width + ix;
@@ -137,7 +142,8 @@ void draw_pinhole(const ViewSurface& view, int id, const Pinhole& pinhole, int v
   float* idepth = row->idepth_of(s);
   int32_t* owner = row->owner_of(s);
   if (!view.texture->is_cut_out())
-    return enter_opaque(x + span.begin, slope, rest, id, span.end - span.begin, idepth + span.begin, owner + span.begin);
+    return enter_opaque(x + span.begin, slope, rest, id, span.end - span.begin, idepth + span.begin,
+                        owner + span.begin);
   const CutOut is_there(view, slope * x[(span.begin + span.end) / 2] + rest, float(pinhole.fx));
   for (int u = span.begin; u < span.end; ++u) {
     const float q = slope * x[u] + rest;
@@ -156,8 +162,8 @@ void draw_along_rays(const ViewSurface& view, int id, const Eigen::Vector2f* ray
   float* idepth = row->idepth_of(s);
   int32_t* owner = row->owner_of(s);
   if (!view.texture->is_cut_out())
-    return enter_opaque_inside(rays[view.col_begin].data(), N, f, id, view.col_end - view.col_begin, idepth + view.col_begin,
-                               owner + view.col_begin);
+    return enter_opaque_inside(rays[view.col_begin].data(), N, f, id, view.col_end - view.col_begin,
+                               idepth + view.col_begin, owner + view.col_begin);
   const Eigen::Vector2f& middle = rays[(view.col_begin + view.col_end) / 2];
   const float q_middle = std::max(1e-4f, N.x() * middle.x() + N.y() * middle.y() + N.z());
   const CutOut is_there(view, q_middle, 500.0f);

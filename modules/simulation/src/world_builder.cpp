@@ -30,7 +30,10 @@ Place facing(const Eigen::Vector3d& origin, double angle) {
 }
 
 WorldBuilder::WorldBuilder(uint64_t seed, std::string where, const Eigen::Vector3d& sun)
-    : seed_(seed), where_(std::move(where)), sun_(sun.normalized()), random_(Random::derive(seed, hash("world"))) {}
+    : seed_(seed),
+      where_(std::move(where)),
+      sun_(sun.normalized()),
+      random_(Random::derive(seed, hash("world"))) {}
 
 int WorldBuilder::texture(const std::string& kind, int variant) {
   const auto [it, is_new] = known_.try_emplace({kind, variant}, int(world_.textures.size()));
@@ -42,8 +45,8 @@ int WorldBuilder::texture(const std::string& kind, int variant) {
   return it->second;
 }
 
-Surface& WorldBuilder::add(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
-                           int texture) {
+Surface& WorldBuilder::add(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u,
+                           const Eigen::Vector3d& side_v, int texture) {
   Surface s;
   s.origin = corner, s.side_u = side_u, s.side_v = side_v, s.texture = texture;
   const Eigen::Vector3d normal = side_v.cross(side_u).normalized();
@@ -53,13 +56,13 @@ Surface& WorldBuilder::add(const Eigen::Vector3d& corner, const Eigen::Vector3d&
   return world_.surfaces.back();
 }
 
-Surface& WorldBuilder::fit(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
-                           int texture) {
+Surface& WorldBuilder::fit(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u,
+                           const Eigen::Vector3d& side_v, int texture) {
   return add(corner, side_u, side_v, texture);
 }
 
-Surface& WorldBuilder::tile(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
-                            int texture) {
+Surface& WorldBuilder::tile(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u,
+                            const Eigen::Vector3d& side_v, int texture) {
   Surface& s = add(corner, side_u, side_v, texture);
   s.is_tiled = true;
   s.uv_origin = {random_.uniform(), random_.uniform()};
@@ -68,17 +71,20 @@ Surface& WorldBuilder::tile(const Eigen::Vector3d& corner, const Eigen::Vector3d
   return s;
 }
 
-Surface& WorldBuilder::wall(const Place& place, double r0, double r1, double z0, double z1, double o, int texture,
-                            bool tiled) {
+Surface& WorldBuilder::wall(const Place& place, double r0, double r1, double z0, double z1, double o,
+                            int texture, bool tiled) {
   const Eigen::Vector3d corner = place.point(r0, o, z1), u = (r1 - r0) * place.right, v(0, 0, z0 - z1);
   return tiled ? tile(corner, u, v, texture) : fit(corner, u, v, texture);
 }
 
-void WorldBuilder::box(const Place& place, const Block& b, int sides, int top, int front, bool tiled, float gain) {
-  const auto side = [&](const Eigen::Vector3d& corner, const Eigen::Vector3d& u, const Eigen::Vector3d& v, int tex, bool tile_it) {
+void WorldBuilder::box(const Place& place, const Block& b, int sides, int top, int front, bool tiled,
+                       float gain) {
+  const auto side = [&](const Eigen::Vector3d& corner, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
+                        int tex, bool tile_it) {
     (tile_it ? tile(corner, u, v, tex) : fit(corner, u, v, tex)).gain *= gain;
   };
-  const Eigen::Vector3d right = (b.r1 - b.r0) * place.right, out = (b.o1 - b.o0) * place.out, down(0, 0, b.z0 - b.z1);
+  const Eigen::Vector3d right = (b.r1 - b.r0) * place.right, out = (b.o1 - b.o0) * place.out,
+                        down(0, 0, b.z0 - b.z1);
   side(place.point(b.r0, b.o1, b.z1), right, down, front < 0 ? sides : front, front < 0 && tiled);
   side(place.point(b.r1, b.o0, b.z1), -right, down, sides, tiled);
   side(place.point(b.r1, b.o1, b.z1), -out, down, sides, tiled);
@@ -86,15 +92,18 @@ void WorldBuilder::box(const Place& place, const Block& b, int sides, int top, i
   side(place.point(b.r0, b.o0, b.z1), right, out, top, tiled);
 }
 
-void WorldBuilder::card(const Place& place, double width, double height, double angle, int texture, float gain) {
+void WorldBuilder::card(const Place& place, double width, double height, double angle, int texture,
+                        float gain) {
   const Eigen::Vector3d along = std::cos(angle) * place.right + std::sin(angle) * place.out;
-  Surface& s = fit(place.point(0, 0, height) - 0.5 * width * along, width * along, Eigen::Vector3d(0, 0, -height), texture);
+  Surface& s = fit(place.point(0, 0, height) - 0.5 * width * along, width * along,
+                   Eigen::Vector3d(0, 0, -height), texture);
   s.is_two_sided = true;
   s.is_solid = false;
   s.gain = 0.95f * gain;
 }
 
-void WorldBuilder::prism(const Place& place, double radius, double height, int sides, int texture, float gain) {
+void WorldBuilder::prism(const Place& place, double radius, double height, int sides, int texture,
+                         float gain) {
   for (int i = 0; i < sides; ++i) {
     const double a = 2 * kPi * i / sides, b = 2 * kPi * (i + 1) / sides;
     const Eigen::Vector3d left = place.point(radius * std::sin(-b), radius * std::cos(b), height);

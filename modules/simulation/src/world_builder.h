@@ -10,14 +10,16 @@
 
 namespace edgevo {
 
-/// A local frame: as one who stands before the thing sees it. Coordinates are (right, out, up): `out` points at the
-/// viewer, up is the world's z.
+/// A local frame: as one who stands before the thing sees it. Coordinates are (right, out, up): `out` points
+/// at the viewer, up is the world's z.
 struct Place {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d out = -Eigen::Vector3d::UnitY();
 
-  Eigen::Vector3d point(double r, double o, double z) const { return origin + r * right + o * out + z * Eigen::Vector3d::UnitZ(); }
+  Eigen::Vector3d point(double r, double o, double z) const {
+    return origin + r * right + o * out + z * Eigen::Vector3d::UnitZ();
+  }
   /// The same frame with its origin at (r, o, z) and turned by `angle` radians about z.
   Place moved(double r, double o, double z, double angle = 0) const;
 };
@@ -43,15 +45,20 @@ class WorldBuilder {
   int any_texture(const std::string& kind, int variants) { return texture(kind, random_.below(variants)); }
 
   /// A surface that one repeat of the texture fills; corner is the upper left one.
-  Surface& fit(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v, int texture);
+  Surface& fit(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
+               int texture);
   /// A surface on which the texture repeats at its natural size.
-  Surface& tile(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v, int texture);
+  Surface& tile(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
+                int texture);
 
   /// An upright rectangle at distance `o`, seen from the front.
-  Surface& wall(const Place& place, double r0, double r1, double z0, double z1, double o, int texture, bool tiled);
+  Surface& wall(const Place& place, double r0, double r1, double z0, double z1, double o, int texture,
+                bool tiled);
   /// The sides and the top of a block; `front` covers the side in front, fitted, unless it is -1.
-  void box(const Place& place, const Block& block, int sides, int top, int front = -1, bool tiled = true, float gain = 1);
-  /// A cut-out standing upright, `angle` radians turned against the place, centred on its origin; seen from both sides.
+  void box(const Place& place, const Block& block, int sides, int top, int front = -1, bool tiled = true,
+           float gain = 1);
+  /// A cut-out standing upright, `angle` radians turned against the place, centred on its origin; seen from
+  /// both sides.
   void card(const Place& place, double width, double height, double angle, int texture, float gain = 1);
   /// A standing prism of `sides` faces.
   void prism(const Place& place, double radius, double height, int sides, int texture, float gain = 1);
@@ -60,7 +67,8 @@ class WorldBuilder {
   World finish() { return std::move(world_); }
 
  private:
-  Surface& add(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v, int texture);
+  Surface& add(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
+               int texture);
 
   uint64_t seed_;
   std::string where_;

@@ -16,7 +16,8 @@ std::vector<std::string> wall_kinds(const std::string& list, const std::string& 
     texture_kind(kind, where);
     kinds.push_back(kind);
   }
-  if (kinds.empty()) throw InputError(where, "world.walls names no texture", "write for example walls: brick plaster");
+  if (kinds.empty())
+    throw InputError(where, "world.walls names no texture", "write for example walls: brick plaster");
   return kinds;
 }
 

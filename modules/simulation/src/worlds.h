@@ -7,8 +7,8 @@
 
 namespace edgevo {
 
-/// Grows the world of `params`; the same parameters and seed give the same world. Throws InputError naming the file and
-/// the line.
+/// Grows the world of `params`; the same parameters and seed give the same world. Throws InputError naming
+/// the file and the line.
 World build_world(const SceneParams& params, uint64_t seed);
 
 /// What a builder of one kind works with.

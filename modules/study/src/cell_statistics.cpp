@@ -61,7 +61,8 @@ Difference drift_difference(const StudyCell& a, const StudyCell& b) {
 const StudyCell& find_cell(const StudyResult& result, const std::string& curve, const std::string& light,
                            const std::string& method, const std::string& setting) {
   for (const StudyCell& cell : result.cells)
-    if (cell.curve == curve && cell.light == light && cell.method == method && cell.setting == setting) return cell;
+    if (cell.curve == curve && cell.light == light && cell.method == method && cell.setting == setting)
+      return cell;
   throw std::logic_error("the study has no " + curve + " of " + method + " at " + setting);
 }
 

@@ -8,7 +8,8 @@ namespace edgevo {
 
 struct CellStatistics {
   int pairs = 0, failed = 0;
-  double drift_mean = 0, drift_error = 0, drift_median = 0;  ///< per cent, a failure counting 100; standard error of the mean
+  double drift_mean = 0, drift_error = 0,
+         drift_median = 0;  ///< per cent, a failure counting 100; standard error of the mean
   // Over the pairs that did not fail:
   double rotation_mean_deg = 0, direction_mean_deg = 0;
   double matches = 0, photometric = 0;  ///< of a pair

@@ -17,7 +17,8 @@ ConfidenceCurve rank_by_confidence(std::vector<RankedMatch> matches) {
   std::stable_sort(matches.begin(), matches.end(),
                    [](const RankedMatch& a, const RankedMatch& b) { return a.confidence > b.confidence; });
   const double n = double(matches.size());
-  const double right = double(std::count_if(matches.begin(), matches.end(), [](const RankedMatch& m) { return m.is_right; }));
+  const double right =
+      double(std::count_if(matches.begin(), matches.end(), [](const RankedMatch& m) { return m.is_right; }));
   const double wrong = n - right;
   curve.error_rate = wrong / n;
   curve.optimal_area = optimal_area(curve.error_rate);
@@ -26,7 +27,8 @@ ConfidenceCurve rank_by_confidence(std::vector<RankedMatch> matches) {
   for (size_t i = 0; i < matches.size();) {
     double group_right = 0, group = 0;
     const double confidence = matches[i].confidence;
-    for (; i < matches.size() && matches[i].confidence == confidence; ++i) ++group, group_right += matches[i].is_right;
+    for (; i < matches.size() && matches[i].confidence == confidence; ++i)
+      ++group, group_right += matches[i].is_right;
     right_above_wrong += (group - group_right) * (kept_right + 0.5 * group_right);  // equal ones count half
     kept += group, kept_right += group_right;
     CurvePoint p;

@@ -12,7 +12,8 @@ namespace edgevo {
 namespace {
 
 constexpr float kMinDeviation = 1.5f;  // gray levels; flatter patches say nothing
-constexpr int kNeighbourCellPx = 32;   // points are ordered by cells of this size, so that list neighbours are image neighbours
+constexpr int kNeighbourCellPx =
+    32;  // points are ordered by cells of this size, so that list neighbours are image neighbours
 // Tracks that must agree on an essential matrix: five fit one whatever they are.
 constexpr int kMinInliers = 20;
 
@@ -26,7 +27,8 @@ struct Track {
 
 double correlation_at(const Patch& patch, const ImageView<uint8_t>& image, const Eigen::Vector2d& px) {
   Patch seen;
-  if (!sample_patch(image, px.x(), px.y(), patch.radius, &seen) || normalise(&seen, kMinDeviation) == 0) return -1;
+  if (!sample_patch(image, px.x(), px.y(), patch.radius, &seen) || normalise(&seen, kMinDeviation) == 0)
+    return -1;
   float sum = 0;
   const int n = patch.size();
   for (int i = 0; i < n; ++i) sum += patch.value[i] * seen.value[i];
@@ -44,7 +46,8 @@ void search_square(Track* t, const ImageView<uint8_t>& image, int radius) {
     for (int u = -radius; u <= radius; ++u) try_at(t, image, centre + Eigen::Vector2d(u, v));
 }
 
-std::vector<Track> make_tracks(const FramePyramid& from, const std::vector<Eigen::Vector2d>& points, int support) {
+std::vector<Track> make_tracks(const FramePyramid& from, const std::vector<Eigen::Vector2d>& points,
+                               int support) {
   std::vector<Track> tracks(points.size());
   for (size_t i = 0; i < points.size(); ++i) tracks[i].from = points[i];
   const auto& edges = from.finest().edges.pixels;
@@ -61,7 +64,8 @@ std::vector<size_t> order_by_place(const std::vector<Track>& tracks) {
   std::vector<size_t> order(tracks.size());
   std::iota(order.begin(), order.end(), size_t(0));
   const auto key = [&](size_t i) {
-    return std::make_pair(int(tracks[i].from.y()) / kNeighbourCellPx, int(tracks[i].from.x()) / kNeighbourCellPx);
+    return std::make_pair(int(tracks[i].from.y()) / kNeighbourCellPx,
+                          int(tracks[i].from.x()) / kNeighbourCellPx);
   };
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return key(a) < key(b); });
   return order;
@@ -70,7 +74,8 @@ std::vector<size_t> order_by_place(const std::vector<Track>& tracks) {
 void cut_patches_at(const PyramidLevel& level, double scale, int radius, std::vector<Track>* tracks) {
   for (Track& t : *tracks) {
     const Eigen::Vector2d px = scale * t.from;
-    t.usable = sample_patch(level.gray.view(), px.x(), px.y(), radius, &t.patch) && normalise(&t.patch, kMinDeviation) > 0;
+    t.usable = sample_patch(level.gray.view(), px.x(), px.y(), radius, &t.patch) &&
+               normalise(&t.patch, kMinDeviation) > 0;
     t.correlation = -1;
   }
 }
@@ -105,8 +110,8 @@ void estimate_flow(const FramePyramid& from, const FramePyramid& to, const Epipo
   }
 }
 
-bool estimate_geometry(const Pinhole& camera, const std::vector<Track>& tracks, const EpipolarFlowParams& params,
-                       Eigen::Matrix3d* F) {
+bool estimate_geometry(const Pinhole& camera, const std::vector<Track>& tracks,
+                       const EpipolarFlowParams& params, Eigen::Matrix3d* F) {
   std::vector<cv::Point2d> first, last;
   for (const Track& t : tracks) {
     if (!t.usable || t.correlation < params.min_correlation) continue;
@@ -139,7 +144,8 @@ Line line_of(const Eigen::Matrix3d& F, const Eigen::Vector2d& px) {
   return {normal, {-normal.y(), normal.x()}, l.z() / length};
 }
 
-void search_line(Track* t, const Line& line, const ImageView<uint8_t>& image, const Eigen::Vector2d& about, int radius) {
+void search_line(Track* t, const Line& line, const ImageView<uint8_t>& image, const Eigen::Vector2d& about,
+                 int radius) {
   const Eigen::Vector2d centre = line.project(about);
   for (int s = -radius; s <= radius; ++s) try_at(t, image, centre + s * line.direction);
 }
@@ -149,7 +155,8 @@ void refine_on_line(Track* t, const Line& line, const ImageView<uint8_t>& image)
   const double a = correlation_at(t->patch, image, t->to - line.direction),
                b = correlation_at(t->patch, image, t->to + line.direction);
   const double curvature = a - 2 * t->correlation + b;
-  if (a > -1 && b > -1 && curvature < -1e-6) t->to += std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5) * line.direction;
+  if (a > -1 && b > -1 && curvature < -1e-6)
+    t->to += std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5) * line.direction;
 }
 
 void search_lines(const FramePyramid& to, const EpipolarFlowParams& params, const Eigen::Matrix3d& F,
@@ -173,7 +180,8 @@ void search_lines(const FramePyramid& to, const EpipolarFlowParams& params, cons
 
 }  // namespace
 
-std::vector<FlowMatch> epipolar_flow(const FramePyramid& from, const FramePyramid& to, const std::vector<Eigen::Vector2d>& points,
+std::vector<FlowMatch> epipolar_flow(const FramePyramid& from, const FramePyramid& to,
+                                     const std::vector<Eigen::Vector2d>& points,
                                      const EpipolarFlowParams& params) {
   std::vector<FlowMatch> matches(points.size());
   std::vector<Track> tracks = make_tracks(from, points, params.support_points);
@@ -184,7 +192,8 @@ std::vector<FlowMatch> epipolar_flow(const FramePyramid& from, const FramePyrami
   if (!estimate_geometry(from.finest().pinhole, tracks, params, &F)) return matches;
   search_lines(to, params, F, order, &tracks);
   for (size_t i = 0; i < points.size(); ++i)
-    matches[i] = {tracks[i].usable && tracks[i].correlation >= params.min_correlation, tracks[i].to, tracks[i].correlation};
+    matches[i] = {tracks[i].usable && tracks[i].correlation >= params.min_correlation, tracks[i].to,
+                  tracks[i].correlation};
   return matches;
 }
 

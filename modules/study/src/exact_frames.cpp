@@ -56,7 +56,8 @@ class VirtualKittiFrames : public ExactFrames {
 std::unique_ptr<ExactFrames> rendered_frames(const std::string& name) {
   Scene scene = load_scene(name);
   if (scene.shutter.rolling_s > 0)
-    throw InputError("scene " + scene.name, "with a rolling shutter, depth and pose are not those of all rows",
+    throw InputError("scene " + scene.name,
+                     "with a rolling shutter, depth and pose are not those of all rows",
                      "take a scene without one");
   return std::make_unique<RenderedFrames>(std::move(scene));
 }
@@ -68,7 +69,8 @@ std::unique_ptr<ExactFrames> virtual_kitti_frames(const SourceOptions& options) 
   VirtualKitti sequence = read_virtual_kitti(options);
   if (sequence.T_world_cam.empty())
     throw InputError(options.path, "its camera poses are missing",
-                     sequence.release == "1.3.1" ? "unpack vkitti_1.3.1_extrinsicsgt beside it" : "unpack extrinsic.txt into it");
+                     sequence.release == "1.3.1" ? "unpack vkitti_1.3.1_extrinsicsgt beside it"
+                                                 : "unpack extrinsic.txt into it");
   return std::make_unique<VirtualKittiFrames>(std::move(sequence));
 }
 

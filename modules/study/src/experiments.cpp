@@ -35,13 +35,17 @@ AssociationParams edge_matches_only() {
   return params;
 }
 
-// Search length by the formula alone: our floor of 2 px left out, our cap kept. 0: edge matches; max: the cap for all.
+// Search length by the formula alone: our floor of 2 px left out, our cap kept. 0: edge matches; max: the cap
+// for all.
 void add_search_lengths(const StudyOptions& options, Experiments* all) {
-  const std::pair<const char*, double> kRatios[] = {{"0.25", 0.25}, {"0.5", 0.5}, {"1", 1}, {"2", 2}, {"4", 4}};
+  const std::pair<const char*, double> kRatios[] = {
+      {"0.25", 0.25}, {"0.5", 0.5}, {"1", 1}, {"2", 2}, {"4", 4}};
   for (const auto& [method, comparison] : kCosts) {
     int position = 0;
-    const auto add = [&, method = method, comparison = comparison](const char* setting, const AssociationParams& params) {
-      all->push_back({"search_length", method, setting, position++, options.distance, false, ours(params, comparison())});
+    const auto add = [&, method = method, comparison = comparison](const char* setting,
+                                                                   const AssociationParams& params) {
+      all->push_back({"search_length", method, setting, position++, options.distance, false,
+                      ours(params, comparison())});
     };
     add("0", edge_matches_only());
     for (const auto& [setting, k] : kRatios) {
@@ -62,17 +66,19 @@ void add_patch_sizes(const StudyOptions& options, Experiments* all) {
     for (const int side : {3, 5, 7, 9, 11}) {
       AssociationParams params = paper();
       params.patch_side = params.max_patch_side = side;
-      all->push_back(
-          {"patch_size", method, std::to_string(side), position++, options.distance, false, ours(params, comparison())});
+      all->push_back({"patch_size", method, std::to_string(side), position++, options.distance, false,
+                      ours(params, comparison())});
     }
-    all->push_back({"patch_size", method, "adaptive", position, options.distance, false, ours(paper(), comparison())});
+    all->push_back(
+        {"patch_size", method, "adaptive", position, options.distance, false, ours(paper(), comparison())});
   }
 }
 
 void add_distances(const StudyOptions& options, Experiments* all) {
   for (int distance = 1; distance <= options.max_distance; ++distance) {
     const auto add = [&](const char* method, std::shared_ptr<const PairMatcher> matcher) {
-      all->push_back({"frame_distance", method, std::to_string(distance), distance, distance, false, std::move(matcher)});
+      all->push_back({"frame_distance", method, std::to_string(distance), distance, distance, false,
+                      std::move(matcher)});
     };
     for (const auto& [method, comparison] : kCosts) add(method, ours(paper(), comparison()));
     add("gradient_refined", ours(refined()));
@@ -83,15 +89,16 @@ void add_distances(const StudyOptions& options, Experiments* all) {
   }
 }
 
-// Two-dimensional residuals against those along the normal only, and both with the match refined along the normal.
+// Two-dimensional residuals against those along the normal only, and both with the match refined along the
+// normal.
 void add_residuals(const StudyOptions& options, Experiments* all) {
   AssociationParams normal_only = paper(), refined_edge = edge_matches_only();
   normal_only.sigma_tangent_px = 0;
   refined_edge.refine = true;
   int position = 0;
   const auto add = [&](const char* method, std::shared_ptr<const PairMatcher> matcher) {
-    all->push_back(
-        {"residuals", method, std::to_string(options.distance), position++, options.distance, true, std::move(matcher)});
+    all->push_back({"residuals", method, std::to_string(options.distance), position++, options.distance, true,
+                    std::move(matcher)});
   };
   add("photometric_2d", ours(paper()));
   add("photometric_normal_only", ours(normal_only));
@@ -107,13 +114,15 @@ void add_residuals(const StudyOptions& options, Experiments* all) {
 // Would other parameters than the odometry's be better?
 void add_variants(const StudyOptions& options, Experiments* all) {
   int position = 0;
-  const auto add = [&](const char* name, int patch_side, int max_patch_side, bool refine, double min_search_px) {
+  const auto add = [&](const char* name, int patch_side, int max_patch_side, bool refine,
+                       double min_search_px) {
     AssociationParams params;
     params.patch_side = patch_side;
     params.max_patch_side = max_patch_side;
     params.refine = refine;
     params.min_search_px = min_search_px;
-    all->push_back({"variants", name, std::to_string(options.distance), position++, options.distance, false, ours(params)});
+    all->push_back({"variants", name, std::to_string(options.distance), position++, options.distance, false,
+                    ours(params)});
   };
   const AssociationParams d;
   add("default", d.patch_side, d.max_patch_side, d.refine, d.min_search_px);
@@ -134,8 +143,10 @@ void add_confidences(const StudyOptions& options, Experiments* all) {
   accept_all.tau_m = 0;
   const std::string setting = std::to_string(options.distance);
   for (const auto& [method, comparison] : kCosts)
-    all->push_back({"confidence", method, setting, 0, options.distance, true, ours(accept_all, comparison())});
-  all->push_back({"confidence", "edge_matches", setting, 0, options.distance, true, ours(edge_matches_only())});
+    all->push_back(
+        {"confidence", method, setting, 0, options.distance, true, ours(accept_all, comparison())});
+  all->push_back(
+      {"confidence", "edge_matches", setting, 0, options.distance, true, ours(edge_matches_only())});
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ double depth_error_px(const Pinhole& camera, const SE3& T, const StudyPoint& poi
 
 }  // namespace
 
-double idepth_from_edge(const Pinhole& camera, const SE3& T, const Eigen::Vector2d& px_host, const Match& match) {
+double idepth_from_edge(const Pinhole& camera, const SE3& T, const Eigen::Vector2d& px_host,
+                        const Match& match) {
   // g^T (f Y.xy + (c - m) Y.z) = 0 with Y = R x + rho t.
   const auto row = [&](const Eigen::Vector3d& Y) {
     return match.normal.x() * (camera.fx * Y.x() + (camera.cx - match.px.x()) * Y.z()) +
@@ -29,7 +30,8 @@ double idepth_from_edge(const Pinhole& camera, const SE3& T, const Eigen::Vector
   return slope != 0 ? -row(T.R() * camera.ray(px_host)) / slope : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<MatchError> match_errors(const HostView& host, const TargetView& target, const std::vector<Match>& matches) {
+std::vector<MatchError> match_errors(const HostView& host, const TargetView& target,
+                                     const std::vector<Match>& matches) {
   const Pinhole& camera = target.pyramid->finest().pinhole;
   const SE3& T = target.track.T_cur_ref;
   std::vector<MatchError> errors;
@@ -43,7 +45,8 @@ std::vector<MatchError> match_errors(const HostView& host, const TargetView& tar
     e.tangent_px = along.dot(d);
     e.match_confidence = m.match_confidence;
     e.depth_confidence = m.depth_confidence;
-    e.depth_error_px = depth_error_px(camera, T, host.points[i], idepth_from_edge(camera, T, host.points[i].px, m));
+    e.depth_error_px =
+        depth_error_px(camera, T, host.points[i], idepth_from_edge(camera, T, host.points[i].px, m));
     errors.push_back(e);
   }
   return errors;

@@ -18,7 +18,8 @@ Match flow_match(const StudyPoint& p, const TargetView& target, const Eigen::Vec
   Match m;
   m.kind = MatchKind::kPhotometric;
   m.px = px;
-  m.normal = warp_normal(patch_warp(target.pyramid->finest().pinhole, target.T_start, p.px, p.idepth), p.normal);
+  m.normal =
+      warp_normal(patch_warp(target.pyramid->finest().pinhole, target.T_start, p.px, p.idepth), p.normal);
   m.inv_sigma_normal = 1 / params.sigma_normal_px;
   m.inv_sigma_tangent = 1 / params.sigma_tangent_px;
   return m;
@@ -35,7 +36,8 @@ class AssociationMatcher : public PairMatcher {
     matches.reserve(host.points.size());
     for (const StudyPoint& p : host.points)
       matches.push_back(
-          associate(query(host, target, p, p.idepth, target.track.T_cur_ref, target.track.covariance), params_, comparison_));
+          associate(query(host, target, p, p.idepth, target.track.T_cur_ref, target.track.covariance),
+                    params_, comparison_));
     return matches;
   }
 
@@ -45,15 +47,16 @@ class AssociationMatcher : public PairMatcher {
     for (size_t i = 0; i < matches->size(); ++i) {
       Match& m = (*matches)[i];
       if (m.kind == MatchKind::kNone) continue;
-      if (!needs_update(m, solution.residual_normal_px[i], solution.residual_tangent_px[i], params_)) continue;
-      m = associate(query(host, target, host.points[i], solution.idepth[i], solution.T_target_host, settled), params_,
-                    comparison_);
+      if (!needs_update(m, solution.residual_normal_px[i], solution.residual_tangent_px[i], params_))
+        continue;
+      m = associate(query(host, target, host.points[i], solution.idepth[i], solution.T_target_host, settled),
+                    params_, comparison_);
     }
   }
 
  private:
-  static AssociationQuery query(const HostView& host, const TargetView& target, const StudyPoint& p, double idepth, const SE3& T,
-                                const Matrix6d& covariance) {
+  static AssociationQuery query(const HostView& host, const TargetView& target, const StudyPoint& p,
+                                double idepth, const SE3& T, const Matrix6d& covariance) {
     return {host.pyramid.get(), target.pyramid.get(), p.px, p.normal, idepth, p.idepth_sigma, T, covariance};
   }
 
@@ -67,8 +70,8 @@ cv::Mat gray_of(const FramePyramid& pyramid) {
 }
 
 // Points that are found, and from there found back to within a pixel.
-std::vector<uchar> track_both_ways(const cv::Mat& first, const cv::Mat& second, const std::vector<cv::Point2f>& from,
-                                   std::vector<cv::Point2f>* to) {
+std::vector<uchar> track_both_ways(const cv::Mat& first, const cv::Mat& second,
+                                   const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>* to) {
   constexpr float kMaxReturnPx = 1;  // a right track returns within its own error, some tenths
   const cv::Size window(21, 21);
   std::vector<uchar> found, found_back;
@@ -89,7 +92,8 @@ class LucasKanadeMatcher : public PairMatcher {
   std::vector<Match> match(const HostView& host, const TargetView& target) const override {
     std::vector<cv::Point2f> from, to;
     for (const StudyPoint& p : host.points) from.emplace_back(float(p.px.x()), float(p.px.y()));
-    const std::vector<uchar> found = track_both_ways(gray_of(*host.pyramid), gray_of(*target.pyramid), from, &to);
+    const std::vector<uchar> found =
+        track_both_ways(gray_of(*host.pyramid), gray_of(*target.pyramid), from, &to);
     std::vector<Match> matches(from.size());
     for (size_t i = 0; i < from.size(); ++i)
       if (found[i]) matches[i] = flow_match(host.points[i], target, {double(to[i].x), double(to[i].y)});
@@ -113,16 +117,18 @@ class EpipolarFlowMatcher : public PairMatcher {
 
 }  // namespace
 
-void PairMatcher::update(const HostView&, const TargetView&, const TwoViewSolution& solution, std::vector<Match>* matches) const {
+void PairMatcher::update(const HostView&, const TargetView&, const TwoViewSolution& solution,
+                         std::vector<Match>* matches) const {
   for (size_t i = 0; i < matches->size(); ++i) {
     Match& m = (*matches)[i];
-    const double sigmas =
-        std::hypot(solution.residual_normal_px[i] * m.inv_sigma_normal, solution.residual_tangent_px[i] * m.inv_sigma_tangent);
+    const double sigmas = std::hypot(solution.residual_normal_px[i] * m.inv_sigma_normal,
+                                     solution.residual_tangent_px[i] * m.inv_sigma_tangent);
     if (sigmas > kMaxSigmas) m.kind = MatchKind::kNone;
   }
 }
 
-std::unique_ptr<PairMatcher> association_matcher(const AssociationParams& params, const PatchComparison& comparison) {
+std::unique_ptr<PairMatcher> association_matcher(const AssociationParams& params,
+                                                 const PatchComparison& comparison) {
   return std::make_unique<AssociationMatcher>(params, comparison);
 }
 std::unique_ptr<PairMatcher> lucas_kanade_matcher() { return std::make_unique<LucasKanadeMatcher>(); }

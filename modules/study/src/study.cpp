@@ -19,7 +19,8 @@ constexpr double kMaxDriftPercent = 100;  // of a solution that failed: all of t
 constexpr double kDegrees = 180 / M_PI;   // of a radian
 const char* const kLights[] = {"normal", "changed"};
 
-// OpenCV on one thread while this lives: times are CPU times of one thread, and hosts are spread over threads already.
+// OpenCV on one thread while this lives: times are CPU times of one thread, and hosts are spread over threads
+// already.
 class OneOpenCvThread {
  public:
   OneOpenCvThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
@@ -41,12 +42,14 @@ ImageView<float> depth_view(const ExactFrame& frame, const Pinhole& p) {
 std::vector<int> choose_hosts(const ExactFrames& frames, const StudyOptions& options) {
   const int end = options.end < 0 ? frames.size() : options.end;
   if (options.begin < 0 || end > frames.size() || options.begin >= end)
-    throw InputError(frames.name(), "frames " + std::to_string(options.begin) + ":" + std::to_string(end) + " are not in it",
+    throw InputError(frames.name(),
+                     "frames " + std::to_string(options.begin) + ":" + std::to_string(end) + " are not in it",
                      "it has frames 0:" + std::to_string(frames.size()));
   const int first = options.begin + options.max_distance, last = end - 1 - options.max_distance;
   if (first > last)
     throw InputError(frames.name(),
-                     "a distance of " + std::to_string(options.max_distance) + " frames to both sides of a host needs " +
+                     "a distance of " + std::to_string(options.max_distance) +
+                         " frames to both sides of a host needs " +
                          std::to_string(2 * options.max_distance + 1) + " frames, there are " +
                          std::to_string(end - options.begin),
                      "take more frames");
@@ -61,7 +64,8 @@ std::vector<int> choose_hosts(const ExactFrames& frames, const StudyOptions& opt
 void check_truth(const ExactFrames& frames, int index) {
   const Pinhole& p = frames.camera().pinhole;
   const ExactFrame from = frames.load(index), to = frames.load(index + 1);
-  const ViewPair views{p, depth_view(from, p), depth_view(to, p), to.T_world_cam.inverse() * from.T_world_cam};
+  const ViewPair views{p, depth_view(from, p), depth_view(to, p),
+                       to.T_world_cam.inverse() * from.T_world_cam};
   constexpr int kStep = 7;  // pixels between those that are looked at: enough to tell
   int in_view = 0, visible = 0;
   for (int v = kStep; v < p.height - kStep; v += kStep)
@@ -73,9 +77,9 @@ void check_truth(const ExactFrames& frames, int index) {
     }
   if (in_view == 0 || visible < in_view / 2)
     throw InputError(frames.name(),
-                     "depth and poses of frames " + std::to_string(index) + " and " + std::to_string(index + 1) +
-                         " do not belong together: " + std::to_string(visible) + " of " + std::to_string(in_view) +
-                         " pixels agree",
+                     "depth and poses of frames " + std::to_string(index) + " and " +
+                         std::to_string(index + 1) + " do not belong together: " + std::to_string(visible) +
+                         " of " + std::to_string(in_view) + " pixels agree",
                      "check that all parts are of one sequence and release");
 }
 
@@ -154,7 +158,8 @@ class Study {
         flow_(hosts_.size()) {
     for (const char* light : kLights)
       for (const Experiment& e : experiments_)
-        cells_.push_back({e.curve, light, e.method, e.setting, e.position, std::vector<StudySample>(hosts_.size()), {}});
+        cells_.push_back(
+            {e.curve, light, e.method, e.setting, e.position, std::vector<StudySample>(hosts_.size()), {}});
   }
 
   void run_host(int h) {
@@ -163,7 +168,8 @@ class Study {
     const ExactFrame frame = frames_.load(hosts_[size_t(h)]);
     Random random = Random::derive(options_.seed, uint64_t(frame.index));
     auto pyramid = builder.build(frame.image);
-    auto points = sample_points(pyramid->finest().edges, depth_view(frame, pinhole), options_.points, options_.noise, &random);
+    auto points = sample_points(pyramid->finest().edges, depth_view(frame, pinhole), options_.points,
+                                options_.noise, &random);
     const HostView host = make_host(std::move(pyramid), std::move(points));
     for (int distance = 1; distance <= options_.max_distance; ++distance) {
       const ExactFrame next = frames_.load(frame.index + distance);
@@ -171,7 +177,8 @@ class Study {
       const ViewPair views{pinhole, depth_view(frame, pinhole), depth_view(next, pinhole),
                            next.T_world_cam.inverse() * frame.T_world_cam};
       for (size_t light = 0; light < 2; ++light) {
-        const GrayImage image = light == 0 ? next.image : relight_.apply(next.image, next.index, next.seconds);
+        const GrayImage image =
+            light == 0 ? next.image : relight_.apply(next.image, next.index, next.seconds);
         const TargetView target = make_target(host, builder.build(image), views, T_step);
         if (distance == 1) flow_[size_t(h)] = median_flow(host, target);
         run_experiments(host, target, distance, light, size_t(h));
@@ -230,7 +237,8 @@ void check_study(const ExactFrames& frames, const StudyOptions& options) {
   choose_hosts(frames, options);
 }
 
-StudyResult run_study(const ExactFrames& frames, const StudyOptions& options, const std::function<void(int)>& on_host_done) {
+StudyResult run_study(const ExactFrames& frames, const StudyOptions& options,
+                      const std::function<void(int)>& on_host_done) {
   check_study(frames, options);
   const std::vector<int> hosts = choose_hosts(frames, options);
   check_truth(frames, hosts.front());

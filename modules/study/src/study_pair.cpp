@@ -22,8 +22,8 @@ HostView make_host(std::shared_ptr<const FramePyramid> pyramid, std::vector<Stud
   return host;
 }
 
-TargetView make_target(const HostView& host, std::shared_ptr<const FramePyramid> pyramid, const ViewPair& views,
-                       const SE3& T_step) {
+TargetView make_target(const HostView& host, std::shared_ptr<const FramePyramid> pyramid,
+                       const ViewPair& views, const SE3& T_step) {
   TargetView target;
   target.pyramid = std::move(pyramid);
   target.T_target_host = views.T_to_from;

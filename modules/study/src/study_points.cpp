@@ -7,8 +7,8 @@
 
 namespace edgevo {
 
-std::vector<StudyPoint> sample_points(const EdgeMap& edges, const ImageView<float>& depth, int count, double noise,
-                                      Random* random) {
+std::vector<StudyPoint> sample_points(const EdgeMap& edges, const ImageView<float>& depth, int count,
+                                      double noise, Random* random) {
   std::vector<int> order(edges.pixels.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<StudyPoint> points;

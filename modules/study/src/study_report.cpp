@@ -33,7 +33,8 @@ bool draw_plots(const std::string& folder) {
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   const char* arguments[] = {"gnuplot", "plots.gnuplot", nullptr};
   pid_t child = 0;
-  const bool started = posix_spawnp(&child, arguments[0], &actions, nullptr, const_cast<char* const*>(arguments), environ) == 0;
+  const bool started = posix_spawnp(&child, arguments[0], &actions, nullptr,
+                                    const_cast<char* const*>(arguments), environ) == 0;
   posix_spawn_file_actions_destroy(&actions);
   int status = 0;
   return started && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;

@@ -30,15 +30,17 @@ std::string measure_of(const StudyCell& cell) { return cell.method == "edge_matc
 
 std::string curve_table(const StudyResult& result, const std::string& curve) {
   std::string text =
-      "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_median_percent,rotation_"
+      "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_"
+      "median_percent,rotation_"
       "mean_deg,direction_mean_deg,"
       "matches,photometric_matches,wrong_share,median_error_px,match_ms,solve_ms,track_ms\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != curve) continue;
     const CellStatistics s = statistics(cell);
-    text += name_of(cell) + "," + cell.setting + "," + std::to_string(cell.position) + "," + std::to_string(s.pairs) + "," +
-            std::to_string(s.failed);
-    append_numbers(&text, {s.drift_mean, s.drift_error, s.drift_median, s.rotation_mean_deg, s.direction_mean_deg}, 4);
+    text += name_of(cell) + "," + cell.setting + "," + std::to_string(cell.position) + "," +
+            std::to_string(s.pairs) + "," + std::to_string(s.failed);
+    append_numbers(
+        &text, {s.drift_mean, s.drift_error, s.drift_median, s.rotation_mean_deg, s.direction_mean_deg}, 4);
     append_numbers(&text, {s.matches, s.photometric}, 1);
     append_numbers(&text, {s.wrong_share, s.median_px}, 4);
     append_numbers(&text, {s.match_ms, s.solve_ms, s.track_ms}, 2);
@@ -48,14 +50,16 @@ std::string curve_table(const StudyResult& result, const std::string& curve) {
 }
 
 std::string end_point_table(const StudyResult& result) {
-  std::string text = "light,method,matches,count,median_px,mean_px,median_normal_px,median_tangent_px,wrong_share\n";
+  std::string text =
+      "light,method,matches,count,median_px,mean_px,median_normal_px,median_tangent_px,wrong_share\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != "residuals") continue;
     for (const bool photometric : {true, false}) {
       const ErrorSummary s = summarise(errors_of(cell, photometric));
       if (s.count == 0) continue;
       text += name_of(cell) + (photometric ? ",point," : ",tangent,") + std::to_string(s.count);
-      append_numbers(&text, {s.median_px, s.mean_px, s.median_normal_px, s.median_tangent_px, s.wrong_share}, 4);
+      append_numbers(&text, {s.median_px, s.mean_px, s.median_normal_px, s.median_tangent_px, s.wrong_share},
+                     4);
       text += "\n";
     }
   }
@@ -70,7 +74,8 @@ std::string match_error_table(const StudyResult& result) {
     if (cell.curve != "residuals" || errors.empty()) continue;
     for (int k = 0; k <= kSteps; ++k) {
       const double limit = 0.02 * std::pow(1e4, double(k) / kSteps);
-      const auto count = std::count_if(errors.begin(), errors.end(), [&](const MatchError& e) { return e.norm() <= limit; });
+      const auto count =
+          std::count_if(errors.begin(), errors.end(), [&](const MatchError& e) { return e.norm() <= limit; });
       text += name_of(cell);
       append_numbers(&text, {limit, double(count) / double(errors.size())}, 4);
       text += "\n";
@@ -106,13 +111,16 @@ std::string confidence_table(const StudyResult& result) {
 }
 
 std::string confidence_area_table(const StudyResult& result) {
-  std::string text = "light,method,measure,count,error_rate,roc_area,precision_recall_area,sparsification_area,optimal_area\n";
+  std::string text =
+      "light,method,measure,count,error_rate,roc_area,precision_recall_area,sparsification_area,optimal_"
+      "area\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != "confidence") continue;
     const ConfidenceCurve c = confidence_curve(cell);
     const size_t count = errors_of(cell, measure_of(cell) == "C_m").size();
     text += name_of(cell) + "," + measure_of(cell) + "," + std::to_string(count);
-    append_numbers(&text, {c.error_rate, c.roc_area, c.precision_recall_area, c.sparsification_area, c.optimal_area}, 4);
+    append_numbers(
+        &text, {c.error_rate, c.roc_area, c.precision_recall_area, c.sparsification_area, c.optimal_area}, 4);
     text += "\n";
   }
   return text;

@@ -16,8 +16,8 @@ std::string match_error_table(const StudyResult& result);
 std::string confidence_table(const StudyResult& result);
 std::string confidence_area_table(const StudyResult& result);
 
-/// The measures of a cell of the curve "confidence": C_m against the end-point error of photometric matches, C_d against the
-/// depth error of edge matches. Both thresholds are kWrongMatchPx.
+/// The measures of a cell of the curve "confidence": C_m against the end-point error of photometric matches,
+/// C_d against the depth error of edge matches. Both thresholds are kWrongMatchPx.
 ConfidenceCurve confidence_curve(const StudyCell& cell);
 
 }  // namespace edgevo

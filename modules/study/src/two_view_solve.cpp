@@ -22,16 +22,19 @@ BaObservation depth_prior(const Pinhole& pinhole, const StudyPoint& p, int point
   return o;
 }
 
-BaProblem build_problem(const Pinhole& pinhole, const std::vector<StudyPoint>& points, const std::vector<Match>& matches,
-                        const SE3& T_start, std::vector<int>* observation_of) {
+BaProblem build_problem(const Pinhole& pinhole, const std::vector<StudyPoint>& points,
+                        const std::vector<Match>& matches, const SE3& T_start,
+                        std::vector<int>* observation_of) {
   BaProblem problem;
   problem.pinhole = pinhole;
-  problem.poses = {{SE3(), true}, {SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d::UnitX()), true}, {T_start, false}};
+  problem.poses = {
+      {SE3(), true}, {SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d::UnitX()), true}, {T_start, false}};
   for (size_t i = 0; i < points.size(); ++i) {
     const Match& m = matches[i];
     if (m.kind == MatchKind::kNone) continue;
     const int point = int(problem.points.size());
-    problem.points.push_back({kHost, pinhole.ray(points[i].px), points[i].idepth, m.kind == MatchKind::kEdgeFixed});
+    problem.points.push_back(
+        {kHost, pinhole.ray(points[i].px), points[i].idepth, m.kind == MatchKind::kEdgeFixed});
     problem.observations.push_back(depth_prior(pinhole, points[i], point));
     (*observation_of)[i] = int(problem.observations.size());
     problem.observations.push_back({point, kTarget, m.px, m.normal, m.inv_sigma_normal, m.inv_sigma_tangent});
@@ -41,8 +44,8 @@ BaProblem build_problem(const Pinhole& pinhole, const std::vector<StudyPoint>& p
 
 }  // namespace
 
-TwoViewSolution solve_two_view(const Pinhole& pinhole, const std::vector<StudyPoint>& points, const std::vector<Match>& matches,
-                               const SE3& T_start) {
+TwoViewSolution solve_two_view(const Pinhole& pinhole, const std::vector<StudyPoint>& points,
+                               const std::vector<Match>& matches, const SE3& T_start) {
   TwoViewSolution solution;
   std::vector<int> observation_of(points.size(), -1);
   BaProblem problem = build_problem(pinhole, points, matches, T_start, &observation_of);
@@ -57,7 +60,8 @@ TwoViewSolution solve_two_view(const Pinhole& pinhole, const std::vector<StudyPo
   solution.residual_tangent_px.assign(points.size(), 0);
   for (size_t i = 0; i < points.size(); ++i) {
     const int k = observation_of[i];
-    solution.idepth.push_back(k < 0 ? points[i].idepth : problem.points[size_t(problem.observations[size_t(k)].point)].idepth);
+    solution.idepth.push_back(k < 0 ? points[i].idepth
+                                    : problem.points[size_t(problem.observations[size_t(k)].point)].idepth);
     if (k < 0) continue;
     solution.residual_normal_px[i] = result.residual_normal_px[size_t(k)];
     solution.residual_tangent_px[i] = result.residual_tangent_px[size_t(k)];

@@ -34,7 +34,8 @@ TEST(Projection, PoseJacobianIsThatOfTheLeftPerturbation) {
       d[k] = kStep;
       const SE3 plus = SE3::exp(d) * T, minus = SE3::exp(-d) * T;
       const Eigen::Vector2d numeric = (project(camera, plus.R(), plus.translation(), ray, idepth).px -
-                                       project(camera, minus.R(), minus.translation(), ray, idepth).px) / (2 * kStep);
+                                       project(camera, minus.R(), minus.translation(), ray, idepth).px) /
+                                      (2 * kStep);
       EXPECT_LT((J.col(k) - numeric).norm(), 1e-6 * (1 + numeric.norm())) << k;
     }
   }
@@ -61,7 +62,8 @@ TEST(EdgeAlignment, ResidualJacobian) {
     Vector6d d = Vector6d::Zero();
     d[k] = 1e-6;
     const double numeric = (edge_residual(camera, SE3::exp(d) * T, ray, 0.4, match, normal).value -
-                            edge_residual(camera, SE3::exp(-d) * T, ray, 0.4, match, normal).value) / 2e-6;
+                            edge_residual(camera, SE3::exp(-d) * T, ray, 0.4, match, normal).value) /
+                           2e-6;
     EXPECT_NEAR(at.jacobian[k], numeric, 1e-5 * (1 + std::abs(numeric)));
   }
 }
@@ -79,20 +81,22 @@ Eigen::Vector2f contrasting_place(const GrayImage& image) {
   return best;
 }
 
-// The patch gradient is that of the difference itself, for a shift of the patch; template and image are the same here, so
-// that the template's slope is also the image's.
+// The patch gradient is that of the difference itself, for a shift of the patch; template and image are the
+// same here, so that the template's slope is also the image's.
 TEST(PatchTemplate, GradientAgainstNumericShift) {
   const GrayImage image = test::textured_image(80, 60, 21);
   const Eigen::Vector2f at = contrasting_place(image);
   const PatchTemplates patches = cut_patches(image.view(), {at});
   ASSERT_TRUE(patches[0].usable);
-  for (const Eigen::Vector2f& shift : {Eigen::Vector2f(0.2f, 0.0f), Eigen::Vector2f(0.0f, -0.2f), Eigen::Vector2f(0.15f, 0.1f)}) {
+  for (const Eigen::Vector2f& shift :
+       {Eigen::Vector2f(0.2f, 0.0f), Eigen::Vector2f(0.0f, -0.2f), Eigen::Vector2f(0.15f, 0.1f)}) {
     const auto cost = [&](double dx, double dy) {
       const Eigen::Vector2f p = at + shift + Eigen::Vector2f(float(dx), float(dy));
       return 0.5 * compare_patch(image.view(), patches[0], p.x(), p.y()).mean_square;
     };
     const PatchDifference d = compare_patch(image.view(), patches[0], at.x() + shift.x(), at.y() + shift.y());
-    const Eigen::Vector2d numeric((cost(0.05, 0) - cost(-0.05, 0)) / 0.1, (cost(0, 0.05) - cost(0, -0.05)) / 0.1);
+    const Eigen::Vector2d numeric((cost(0.05, 0) - cost(-0.05, 0)) / 0.1,
+                                  (cost(0, 0.05) - cost(0, -0.05)) / 0.1);
     EXPECT_LT((d.gradient - numeric).norm(), 0.3 * numeric.norm() + 3e-3);
   }
 }
@@ -127,24 +131,28 @@ TEST_P(TrackTest, FindsThePoseFromTheReferencePose) {
   const TrackResult r = track(*scene.pyramid(T_cur_ref.inverse()), cloud, {SE3()}, AlignmentParams());
   EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
   EXPECT_GT(r.evidence.inlier_share, 0.8);
-  // Before a plane, turning and moving sideways look much alike: 0.06 degrees and 6 mm together move the points by 0.06 pixels.
+  // Before a plane, turning and moving sideways look much alike: 0.06 degrees and 6 mm together move the
+  // points by 0.06 pixels.
   EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.08);
   EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Motions, TrackTest,
-                         ::testing::Values(Vector6d::Zero(), twist(0.1, 0, 0, 0, 0, 0), twist(0, 0, 0.2, 0, 0, 0),
-                                           twist(0, 0, 0, 0, 0.04, 0), twist(0, 0, 0, 0, 0, 0.06),
+                         ::testing::Values(Vector6d::Zero(), twist(0.1, 0, 0, 0, 0, 0),
+                                           twist(0, 0, 0.2, 0, 0, 0), twist(0, 0, 0, 0, 0.04, 0),
+                                           twist(0, 0, 0, 0, 0, 0.06),
                                            twist(0.1, -0.08, 0.15, 0.02, -0.03, 0.02)));
 
 // A tight prior keeps the translation where it is expected, a wide one leaves it to the image.
 TEST(Align, NearAnExpectedPlace) {
   const test::PlaneScene scene;
-  const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)), T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
+  const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)),
+            T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
   const ReferenceCloud cloud = scene.cloud(SE3());
   const auto pyramid = scene.pyramid(T_cur_ref.inverse());
   const auto error = [&](double sigma, const SE3& T) {
-    const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges, Eigen::Vector3d::Constant(sigma)};
+    const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges,
+                              Eigen::Vector3d::Constant(sigma)};
     const PoseCandidate r = align(*pyramid, cloud, near, AlignmentParams());
     EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
     return (r.T_cur_ref.translation() - T.translation()).norm();
@@ -166,7 +174,8 @@ TEST(Track, TriesOtherStartsWhenTheFirstIsBad) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0, 0, 0.01, 0));
   const SE3 bad = SE3::exp(twist(0, 0, 0, 0, 0.9, 0));
-  const TrackResult r = track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), {bad, SE3()}, AlignmentParams());
+  const TrackResult r =
+      track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), {bad, SE3()}, AlignmentParams());
   EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
 }
 
@@ -177,9 +186,12 @@ TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
   for (const double length : {0.55, 1.0, 1.9}) {
     const SE3 guess(T_cur_ref.rotation(), length * T_cur_ref.translation());
     const PoseHypothesis along{guess, PoseHypothesis::Refinement::kLengthThenEdges};
-    const PoseCandidate r = align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
+    const PoseCandidate r =
+        align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
     EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
-    EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.02 * T_cur_ref.translation().norm()) << length;
+    EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(),
+              0.02 * T_cur_ref.translation().norm())
+        << length;
     EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.1);
   }
 }
@@ -189,24 +201,29 @@ TEST(Track, PhotometricCostAgreesWithTheTruth) {
   AlignmentParams params;
   params.photometric = true;
   const SE3 T_cur_ref = SE3::exp(twist(0.08, 0.02, 0.1, 0.01, -0.02, 0.01));
-  const TrackResult r = track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3(), 4, true), {SE3()}, params);
+  const TrackResult r =
+      track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3(), 4, true), {SE3()}, params);
   EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.05);
   EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
 }
 
-// Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges are those of the scene.
+// Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges
+// are those of the scene.
 TEST(Track, EdgesOverruleMisledGrayLevels) {
   const test::PlaneScene scene;
-  const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)), elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
+  const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)),
+            elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
   const auto frame = std::const_pointer_cast<FramePyramid>(scene.pyramid(T_cur_ref.inverse()));
   const auto misled = std::const_pointer_cast<FramePyramid>(scene.pyramid(elsewhere.inverse()));
-  for (size_t level = 1; level < frame->levels.size(); ++level) std::swap(frame->levels[level].gray, misled->levels[level].gray);
+  for (size_t level = 1; level < frame->levels.size(); ++level)
+    std::swap(frame->levels[level].gray, misled->levels[level].gray);
   const FramePyramid& current = *frame;
   const ReferenceCloud cloud = scene.cloud(SE3());
   SE3 by_patches = T_cur_ref;
   align_patches(current, cloud, int(current.levels.size()) - 1, 1, AlignmentParams(), &by_patches);
   for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
-  ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1) << "what comes of following them";
+  ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
+      << "what comes of following them";
   const TrackResult r = track(current, cloud, {T_cur_ref}, AlignmentParams());
   EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
 }
@@ -220,12 +237,14 @@ TEST(EdgeAlignment, APointOutOfViewCostsHalfAMiss) {
   const double none_in_view = edge_cost(*there, cloud, 0, params, SE3::exp(twist(0, 0, 0, 0, 2, 0)));
   EXPECT_LT(edge_cost(*there, cloud, 0, params, SE3()), 0.2 * none_in_view);
   // Nothing matches in a black image: each point in view costs a miss.
-  EXPECT_NEAR(edge_cost(*scene.pyramid(SE3(), 0.0, 0.0), cloud, 0, params, SE3()), 2 * none_in_view, 0.05 * none_in_view);
+  EXPECT_NEAR(edge_cost(*scene.pyramid(SE3(), 0.0, 0.0), cloud, 0, params, SE3()), 2 * none_in_view,
+              0.05 * none_in_view);
 }
 
 TEST(Track, BlackImageIsLostWithAReason) {
   const test::PlaneScene scene;
-  const TrackResult r = track(*scene.pyramid(SE3(), 0.0, 0.0), scene.cloud(SE3()), {SE3()}, AlignmentParams());
+  const TrackResult r =
+      track(*scene.pyramid(SE3(), 0.0, 0.0), scene.cloud(SE3()), {SE3()}, AlignmentParams());
   EXPECT_EQ(r.verdict, TrackingState::kLost);
   EXPECT_FALSE(r.reason.empty());
 }
@@ -244,7 +263,8 @@ TEST(Track, EmptyCloudIsLost) {
 
 // All edges parallel: motion along them cannot be seen, and the verdict must say so.
 TEST(Track, ParallelEdgesAreReportedAsWeak) {
-  const GrayImage stripes = test::make_image(320, 240, [](double x, double) { return 128 + 90 * std::sin(x / 6.0); });
+  const GrayImage stripes =
+      test::make_image(320, 240, [](double x, double) { return 128 + 90 * std::sin(x / 6.0); });
   Camera camera;
   camera.pinhole = {260, 260, 159.5, 119.5, 320, 240};
   PyramidBuilder builder(camera, EdgeParams());
@@ -254,7 +274,8 @@ TEST(Track, ParallelEdgesAreReportedAsWeak) {
     const EdgePixel& e = pyramid->finest().edges.pixels[i];
     points.push_back({camera.pinhole.ray(e.position().cast<double>()), 0.2, 0.001, e.position(), e.normal()});
   }
-  const TrackResult r = track(*pyramid, make_reference_cloud(pyramid, points, false), {SE3()}, AlignmentParams());
+  const TrackResult r =
+      track(*pyramid, make_reference_cloud(pyramid, points, false), {SE3()}, AlignmentParams());
   EXPECT_EQ(r.verdict, TrackingState::kDegraded);
   ASSERT_FALSE(r.weak_directions.empty());
   double along = 0;  // translation in y is among them

@@ -36,7 +36,8 @@ void fill(int n, Sums* one_by_one, Sums* in_lanes) {
   edges.reserve(size_t(n));
   for (int i = 0; i < n; ++i) {
     const Eigen::Vector3d ray(random.uniform(-0.6, 0.6), random.uniform(-0.4, 0.4), 1);
-    const double idepth = random.uniform(0.02, 0.5), sigma = random.uniform(0, 0.05), angle = random.uniform(0, 6.28);
+    const double idepth = random.uniform(0.02, 0.5), sigma = random.uniform(0, 0.05),
+                 angle = random.uniform(0, 6.28);
     const Eigen::Vector2d normal(std::cos(angle), std::sin(angle));
     const Projection p = project(camera(), T.R(), T.translation(), ray, idepth);
     const Eigen::Vector2d match = p.px + Eigen::Vector2d(random.uniform(-3, 3), random.uniform(-3, 3));

@@ -97,8 +97,8 @@ TEST(PoseCovariance, AnUnseenDirectionIsUnknown) {
   EXPECT_LT(covariance(0, 0), 1);
 }
 
-// Errors drawn from a covariance: the mean of their normalised squares is the number of degrees of freedom, and a part along the
-// translation adds nothing.
+// Errors drawn from a covariance: the mean of their normalised squares is the number of degrees of freedom,
+// and a part along the translation adds nothing.
 TEST(PoseCovariance, NormalisedErrorHasFiveDegreesOfFreedom) {
   const Matrix6d covariance = pose_covariance([] {
     std::vector<PoseEquation> equations = make_equations(100, 3);
@@ -107,7 +107,8 @@ TEST(PoseCovariance, NormalisedErrorHasFiveDegreesOfFreedom) {
     return equations;
   }());
   const Matrix6d root = covariance.llt().matrixL();
-  const SE3 truth(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX())), Eigen::Vector3d(0.3, -0.1, 0.8));
+  const SE3 truth(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX())),
+                  Eigen::Vector3d(0.3, -0.1, 0.8));
   Random random(11);
   constexpr int kTrials = 4000;
   double sum = 0, with_length = 0;

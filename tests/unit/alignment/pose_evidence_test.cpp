@@ -85,8 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Turns, RotationSearch,
                          ::testing::Values(twist(0, 0, 0, 0, 0.25, 0), twist(0, 0, 0, 0, -0.3, 0),
                                            twist(0, 0, 0, 0.15, 0.2, 0), twist(0.05, 0, 0.1, -0.15, 0.1, 0)));
 
-// A turn of eleven degrees in one frame of a drive: at the right pose little is left in view, a wrong one that hardly turns keeps three
-// times as much and finds more edges by chance.
+// A turn of eleven degrees in one frame of a drive: at the right pose little is left in view, a wrong one
+// that hardly turns keeps three times as much and finds more edges by chance.
 TEST(Support, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
   const AlignmentParams params;
   const PoseEvidence right{65, 0.299}, wrong{186, 0.124};

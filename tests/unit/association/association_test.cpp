@@ -53,12 +53,13 @@ TEST(Uncertainty, ProjectionCovarianceMatchesMonteCarlo) {
   EXPECT_LT((sampled - expected).norm(), 0.05 * expected.norm());
   for (double angle : {0.0, 0.7, 1.9}) {
     const Eigen::Vector2d a(std::cos(angle), std::sin(angle));
-    EXPECT_NEAR(sigma_along(expected, a), std::sqrt(a.dot(sampled * a)), 0.05 * std::sqrt(a.dot(sampled * a)));
+    EXPECT_NEAR(sigma_along(expected, a), std::sqrt(a.dot(sampled * a)),
+                0.05 * std::sqrt(a.dot(sampled * a)));
   }
 }
 
-// lambda is where the epipolar line of the perturbed point crosses the edge, Eq. (intersection): its spread along the edge must
-// be sigma_lambda, and the search length must cover it.
+// lambda is where the epipolar line of the perturbed point crosses the edge, Eq. (intersection): its spread
+// along the edge must be sigma_lambda, and the search length must cover it.
 TEST(Uncertainty, SearchLengthMatchesTheSpreadOfMatchesAlongTheEdge) {
   const SyntheticEdge s;
   const Projection at = project(s.camera, s.T.R(), s.T.translation(), s.ray, s.idepth);
@@ -76,18 +77,22 @@ TEST(Uncertainty, SearchLengthMatchesTheSpreadOfMatchesAlongTheEdge) {
       Vector6d z;
       for (int i = 0; i < 6; ++i) z[i] = random.normal();
       // The true point, as the estimate's errors move it: its offset along the edge from the prediction.
-      const Eigen::Vector2d d = s.px(SE3::exp(L * z) * s.T, s.idepth + s.idepth_sigma * random.normal()) - at.px;
+      const Eigen::Vector2d d =
+          s.px(SE3::exp(L * z) * s.T, s.idepth + s.idepth_sigma * random.normal()) - at.px;
       const double lambda = g_perp.dot(d);
       square += lambda * lambda / kTrials;
       covered += std::abs(lambda) <= half;
     }
-    EXPECT_NEAR(std::sqrt(search_variance(Sigma_p, depth, g)), std::sqrt(square), 0.06 * std::sqrt(square)) << angle;
-    EXPECT_GE(half, 0.98 * std::sqrt(square)) << "the sum bounds the root of squares, Eq. (uncertaintyseperation)";
+    EXPECT_NEAR(std::sqrt(search_variance(Sigma_p, depth, g)), std::sqrt(square), 0.06 * std::sqrt(square))
+        << angle;
+    EXPECT_GE(half, 0.98 * std::sqrt(square))
+        << "the sum bounds the root of squares, Eq. (uncertaintyseperation)";
     EXPECT_GT(double(covered) / kTrials, 0.66);
   }
 }
 
-// sigma_mu of Eq. (depthuncertainty): mu = e_(p||g) / cos theta, so its spread is sigma_(p||g) / |cos theta| = 1 / C_d.
+// sigma_mu of Eq. (depthuncertainty): mu = e_(p||g) / cos theta, so its spread is sigma_(p||g) / |cos theta|
+// = 1 / C_d.
 TEST(Uncertainty, DepthConfidenceMatchesTheSpreadOfTheIntersection) {
   const SyntheticEdge s;
   const Projection at = project(s.camera, s.T.R(), s.T.translation(), s.ray, s.idepth);
@@ -122,14 +127,15 @@ TEST(Uncertainty, DepthMotionFollowsTheEpipolarLine) {
 // ---- AML ----
 
 TEST(Aml, OneClearMinimumIsConfidentAndEqualCostsAreNot) {
-  const double clear[] = {0.9, 0.8, 0.1, 0.8, 0.9}, flat[] = {0.1, 0.1, 0.1, 0.1, 0.1}, two[] = {0.1, 0.9, 0.1, 0.9};
+  const double clear[] = {0.9, 0.8, 0.1, 0.8, 0.9}, flat[] = {0.1, 0.1, 0.1, 0.1, 0.1},
+               two[] = {0.1, 0.9, 0.1, 0.9};
   EXPECT_NEAR(aml_confidence(clear, 5, 0.1, 0.08), 1.0, 1e-6);
   EXPECT_NEAR(aml_confidence(flat, 5, 0.1, 0.08), 0.2, 1e-12);
   EXPECT_NEAR(aml_confidence(two, 4, 0.1, 0.08), 0.5, 1e-6);
 }
 
-// With Gaussian cost noise, C_m is the attainable likelihood: among candidates whose true costs are known, a match with higher C_m
-// is more often the right one.
+// With Gaussian cost noise, C_m is the attainable likelihood: among candidates whose true costs are known, a
+// match with higher C_m is more often the right one.
 TEST(Aml, RanksMatchesAsMonteCarloDoes) {
   Random random(6);
   int right_high = 0, n_high = 0, right_low = 0, n_low = 0;
@@ -154,7 +160,9 @@ TEST(Warp, AgreesWithNumericDifferentiation) {
   const SE3 T = SE3::exp(twist(0.2, -0.1, 0.3, 0.05, -0.08, 0.2));
   const Eigen::Vector2d px(100, 80);
   const double idepth = 0.3;
-  const auto map = [&](const Eigen::Vector2d& p) { return project(camera, T.R(), T.translation(), camera.ray(p), idepth).px; };
+  const auto map = [&](const Eigen::Vector2d& p) {
+    return project(camera, T.R(), T.translation(), camera.ray(p), idepth).px;
+  };
   const Eigen::Matrix2d A = patch_warp(camera, T, px, idepth);
   for (int k = 0; k < 2; ++k) {
     const Eigen::Vector2d d = 1e-4 * Eigen::Vector2d::Unit(k);
@@ -186,11 +194,13 @@ TEST(NormalRefinement, FindsASubPixelShiftAlongTheNormal) {
   for (double shift : {-1.3, -0.4, 0.0, 0.27, 0.9}) {
     const Eigen::Vector2d normal = Eigen::Vector2d(0.8, 0.6);
     const GrayImage host = test::make_image(100, 80, [&](double x, double y) { return texture.at({x, y}); });
-    const GrayImage target = test::make_image(
-        100, 80, [&](double x, double y) { return 0.7 * texture.at(Eigen::Vector2d(x, y) - shift * normal) + 15; });
+    const GrayImage target = test::make_image(100, 80, [&](double x, double y) {
+      return 0.7 * texture.at(Eigen::Vector2d(x, y) - shift * normal) + 15;
+    });
     NormalTemplate patch;
     ASSERT_TRUE(make_normal_template(host.view(), {50, 40}, Eigen::Matrix2d::Identity(), normal, 4, &patch));
-    const NormalRefinement r = refine_along_normal(patch, target.view(), {50, 40}, normal, AssociationParams());
+    const NormalRefinement r =
+        refine_along_normal(patch, target.view(), {50, 40}, normal, AssociationParams());
     ASSERT_TRUE(r.accepted) << shift;
     EXPECT_NEAR(r.move_px, shift, 0.04);
     EXPECT_LT(r.zncc_loss, 0.02);
@@ -215,18 +225,22 @@ TEST(NormalRefinement, SlopeIsTheDerivativeOfTheDifference) {
   const Eigen::Vector2d normal(0.8, 0.6), at(50, 40);
   NormalTemplate patch;
   ASSERT_TRUE(make_normal_template(image.view(), at, Eigen::Matrix2d::Identity(), normal, 4, &patch));
-  const auto difference = [&](double move) {  // half the squared difference to the image moved along the normal
-    Patch current;
-    EXPECT_TRUE(sample_patch(image.view(), at.x() + move * normal.x(), at.y() + move * normal.y(), 4, &current));
-    EXPECT_GT(normalise(&current, 1.0f), 0);
-    double sum = 0;
-    for (int i = 0; i < current.size(); ++i) sum += 0.5 * std::pow(current.value[i] - patch.value.value[i], 2);
-    return sum;
-  };
+  const auto difference =
+      [&](double move) {  // half the squared difference to the image moved along the normal
+        Patch current;
+        EXPECT_TRUE(
+            sample_patch(image.view(), at.x() + move * normal.x(), at.y() + move * normal.y(), 4, &current));
+        EXPECT_GT(normalise(&current, 1.0f), 0);
+        double sum = 0;
+        for (int i = 0; i < current.size(); ++i)
+          sum += 0.5 * std::pow(current.value[i] - patch.value.value[i], 2);
+        return sum;
+      };
   // At small moves the difference is slope_square move^2 / 2: its second derivative is slope_square.
   constexpr double kStep = 0.25;
   const double numeric = (difference(kStep) - 2 * difference(0) + difference(-kStep)) / (kStep * kStep);
-  EXPECT_NEAR(numeric / patch.slope_square, 1.0, 0.35) << "bilinear sampling between pixels blurs, which adds to the difference";
+  EXPECT_NEAR(numeric / patch.slope_square, 1.0, 0.35)
+      << "bilinear sampling between pixels blurs, which adds to the difference";
 }
 
 TEST(PhotometricResidual, FindsTheShiftAndItsInformation) {
@@ -239,24 +253,29 @@ TEST(PhotometricResidual, FindsTheShiftAndItsInformation) {
   const Plane<float> host = magnitude({0, 0}, 1);
   int usable = 0;
   double square = 0;
-  for (const Eigen::Vector2d& shift : {Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(-0.25, 0.3), Eigen::Vector2d(0, 0)}) {
+  for (const Eigen::Vector2d& shift :
+       {Eigen::Vector2d(0.3, -0.2), Eigen::Vector2d(-0.25, 0.3), Eigen::Vector2d(0, 0)}) {
     const Plane<float> target = magnitude(shift, 0.6);
     for (double x = 20; x < 80; x += 7)
       for (double y = 20; y < 60; y += 7) {
         const PhotometricResidual r =
             photometric_residual(host.view(), {x, y}, Eigen::Matrix2d::Identity(), target.view(), {x, y});
-        if (!r.usable || r.information.eigenvalues().real().minCoeff() < 0.1) continue;  // not well observed both ways
+        if (!r.usable || r.information.eigenvalues().real().minCoeff() < 0.1)
+          continue;  // not well observed both ways
         ++usable;
         square += (r.shift - shift).squaredNorm();
         EXPECT_LT((r.shift - shift).norm(), 0.5) << x << " " << y;
         // Information is the second derivative of half the mean square along each axis, at the match.
         const auto half_square = [&](double dx, double dy) {
-          return 0.5 * photometric_residual(host.view(), {x, y}, Eigen::Matrix2d::Identity(), host.view(), {x + dx, y + dy}).mean_square;
+          return 0.5 * photometric_residual(host.view(), {x, y}, Eigen::Matrix2d::Identity(), host.view(),
+                                            {x + dx, y + dy})
+                           .mean_square;
         };
         constexpr double kStep = 0.2;
         const double xx = (half_square(kStep, 0) + half_square(-kStep, 0)) / (kStep * kStep);
         EXPECT_GT(xx / r.information(0, 0), 0.5);
-        EXPECT_LT(xx / r.information(0, 0), 2.0);  // bilinear sampling between pixels blurs, which adds to the difference
+        EXPECT_LT(xx / r.information(0, 0),
+                  2.0);  // bilinear sampling between pixels blurs, which adds to the difference
       }
   }
   EXPECT_GT(usable, 10);
@@ -301,8 +320,10 @@ Outcome associate_all(const AssociationParams& params, double gain, double idept
     const Match m = associate(q, params);
     if (m.kind == MatchKind::kNone) continue;
     ++o.matched;
-    const Eigen::Vector2d exact = project(scene.camera.pinhole, T_target_host.R(), T_target_host.translation(),
-                                          scene.camera.pinhole.ray(q.px_host), truth).px;
+    const Eigen::Vector2d exact =
+        project(scene.camera.pinhole, T_target_host.R(), T_target_host.translation(),
+                scene.camera.pinhole.ray(q.px_host), truth)
+            .px;
     const Eigen::Vector2d d = m.px - exact;
     normal_square += std::pow(m.normal.dot(d), 2);
     EXPECT_GE(m.match_confidence, 0);
@@ -333,7 +354,8 @@ TEST(Associate, RefinementSharpensTheNormalPosition) {
 }
 
 TEST(Associate, HoldsWhenTheLightChanges) {
-  const Outcome normal = associate_all(AssociationParams(), 1.0, 0.0), dark = associate_all(AssociationParams(), 0.5, 0.0);
+  const Outcome normal = associate_all(AssociationParams(), 1.0, 0.0),
+                dark = associate_all(AssociationParams(), 0.5, 0.0);
   EXPECT_GT(dark.matched, 0.85 * normal.matched);
   EXPECT_LT(dark.normal_rms, 0.2);
 }

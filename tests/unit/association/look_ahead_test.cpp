@@ -37,7 +37,10 @@ TEST(LookAhead, AsksForTheEdgesThatAreNear) {
 TEST(LookAhead, TakesMorePlacesThanItHoldsAnywhere) {
   const test::PlaneScene scene;
   const auto frame = scene.pyramid(SE3());
-  const auto blank = PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 90; }));
+  const auto blank =
+      PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) {
+        return 90;
+      }));
   const AssociationParams params;
   LookAhead look_ahead(params);
   int added = 0;

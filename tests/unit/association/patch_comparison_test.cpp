@@ -69,8 +69,9 @@ TEST_P(PatchComparisons, GainAndOffset) {
 TEST_P(PatchComparisons, TheBorderIsRefused) {
   Patch patch;
   EXPECT_FALSE(comparison().cut(level, {1, 100}, kNoWarp, 2, &patch));
-  ASSERT_TRUE(
-      comparison().cut(level, level.edges.pixels[level.edges.pixels.size() / 2].position().cast<double>(), kNoWarp, 2, &patch));
+  ASSERT_TRUE(comparison().cut(level,
+                               level.edges.pixels[level.edges.pixels.size() / 2].position().cast<double>(),
+                               kNoWarp, 2, &patch));
   EXPECT_EQ(comparison().cost(patch, level, 1, 100), kWorstPatchCost);
   EXPECT_EQ(comparison().cost(patch, level, 318.5, 100), kWorstPatchCost);
 }

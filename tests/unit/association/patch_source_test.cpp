@@ -12,7 +12,9 @@ namespace {
 
 Eigen::Matrix2d scaled(double scale) { return scale * Eigen::Matrix2d::Identity(); }
 
-int level_of(const FramePyramid& host, double scale) { return int(patch_source(host, {100, 60}, scaled(scale)).level - host.levels.data()); }
+int level_of(const FramePyramid& host, double scale) {
+  return int(patch_source(host, {100, 60}, scaled(scale)).level - host.levels.data());
+}
 
 TEST(PatchSource, TheLevelWhosePixelsAreNearestInSize) {
   const auto host = test::PlaneScene().pyramid(SE3());
@@ -37,7 +39,8 @@ TEST(PatchSource, NoLevelWithoutGradients) {
   EXPECT_LT(level_of(*host, 0.01), int(host->levels.size()));
 }
 
-// A camera that backed away to more than twice the distance: patches cut there are more like what it sees than those of the finest level.
+// A camera that backed away to more than twice the distance: patches cut there are more like what it sees
+// than those of the finest level.
 TEST(PatchSource, APatchSeenFromAfarLooksAlike) {
   const test::PlaneScene scene;
   const SE3 T_host_target(Eigen::Quaterniond::Identity(), {0, 0, -6});

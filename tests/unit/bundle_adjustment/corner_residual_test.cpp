@@ -1,4 +1,5 @@
-// Corners in the bundle adjustment: residual and derivatives, what they tell and what they leave alone, both solvers, the prior.
+// Corners in the bundle adjustment: residual and derivatives, what they tell and what they leave alone, both
+// solvers, the prior.
 #include "residuals/corner_residual.h"
 
 #include <gtest/gtest.h>
@@ -29,16 +30,19 @@ SE3 motion(const BaProblem& p) { return p.poses[1].T_cam_world * p.poses[0].T_ca
 
 TEST(BundleAdjustmentCorners, ResidualIsTheDistanceFromBothEpipolarLines) {
   const SE3 sideways(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-0.5, 0, 0));
-  const Eigen::Vector3d x = pinhole().ray({400, 200}), one_px_off = x + Eigen::Vector3d(-0.05, 1 / pinhole().fx, 0);
+  const Eigen::Vector3d x = pinhole().ray({400, 200}),
+                        one_px_off = x + Eigen::Vector3d(-0.05, 1 / pinhole().fx, 0);
   // The epipolar lines are rows: half of the pixel is corrected in either image.
-  EXPECT_NEAR(std::abs(ba::linearize(pinhole(), sideways, {0, 1, x, one_px_off, 3}).residual), 3 / std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(std::abs(ba::linearize(pinhole(), sideways, {0, 1, x, one_px_off, 3}).residual),
+              3 / std::sqrt(2.0), 1e-9);
 }
 
 TEST(BundleAdjustmentCorners, TheLengthOfTheWayDoesNotMatter) {
   const BaProblem p = perturb(two_views(), 0, 0.01, 0, 3);
   const SE3 T = motion(p);
   for (const BaCornerPair& c : p.corners)
-    EXPECT_NEAR(ba::linearize(p.pinhole, T, c).residual, ba::linearize(p.pinhole, SE3(T.rotation(), 7 * T.translation()), c).residual, 1e-9);
+    EXPECT_NEAR(ba::linearize(p.pinhole, T, c).residual,
+                ba::linearize(p.pinhole, SE3(T.rotation(), 7 * T.translation()), c).residual, 1e-9);
 }
 
 // Where a corner fits, the denominator, which is held, does not matter: the derivatives are exact there.
@@ -51,7 +55,9 @@ TEST(BundleAdjustmentCorners, DerivativesAreTheNumericOnes) {
     const Vector6d J_from = -(to * from.inverse()).adjoint().transpose() * lin.J_to;
     for (int k = 0; k < 6; ++k) {
       const SE3 plus = SE3::exp(1e-6 * Vector6d::Unit(k)), minus = plus.inverse();
-      const auto residual = [&](const SE3& T_to, const SE3& T_from) { return ba::linearize(p.pinhole, T_to * T_from.inverse(), c).residual; };
+      const auto residual = [&](const SE3& T_to, const SE3& T_from) {
+        return ba::linearize(p.pinhole, T_to * T_from.inverse(), c).residual;
+      };
       const double by_to = (residual(plus * to, from) - residual(minus * to, from)) / 2e-6;
       const double by_from = (residual(to, plus * from) - residual(to, minus * from)) / 2e-6;
       EXPECT_NEAR(lin.J_to[k], by_to, 1e-3 * (1 + std::abs(by_to)));
@@ -61,7 +67,8 @@ TEST(BundleAdjustmentCorners, DerivativesAreTheNumericOnes) {
 }
 
 class CornerAdjusters : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Both, CornerAdjusters, testing::Values("schur", "ceres"), [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Both, CornerAdjusters, testing::Values("schur", "ceres"),
+                         [](const auto& info) { return info.param; });
 
 TEST_P(CornerAdjusters, CornersAloneTellRotationAndDirection) {
   const BaProblem truth = two_views();
@@ -81,7 +88,8 @@ TEST(BundleAdjustmentCorners, SolversTakeTheSameSteps) {
     options.max_iterations = iterations;
     options.relative_decrease = 0;
     BaProblem a = start, b = start;
-    const BaResult schur = make_bundle_adjuster("schur")->solve(&a, options), ceres = make_bundle_adjuster("ceres")->solve(&b, options);
+    const BaResult schur = make_bundle_adjuster("schur")->solve(&a, options),
+                   ceres = make_bundle_adjuster("ceres")->solve(&b, options);
     EXPECT_NEAR(schur.initial_cost, ceres.initial_cost, 1e-10 * ceres.initial_cost);
     EXPECT_NEAR(schur.final_cost, ceres.final_cost, 1e-9 * ceres.final_cost);
     EXPECT_LT(pose_difference(a, b), 1e-9);

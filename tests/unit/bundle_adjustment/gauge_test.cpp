@@ -6,7 +6,9 @@
 namespace edgevo {
 namespace {
 
-double cost(const BaPrior& prior, const Vector6d& xi) { return 0.5 * xi.dot(prior.H * xi) + prior.b.dot(xi) + prior.constant; }
+double cost(const BaPrior& prior, const Vector6d& xi) {
+  return 0.5 * xi.dot(prior.H * xi) + prior.b.dot(xi) + prior.constant;
+}
 
 Vector6d translation(const Eigen::Vector3d& v) {
   Vector6d xi = Vector6d::Zero();
@@ -15,7 +17,8 @@ Vector6d translation(const Eigen::Vector3d& v) {
 }
 
 TEST(HoldBaseline, HoldsTheLengthAndNothingElse) {
-  const SE3 first(Eigen::Quaterniond(0.9, 0.1, -0.2, 0.05), {1, 2, 3}), last(Eigen::Quaterniond(0.8, -0.1, 0.3, 0.2), {-2, 0.5, 4});
+  const SE3 first(Eigen::Quaterniond(0.9, 0.1, -0.2, 0.05), {1, 2, 3}),
+      last(Eigen::Quaterniond(0.8, -0.1, 0.3, 0.2), {-2, 0.5, 4});
   const BaPrior prior = ba::hold_baseline(first, last, 7);
   ASSERT_EQ(prior.pose_ids, std::vector<int>{7});
   EXPECT_EQ(prior.linearization[0].matrix(), last.matrix());

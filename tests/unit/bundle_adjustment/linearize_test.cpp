@@ -25,7 +25,7 @@ struct Case {
     BaPoint point = problem.points[o.point];
     point.idepth += move_idepth;
     return ba::linearize(problem.pinhole, move_target * problem.poses[o.target].T_cam_world,
-                     move_host * problem.poses[point.host].T_cam_world, point, o);
+                         move_host * problem.poses[point.host].T_cam_world, point, o);
   }
 };
 

@@ -45,7 +45,9 @@ TEST(NormalEquations, CostAndDepthsAloneAreTheBitsOfTheWhole) {
 TEST(NormalEquations, PointsBehindTheCameraCostTheSameInBoth) {
   BothPasses passes;
   SE3& turned = passes.state.poses[3];
-  turned = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY())), Eigen::Vector3d::Zero()) * turned;
+  turned =
+      SE3(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY())), Eigen::Vector3d::Zero()) *
+      turned;
   passes.run();
   EXPECT_GT(passes.whole.cost, 1e5);
   EXPECT_EQ(passes.part.cost, passes.whole.cost);

@@ -30,7 +30,8 @@ TEST(ProblemIndex, HasEveryPointWithItsHostAndItsObservations) {
     }
   ASSERT_EQ(index.first_observation.back(), int(p.observations.size()));
   for (size_t i = 0; i < p.points.size(); ++i)
-    for (int k = index.first_observation[i]; k < index.first_observation[i + 1]; ++k) EXPECT_EQ(p.observations[k].point, int(i));
+    for (int k = index.first_observation[i]; k < index.first_observation[i + 1]; ++k)
+      EXPECT_EQ(p.observations[k].point, int(i));
 }
 
 TEST(ProblemIndex, AHostsProblemHasItsPointsAndMatchesAmongThePoses) {

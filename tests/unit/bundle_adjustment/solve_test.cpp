@@ -78,7 +78,7 @@ TEST_P(BundleAdjusters, CostIsTheSumOfHuberCosts) {
   for (const BaObservation& o : problem.observations) {
     const BaPoint& p = problem.points[o.point];
     const double r = ba::linearize(problem.pinhole, problem.poses[o.target].T_cam_world,
-                               problem.poses[p.host].T_cam_world, p, o)
+                                   problem.poses[p.host].T_cam_world, p, o)
                          .residual.norm();
     expected +=
         r <= options.huber_width ? 0.5 * r * r : options.huber_width * (r - 0.5 * options.huber_width);
@@ -97,8 +97,8 @@ TEST_P(BundleAdjusters, ReportsResidualsAndSigmasAtTheSolution) {
   for (std::size_t i = 0; i < found.observations.size(); ++i) {
     const BaObservation& o = found.observations[i];
     const BaPoint& p = found.points[o.point];
-    const ba::EdgeLinearization lin =
-        ba::linearize(found.pinhole, found.poses[o.target].T_cam_world, found.poses[p.host].T_cam_world, p, o);
+    const ba::EdgeLinearization lin = ba::linearize(found.pinhole, found.poses[o.target].T_cam_world,
+                                                    found.poses[p.host].T_cam_world, p, o);
     ASSERT_EQ(result.observation_valid[i], 1);
     EXPECT_NEAR(result.residual_normal_px[i] * o.inv_sigma_normal, lin.residual[0], 1e-9);
     EXPECT_NEAR(result.residual_tangent_px[i] * o.inv_sigma_tangent, lin.residual[1], 1e-9);

@@ -32,8 +32,8 @@ TEST(Camera, DistortsAsOpenCvDoes) {
     for (double u = 0; u < 640; u += 37) {
       const Eigen::Vector2d x = normalised(c.pinhole, u, v);
       std::vector<cv::Point2d> projected;
-      cv::projectPoints(std::vector<cv::Point3d>{{x.x(), x.y(), 1.0}}, cv::Vec3d(), cv::Vec3d(), K_of(c.pinhole),
-                        D_of(c.distortion), projected);
+      cv::projectPoints(std::vector<cv::Point3d>{{x.x(), x.y(), 1.0}}, cv::Vec3d(), cv::Vec3d(),
+                        K_of(c.pinhole), D_of(c.distortion), projected);
       const Eigen::Vector2d d = c.distort(x);
       EXPECT_NEAR(c.pinhole.fx * d.x() + c.pinhole.cx, projected[0].x, 1e-9);
       EXPECT_NEAR(c.pinhole.fy * d.y() + c.pinhole.cy, projected[0].y, 1e-9);
@@ -94,8 +94,8 @@ TEST(UndistortionMaps, AreThoseOfOpenCv) {
   ASSERT_EQ(maps.x.size(), 640u * 480u);
   ASSERT_EQ(maps.y.size(), 640u * 480u);
   cv::Mat map_x, map_y;
-  cv::initUndistortRectifyMap(K_of(c.pinhole), D_of(c.distortion), cv::noArray(), K_of(c.pinhole), cv::Size(640, 480),
-                              CV_32FC1, map_x, map_y);
+  cv::initUndistortRectifyMap(K_of(c.pinhole), D_of(c.distortion), cv::noArray(), K_of(c.pinhole),
+                              cv::Size(640, 480), CV_32FC1, map_x, map_y);
   double worst = 0;
   for (int v = 0; v < 480; ++v)
     for (int u = 0; u < 640; ++u)
@@ -114,8 +114,8 @@ TEST(Pinhole, RayAndProjectionAreInverse) {
 TEST(Pinhole, ALevelHalvesCoordinatesAndRoundsSizesUp) {
   Pinhole p{700, 710, 600.5, 180.25, 1241, 375};
   const Pinhole level = p.at_level(2);
-  EXPECT_EQ(level.width, 311);   // 1241 -> 621 -> 311, as cv::pyrDown
-  EXPECT_EQ(level.height, 94);   // 375 -> 188 -> 94
+  EXPECT_EQ(level.width, 311);  // 1241 -> 621 -> 311, as cv::pyrDown
+  EXPECT_EQ(level.height, 94);  // 375 -> 188 -> 94
   const Eigen::Vector3d point(0.7, -0.3, 5);
   EXPECT_LT((level.project(point) - p.project(point) / 4).norm(), 1e-12);
   cv::Mat image(375, 1241, CV_8U, cv::Scalar(0)), half, quarter;

@@ -7,8 +7,9 @@ namespace edgevo {
 namespace {
 
 TEST(ImageNames, NumbersCompareAsNumbers) {
-  for (const auto& [before, after] : {std::pair("img2", "img10"), std::pair("009", "10"), std::pair("a1b2", "a1b10"),
-                                      std::pair("1305031102.175304", "1305031102.211214"), std::pair("a", "b")}) {
+  for (const auto& [before, after] :
+       {std::pair("img2", "img10"), std::pair("009", "10"), std::pair("a1b2", "a1b10"),
+        std::pair("1305031102.175304", "1305031102.211214"), std::pair("a", "b")}) {
     EXPECT_TRUE(natural_less(before, after)) << before << " " << after;
     EXPECT_FALSE(natural_less(after, before)) << before << " " << after;
   }

@@ -28,7 +28,9 @@ const std::vector<Library> kLibraries{
     {"OpenCV", {"opencv2/", "opencv/"}, {"edges"}},
 };
 
-bool begins_with(const std::string& s, const std::string& prefix) { return s.compare(0, prefix.size(), prefix) == 0; }
+bool begins_with(const std::string& s, const std::string& prefix) {
+  return s.compare(0, prefix.size(), prefix) == 0;
+}
 
 // "modules/NAME/..." -> NAME; empty for a file elsewhere.
 std::string module_of(const std::string& path) {
@@ -49,8 +51,9 @@ std::vector<Include> includes_of(const std::string& text) {
   std::istringstream in(text);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' || c == '\t' || c == '\r'; }),
-               line.end());
+    line.erase(
+        std::remove_if(line.begin(), line.end(), [](char c) { return c == ' ' || c == '\t' || c == '\r'; }),
+        line.end());
     if (!begins_with(line, "#include")) continue;
     const size_t open = line.find_first_of("<\""), close = line.find_first_of(">\"", open + 1);
     if (open != std::string::npos && close != std::string::npos)
@@ -59,12 +62,14 @@ std::vector<Include> includes_of(const std::string& text) {
   return found;
 }
 
-std::string module_rule(const std::string& user, const Include& include, const std::vector<std::string>& order) {
+std::string module_rule(const std::string& user, const Include& include,
+                        const std::vector<std::string>& order) {
   if (include.name.find("../") != std::string::npos || begins_with(include.name, "modules/"))
     return "reaches into another folder; include the public header edgevo/MODULE/X.h";
   if (!begins_with(include.name, "edgevo/")) return {};
   const std::string used = include.name.substr(7, include.name.find('/', 7) - 7);
-  const auto user_at = std::find(order.begin(), order.end(), user), used_at = std::find(order.begin(), order.end(), used);
+  const auto user_at = std::find(order.begin(), order.end(), user),
+             used_at = std::find(order.begin(), order.end(), used);
   if (used_at == order.end()) return "is of no module that CMakeLists.txt lists";
   if (used_at > user_at) return "reaches upward: " + user + " stands below " + used;
   if (used != user && kSiblings.count(user) && kSiblings.count(used))
@@ -78,7 +83,8 @@ std::string library_rule(const std::string& module, const Include& include) {
   for (const Library& library : kLibraries)
     for (const std::string& prefix : library.prefixes)
       if (begins_with(include.name, prefix) && !library.owners.count(module))
-        return std::string("shows ") + library.name + " in a public header of " + module + ", which does not own it";
+        return std::string("shows ") + library.name + " in a public header of " + module +
+               ", which does not own it";
   return {};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The include rules of the project, as a function of the text of a file: which module may use which, and which library's
-// headers may stand in whose public headers.
+// The include rules of the project, as a function of the text of a file: which module may use which, and
+// which library's headers may stand in whose public headers.
 #include <string>
 #include <vector>
 
@@ -12,7 +12,8 @@ struct SourceFile {
   std::string text;
 };
 
-/// The names of the modules, bottom to top, as CMakeLists.txt lists them (EDGEVO_MODULES). Empty if it does not.
+/// The names of the modules, bottom to top, as CMakeLists.txt lists them (EDGEVO_MODULES). Empty if it does
+/// not.
 std::vector<std::string> module_order(const std::string& cmake_lists);
 
 /// What the file's includes break, one sentence each; empty if nothing.

@@ -34,7 +34,8 @@ TEST(ReadFile, GivesEveryByteBack) {
 }
 
 TEST(ReadFile, TellsWhyItCannot) {
-  EXPECT_EQ(error_of("/nonexistent/x"), "/nonexistent/x: cannot be read: No such file or directory; give another");
+  EXPECT_EQ(error_of("/nonexistent/x"),
+            "/nonexistent/x: cannot be read: No such file or directory; give another");
   EXPECT_THAT(error_of(::testing::TempDir()), ::testing::HasSubstr("cannot be read: Is a directory"));
 }
 

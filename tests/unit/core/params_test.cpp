@@ -74,7 +74,8 @@ TEST(Params, OverwritesOnlyWhatIsNamed) {
 
 TEST(Params, OddNumbersAreOdd) {
   EXPECT_EQ(read("mapping:\n  patch: 7\n").patch, 7);
-  EXPECT_THAT(error_of("mapping:\n  patch: 6\n"), StartsWith("p.yaml:2: mapping.patch: '6' is even; write an odd number"));
+  EXPECT_THAT(error_of("mapping:\n  patch: 6\n"),
+              StartsWith("p.yaml:2: mapping.patch: '6' is even; write an odd number"));
   EXPECT_THAT(error_of("mapping:\n  patch: 13\n"), HasSubstr("between 3 and 11"));
   EXPECT_THAT(error_of("mapping:\n  patch: 5.5\n"), HasSubstr("not a whole number"));
   TestParams p;
@@ -92,7 +93,8 @@ TEST(Params, AnUnknownKeyOffersTheNearestName) {
   EXPECT_EQ(error_of("mapping:\n  windw: 9\n"),
             "p.yaml:2: unknown parameter 'mapping.windw'; did you mean 'mapping.window'?");
   EXPECT_THAT(error_of("window: 9\n"), HasSubstr("did you mean 'mapping.window'?"));
-  EXPECT_THAT(error_of("edges:\n  percentile:\n    x: 1\n"), HasSubstr("p.yaml:2: edges.percentile has no value"));
+  EXPECT_THAT(error_of("edges:\n  percentile:\n    x: 1\n"),
+              HasSubstr("p.yaml:2: edges.percentile has no value"));
   EXPECT_THAT(error_of("nonsense:\n"), HasSubstr("unknown parameter 'nonsense'"));  // even without a value
 }
 
@@ -111,7 +113,8 @@ TEST(Params, AWrongTypeIsAnError) {
   EXPECT_THAT(error_of("mapping:\n  window: 7.5\n"), HasSubstr("'7.5' is not a whole number"));
   EXPECT_THAT(error_of("mapping:\n  window: 7px\n"), HasSubstr("'7px' is not a number"));
   EXPECT_THAT(error_of("mapping:\n  window: 0x7\n"), HasSubstr("'0x7' is not a number"));
-  EXPECT_THAT(error_of("mapping:\n  deep:\n    realtime: yes\n"), HasSubstr("'yes' is neither true nor false"));
+  EXPECT_THAT(error_of("mapping:\n  deep:\n    realtime: yes\n"),
+              HasSubstr("'yes' is neither true nor false"));
   EXPECT_THAT(error_of("mapping:\n  window:\n"), HasSubstr("mapping.window has no value"));
   EXPECT_THAT(error_of("edges: 3\n"), HasSubstr("edges is a group of parameters, not a value"));
   EXPECT_THAT(error_of("mapping:\n  window: [7, 8]\n"), HasSubstr("p.yaml:2: holds a list"));
@@ -142,14 +145,16 @@ TEST(Params, WhatIsNoNestedKeyAndValueIsRefused) {
 
 TEST(Params, IndentationIsChecked) {
   EXPECT_THAT(error_of("edges:\n\tpercentile: 0.6\n"), HasSubstr("p.yaml:2: is indented with a tab"));
-  EXPECT_THAT(error_of("model: a\n  window: 7\n"), HasSubstr("p.yaml:2: is indented more than the line above"));
+  EXPECT_THAT(error_of("model: a\n  window: 7\n"),
+              HasSubstr("p.yaml:2: is indented more than the line above"));
   EXPECT_THAT(error_of("mapping:\n    window: 7\n  deep:\n"), HasSubstr("p.yaml:3: does not align"));
   EXPECT_EQ(read("  mapping:\n      window: 9\n  model: a\n").window, 9);  // as write_params indents
 }
 
 TEST(Params, AKeyGivenTwiceIsAnError) {
   EXPECT_EQ(error_of("model: a\nmodel: b\n"), "p.yaml:2: model was given in line 1 already; keep one");
-  EXPECT_THAT(error_of("edges:\nmodel: a\nedges:\n  percentile: 0.6\n"), HasSubstr("edges was given in line 1"));
+  EXPECT_THAT(error_of("edges:\nmodel: a\nedges:\n  percentile: 0.6\n"),
+              HasSubstr("edges was given in line 1"));
 }
 
 TEST(Params, CommentsQuotesAndCarriageReturns) {
@@ -162,20 +167,24 @@ TEST(Params, CommentsQuotesAndCarriageReturns) {
 // Damages a good file at random: either it reads, within the ranges, or one line says what is wrong.
 TEST(Params, SurvivesDamagedFiles) {
   Random random(11);
-  const std::string good = "# p\nmapping:\n  window: 9\n  deep:\n    realtime: true\nmodel: 'a'\nedges:\n  percentile: 0.6\n";
+  const std::string good =
+      "# p\nmapping:\n  window: 9\n  deep:\n    realtime: true\nmodel: 'a'\nedges:\n  percentile: 0.6\n";
   constexpr char kAlphabet[] = "abw:.-#'\"\\[]{}|>&*!%@~ \n\r\t0129e\x80\xff";
   int accepted = 0, refused = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     std::string text = good;
     for (int changes = 1 + random.below(3); changes > 0; --changes) {
       const size_t at = size_t(random.below(int(text.size())));
-      if (random.below(2)) text.insert(at, 1, kAlphabet[random.below(int(sizeof kAlphabet))]);
-      else text.erase(at, size_t(1 + random.below(5)));
+      if (random.below(2))
+        text.insert(at, 1, kAlphabet[random.below(int(sizeof kAlphabet))]);
+      else
+        text.erase(at, size_t(1 + random.below(5)));
     }
     try {
       const TestParams p = read(text);
       ++accepted;
-      ASSERT_TRUE(p.window >= 3 && p.window <= 20 && p.edges.percentile >= 0.5 && p.edges.percentile <= 0.99) << text;
+      ASSERT_TRUE(p.window >= 3 && p.window <= 20 && p.edges.percentile >= 0.5 && p.edges.percentile <= 0.99)
+          << text;
     } catch (const InputError& e) {
       ++refused;
       ASSERT_EQ(std::string(e.what()).find_first_of("\r\n"), std::string::npos) << text;
@@ -186,7 +195,8 @@ TEST(Params, SurvivesDamagedFiles) {
 }
 
 TEST(Params, MessagesAreOneLine) {
-  for (const char* yaml : {"mapping:\n  window: \"1\\n2\"\n", "\"a\\nb\": 1\n", "edges:\n  detector: \"x\\ny\"\n"}) {
+  for (const char* yaml :
+       {"mapping:\n  window: \"1\\n2\"\n", "\"a\\nb\": 1\n", "edges:\n  detector: \"x\\ny\"\n"}) {
     const std::string error = error_of(yaml);
     EXPECT_FALSE(error.empty());
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
@@ -205,9 +215,10 @@ TEST(Params, WrittenValuesReadBackUnchanged) {
   p.realtime = true;
   p.edges.percentile = 0.5 + 1.0 / 3.0;
   p.edges.detector = "structured";
-  for (const char* model : {"", "a/b.yml", "C: odd #name", "'quoted'", "\"double\"", "true", "12", "- dash", " blank ",
-                            "[list]", "{map}", "*star", "&amp", "null", "~", "back\\slash",
-                            "two\nlines", "it's", "-", "a:", "x: y", "\t"}) {
+  for (const char* model : {"",       "a/b.yml",     "C: odd #name", "'quoted'", "\"double\"", "true", "12",
+                            "- dash", " blank ",     "[list]",       "{map}",    "*star",      "&amp", "null",
+                            "~",      "back\\slash", "two\nlines",   "it's",     "-",          "a:",   "x: y",
+                            "\t"}) {
     p.model = model;
     for (bool comments : {false, true}) {
       const TestParams q = read(write_params(visitor(&p), 0, comments));
@@ -223,7 +234,8 @@ TEST(Params, WrittenValuesReadBackUnchanged) {
 TEST(Params, WritesInTheOrderOfVisitWithHelpAndRange) {
   TestParams p;
   EXPECT_EQ(write_params(visitor(&p), 2),
-            "  mapping:\n    window: 7\n    patch: 5\n    deep:\n      realtime: false\n  model: ''\n  edges:\n    percentile: 0.9\n"
+            "  mapping:\n    window: 7\n    patch: 5\n    deep:\n      realtime: false\n  model: ''\n  "
+            "edges:\n    percentile: 0.9\n"
             "    detector: canny\n");
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("window: 7  # keyframes; [3, 20]"));
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("canny | edge_drawing | structured"));

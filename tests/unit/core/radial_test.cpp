@@ -17,11 +17,14 @@ TEST(Radial, RemovingUndoesAdding) {
       }
 }
 
-TEST(Radial, TheCentreStays) { EXPECT_EQ(remove_radial(0.02, Eigen::Vector2d::Zero()), Eigen::Vector2d::Zero()); }
+TEST(Radial, TheCentreStays) {
+  EXPECT_EQ(remove_radial(0.02, Eigen::Vector2d::Zero()), Eigen::Vector2d::Zero());
+}
 
 TEST(Radial, DerivativesAreTheNumericOnes) {
   const double k1 = 0.017, step = 1e-6;
-  for (const Eigen::Vector2d& x : {Eigen::Vector2d(0.7, -0.2), Eigen::Vector2d(-0.3, 0.5), Eigen::Vector2d(0, 0)}) {
+  for (const Eigen::Vector2d& x :
+       {Eigen::Vector2d(0.7, -0.2), Eigen::Vector2d(-0.3, 0.5), Eigen::Vector2d(0, 0)}) {
     Eigen::Matrix2d J;
     for (int i = 0; i < 2; ++i) {
       const Eigen::Vector2d d = step * Eigen::Vector2d::Unit(i);

@@ -31,8 +31,8 @@ Eigen::Matrix4d hat(const Vector6d& xi) {
 
 SE3 random_motion(Random& random) { return SE3::exp(random_tangent(random, 3.0, random.uniform(0, 3.0))); }
 
-const double kAngles[] = {0.0, 1e-12, 1e-9, 1e-7, 0.99e-5, 1.01e-5, 1e-4, 0.0099, 0.0101, 0.1, 1.0, 2.5, 3.0,
-                          M_PI - 1e-3, M_PI - 1e-6, M_PI - 1e-9};
+const double kAngles[] = {0.0,    1e-12, 1e-9, 1e-7, 0.99e-5, 1.01e-5,     1e-4,        0.0099,
+                          0.0101, 0.1,   1.0,  2.5,  3.0,     M_PI - 1e-3, M_PI - 1e-6, M_PI - 1e-9};
 
 TEST(SE3, SkewIsTheCrossProduct) {
   const Eigen::Vector3d a(1, -2, 3), b(0.5, 4, -1);
@@ -149,7 +149,8 @@ TEST(SE3, TellsWhatIsNotFinite) {
 TEST(Sim3, ComposesAndInvertsAsItsEquationSays) {
   Random random(6);
   for (int trial = 0; trial < 100; ++trial) {
-    const Sim3 A{std::exp(random.normal()), random_motion(random)}, B{std::exp(random.normal()), random_motion(random)};
+    const Sim3 A{std::exp(random.normal()), random_motion(random)},
+        B{std::exp(random.normal()), random_motion(random)};
     const Eigen::Vector3d p = 10 * random_direction(random);
     const Eigen::Vector3d direct = A.scale * (A.rigid.R() * p) + A.rigid.translation();
     EXPECT_LT((A * p - direct).norm(), 1e-12 * (1 + direct.norm()));

@@ -32,8 +32,8 @@ TEST(Timestamp, WritesSevenDecimals) {
 }
 
 TEST(Timestamp, ReadsWhatDatasetsWrite) {
-  EXPECT_EQ(ticks_of("1305031102.175304"), 13050311021753040);   // TUM
-  EXPECT_EQ(ticks_of("1.036224e-01"), 1036224);                  // KITTI
+  EXPECT_EQ(ticks_of("1305031102.175304"), 13050311021753040);  // TUM
+  EXPECT_EQ(ticks_of("1.036224e-01"), 1036224);                 // KITTI
   EXPECT_EQ(ticks_of("0.000000e+00"), 0);
   EXPECT_EQ(ticks_of("1403636579.763555584"), 14036365797635556);  // EuRoC's nanoseconds round to the tick
   EXPECT_EQ(ticks_of("12"), 120'000'000);
@@ -48,8 +48,8 @@ TEST(Timestamp, TheEighthDecimalRounds) {
 }
 
 TEST(Timestamp, RefusesWhatIsNotWhollyANumber) {
-  for (const char* text : {"", "-", ".", "1.2.3", "12s", " 1", "1 ", "nan", "inf", "1e", "1e99", "--1", "+1", "0x10",
-                           "999999999999999999999", "1,5"})
+  for (const char* text : {"", "-", ".", "1.2.3", "12s", " 1", "1 ", "nan", "inf", "1e", "1e99", "--1", "+1",
+                           "0x10", "999999999999999999999", "1,5"})
     EXPECT_TRUE(is_refused(text)) << text;
 }
 

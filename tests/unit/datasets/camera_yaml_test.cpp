@@ -1,4 +1,5 @@
-// What camera_yaml() writes, as its readers see it: ours, OpenCV's and MRPT's. (yaml-cpp, under ROS's parser, was tried by hand: README.)
+// What camera_yaml() writes, as its readers see it: ours, OpenCV's and MRPT's. (yaml-cpp, under ROS's parser,
+// was tried by hand: README.)
 #include <mrpt/containers/yaml.h>
 #include <mrpt/img/TCamera.h>
 
@@ -25,7 +26,9 @@ std::vector<double> lens(const Camera& c) {
 
 class CameraYaml : public ::testing::Test {
  protected:
-  CameraYaml() { test::write_text(path, camera_yaml(odd_camera(), "a comment: with a colon\nand [brackets")); }
+  CameraYaml() {
+    test::write_text(path, camera_yaml(odd_camera(), "a comment: with a colon\nand [brackets"));
+  }
   test::TempFolder folder;
   std::string path = folder.path() + "/camera.yaml";
 };
@@ -49,8 +52,9 @@ TEST_F(CameraYaml, IsReadByOpenCv) {
   ASSERT_EQ(P.size(), cv::Size(4, 3));
   ASSERT_EQ(K.type(), CV_64F);
   const std::vector<double> expected = lens(odd_camera());
-  const std::vector<double> found{K.at<double>(0, 0), K.at<double>(1, 1), K.at<double>(0, 2), K.at<double>(1, 2), D.at<double>(0),
-                                  D.at<double>(1),    D.at<double>(2),    D.at<double>(3),    D.at<double>(4)};
+  const std::vector<double> found{K.at<double>(0, 0), K.at<double>(1, 1), K.at<double>(0, 2),
+                                  K.at<double>(1, 2), D.at<double>(0),    D.at<double>(1),
+                                  D.at<double>(2),    D.at<double>(3),    D.at<double>(4)};
   for (size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
   EXPECT_EQ(int(file["image_width"]), 640);
   EXPECT_EQ(int(file["image_height"]), 480);

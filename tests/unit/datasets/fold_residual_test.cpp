@@ -25,11 +25,13 @@ cv::Point2d seen_by_opencv(const Camera& camera, const Eigen::Vector2d& x) {
   const Distortion& d = camera.distortion;
   std::vector<cv::Point2d> px;
   cv::projectPoints(std::vector<cv::Point3d>{{x.x(), x.y(), 1}}, cv::Vec3d(0, 0, 0), cv::Vec3d(0, 0, 0),
-                    cv::Matx33d(p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1), std::vector<double>{d.k1, d.k2, d.p1, d.p2, d.k3}, px);
+                    cv::Matx33d(p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1),
+                    std::vector<double>{d.k1, d.k2, d.p1, d.p2, d.k3}, px);
   return px[0];
 }
 
-// Largest distance, over the pixels of the image, between the true model and the folded one as OpenCV understands it.
+// Largest distance, over the pixels of the image, between the true model and the folded one as OpenCV
+// understands it.
 double largest_error(const Camera& truth, const Camera& folded) {
   const Pinhole& p = truth.pinhole;
   double largest = 0;
@@ -47,8 +49,8 @@ TEST(FoldResidual, OfAStrongLensKeepsAThirtiethOfTheShift) {
   for (const double k1 : {0.01, -0.01, 0.03}) {
     const Camera truth = tum_fr1(k1);
     const FoldedCamera folded = fold_residual(truth, "here");
-    std::cout << "[ figures  ] k1 " << k1 << ": rms " << folded.rms_error_px << ", largest " << folded.max_error_px << ", shift "
-              << folded.max_shift_px << " px\n";
+    std::cout << "[ figures  ] k1 " << k1 << ": rms " << folded.rms_error_px << ", largest "
+              << folded.max_error_px << ", shift " << folded.max_shift_px << " px\n";
     EXPECT_EQ(folded.camera.residual_k1, 0);
     EXPECT_LT(folded.rms_error_px, 1.5 * std::abs(k1));
     EXPECT_LT(folded.max_error_px, folded.max_shift_px / 25);
@@ -64,7 +66,8 @@ TEST(FoldResidual, OfAFileWithoutDistortionIsExact) {
   EXPECT_EQ(folded.camera.distortion.k1, 0.012);
   EXPECT_EQ(folded.camera.distortion.k2, 0);
   EXPECT_EQ(folded.max_error_px, 0);
-  // The corner is furthest from the principal point: x = (633/718.9, 190/718.9), moved by f k1 r^3, that is 6.8 px in x.
+  // The corner is furthest from the principal point: x = (633/718.9, 190/718.9), moved by f k1 r^3, that
+  // is 6.8 px in x.
   EXPECT_NEAR(folded.max_shift_px, 6.6, 0.4);
 }
 

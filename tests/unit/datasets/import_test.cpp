@@ -66,7 +66,9 @@ class SameNames : public ImageSource {
   std::optional<Frame> next() override {
     if (index_ == 3) return std::nullopt;
     const int w = camera_.pinhole.width, h = camera_.pinhole.height, i = index_++;
-    return Frame{i, Timestamp::from_seconds(i), {w, h, std::vector<uint8_t>(size_t(w) * h, uint8_t(i))},
+    return Frame{i,
+                 Timestamp::from_seconds(i),
+                 {w, h, std::vector<uint8_t>(size_t(w) * h, uint8_t(i))},
                  "/" + std::to_string(i) + "/left.png"};
   }
 

@@ -67,8 +67,10 @@ inline void write_virtual_kitti_2(const std::string& sequence) {
       cv::imwrite(sequence + "/frames/rgb" + camera + "/rgb_" + five_digits(i) + ".jpg", rgb);
       write_virtual_kitti_depth(sequence + "/frames/depth" + camera + "/depth_" + five_digits(i) + ".png");
       const SE3 T_cam0_cam(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.5 * c, 0, 0));
-      poses += std::to_string(i) + " " + std::to_string(c) + virtual_kitti_row(virtual_kitti_pose(i) * T_cam0_cam);
-      intrinsics += std::to_string(i) + " " + std::to_string(c) + " 20.5 21 " + std::to_string(11 + c) + " 7.5\n";
+      poses +=
+          std::to_string(i) + " " + std::to_string(c) + virtual_kitti_row(virtual_kitti_pose(i) * T_cam0_cam);
+      intrinsics +=
+          std::to_string(i) + " " + std::to_string(c) + " 20.5 21 " + std::to_string(11 + c) + " 7.5\n";
     }
   write_text(sequence + "/extrinsic.txt", poses);
   write_text(sequence + "/intrinsic.txt", intrinsics);

@@ -38,7 +38,8 @@ class VirtualKitti2 : public ::testing::Test {
 void expect_poses(const VirtualKitti& v, double beside) {
   ASSERT_EQ(v.T_world_cam.size(), size_t(kFrames));
   for (int i = 0; i < kFrames; ++i) {
-    const SE3 expected = virtual_kitti_pose(i) * SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(beside, 0, 0));
+    const SE3 expected =
+        virtual_kitti_pose(i) * SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(beside, 0, 0));
     EXPECT_LT((v.T_world_cam[size_t(i)].matrix() - expected.matrix()).norm(), 1e-9);
   }
 }
@@ -108,7 +109,8 @@ TEST_F(VirtualKitti2, PlaysAsASource) {
   const auto source = open_source(from(sequence));
   EXPECT_EQ(source->kind(), "Virtual KITTI 2.0.3");
   EXPECT_EQ(read_all(*source).size(), size_t(kFrames));
-  EXPECT_THAT(error_of([&] { open_source(from(sequence, "Camera_7")); }), HasSubstr("no camera 'Camera_7'; did you mean"));
+  EXPECT_THAT(error_of([&] { open_source(from(sequence, "Camera_7")); }),
+              HasSubstr("no camera 'Camera_7'; did you mean"));
 }
 
 TEST_F(VirtualKitti1, PlaysWithoutPosesAndDepth) {
@@ -125,7 +127,8 @@ TEST_F(VirtualKitti1, BadPosesAreTold) {
     write_text(poses_path, text);
     return error_of([&] { read_virtual_kitti(from(sequence)); });
   };
-  EXPECT_THAT(message(good.substr(0, good.rfind('\n', good.size() - 2) + 1)), HasSubstr("no pose of frame 2"));
+  EXPECT_THAT(message(good.substr(0, good.rfind('\n', good.size() - 2) + 1)),
+              HasSubstr("no pose of frame 2"));
   EXPECT_THAT(message("1 2 3\n"), HasSubstr("header line"));
   EXPECT_THAT(message(""), HasSubstr("header line"));
   EXPECT_THAT(message("frame x\n0 1 2 3\n"), HasSubstr("line 2"));
@@ -137,7 +140,8 @@ TEST_F(VirtualKitti1, BadPosesAreTold) {
 
 TEST_F(VirtualKitti2, ACalibrationThatChangesIsTold) {
   write_text(sequence + "/intrinsic.txt", "frame cameraID K\n0 0 20 20 12 8\n1 0 21 20 12 8\n");
-  EXPECT_THAT(error_of([&] { read_virtual_kitti(from(sequence)); }), HasSubstr("line 3: the calibration changes"));
+  EXPECT_THAT(error_of([&] { read_virtual_kitti(from(sequence)); }),
+              HasSubstr("line 3: the calibration changes"));
   write_text(sequence + "/intrinsic.txt", "frame cameraID K\n0 1 20 20 12 8\n");
   EXPECT_NE(error_of([&] { read_virtual_kitti(from(sequence)); }), "") << "none of camera 0";
 }

@@ -1,4 +1,5 @@
-// Dynamic programming along a chain: the hypothesis that goes on, breaks where depth jumps, none where nothing fits.
+// Dynamic programming along a chain: the hypothesis that goes on, breaks where depth jumps, none where
+// nothing fits.
 #include "chain_labels.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ ChainNode node(int i, std::vector<Hypothesis> hypotheses) { return {i, 3.0 * i, 
 
 TEST(ChainLabels, AWrongMatchThatIsCheaperGivesWayToItsNeighbours) {
   std::vector<ChainNode> nodes;
-  for (int i = 0; i < 9; ++i) nodes.push_back(node(i, {hypothesis(0.1, 1.0), hypothesis(0.02 * i + 0.3, 0.7)}));
+  for (int i = 0; i < 9; ++i)
+    nodes.push_back(node(i, {hypothesis(0.1, 1.0), hypothesis(0.02 * i + 0.3, 0.7)}));
   nodes[4].hypotheses[1].cost = 0.2;  // by far the best here, and no neighbour agrees
   const ChainLabels labels = label_chain(nodes);
   for (int i = 0; i < 9; ++i) EXPECT_EQ(labels.label[size_t(i)], 0) << i;
@@ -29,7 +31,8 @@ TEST(ChainLabels, AWrongMatchThatIsCheaperGivesWayToItsNeighbours) {
 
 TEST(ChainLabels, DepthMayJumpOnce) {
   std::vector<ChainNode> nodes;
-  for (int i = 0; i < 10; ++i) nodes.push_back(node(i, {hypothesis(i < 5 ? 0.1 : 0.3, 0.5), hypothesis(0.9 - 0.05 * i, 2.5)}));
+  for (int i = 0; i < 10; ++i)
+    nodes.push_back(node(i, {hypothesis(i < 5 ? 0.1 : 0.3, 0.5), hypothesis(0.9 - 0.05 * i, 2.5)}));
   const ChainLabels labels = label_chain(nodes);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(labels.label[size_t(i)], 0) << i;
   for (int i = 0; i < 9; ++i) EXPECT_EQ(labels.breaks[size_t(i)], i == 4) << i;

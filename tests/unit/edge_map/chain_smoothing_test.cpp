@@ -61,7 +61,8 @@ TEST(ChainSmoothing, TheDeviationIsThatOfTheError) {
 
 TEST(ChainSmoothing, WhatHasNoInformationTakesItsNeighbours) {
   std::vector<ChainValue> values;
-  for (int i = 0; i < 20; ++i) values.push_back({3.0 * i, i < 8 || i > 11 ? 0.1 * i : 77.0, i < 8 || i > 11 ? 1e-6 : 0, 0});
+  for (int i = 0; i < 20; ++i)
+    values.push_back({3.0 * i, i < 8 || i > 11 ? 0.1 * i : 77.0, i < 8 || i > 11 ? 1e-6 : 0, 0});
   const std::vector<SmoothValue> smooth = smooth_chain(values);
   for (int i = 8; i <= 11; ++i) EXPECT_NEAR(smooth[size_t(i)].value, 0.1 * i, 1e-6) << i;
 }

@@ -23,7 +23,8 @@ std::vector<EdgePiece> depths_of(int host, const std::vector<int>& frames, const
   std::vector<EdgeView> views;
   for (const int f : frames) views.push_back(view_of(host, f));
   const auto pyramid = Sweep::pyramid(host);
-  return find_edge_depths(Sweep::pinhole(), *pyramid, sample_sides(pyramid->finest()), views, max_idepth, params);
+  return find_edge_depths(Sweep::pinhole(), *pyramid, sample_sides(pyramid->finest()), views, max_idepth,
+                          params);
 }
 
 struct Figures {
@@ -35,7 +36,8 @@ Figures figures_of(int host, const std::vector<EdgePiece>& pieces) {
   Figures f;
   for (const EdgePiece& piece : pieces)
     for (const EdgeNode& n : piece) {
-      const Eigen::Vector2d px = Sweep::pyramid(host)->finest().edges.pixels[size_t(n.edge_pixel)].position().cast<double>();
+      const Eigen::Vector2d px =
+          Sweep::pyramid(host)->finest().edges.pixels[size_t(n.edge_pixel)].position().cast<double>();
       const double truth = Sweep::idepth(host, px);
       ++f.nodes;
       f.good += std::abs(n.idepth / truth - 1) < 0.03;
@@ -53,8 +55,8 @@ TEST(EdgeDepth, MostPixelsGetTheirDepth) {
   const double searched = double(Sweep::pyramid(12)->finest().edges.pixels.size()) / params.step_px;
   std::cout << "[ figures  ] " << f.nodes / searched << " of the edge pixels, " << double(f.good) / f.nodes
             << " of them within 3 %, median error " << test::median(f.in_sigmas) << " sigmas" << std::endl;
-  EXPECT_GT(f.nodes, 0.33 * searched);  // measured 0.37: half of the edges here run along the motion
-  EXPECT_GT(f.good, 0.92 * f.nodes);    // measured 0.948
+  EXPECT_GT(f.nodes, 0.33 * searched);        // measured 0.37: half of the edges here run along the motion
+  EXPECT_GT(f.good, 0.92 * f.nodes);          // measured 0.948
   EXPECT_LT(test::median(f.in_sigmas), 0.9);  // measured 0.47
 }
 
@@ -90,7 +92,8 @@ TEST(EdgeDepth, ADarkerImageIsAsGood) {
   }
   const auto host = Sweep::pyramid(12);
   const auto find = [&] {
-    return figures_of(12, find_edge_depths(Sweep::pinhole(), *host, sample_sides(host->finest()), views, 2, params));
+    return figures_of(
+        12, find_edge_depths(Sweep::pinhole(), *host, sample_sides(host->finest()), views, 2, params));
   };
   const Figures f = find();
   const Figures as_bright = figures_of(12, depths_of(12, kAround, params));

@@ -27,7 +27,8 @@ std::deque<Keyframe> keyframes() {
   return made;
 }
 
-std::vector<HostedLines> lines_of(const EdgeMapParams& params, bool own_thread, const MapRevision* revision = nullptr) {
+std::vector<HostedLines> lines_of(const EdgeMapParams& params, bool own_thread,
+                                  const MapRevision* revision = nullptr) {
   std::deque<Keyframe> window = keyframes();
   EdgeMapper mapper(Sweep::pinhole(), params, own_thread);
   while (!window.empty()) {
@@ -54,7 +55,8 @@ TEST(EdgeMapper, EachEdgeOnce) {
   const std::vector<HostedLines> fused = lines_of(full, false), apart = lines_of(each, false);
   EXPECT_EQ(fused.size(), keyframes().size());
   EXPECT_EQ(apart.size(), keyframes().size());
-  std::cout << "[ figures  ] " << vertices_in(fused) << " vertices fused, " << vertices_in(apart) << " apart" << std::endl;
+  std::cout << "[ figures  ] " << vertices_in(fused) << " vertices fused, " << vertices_in(apart) << " apart"
+            << std::endl;
   EXPECT_GT(vertices_in(fused), 1000u);
   EXPECT_LT(vertices_in(fused), vertices_in(apart) / 3);
 }

@@ -20,7 +20,8 @@ constexpr int kImages = 20;  // that it takes to tell
 
 bool is_lit(double x, double y) { return std::hypot(x - kWidth / 2.0, y - kHeight / 2.0) < kRadius; }
 
-// A chequered wall that moves to the left, seen through a lens that lights a disc only; `black` everywhere else.
+// A chequered wall that moves to the left, seen through a lens that lights a disc only; `black` everywhere
+// else.
 GrayImage through_lens(double shift, double black, double noise = 0, uint64_t seed = 1) {
   GrayImage image = test::make_image(kWidth, kHeight, [&](double x, double y) {
     const bool bright = (int(std::floor((x + shift) / 24)) + int(std::floor(y / 24))) % 2 == 0;
@@ -47,15 +48,20 @@ TEST(BorderMask, IsWhatTheLensDoesNotReach) {
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
         const double from_edge = std::hypot(x - kWidth / 2.0, y - kHeight / 2.0) - kRadius;
-        if (from_edge > -3) { ASSERT_EQ(mask.at(x, y), 255) << x << ' ' << y << " noise " << noise; }
-        if (from_edge < -10) { ASSERT_EQ(mask.at(x, y), 0) << x << ' ' << y << " noise " << noise; }
+        if (from_edge > -3) {
+          ASSERT_EQ(mask.at(x, y), 255) << x << ' ' << y << " noise " << noise;
+        }
+        if (from_edge < -10) {
+          ASSERT_EQ(mask.at(x, y), 0) << x << ' ' << y << " noise " << noise;
+        }
       }
   }
 }
 
 TEST(BorderMask, ShadowsOfTheSceneAreNone) {
   const auto shadow_at = [](double x0) {
-    return test::make_image(kWidth, kHeight, [&](double x, double) { return x > x0 && x < x0 + 60 ? 2.0 : 120.0; });
+    return test::make_image(kWidth, kHeight,
+                            [&](double x, double) { return x > x0 && x < x0 + 60 ? 2.0 : 120.0; });
   };
   BorderMask border;
   for (int k = 0; k < kImages; ++k) {
@@ -82,7 +88,8 @@ TEST(BorderMask, SmallGrayAndEnclosedAreasAreNone) {
 
 TEST(BorderMask, ABlackStartIsForgotten) {
   BorderMask border;
-  for (int k = 0; k < kImages; ++k) border.add(test::make_image(kWidth, kHeight, [](double, double) { return 0.0; }).view());
+  for (int k = 0; k < kImages; ++k)
+    border.add(test::make_image(kWidth, kHeight, [](double, double) { return 0.0; }).view());
   border.add(test::textured_image(kWidth, kHeight, 3).view());
   EXPECT_FALSE(border.mask());
 }
@@ -102,14 +109,16 @@ TEST(BorderMask, GivesNoEdges) {
   Camera camera;
   camera.pinhole = {250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight};
   const EdgeParams params;
-  EXPECT_GT(edges_of_outline(*PyramidBuilder(camera, params).build(through_lens(0, 30))), 400) << "gray belongs to the scene";
+  EXPECT_GT(edges_of_outline(*PyramidBuilder(camera, params).build(through_lens(0, 30))), 400)
+      << "gray belongs to the scene";
   PyramidBuilder builder(camera, params), rebuilder(camera, params);
   for (int k = 1; k < kImages; ++k) builder.build(through_lens(k, 0));
   const auto pyramid = builder.build(through_lens(kImages, 0));
   EXPECT_EQ(edges_of_outline(*pyramid), 0);
   EXPECT_GT(pyramid->finest().edges.pixels.size(), 1000u);
   rebuilder.set_correction({0.001, 0});
-  EXPECT_EQ(edges_of_outline(*rebuilder.rebuild(*pyramid)), 0) << "the outline of the image that it was made of";
+  EXPECT_EQ(edges_of_outline(*rebuilder.rebuild(*pyramid)), 0)
+      << "the outline of the image that it was made of";
 }
 
 Camera lens_camera() {

@@ -21,11 +21,14 @@ EdgeMap edges_of(const GrayImage& image, const std::string& detector = "canny") 
   EdgeParams params;
   params.detector = detector;
   const Gradient gradient = compute_gradient(image.view());
-  const GrayImage likely = test::make_image(image.width, image.height, [&](double x, double y) { return gradient.magnitude.at(int(x), int(y)); });
-  return extract_edges(make_edge_detector(params)->detect({image.view(), gradient, likely.view()}), gradient, params.min_chain);
+  const GrayImage likely = test::make_image(
+      image.width, image.height, [&](double x, double y) { return gradient.magnitude.at(int(x), int(y)); });
+  return extract_edges(make_edge_detector(params)->detect({image.view(), gradient, likely.view()}), gradient,
+                       params.min_chain);
 }
 
-// A blurred straight edge through (60.3, 40.2): every edge pixel must lie on it to sub-pixel, with the right normal.
+// A blurred straight edge through (60.3, 40.2): every edge pixel must lie on it to sub-pixel, with the right
+// normal.
 TEST(EdgeExtraction, StraightEdgesAreSubPixelAndPointFromDarkToBright) {
   for (double degrees : {0.0, 17.0, 45.0, 90.0, 133.0, 200.0, 301.0}) {
     const double a = degrees * M_PI / 180;
@@ -41,10 +44,12 @@ TEST(EdgeExtraction, StraightEdgesAreSubPixelAndPointFromDarkToBright) {
   }
 }
 
-// What a detector marks beside a maximum of the gradient stays where it is: a parabola that opens upwards has no top. The gray levels grow
-// by one, then two, then four a pixel from left to right.
+// What a detector marks beside a maximum of the gradient stays where it is: a parabola that opens upwards has
+// no top. The gray levels grow by one, then two, then four a pixel from left to right.
 TEST(EdgeExtraction, PixelsThatAreNoMaximumAreNotMoved) {
-  const GrayImage image = test::make_image(90, 40, [](double x, double) { return x < 30 ? x : x < 60 ? 30 + 2 * (x - 30) : 90 + 4 * (x - 60); });
+  const GrayImage image = test::make_image(90, 40, [](double x, double) {
+    return x < 30 ? x : x < 60 ? 30 + 2 * (x - 30) : 90 + 4 * (x - 60);
+  });
   const Gradient gradient = compute_gradient(image.view());
   for (const int column : {15, 28, 57}) {
     Plane<uint8_t> mask(90, 40);
@@ -100,9 +105,11 @@ TEST(EdgeExtraction, EdgeCountIsSteadyUnderGain) {
   EXPECT_NEAR(double(dark), double(normal), 0.15 * double(normal));
 }
 
-// Where many pixels share the strongest gradient, the percentile is the peak itself: the stripes must be found all the same.
+// Where many pixels share the strongest gradient, the percentile is the peak itself: the stripes must be
+// found all the same.
 TEST(EdgeExtraction, EqualStripesAreFound) {
-  const GrayImage stripes = test::make_image(160, 120, [](double x, double) { return 128 + 90 * std::sin(x / 2.5); });
+  const GrayImage stripes =
+      test::make_image(160, 120, [](double x, double) { return 128 + 90 * std::sin(x / 2.5); });
   EXPECT_GT(edges_of(stripes).pixels.size(), 1000u);
 }
 
@@ -178,7 +185,8 @@ TEST(FramePyramid, RemovesTheDistortion) {
   EXPECT_GT(on_line, 150);
 }
 
-// Every pixel is the bilinear value at the place its map names, to rounding: half a gray level, and 1/256 px of the slope along each axis.
+// Every pixel is the bilinear value at the place its map names, to rounding: half a gray level, and 1/256 px
+// of the slope along each axis.
 TEST(FramePyramid, UndistortsToTheRoundingOfItsPositions) {
   Camera camera;
   camera.pinhole = {300, 300, 160, 120, 320, 240};
@@ -190,11 +198,13 @@ TEST(FramePyramid, UndistortsToTheRoundingOfItsPositions) {
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u) {
       const size_t i = size_t(v) * 320 + u;
-      const double x = std::clamp(double(maps.x[i]), 0.0, 319.0), y = std::clamp(double(maps.y[i]), 0.0, 239.0);
+      const double x = std::clamp(double(maps.x[i]), 0.0, 319.0),
+                   y = std::clamp(double(maps.y[i]), 0.0, 239.0);
       beyond += x != maps.x[i] || y != maps.y[i];
       const int left = std::min(int(x), 318), top = std::min(int(y), 238);
-      const double a = image.view().at(left, top), b = image.view().at(left + 1, top), c = image.view().at(left, top + 1),
-                   d = image.view().at(left + 1, top + 1), fx = x - left, fy = y - top;
+      const double a = image.view().at(left, top), b = image.view().at(left + 1, top),
+                   c = image.view().at(left, top + 1), d = image.view().at(left + 1, top + 1), fx = x - left,
+                   fy = y - top;
       const double exact = (a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy;
       const double slope = std::max({a, b, c, d}) - std::min({a, b, c, d});
       ASSERT_NEAR(pyramid->finest().gray.at(u, v), exact, 0.501 + slope * 2 / 256) << u << " " << v;

@@ -53,14 +53,16 @@ TEST_P(GradientTest, EqualsItsDefinitionUpToTheBorder) {
         // The rounding of the smoothed rows to an eighth, through the taps 1 4 5 on both sides.
         ASSERT_NEAR(g.dx.at(x, y) / kGradientSteps, expected.x(), 0.33) << x << " " << y;
         ASSERT_NEAR(g.dy.at(x, y) / kGradientSteps, expected.y(), 0.33) << x << " " << y;
-        ASSERT_NEAR(g.magnitude.at(x, y), std::hypot(g.dx.at(x, y), g.dy.at(x, y)) / kGradientSteps, 1e-3) << x << " " << y;
+        ASSERT_NEAR(g.magnitude.at(x, y), std::hypot(g.dx.at(x, y), g.dy.at(x, y)) / kGradientSteps, 1e-3)
+            << x << " " << y;
       }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, GradientTest,
-                         ::testing::Values(std::pair{64, 48}, std::pair{101, 37}, std::pair{7, 5}, std::pair{1, 9},
-                                           std::pair{9, 1}, std::pair{1, 1}, std::pair{3, 3}));
+                         ::testing::Values(std::pair{64, 48}, std::pair{101, 37}, std::pair{7, 5},
+                                           std::pair{1, 9}, std::pair{9, 1}, std::pair{1, 1},
+                                           std::pair{3, 3}));
 
 TEST(Gradient, AnExtremeStepDoesNotOverflow) {
   for (const bool upright : {true, false}) {
@@ -111,7 +113,8 @@ std::vector<uint8_t> canny_by_definition(const Gradient& g, double low, double h
       for (int x = 1; x + 1 < width; ++x) {
         if (mask[size_t(y) * width + x] != 1) continue;
         for (int k = 0; k < 9; ++k)
-          if (mask[size_t(y + k / 3 - 1) * width + x + k % 3 - 1] == 2) mask[size_t(y) * width + x] = 2, grown = true;
+          if (mask[size_t(y + k / 3 - 1) * width + x + k % 3 - 1] == 2)
+            mask[size_t(y) * width + x] = 2, grown = true;
       }
   }
   for (uint8_t& v : mask) v = v == 2;
@@ -124,8 +127,9 @@ TEST(Canny, EqualsItsDefinition) {
   const Gradient g = compute_gradient(image.view());
   const Plane<uint8_t> mask = make_edge_detector(params)->detect({image.view(), g});
   const GradientHistogram histogram(g.magnitude);
-  const double high = std::max({double(std::min(histogram.percentile(params.canny_percentile), 0.7f * histogram.percentile(1.0))),
-                                params.min_gradient * kSobelPerGrayLevel});
+  const double high = std::max(
+      {double(std::min(histogram.percentile(params.canny_percentile), 0.7f * histogram.percentile(1.0))),
+       params.min_gradient * kSobelPerGrayLevel});
   const std::vector<uint8_t> expected = canny_by_definition(g, params.canny_low_ratio * high, high);
   int edges = 0, different = 0;
   for (int y = 0; y < 120; ++y)
@@ -134,7 +138,8 @@ TEST(Canny, EqualsItsDefinition) {
       different += (mask.at(x, y) != 0) != (expected[size_t(y) * 160 + x] != 0);
     }
   EXPECT_GT(edges, 500);
-  EXPECT_LE(different, edges / 200) << "gradients within rounding of 22.5 degrees, thresholds within rounding";
+  EXPECT_LE(different, edges / 200)
+      << "gradients within rounding of 22.5 degrees, thresholds within rounding";
 }
 
 TEST(Plane, MemoryIsUsedAgain) {

@@ -61,7 +61,9 @@ TEST_P(NearestFieldTest, EqualsBruteForceEverywhere) {
 }
 
 // Directions by column and row, so that neighbours differ.
-bool is_such(const EdgeMap& map, int i) { return (int(map.pixels[size_t(i)].x) + 3 * int(map.pixels[size_t(i)].y)) % 5 < 2; }
+bool is_such(const EdgeMap& map, int i) {
+  return (int(map.pixels[size_t(i)].x) + 3 * int(map.pixels[size_t(i)].y)) % 5 < 2;
+}
 
 TEST_P(NearestFieldTest, AnOrientedOneFindsTheNearestSuch) {
   const Case c = GetParam();
@@ -76,7 +78,8 @@ TEST_P(NearestFieldTest, AnOrientedOneFindsTheNearestSuch) {
   for (int y = 0; y < c.height; ++y)
     for (int x = 0; x < c.width; ++x) {
       // The nearest of all is taken up to the radius of the field.
-      const int n = oriented.nearest_such(float(x), float(y), reach, accept), first = plain.nearest(float(x), float(y));
+      const int n = oriented.nearest_such(float(x), float(y), reach, accept),
+                first = plain.nearest(float(x), float(y));
       const bool first_is = first >= 0 && is_such(map, first);
       EXPECT_EQ(plain.nearest_such(float(x), float(y), reach, accept), first_is ? first : -1);
       const int expected = first_is ? brute_force(map, x, y, c.radius) : brute_force(such, x, y, reach);
@@ -93,8 +96,8 @@ TEST_P(NearestFieldTest, AnOrientedOneFindsTheNearestSuch) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, NearestFieldTest,
                          ::testing::Values(Case{97, 61, 150, 12}, Case{97, 61, 15, 15}, Case{64, 64, 2000, 3},
-                                           Case{33, 7, 4, 15}, Case{1, 1, 1, 2}, Case{1, 40, 3, 12}, Case{40, 1, 3, 12},
-                                           Case{50, 50, 0, 12}));
+                                           Case{33, 7, 4, 15}, Case{1, 1, 1, 2}, Case{1, 40, 3, 12},
+                                           Case{40, 1, 3, 12}, Case{50, 50, 0, 12}));
 
 TEST(NearestField, RoundsTheQueryAndRefusesOutside) {
   EdgeMap map = random_edges(20, 10, 0, 1);

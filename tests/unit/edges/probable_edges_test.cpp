@@ -174,7 +174,8 @@ TEST_F(ProbableDetectors, GiveTheSameAgain) {
   }
 }
 
-// Whatever the number of OpenCV's threads. Four first: where OpenCV runs on TBB, one is then the limit of the process.
+// Whatever the number of OpenCV's threads. Four first: where OpenCV runs on TBB, one is then the limit of the
+// process.
 TEST_F(ProbableDetectors, DoNotDependOnThreads) {
   const GrayImage image = test::textured_image(321, 203, 11);
   const int before = cv::getNumThreads();

@@ -10,14 +10,16 @@
 namespace edgevo {
 namespace {
 
-// Smooth, so that positions show in gray levels: `shown(u, v)` is where the scene's image lies that pixel (u, v) shows.
+// Smooth, so that positions show in gray levels: `shown(u, v)` is where the scene's image lies that pixel (u,
+// v) shows.
 template <class F>
 GrayImage picture(int width, int height, const F& shown) {
   GrayImage image{width, height, std::vector<uint8_t>(size_t(width) * height)};
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u) {
       const Eigen::Vector2d p = shown(double(u), double(v));
-      image.pixels[size_t(v) * width + u] = uint8_t(std::lround(128 + 60 * std::sin(p.x() / 9) + 50 * std::cos(p.y() / 7)));
+      image.pixels[size_t(v) * width + u] =
+          uint8_t(std::lround(128 + 60 * std::sin(p.x() / 9) + 50 * std::cos(p.y() / 7)));
     }
   return image;
 }
@@ -36,7 +38,8 @@ Camera lens(int width, int height) {
 int largest_difference(const Plane<uint8_t>& a, const Plane<uint8_t>& b, int border) {
   int largest = 0;
   for (int y = border; y < a.height() - border; ++y)
-    for (int x = border; x < a.width() - border; ++x) largest = std::max(largest, std::abs(int(a.row(y)[x]) - int(b.row(y)[x])));
+    for (int x = border; x < a.width() - border; ++x)
+      largest = std::max(largest, std::abs(int(a.row(y)[x]) - int(b.row(y)[x])));
   return largest;
 }
 
@@ -65,9 +68,11 @@ TEST(ShiftedUndistortion, FetchesFromTheShiftedPlace) {
     }
   Plane<uint8_t> out(width, height);
   ShiftedUndistortion(make_undistortion_maps(pinhole)).apply(shift, still(width, height).view(), &out);
-  const GrayImage expected = picture(width, height, [&](double u, double v) { return Eigen::Vector2d(u + dx(u, v), v + dy(u, v)); });
+  const GrayImage expected =
+      picture(width, height, [&](double u, double v) { return Eigen::Vector2d(u + dx(u, v), v + dy(u, v)); });
   for (int v = 12; v < height - 12; ++v)
-    for (int u = 12; u < width - 12; ++u) EXPECT_NEAR(out.row(v)[u], expected.pixels[size_t(v) * width + u], 2) << u << " " << v;
+    for (int u = 12; u < width - 12; ++u)
+      EXPECT_NEAR(out.row(v)[u], expected.pixels[size_t(v) * width + u], 2) << u << " " << v;
 }
 
 // An image whose rows were taken one after the other becomes that of the middle row's moment.
@@ -97,7 +102,8 @@ TEST(PyramidBuilder, PutsTheRowsOfARollingShutterRight) {
     std::copy(scene.pixels.begin(), scene.pixels.end(), truth.row(0));
     EXPECT_LE(largest_difference(straight->finest().gray, truth, 16), 3) << with_lens;
     EXPECT_GT(largest_difference(crooked->finest().gray, truth, 16), 20) << with_lens;
-    EXPECT_EQ(largest_difference(unknown->finest().gray, crooked->finest().gray, 0), 0) << "without its motion an image stays as it is";
+    EXPECT_EQ(largest_difference(unknown->finest().gray, crooked->finest().gray, 0), 0)
+        << "without its motion an image stays as it is";
     EXPECT_EQ(straight->correction.readout_s, readout_s);
   }
 }

@@ -1,5 +1,6 @@
-// ATE and the block-wise re-scaling, against an independent computation: Horn's quaternion solution for the rotation, the
-// scale from its own least-squares condition, and the blocks written out as the definition reads.
+// ATE and the block-wise re-scaling, against an independent computation: Horn's quaternion solution for the
+// rotation, the scale from its own least-squares condition, and the blocks written out as the definition
+// reads.
 #include "edgevo/evaluation/absolute_error.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +18,9 @@ using testing::some_similarity;
 Eigen::Matrix3d horn_rotation(const Eigen::Matrix3d& M) {
   Eigen::Matrix4d N;
   N << M(0, 0) + M(1, 1) + M(2, 2), M(1, 2) - M(2, 1), M(2, 0) - M(0, 2), M(0, 1) - M(1, 0),
-      M(1, 2) - M(2, 1), M(0, 0) - M(1, 1) - M(2, 2), M(0, 1) + M(1, 0), M(2, 0) + M(0, 2),
-      M(2, 0) - M(0, 2), M(0, 1) + M(1, 0), -M(0, 0) + M(1, 1) - M(2, 2), M(1, 2) + M(2, 1),
-      M(0, 1) - M(1, 0), M(2, 0) + M(0, 2), M(1, 2) + M(2, 1), -M(0, 0) - M(1, 1) + M(2, 2);
+      M(1, 2) - M(2, 1), M(0, 0) - M(1, 1) - M(2, 2), M(0, 1) + M(1, 0), M(2, 0) + M(0, 2), M(2, 0) - M(0, 2),
+      M(0, 1) + M(1, 0), -M(0, 0) + M(1, 1) - M(2, 2), M(1, 2) + M(2, 1), M(0, 1) - M(1, 0),
+      M(2, 0) + M(0, 2), M(1, 2) + M(2, 1), -M(0, 0) - M(1, 1) + M(2, 2);
   const Eigen::Vector4d q = Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(N).eigenvectors().col(3);
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
 }
@@ -28,9 +29,11 @@ struct BruteFit {
   double scale, rmse;
 };
 
-BruteFit brute_fit(const std::vector<Eigen::Vector3d>& src, const std::vector<Eigen::Vector3d>& dst, bool with_scale) {
+BruteFit brute_fit(const std::vector<Eigen::Vector3d>& src, const std::vector<Eigen::Vector3d>& dst,
+                   bool with_scale) {
   Eigen::Vector3d mean_src = Eigen::Vector3d::Zero(), mean_dst = Eigen::Vector3d::Zero();
-  for (size_t i = 0; i < src.size(); ++i) mean_src += src[i] / double(src.size()), mean_dst += dst[i] / double(src.size());
+  for (size_t i = 0; i < src.size(); ++i)
+    mean_src += src[i] / double(src.size()), mean_dst += dst[i] / double(src.size());
   Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
   for (size_t i = 0; i < src.size(); ++i) M += (src[i] - mean_src) * (dst[i] - mean_dst).transpose();
   const Eigen::Matrix3d R = horn_rotation(M);
@@ -47,7 +50,8 @@ BruteFit brute_fit(const std::vector<Eigen::Vector3d>& src, const std::vector<Ei
 
 BruteFit brute_ate(const std::vector<MatchedPose>& matches, bool with_scale) {
   std::vector<Eigen::Vector3d> est, gt;
-  for (const MatchedPose& m : matches) est.push_back(m.T_est.translation()), gt.push_back(m.T_gt.translation());
+  for (const MatchedPose& m : matches)
+    est.push_back(m.T_est.translation()), gt.push_back(m.T_gt.translation());
   return brute_fit(est, gt, with_scale);
 }
 
@@ -58,7 +62,8 @@ double brute_ate_blocks(const std::vector<MatchedPose>& matches, int block) {
     for (const MatchedPose& m : matches)
       if (m.frame / block == matches[k - 1].frame / block) own.push_back(m);
     const double scale = brute_ate(own, true).scale;
-    chained.push_back(chained.back() + scale * (matches[k].T_est.translation() - matches[k - 1].T_est.translation()));
+    chained.push_back(chained.back() +
+                      scale * (matches[k].T_est.translation() - matches[k - 1].T_est.translation()));
     gt.push_back(matches[k].T_gt.translation());
   }
   return brute_fit(chained, gt, false).rmse;
@@ -76,7 +81,8 @@ std::vector<MatchedPose> growing_scale(int frames) {
   const Trajectory before = est;
   for (size_t i = 1; i < est.poses.size(); ++i) {
     const double growth = 1.0 + 0.5 * double(i) / frames;
-    position += growth * (before.poses[i].T_world_cam.translation() - before.poses[i - 1].T_world_cam.translation());
+    position +=
+        growth * (before.poses[i].T_world_cam.translation() - before.poses[i - 1].T_world_cam.translation());
     est.poses[i].T_world_cam = SE3(before.poses[i].T_world_cam.rotation(), position);
   }
   est.poses[0].T_world_cam = SE3(before.poses[0].T_world_cam.rotation(), Eigen::Vector3d::Zero());
@@ -103,7 +109,8 @@ TEST(AbsoluteError, AgreesWithHornsSolution) {
 TEST(AbsoluteError, StatisticsOfKnownDistances) {
   // Symmetric about the mean and along the line, so that the rigid fit is the identity: distances 1, 0, 0, 1.
   std::vector<MatchedPose> m(4);
-  for (int i = 0; i < 4; ++i) m[size_t(i)].T_gt = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 10 * i));
+  for (int i = 0; i < 4; ++i)
+    m[size_t(i)].T_gt = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 10 * i));
   const double offset[] = {-1, 0, 0, 1};
   for (int i = 0; i < 4; ++i)
     m[size_t(i)].T_est = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 10 * i + offset[i]));
@@ -135,7 +142,8 @@ TEST(RescaleBlocks, UndoesAScaleThatJumpsAtTheBlocks) {
   const double units[] = {0.5, 2.0, 7.0};
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   for (size_t i = 1; i < matches.size(); ++i) {
-    position += units[(i - 1) / 200] * (truth.poses[i].T_world_cam.translation() - truth.poses[i - 1].T_world_cam.translation());
+    position += units[(i - 1) / 200] *
+                (truth.poses[i].T_world_cam.translation() - truth.poses[i - 1].T_world_cam.translation());
     matches[i].T_est = SE3(matches[i].T_est.rotation(), position);
   }
   EXPECT_GT(ate_sim3(matches)->rmse, 1.0);
@@ -171,7 +179,8 @@ TEST(RescaleBlocks, ABlockAtAStandstillTakesTheScaleOfTheRun) {
     m[size_t(i)].T_est = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, z / 4));
   }
   const std::vector<MatchedPose> r = rescale_blocks(m, 10, 4.0);
-  EXPECT_NEAR(r.back().T_est.translation().z(), 10.0, 1e-12);  // also over the step that leaves the standstill
+  EXPECT_NEAR(r.back().T_est.translation().z(), 10.0,
+              1e-12);  // also over the step that leaves the standstill
 }
 
 TEST(RescaleBlocks, RotationsStay) {

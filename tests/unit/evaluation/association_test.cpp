@@ -9,16 +9,17 @@ namespace {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
 using testing::input_error_of;
+using testing::TemporaryFolder;
 
 Timestamp at(double s) { return Timestamp::from_seconds(s); }
 
 Trajectory turning() {  // 10 Hz, 90 degrees about z and 1 m along x a step
   Trajectory t{"gt.txt", TrajectoryFormat::kTum, {}};
   for (int i = 0; i < 4; ++i)
-    t.poses.push_back({at(0.1 * i), SE3(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2 * i, Eigen::Vector3d::UnitZ())),
-                                        Eigen::Vector3d(i, 0, 0))});
+    t.poses.push_back(
+        {at(0.1 * i), SE3(Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2 * i, Eigen::Vector3d::UnitZ())),
+                          Eigen::Vector3d(i, 0, 0))});
   return t;
 }
 
@@ -32,8 +33,7 @@ TEST(GroundTruth, InterpolatesPositionAndRotation) {
 
 TEST(GroundTruth, GivesItsOwnPosesUnchanged) {
   const Trajectory t = turning();
-  for (const StampedPose& p : t.poses)
-    EXPECT_EQ(GroundTruth(t).at(p.time)->matrix(), p.T_world_cam.matrix());
+  for (const StampedPose& p : t.poses) EXPECT_EQ(GroundTruth(t).at(p.time)->matrix(), p.T_world_cam.matrix());
 }
 
 TEST(GroundTruth, SaysNothingOutsideItsSpan) {
@@ -86,8 +86,8 @@ TEST(Associate, KeepsFramesWithoutPoseAndPosesWithoutGroundTruth) {
 TEST(Associate, TooFewMatchesIsAnInputError) {
   Trajectory late = testing::straight_drive(10);
   for (StampedPose& p : late.poses) p.time.ticks += 100 * Timestamp::kTicksPerSecond;
-  const std::string error = input_error_of(
-      [&] { associate(late, testing::straight_drive(10), testing::frames_of(late)); });
+  const std::string error =
+      input_error_of([&] { associate(late, testing::straight_drive(10), testing::frames_of(late)); });
   EXPECT_THAT(error, HasSubstr("only 0 of its 10 poses"));
 }
 

@@ -12,7 +12,9 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-BenchList parse(const std::string& text) { return parse_bench_list(text, "list", {"glare", "mixed", "dropped"}); }
+BenchList parse(const std::string& text) {
+  return parse_bench_list(text, "list", {"glare", "mixed", "dropped"});
+}
 
 std::string error_of(const std::string& text) {
   try {
@@ -24,8 +26,10 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(BenchList, TextIsReadBackAsTheSameList) {
-  const std::string text = "seeds: 3 9\nsequences:\n  b:\n    source: scene:lakeshore:winter\n    variants: normal every3+glare\n    frames: 0:40\n"
-                           "  a-b:\n    source: /folder of/it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n";
+  const std::string text =
+      "seeds: 3 9\nsequences:\n  b:\n    source: scene:lakeshore:winter\n    variants: normal every3+glare\n "
+      "   frames: 0:40\n"
+      "  a-b:\n    source: /folder of/it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n";
   const BenchList list = parse(text), again = parse(bench_list_yaml(list));
   EXPECT_EQ(again.seeds, list.seeds);
   ASSERT_EQ(again.sequences.size(), 2u);
@@ -42,7 +46,8 @@ constexpr const char* kOne = "sequences:\n  a:\n    source: x\n";
 
 TEST(BenchList, IsReadInOrderWithItsDefaults) {
   const BenchList list = parse(
-      "seeds: 3 1..2, 9\nvariants: normal every3+glare+backward gaps\nsequences:\n  b:\n    source: scene:desk\n    frames: 0:40\n"
+      "seeds: 3 1..2, 9\nvariants: normal every3+glare+backward gaps\nsequences:\n  b:\n    source: "
+      "scene:desk\n    frames: 0:40\n"
       "  a:\n    source: folder/of it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n");
   EXPECT_THAT(list.seeds, ElementsAre(3, 1, 2, 9));
   ASSERT_EQ(list.sequences.size(), 2u);
@@ -82,26 +87,36 @@ TEST(BenchList, WhatIsWrongIsToldWithItsLine) {
   EXPECT_THAT(error_of(""), HasSubstr("list: names no sequence"));
   EXPECT_THAT(error_of("sequences:\n"), HasSubstr("list: names no sequence"));
   EXPECT_THAT(error_of("sequences:\n  a: x\n"), HasSubstr("list:2: the sequence 'a' is not a group"));
-  EXPECT_THAT(error_of("sequences:\n  a:\n    frames: 0:3\n"), HasSubstr("list:2: the sequence 'a' has no source"));
-  EXPECT_THAT(error_of("sequences:\n  a:\n    source:\n"), HasSubstr("list:3: sequences.a.source has no value"));
-  EXPECT_THAT(error_of("sequences:\n  a.b:\n    source: x\n"), HasSubstr("list:2: a sequence's name holds a dot"));
+  EXPECT_THAT(error_of("sequences:\n  a:\n    frames: 0:3\n"),
+              HasSubstr("list:2: the sequence 'a' has no source"));
+  EXPECT_THAT(error_of("sequences:\n  a:\n    source:\n"),
+              HasSubstr("list:3: sequences.a.source has no value"));
+  EXPECT_THAT(error_of("sequences:\n  a.b:\n    source: x\n"),
+              HasSubstr("list:2: a sequence's name holds a dot"));
   EXPECT_THAT(error_of(one + "    every: 3\n"), HasSubstr("list:4: unknown parameter 'sequences.a.every'"));
   EXPECT_THAT(error_of(one + "  a:\n    source: y\n"), HasSubstr("list:4: "));
-  EXPECT_THAT(error_of(one + "seed: 1\n"), HasSubstr("list:4: unknown parameter 'seed'; did you mean 'seeds'?"));
+  EXPECT_THAT(error_of(one + "seed: 1\n"),
+              HasSubstr("list:4: unknown parameter 'seed'; did you mean 'seeds'?"));
   for (const char* seeds : {"x", "-1", "3..1", "1..", "1...3", "1.5", "0..1000"})
-    EXPECT_THAT(error_of(one + "seeds: " + seeds + "\n"), HasSubstr(std::string("list:4: '") + seeds + "' is no seed"));
+    EXPECT_THAT(error_of(one + "seeds: " + seeds + "\n"),
+                HasSubstr(std::string("list:4: '") + seeds + "' is no seed"));
   EXPECT_THAT(error_of(one + "seeds: 1..3 2\n"), HasSubstr("list:4: the seed 2 stands there twice"));
-  EXPECT_THAT(error_of(one + "variants: glaree\n"), HasSubstr("list:4: unknown variant 'glaree'; did you mean 'glare'?"));
+  EXPECT_THAT(error_of(one + "variants: glaree\n"),
+              HasSubstr("list:4: unknown variant 'glaree'; did you mean 'glare'?"));
   for (const char* variant : {"every", "every0", "every-2", "everyone", "every3x"})
-    EXPECT_THAT(error_of(one + "variants: " + variant + "\n"), HasSubstr(std::string("unknown variant '") + variant));
+    EXPECT_THAT(error_of(one + "variants: " + variant + "\n"),
+                HasSubstr(std::string("unknown variant '") + variant));
   EXPECT_THAT(error_of(one + "variants: normal +\n"), HasSubstr("list:4: '+' is no variant"));
-  EXPECT_THAT(error_of(one + "variants: glare+mixed\n"), HasSubstr("list:4: 'glare+mixed' changes the light twice"));
-  EXPECT_THAT(error_of(one + "    variants: normal normal\n"), HasSubstr("list:4: the variant 'normal' stands there twice"));
+  EXPECT_THAT(error_of(one + "variants: glare+mixed\n"),
+              HasSubstr("list:4: 'glare+mixed' changes the light twice"));
+  EXPECT_THAT(error_of(one + "    variants: normal normal\n"),
+              HasSubstr("list:4: the variant 'normal' stands there twice"));
   EXPECT_THAT(error_of(one + "variants: ','\n"), HasSubstr("list:4: names no variant"));
 }
 
 TEST(BenchList, ThoseThatShipAreRead) {
-  const std::vector<std::string> lights{"drift", "jumps", "gamma", "vignette", "glare", "eaten", "shadows", "blur", "noise", "dropped", "mixed"};
+  const std::vector<std::string> lights{"drift",   "jumps", "gamma", "vignette", "glare", "eaten",
+                                        "shadows", "blur",  "noise", "dropped",  "mixed"};
   for (const auto& [name, jobs] : {std::pair("rendered", 100), {"real", 170}, {"lights", 300}}) {
     const std::string path = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/" + name + ".yaml";
     EXPECT_EQ(parse_bench_list(read_file(path, ""), path, lights).jobs(), jobs);
@@ -136,7 +151,8 @@ TEST(BenchList, AnUnknownDetectorIsToldWithTheNearest) {
 
 TEST(BenchList, IsWrittenAndReadBackTheSame) {
   const BenchList list = parse_with_detectors(
-      "seeds: 3 1..2\nvariants: normal every3+glare\ndetectors: canny\nsequences:\n  b:\n    source: \"it: is\"\n    frames: 0:40\n"
+      "seeds: 3 1..2\nvariants: normal every3+glare\ndetectors: canny\nsequences:\n  b:\n    source: \"it: "
+      "is\"\n    frames: 0:40\n"
       "  a:\n    source: folder/of it\n    camera: c.yaml\n    params: p.yaml\n    variants: mixed\n");
   const std::string text = bench_list_yaml(list);
   const BenchList again = parse_with_detectors(text);

@@ -36,19 +36,26 @@ Trial lost_trial() {
 TEST(BenchTable, MedianAndWorstOfTheSeeds) {
   const BenchRow row{"street", "normal", {trial(0.3, 30, 90), trial(0.1, 10), trial(0.2, 20)}, 0};
   const std::string csv = bench_csv({{"edgevo", "1.0 abc"}, {"machine", "a processor"}}, {row});
-  EXPECT_EQ(csv,
-            "# edgevo: 1.0 abc\n# machine: a processor\n"
-            "sequence,variant,trials,missing,path_m,ate_m_median,ate_m_worst,ate_percent_median,ate_percent_worst,ate200_m_median,"
-            "ate200_m_worst,drift_cm_per_m_median,drift_cm_per_m_worst,completion_percent_median,completion_percent_worst,segments_median,"
-            "segments_worst,cpu_ms_median,cpu_ms_worst\n"
-            "street,normal,3,0,50.00,0.200,0.300,0.400,0.600,0.100,0.150,2.00,3.00,100.0,90.0,1,1,20.0,30.0\n");
+  EXPECT_EQ(
+      csv,
+      "# edgevo: 1.0 abc\n# machine: a processor\n"
+      "sequence,variant,trials,missing,path_m,ate_m_median,ate_m_worst,ate_percent_median,ate_percent_worst,"
+      "ate200_m_median,"
+      "ate200_m_worst,drift_cm_per_m_median,drift_cm_per_m_worst,completion_percent_median,completion_"
+      "percent_worst,segments_median,"
+      "segments_worst,cpu_ms_median,cpu_ms_worst\n"
+      "street,normal,3,0,50.00,0.200,0.300,0.400,0.600,0.100,0.150,2.00,3.00,100.0,90.0,1,1,20.0,30.0\n");
 }
 
 TEST(BenchTable, MarkdownHoldsTheSame) {
-  const std::string text = bench_markdown({{"edgevo", "1.0 abc"}}, {{"street", "glare", {trial(0.1), trial(0.3)}, 1}});
+  const std::string text =
+      bench_markdown({{"edgevo", "1.0 abc"}}, {{"street", "glare", {trial(0.1), trial(0.3)}, 1}});
   EXPECT_THAT(text, HasSubstr("- edgevo: 1.0 abc\n"));
-  EXPECT_THAT(text, HasSubstr("| street | glare | 2 of 3 | 50.0 | 0.200 (0.300) | 0.400 (0.600) | 0.100 (0.150) | 2.00 (3.00) | "
-                              "100.0 (100.0) | 1 (1) | 20.0 (20.0) |\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "| street | glare | 2 of 3 | 50.0 | 0.200 (0.300) | 0.400 (0.600) | 0.100 (0.150) | 2.00 (3.00) | "
+          "100.0 (100.0) | 1 (1) | 20.0 (20.0) |\n"));
 }
 
 TEST(BenchTable, ALostTrialIsTheWorst) {
@@ -61,7 +68,8 @@ TEST(BenchTable, ALostTrialIsTheWorst) {
 }
 
 TEST(BenchTable, SmallErrorsKeepThreeDigits) {
-  EXPECT_THAT(bench_csv({}, {{"desk", "normal", {trial(0.00031234)}, 0}}), HasSubstr("50.00,0.000312,0.000312,"));
+  EXPECT_THAT(bench_csv({}, {{"desk", "normal", {trial(0.00031234)}, 0}}),
+              HasSubstr("50.00,0.000312,0.000312,"));
   EXPECT_THAT(bench_csv({}, {{"far", "normal", {trial(123.456)}, 0}}), HasSubstr("50.00,123.46,123.46,"));
   EXPECT_THAT(bench_csv({}, {{"exact", "normal", {trial(0)}, 0}}), HasSubstr("50.00,0.00,0.00,"));
 }
@@ -76,7 +84,8 @@ TEST(BenchTable, MedianOfValues) {
 TEST(Trial, ComesBackFromItsFile) {
   Trial written = trial(0.123456789), read;
   written.note = "some: words, \"quoted\"";
-  read_params(write_params([&](ParamVisitor& v) { written.visit(v); }), "result", [&](ParamVisitor& v) { read.visit(v); });
+  read_params(write_params([&](ParamVisitor& v) { written.visit(v); }), "result",
+              [&](ParamVisitor& v) { read.visit(v); });
   EXPECT_EQ(read.ate_m, written.ate_m);
   EXPECT_EQ(read.note, written.note);
   EXPECT_EQ(read.frames, 100);

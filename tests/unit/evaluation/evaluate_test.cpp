@@ -73,7 +73,8 @@ TEST(Evaluate, TrajectoriesThatDoNotMoveAreRefused) {
   const Trajectory truth = testing::winding_drive(20);
   Trajectory still = truth;
   still.path = "still.txt";
-  for (StampedPose& p : still.poses) p.T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3));
+  for (StampedPose& p : still.poses)
+    p.T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3));
   const std::string expected = "still.txt: all its positions are equal";
   EXPECT_THAT(input_error_of([&] { evaluate(still, truth, {}); }), HasSubstr(expected));
   EXPECT_THAT(input_error_of([&] { evaluate(truth, still, {}); }), HasSubstr(expected));
@@ -82,7 +83,8 @@ TEST(Evaluate, TrajectoriesThatDoNotMoveAreRefused) {
 TEST(Evaluate, TwoPosesAreTooFew) {
   Trajectory two = testing::winding_drive(20);
   two.poses.resize(2);
-  EXPECT_THAT(input_error_of([&] { evaluate(two, testing::winding_drive(20), {}); }), HasSubstr("only 2 of its 2 poses"));
+  EXPECT_THAT(input_error_of([&] { evaluate(two, testing::winding_drive(20), {}); }),
+              HasSubstr("only 2 of its 2 poses"));
 }
 
 TEST(Report, JsonHoldsTheNumbersOfTheValue) {

@@ -42,24 +42,29 @@ TEST(Drift, IsToldByTheLengthOfTheStretch) {
   int stretches = 0;
   for (size_t i = 0; i < d.by_length.size(); ++i) {
     EXPECT_NEAR(d.by_length[i].max_cm_per_m, 100 / d.lengths_m[i], 1e-9);
-    EXPECT_NEAR(d.by_length[i].mean_cm_per_m, 100.0 / d.by_length[i].stretches, 1e-9) << "as many see it as it has metres";
+    EXPECT_NEAR(d.by_length[i].mean_cm_per_m, 100.0 / d.by_length[i].stretches, 1e-9)
+        << "as many see it as it has metres";
     stretches += d.by_length[i].stretches;
   }
   EXPECT_EQ(stretches, d.stretches);
-  EXPECT_EQ(drift(straight(451, 1.01).frames, straight(451, 1.01).matches, kCap)->by_length.back().stretches, 0) << "800 m";
+  EXPECT_EQ(drift(straight(451, 1.01).frames, straight(451, 1.01).matches, kCap)->by_length.back().stretches,
+            0)
+      << "800 m";
 }
 
 TEST(Drift, ASidewaysTurnGivesTheChord) {
-  // Estimate turned by phi in its own frame half-way: constant heading error makes no relative error before or after,
-  // only stretches across the turn see it. With every pose turned alike nothing is left.
+  // Estimate turned by phi in its own frame half-way: constant heading error makes no relative error before
+  // or after, only stretches across the turn see it. With every pose turned alike nothing is left.
   Association a = straight(101, 1.0);
-  const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())), Eigen::Vector3d(5, 0, 0));
+  const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())),
+                 Eigen::Vector3d(5, 0, 0));
   for (MatchedPose& m : a.matches) m.T_est = turn * m.T_est;
   EXPECT_LT(drift(a.frames, a.matches, kCap)->mean_cm_per_m, 1e-9);
   // One frame's heading wrong by phi: a stretch that begins there is off by the chord 2 L sin(phi/2).
   Association b = straight(101, 1.0);
   MatchedPose& wrong = b.matches[0];
-  wrong.T_est = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())), wrong.T_est.translation());
+  wrong.T_est =
+      SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())), wrong.T_est.translation());
   const Drift d = drift(b.frames, b.matches, kCap).value();
   const double chord = 100 * 2 * std::sin(0.05);
   EXPECT_NEAR(d.mean_cm_per_m, 4 * chord / d.stretches, 1e-9);  // four lengths begin at frame 0

@@ -10,7 +10,8 @@ namespace {
 Points random_points(int n, uint64_t seed) {
   Random random(seed);
   Points p(3, n);
-  for (int i = 0; i < n; ++i) p.col(i) = Eigen::Vector3d(random.normal(), 3 * random.normal(), 10 * random.normal());
+  for (int i = 0; i < n; ++i)
+    p.col(i) = Eigen::Vector3d(random.normal(), 3 * random.normal(), 10 * random.normal());
   return p;
 }
 
@@ -20,7 +21,9 @@ Points mapped(const Sim3& S, const Points& p) {
   return q;
 }
 
-double residual(const Sim3& S, const Points& src, const Points& dst) { return (mapped(S, src) - dst).squaredNorm(); }
+double residual(const Sim3& S, const Points& src, const Points& dst) {
+  return (mapped(S, src) - dst).squaredNorm();
+}
 
 TEST(SimilarityFit, RecoversAKnownSimilarity) {
   const Sim3 truth = testing::some_similarity();

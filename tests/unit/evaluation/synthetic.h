@@ -21,7 +21,8 @@ inline Trajectory winding_drive(int frames, double step_m = 1.0) {
   for (int i = 0; i < frames; ++i) {
     t.poses.push_back({Timestamp{i * Timestamp::kTicksPerSecond / 10}, pose});
     Vector6d xi;
-    xi << 0, 0.02 * step_m * std::sin(0.05 * i), step_m, 0.002 * std::sin(0.1 * i), 0.03 * std::sin(0.021 * i), 0;
+    xi << 0, 0.02 * step_m * std::sin(0.05 * i), step_m, 0.002 * std::sin(0.1 * i),
+        0.03 * std::sin(0.021 * i), 0;
     pose = pose * SE3::exp(xi);
   }
   return t;
@@ -68,7 +69,8 @@ inline InputFrames frames_of(const Trajectory& t) {
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("edgevo_" + name + "_" + std::to_string(::getpid()))) {
+      : path_(std::filesystem::temp_directory_path() /
+              ("edgevo_" + name + "_" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(path_);
   }
   ~TemporaryFolder() {

@@ -9,8 +9,8 @@ namespace edgevo {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 using testing::input_error_of;
+using ::testing::StartsWith;
 
 std::string error_of(const std::string& text) {
   return input_error_of([&] { parse_trajectory(text, "t.txt"); });
@@ -18,7 +18,8 @@ std::string error_of(const std::string& text) {
 
 TEST(Trajectory, ReadsTumWithCommentsBlanksAndCarriageReturns) {
   const Trajectory t = parse_trajectory(
-      "# time and pose\r\n\r\n1305031102.1753  1 2\t3 0 0 0 1\r\n  1305031102.2 4 5 6 0.5 0.5 0.5 0.5", "t.txt");
+      "# time and pose\r\n\r\n1305031102.1753  1 2\t3 0 0 0 1\r\n  1305031102.2 4 5 6 0.5 0.5 0.5 0.5",
+      "t.txt");
   EXPECT_EQ(t.format, TrajectoryFormat::kTum);
   ASSERT_EQ(t.poses.size(), 2u);
   EXPECT_EQ(t.poses[0].time.ticks, 13050311021753000);
@@ -32,7 +33,8 @@ TEST(Trajectory, ReadsKittiRows) {
   ASSERT_EQ(t.poses.size(), 2u);
   EXPECT_EQ(t.poses[1].time.ticks, Timestamp::kTicksPerSecond);
   EXPECT_EQ(t.poses[1].T_world_cam.translation(), Eigen::Vector3d(4, 5, 6));
-  EXPECT_TRUE((t.poses[1].T_world_cam.R() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
+  EXPECT_TRUE(
+      (t.poses[1].T_world_cam.R() * Eigen::Vector3d::UnitX()).isApprox(Eigen::Vector3d::UnitY(), 1e-12));
 }
 
 TEST(Trajectory, ErrorsNameFileAndLine) {
@@ -56,15 +58,18 @@ TEST(Trajectory, AMissingFileOrAFolderIsAnInputError) {
   EXPECT_THAT(input_error_of([] { read_trajectory("/nonexistent/t.txt"); }), HasSubstr("cannot be read"));
   testing::TemporaryFolder folder("trajectory");
   EXPECT_THAT(input_error_of([&] { read_trajectory(folder.file(".")); }), HasSubstr("cannot be read"));
-  EXPECT_THAT(input_error_of([&] { read_trajectory(folder.write("empty.txt", "")); }), HasSubstr("holds no pose"));
+  EXPECT_THAT(input_error_of([&] { read_trajectory(folder.write("empty.txt", "")); }),
+              HasSubstr("holds no pose"));
 }
 
 TEST(Trajectory, HoldsToTheLastDigitOfLargeTimes) {
-  const Trajectory t = parse_trajectory("1600000000.1234567 0 0 0 0 0 0 1\n1600000000.1234568 0 0 0 0 0 0 1\n", "t");
+  const Trajectory t =
+      parse_trajectory("1600000000.1234567 0 0 0 0 0 0 1\n1600000000.1234568 0 0 0 0 0 0 1\n", "t");
   EXPECT_EQ(t.poses[1].time.ticks - t.poses[0].time.ticks, 1);
 }
 
-// Damages a good file at random: every outcome is a trajectory that keeps the reader's promises, or one line of error.
+// Damages a good file at random: every outcome is a trajectory that keeps the reader's promises, or one line
+// of error.
 TEST(Trajectory, SurvivesDamagedFiles) {
   Random random(7);
   const std::string tum = "# c\n0.1 1 2 3 0 0 0 1\n0.2 1 2 4 0 0 0 1\n0.3 1 2 5 0.5 0.5 0.5 0.5\n";
@@ -77,9 +82,15 @@ TEST(Trajectory, SurvivesDamagedFiles) {
       const size_t at = size_t(random.below(int(text.size())));
       const char c = kAlphabet[random.below(int(sizeof kAlphabet))];
       switch (random.below(3)) {
-        case 0: text[at] = c; break;
-        case 1: text.insert(at, 1, c); break;
-        case 2: text.erase(at, size_t(random.below(10))); break;
+        case 0:
+          text[at] = c;
+          break;
+        case 1:
+          text.insert(at, 1, c);
+          break;
+        case 2:
+          text.erase(at, size_t(random.below(10)));
+          break;
       }
     }
     try {

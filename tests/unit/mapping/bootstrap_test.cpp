@@ -11,27 +11,30 @@
 namespace edgevo {
 namespace {
 
-using ::testing::HasSubstr;
 using test::HollowScene;
 using test::median;
 using test::sweep_pose;
+using ::testing::HasSubstr;
 
 constexpr double kDegree = M_PI / 180;
-// The essential matrix comes from five corners and is not refined: a rotation may stand in for this share of the parallax,
-// and with it for this share of the baseline. The bundle adjustment of the first map takes that out.
+// The essential matrix comes from five corners and is not refined: a rotation may stand in for this share of
+// the parallax, and with it for this share of the baseline. The bundle adjustment of the first map takes that
+// out.
 constexpr double kRotationShare = 0.35;
 
 Timestamp time_of(int frame) { return Timestamp::from_seconds(0.1 * frame); }
 
 class BootstrapTest : public ::testing::Test {
  protected:
-  // The images are small, hence the motion asked for is larger than the default: else a pixel's tenth would count for too much.
+  // The images are small, hence the motion asked for is larger than the default: else a pixel's tenth would
+  // count for too much.
   BootstrapTest() { params.min_disparity = 0.06, params.min_parallax_deg = 2; }
 
   Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole, params, seed}; }
   // Frame k of the sweep, seen under a gain.
   BootstrapStatus add(Bootstrap* bootstrap, int k, double gain = 1) const {
-    return bootstrap->add(k, time_of(k), gain == 1 ? test::Sweep::pyramid(k) : scene.pyramid(sweep_pose(k), gain));
+    return bootstrap->add(k, time_of(k),
+                          gain == 1 ? test::Sweep::pyramid(k) : scene.pyramid(sweep_pose(k), gain));
   }
   // Frames from `first` on until there is a result; fails after 40.
   BootstrapResult run(Bootstrap* bootstrap, int first = 0, bool flicker = false) const {
@@ -62,7 +65,8 @@ class BootstrapTest : public ::testing::Test {
 };
 
 void expect_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double degrees) {
-  EXPECT_LT(std::atan2(a.cross(b).norm(), a.dot(b)), degrees * kDegree) << a.transpose() << " against " << b.transpose();
+  EXPECT_LT(std::atan2(a.cross(b).norm(), a.dot(b)), degrees * kDegree)
+      << a.transpose() << " against " << b.transpose();
 }
 
 TEST_F(BootstrapTest, RecoversTheMotionUpToScale) {
@@ -84,8 +88,10 @@ TEST_F(BootstrapTest, RecoversDepthsUpToScale) {
   std::vector<double> error_first, error_last, depth;
   for (const BootstrapCorner& c : r.corners) {
     depth.push_back(1 / c.idepth_first);
-    error_first.push_back(std::abs(c.idepth_first * unit / scene.idepth(sweep_pose(r.views.front().frame_index), c.px_first) - 1));
-    error_last.push_back(std::abs(c.idepth_last * unit / scene.idepth(sweep_pose(r.views.back().frame_index), c.px_last) - 1));
+    error_first.push_back(std::abs(
+        c.idepth_first * unit / scene.idepth(sweep_pose(r.views.front().frame_index), c.px_first) - 1));
+    error_last.push_back(
+        std::abs(c.idepth_last * unit / scene.idepth(sweep_pose(r.views.back().frame_index), c.px_last) - 1));
   }
   EXPECT_NEAR(median(depth), params.median_depth, 1e-9);
   EXPECT_LT(median(error_first), 0.06);
@@ -103,7 +109,9 @@ TEST_F(BootstrapTest, PlacesEveryViewInBetween) {
     EXPECT_TRUE(v.placed);
     EXPECT_EQ(v.time, time_of(v.frame_index));
     EXPECT_LT((v.T_cam_first * truth(r, v).inverse()).angle(), kRotationShare * r.parallax_deg * kDegree);
-    EXPECT_LT((v.T_cam_first.translation() / unit - truth(r, v).translation()).norm(), kRotationShare * baseline) << v.frame_index;
+    EXPECT_LT((v.T_cam_first.translation() / unit - truth(r, v).translation()).norm(),
+              kRotationShare * baseline)
+        << v.frame_index;
   }
 }
 
@@ -111,7 +119,8 @@ TEST_F(BootstrapTest, AFlickeringExposureDoesNoHarm) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap, 0, true);
   const SE3 T_truth = truth(r, r.views.back());
-  EXPECT_LT((r.views.back().T_cam_first * T_truth.inverse()).angle(), kRotationShare * r.parallax_deg * kDegree);
+  EXPECT_LT((r.views.back().T_cam_first * T_truth.inverse()).angle(),
+            kRotationShare * r.parallax_deg * kDegree);
   expect_direction(r.views.back().T_cam_first.translation(), T_truth.translation(), 8);
 }
 
@@ -121,7 +130,8 @@ TEST_F(BootstrapTest, TheSameSeedGivesTheSameResult) {
   ASSERT_EQ(ra.views.size(), rb.views.size());
   EXPECT_EQ(ra.views.back().T_cam_first.matrix(), rb.views.back().T_cam_first.matrix());
   ASSERT_EQ(ra.corners.size(), rb.corners.size());
-  for (size_t i = 0; i < ra.corners.size(); ++i) EXPECT_EQ(ra.corners[i].idepth_first, rb.corners[i].idepth_first);
+  for (size_t i = 0; i < ra.corners.size(); ++i)
+    EXPECT_EQ(ra.corners[i].idepth_first, rb.corners[i].idepth_first);
 }
 
 TEST_F(BootstrapTest, ResetTakesANewFirstView) {
@@ -144,7 +154,8 @@ TEST_F(BootstrapTest, TheFirstFrameIsOnlyTaken) {
 TEST_F(BootstrapTest, SaysThatThereIsNoMotionAtAStandstill) {
   Bootstrap bootstrap = make();
   for (int k = 0; k < 8; ++k) {
-    const BootstrapStatus status = bootstrap.add(k, time_of(k), scene.pyramid(SE3(), 1.0, 0.0, 2.0, uint64_t(k)));
+    const BootstrapStatus status =
+        bootstrap.add(k, time_of(k), scene.pyramid(SE3(), 1.0, 0.0, 2.0, uint64_t(k)));
     ASSERT_FALSE(status.result);
     if (k == 0) continue;
     EXPECT_THAT(status.reason, HasSubstr("median motion 0."));
@@ -155,11 +166,13 @@ TEST_F(BootstrapTest, GivesNoMapFromPureRotation) {
   Bootstrap bootstrap = make();
   int enough_motion = 0;
   for (int k = 0; k < 15; ++k) {
-    const SE3 T_world_cam(Eigen::Quaterniond(Eigen::AngleAxisd(0.012 * k, Eigen::Vector3d(0.3, 1, 0).normalized())),
-                          Eigen::Vector3d::Zero());
+    const SE3 T_world_cam(
+        Eigen::Quaterniond(Eigen::AngleAxisd(0.012 * k, Eigen::Vector3d(0.3, 1, 0).normalized())),
+        Eigen::Vector3d::Zero());
     const BootstrapStatus status = bootstrap.add(k, time_of(k), scene.pyramid(T_world_cam));
     ASSERT_FALSE(status.result) << k;
-    // Corners behind a camera, too little parallax or no common motion: which one is up to chance, but it is said.
+    // Corners behind a camera, too little parallax or no common motion: which one is up to chance, but it is
+    // said.
     if (k > 0 && status.reason.find("median motion") == std::string::npos) ++enough_motion;
     EXPECT_NE(status.reason, "");
   }
@@ -168,7 +181,10 @@ TEST_F(BootstrapTest, GivesNoMapFromPureRotation) {
 
 TEST_F(BootstrapTest, SaysThatABlankImageHasNoCorners) {
   Bootstrap bootstrap = make();
-  const auto blank = PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 77; }));
+  const auto blank =
+      PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) {
+        return 77;
+      }));
   for (int k = 0; k < 3; ++k) {
     const BootstrapStatus status = bootstrap.add(k, time_of(k), blank);
     EXPECT_FALSE(status.result);
@@ -179,7 +195,8 @@ TEST_F(BootstrapTest, SaysThatABlankImageHasNoCorners) {
 
 TEST_F(BootstrapTest, SaysThatCornersAreTooFew) {
   Bootstrap bootstrap = make();
-  const auto discs = PyramidBuilder(scene.camera, EdgeParams()).build(test::disc_image(320, 240, {160, 120}, 30, 60, 200));
+  const auto discs =
+      PyramidBuilder(scene.camera, EdgeParams()).build(test::disc_image(320, 240, {160, 120}, 30, 60, 200));
   const BootstrapStatus status = bootstrap.add(0, time_of(0), discs);
   EXPECT_FALSE(status.result);
   EXPECT_THAT(status.reason, ::testing::ContainsRegex("only [0-9]+ corners in the image"));
@@ -198,7 +215,8 @@ TEST_F(BootstrapTest, TakesANewFirstViewAfterTooManyFrames) {
   params = BootstrapParams();
   params.max_frames = 5;
   Bootstrap bootstrap = make();
-  for (int k = 0; k < 5; ++k) EXPECT_FALSE(bootstrap.add(k, time_of(k), scene.pyramid(sweep_pose(20))).result);
+  for (int k = 0; k < 5; ++k)
+    EXPECT_FALSE(bootstrap.add(k, time_of(k), scene.pyramid(sweep_pose(20))).result);
   const BootstrapStatus status = bootstrap.add(5, time_of(5), scene.pyramid(sweep_pose(20)));
   EXPECT_FALSE(status.result);
   EXPECT_EQ(status.reason, "too little motion for too long; new first view");
@@ -210,17 +228,20 @@ TEST_F(BootstrapTest, TakesANewFirstViewAfterTooManyFrames) {
   EXPECT_GE(moving.result->views.front().frame_index, 5);
 }
 
-// Every other strip of the first image is displaced, as if shadows had moved on: half of its corners agree with no later view.
+// Every other strip of the first image is displaced, as if shadows had moved on: half of its corners agree
+// with no later view.
 TEST_F(BootstrapTest, GivesUpAFirstViewThatDisagreesWithAllOthers) {
   GrayImage torn = scene.render(sweep_pose(0));
   const GrayImage whole = torn;
   constexpr int kStrip = 40, kShift = 9;
   for (int y = 0; y + kShift < torn.height; ++y)
     for (int x = 0; x < torn.width; ++x)
-      if (x / kStrip % 2) torn.pixels[size_t(y) * torn.width + x] = whole.pixels[size_t(y + kShift) * torn.width + x];
+      if (x / kStrip % 2)
+        torn.pixels[size_t(y) * torn.width + x] = whole.pixels[size_t(y + kShift) * torn.width + x];
   Bootstrap bootstrap = make();
   std::string given_up;
-  BootstrapStatus status = bootstrap.add(0, time_of(0), PyramidBuilder(scene.camera, EdgeParams()).build(torn));
+  BootstrapStatus status =
+      bootstrap.add(0, time_of(0), PyramidBuilder(scene.camera, EdgeParams()).build(torn));
   for (int k = 1; k < 60 && !status.result; ++k) {
     status = add(&bootstrap, k);
     if (status.reason.find("; new first view") != std::string::npos) given_up += status.reason;

@@ -19,9 +19,11 @@ SE3 turned_by(const Eigen::Vector3d& radians, const SE3& T) {
   return SE3::exp(xi) * T;
 }
 
-std::optional<CornerMotion> ask(int from, int to, const SE3& guess, const CornerParams& params = {}, uint64_t seed = 1) {
+std::optional<CornerMotion> ask(int from, int to, const SE3& guess, const CornerParams& params = {},
+                                uint64_t seed = 1) {
   Random random(seed);
-  return find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(from), *Sweep::pyramid(to), guess, params, &random);
+  return find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(from), *Sweep::pyramid(to), guess, params,
+                            &random);
 }
 
 TEST(CornerMotion, IsFoundFromAGuessThatIsDegreesWrong) {
@@ -53,16 +55,19 @@ TEST(CornerMotion, SaysNothingOfATurnOnTheSpot) {
   const SE3 turn = turned_by({0, 0.08, 0}, SE3());
   const auto turned = Sweep::scene().pyramid(T_world_cam * turn.inverse(), 1.0, 0.0, 1.0, 99);
   Random random(1);
-  EXPECT_FALSE(find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *turned, turn, CornerParams(), &random));
+  EXPECT_FALSE(
+      find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *turned, turn, CornerParams(), &random));
 }
 
 TEST(CornerMotion, SaysNothingWhereFewCornersAgree) {
   const SE3 truth = true_motion(0, 12);
   const auto black = Sweep::scene().pyramid(sweep_pose(12), 0.0, 0.0);
   Random random(1);
-  EXPECT_FALSE(find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *black, truth, CornerParams(), &random));
+  EXPECT_FALSE(
+      find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *black, truth, CornerParams(), &random));
   const test::HollowScene other(77);
-  EXPECT_FALSE(find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *other.pyramid(sweep_pose(12)), truth, CornerParams(), &random));
+  EXPECT_FALSE(find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *other.pyramid(sweep_pose(12)), truth,
+                                  CornerParams(), &random));
   CornerParams demanding;
   demanding.min_agreeing = 10000;
   EXPECT_FALSE(ask(0, 12, truth, demanding));

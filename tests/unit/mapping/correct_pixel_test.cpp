@@ -15,12 +15,14 @@ TEST(CorrectPixel, CorrectedNormalsAreThoseOfCorrectedEdges) {
   motion.idepth.setConstant(0.1);
   for (const ImageCorrection& now : {ImageCorrection{0.015, 0}, {0.002, 0.03}, {0.01, -0.02}}) {
     const ImageCorrection before{0.002, 0.005};
-    const Eigen::Vector2d a = correct_pixel(c, before, now, motion, px - along), b = correct_pixel(c, before, now, motion, px + along);
+    const Eigen::Vector2d a = correct_pixel(c, before, now, motion, px - along),
+                          b = correct_pixel(c, before, now, motion, px + along);
     const Eigen::Vector2d corrected = correct_normal(c, before, now, motion, px, normal);
     EXPECT_NEAR(corrected.norm(), 1, 1e-12);
     EXPECT_NEAR(corrected.dot((b - a).normalized()), 0, 1e-4);
     EXPECT_GT(corrected.dot(normal), 0.99);
-    EXPECT_LT((correct_pixel(c, now, before, motion, correct_pixel(c, before, now, motion, px)) - px).norm(), 1e-8);
+    EXPECT_LT((correct_pixel(c, now, before, motion, correct_pixel(c, before, now, motion, px)) - px).norm(),
+              1e-8);
   }
 }
 

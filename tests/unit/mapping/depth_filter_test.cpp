@@ -28,7 +28,8 @@ TEST(Triangulation, IsExactForAnyMotionAndDepth) {
     const Eigen::Vector2d motion = px(1.001 * truth) - px(0.999 * truth);
     if (motion.norm() < 1e-4) continue;
     ++checked;
-    EXPECT_NEAR(triangulate_idepth(camera, rotated, T.translation(), px(truth), motion.normalized()), truth, 1e-8 * truth);
+    EXPECT_NEAR(triangulate_idepth(camera, rotated, T.translation(), px(truth), motion.normalized()), truth,
+                1e-8 * truth);
   }
   EXPECT_GT(checked, 190);
 }
@@ -36,8 +37,8 @@ TEST(Triangulation, IsExactForAnyMotionAndDepth) {
 TEST(Triangulation, IsNotFiniteWithoutBaseline) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const Eigen::Vector3d ray(0.1, 0.2, 1);
-  EXPECT_FALSE(std::isfinite(
-      triangulate_idepth(camera, ray, Eigen::Vector3d::Zero(), camera.project(ray), Eigen::Vector2d::UnitX())));
+  EXPECT_FALSE(std::isfinite(triangulate_idepth(camera, ray, Eigen::Vector3d::Zero(), camera.project(ray),
+                                                Eigen::Vector2d::UnitX())));
 }
 
 // ---- fusion ----
@@ -93,7 +94,8 @@ TEST(Fusion, MeasurementsOfOneDepthConverge) {
     EXPECT_NEAR(p.idepth_sigma, kSigma / std::sqrt(double(p.good)), 1e-12);
     chi_square += std::pow((p.idepth - kTruth) / p.idepth_sigma, 2) / kTrials;
   }
-  EXPECT_NEAR(chi_square, 1, 4 * std::sqrt(2.0 / kTrials));  // four deviations of a chi-square of that many trials
+  EXPECT_NEAR(chi_square, 1,
+              4 * std::sqrt(2.0 / kTrials));  // four deviations of a chi-square of that many trials
 }
 
 TEST(Fusion, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
@@ -158,16 +160,19 @@ DepthFilterParams smoothing(double weight) {
 
 TEST(Smoothing, PullsByTheWeightTowardsTheNeighbours) {
   const EdgeMap edges = two_edges();
-  std::vector<ImmaturePoint> p = {on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01), on_edge(edges, 16, 0.206, 0.02)};
+  std::vector<ImmaturePoint> p = {on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01),
+                                  on_edge(edges, 16, 0.206, 0.02)};
   smooth_along_edges(edges, smoothing(0.3), &p);
   EXPECT_NEAR(p[0].idepth, 0.7 * 0.20 + 0.3 * 0.21, 1e-12);
-  const double mean = (0.20 / 1e-4 + 0.206 / 4e-4) / (1 / 1e-4 + 1 / 4e-4);  // of both neighbours, by their variances
+  const double mean =
+      (0.20 / 1e-4 + 0.206 / 4e-4) / (1 / 1e-4 + 1 / 4e-4);  // of both neighbours, by their variances
   EXPECT_NEAR(p[1].idepth, 0.7 * 0.21 + 0.3 * mean, 1e-12);
   EXPECT_NEAR(p[2].idepth, 0.7 * 0.206 + 0.3 * 0.21, 1e-12);
 }
 
 // The second of two points must not pull the first.
-void expect_no_pull(const EdgeMap& edges, const ImmaturePoint& a, const ImmaturePoint& b, double weight = 0.3) {
+void expect_no_pull(const EdgeMap& edges, const ImmaturePoint& a, const ImmaturePoint& b,
+                    double weight = 0.3) {
   std::vector<ImmaturePoint> p = {a, b};
   smooth_along_edges(edges, smoothing(weight), &p);
   EXPECT_EQ(p[0].idepth, a.idepth);
@@ -213,7 +218,9 @@ class ImmaturePoints : public ::testing::Test {
   }
   std::vector<ImmaturePoint> make(uint64_t seed) const {
     Random random(seed);
-    const auto range = [](const Eigen::Vector2d& px) { return IdepthRange{0.1 + 1e-4 * px.x(), 0.4 + 1e-4 * px.y()}; };
+    const auto range = [](const Eigen::Vector2d& px) {
+      return IdepthRange{0.1 + 1e-4 * px.x(), 0.4 + 1e-4 * px.y()};
+    };
     return make_immature_points(keyframe, occupied, range, params, &random);
   }
 
@@ -284,7 +291,10 @@ TEST_F(ImmaturePoints, TheLimitHoldsAndIsSpreadOverTheImage) {
 
 TEST_F(ImmaturePoints, NoneInABlankImage) {
   const test::PlaneScene scene;
-  keyframe.pyramid = PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 90; }));
+  keyframe.pyramid =
+      PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) {
+        return 90;
+      }));
   EXPECT_TRUE(make(1).empty());
 }
 

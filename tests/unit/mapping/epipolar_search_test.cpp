@@ -20,25 +20,28 @@ double median(std::vector<double> v) {
 
 struct Errors {
   int searched = 0;
-  std::vector<double> px;       // along the epipolar line
-  std::vector<double> sigmas;   // of the stated deviation
+  std::vector<double> px;      // along the epipolar line
+  std::vector<double> sigmas;  // of the stated deviation
 };
 
 // Searches every 7th edge pixel of the host over half to twice its true inverse depth.
-Errors search_all(const PlaneScene& scene, const FramePyramid& host, const FramePyramid& target, const SE3& T_target_host,
-                  const DepthFilterParams& params) {
+Errors search_all(const PlaneScene& scene, const FramePyramid& host, const FramePyramid& target,
+                  const SE3& T_target_host, const DepthFilterParams& params) {
   Errors errors;
   const auto& pixels = host.finest().edges.pixels;
   for (size_t i = 0; i < pixels.size(); i += 7) {
     const Eigen::Vector2d px = pixels[i].position().cast<double>();
     const double truth = scene.idepth(SE3(), px);
     const auto image = [&](double q) {
-      return project(scene.camera.pinhole, T_target_host.R(), T_target_host.translation(), scene.camera.pinhole.ray(px), q).px;
+      return project(scene.camera.pinhole, T_target_host.R(), T_target_host.translation(),
+                     scene.camera.pinhole.ray(px), q)
+          .px;
     };
     if (!scene.camera.pinhole.contains(image(truth), 10)) continue;
     ++errors.searched;
-    const EpipolarMatch m = search_epipolar(host, target, px, pixels[i].normal().cast<double>(), T_target_host,
-                                            {0.5 * truth, 2 * truth}, params, AssociationParams());
+    const EpipolarMatch m =
+        search_epipolar(host, target, px, pixels[i].normal().cast<double>(), T_target_host,
+                        {0.5 * truth, 2 * truth}, params, AssociationParams());
     if (m.outcome != EpipolarOutcome::kFound) continue;
     const double px_per_idepth = (image(1.01 * truth) - image(0.99 * truth)).norm() / (0.02 * truth);
     errors.px.push_back((m.idepth - truth) * px_per_idepth);
@@ -56,8 +59,9 @@ struct Motion {
 class EpipolarSearchMotions : public ::testing::TestWithParam<Motion> {
  protected:
   SE3 T_world_target() const {
-    return {Eigen::Quaterniond(Eigen::AngleAxisd(GetParam().turn_rad, Eigen::Vector3d(0.2, 1, 0.1).normalized())),
-            GetParam().position};
+    return {
+        Eigen::Quaterniond(Eigen::AngleAxisd(GetParam().turn_rad, Eigen::Vector3d(0.2, 1, 0.1).normalized())),
+        GetParam().position};
   }
 };
 
@@ -67,7 +71,8 @@ TEST_P(EpipolarSearchMotions, FindsTheTrueDepth) {
   const Errors e = search_all(scene, *host, *target, T_world_target().inverse(), DepthFilterParams());
   ASSERT_GT(e.searched, 300);
   EXPECT_GT(e.px.size(), 0.4 * e.searched);
-  // Without image noise what is left is rounding to gray levels and the change of the patch's shape: a tenth of a pixel.
+  // Without image noise what is left is rounding to gray levels and the change of the patch's shape: a tenth
+  // of a pixel.
   EXPECT_LT(std::abs(median(e.px)), 0.03);
   std::vector<double> deviation;
   int outliers = 0;
@@ -80,11 +85,14 @@ TEST_P(EpipolarSearchMotions, FindsTheTrueDepth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Search, EpipolarSearchMotions,
-                         ::testing::Values(Motion{"sideways", {0.25, 0.02, 0}, 0.0}, Motion{"upwards", {0, -0.25, 0.02}, 0.0},
-                                           Motion{"turning", {0.2, 0.1, 0.05}, 0.04}, Motion{"forward", {0.02, 0.02, 0.5}, 0.0}),
+                         ::testing::Values(Motion{"sideways", {0.25, 0.02, 0}, 0.0},
+                                           Motion{"upwards", {0, -0.25, 0.02}, 0.0},
+                                           Motion{"turning", {0.2, 0.1, 0.05}, 0.04},
+                                           Motion{"forward", {0.02, 0.02, 0.5}, 0.0}),
                          [](const auto& info) { return std::string(info.param.name); });
 
-// The stated deviation covers the true error under sensor noise: it is a bound, since edges also move for other reasons.
+// The stated deviation covers the true error under sensor noise: it is a bound, since edges also move for
+// other reasons.
 TEST(EpipolarSearch, StatesADeviationThatCoversTheError) {
   const PlaneScene scene;
   const SE3 T_world_target(Eigen::Matrix3d::Identity(), {0.25, 0.05, 0});
@@ -121,20 +129,21 @@ class Outcomes : public ::testing::Test {
     return PyramidBuilder(scene.camera, EdgeParams()).build(image);
   }
   // How many edge pixels of the host's middle end in each outcome.
-  int count(EpipolarOutcome outcome, const FramePyramid& host, const FramePyramid& target, const SE3& T_target_host,
-            const IdepthRange& range, int* all) const {
+  int count(EpipolarOutcome outcome, const FramePyramid& host, const FramePyramid& target,
+            const SE3& T_target_host, const IdepthRange& range, int* all) const {
     int n = 0;
     *all = 0;
     for (const EdgePixel& e : host.finest().edges.pixels) {
       if (!scene.camera.pinhole.contains(e.position().cast<double>(), 60)) continue;
       ++*all;
-      n += search_epipolar(host, target, e.position().cast<double>(), e.normal().cast<double>(), T_target_host, range,
-                           DepthFilterParams(), AssociationParams()).outcome == outcome;
+      n += search_epipolar(host, target, e.position().cast<double>(), e.normal().cast<double>(),
+                           T_target_host, range, DepthFilterParams(), AssociationParams())
+               .outcome == outcome;
     }
     return n;
   }
-  void expect_all(EpipolarOutcome outcome, const FramePyramid& host, const FramePyramid& target, const SE3& T_target_host,
-                  double share = 1.0, const IdepthRange& range = {0.1, 0.4}) const {
+  void expect_all(EpipolarOutcome outcome, const FramePyramid& host, const FramePyramid& target,
+                  const SE3& T_target_host, double share = 1.0, const IdepthRange& range = {0.1, 0.4}) const {
     int all = 0;
     const int n = count(outcome, host, target, T_target_host, range, &all);
     ASSERT_GT(all, 100);
@@ -148,14 +157,16 @@ class Outcomes : public ::testing::Test {
 TEST_F(Outcomes, NoBaselineAtAStandstillAndInPureRotation) {
   const auto host = scene.pyramid(SE3());
   expect_all(EpipolarOutcome::kNoBaseline, *host, *host, SE3());
-  const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitY())), Eigen::Vector3d::Zero());
+  const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitY())),
+                 Eigen::Vector3d::Zero());
   expect_all(EpipolarOutcome::kNoBaseline, *host, *scene.pyramid(turn.inverse()), turn);
 }
 
 TEST_F(Outcomes, OutOfViewWhereTheCameraLooksAway) {
   const auto host = scene.pyramid(SE3());
   for (double angle : {1.4, -1.4, 3.0}) {
-    const SE3 away(Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY())), Eigen::Vector3d(0.3, 0, 0));
+    const SE3 away(Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY())),
+                   Eigen::Vector3d(0.3, 0, 0));
     expect_all(EpipolarOutcome::kOutOfView, *host, *host, away);
   }
 }
@@ -163,7 +174,9 @@ TEST_F(Outcomes, OutOfViewWhereTheCameraLooksAway) {
 TEST_F(Outcomes, NoMatchInABlankImage) {
   const auto blank = build(test::make_image(320, 240, [](double, double) { return 90; }));
   int all = 0;
-  const auto count_of = [&](EpipolarOutcome outcome) { return count(outcome, *scene.pyramid(SE3()), *blank, sideways(-0.3), {0.1, 0.4}, &all); };
+  const auto count_of = [&](EpipolarOutcome outcome) {
+    return count(outcome, *scene.pyramid(SE3()), *blank, sideways(-0.3), {0.1, 0.4}, &all);
+  };
   const int no_match = count_of(EpipolarOutcome::kNoMatch), along = count_of(EpipolarOutcome::kAlongLine);
   EXPECT_GT(no_match, 1000);
   EXPECT_EQ(no_match + along, all);
@@ -182,9 +195,10 @@ TEST_F(Outcomes, EdgesAlongTheEpipolarLineAreNotSearched) {
 }
 
 TEST_F(Outcomes, AmbiguousAmongEqualStripes) {
-  const auto stripes = build(test::make_image(320, 240, [](double x, double) { return 128 + 90 * std::tanh(4 * std::sin(x * M_PI / 20)); }));
-  // 0.6 x 260 px x (0.1 ... 0.6): 16 to 94 pixels to the left, where stripes stand at 40 and 80; near the left border the
-  // second lies outside.
+  const auto stripes = build(test::make_image(
+      320, 240, [](double x, double) { return 128 + 90 * std::tanh(4 * std::sin(x * M_PI / 20)); }));
+  // 0.6 x 260 px x (0.1 ... 0.6): 16 to 94 pixels to the left, where stripes stand at 40 and 80; near the
+  // left border the second lies outside.
   expect_all(EpipolarOutcome::kAmbiguous, *stripes, *stripes, sideways(-0.6), 0.8, {0.1, 0.6});
 }
 
@@ -205,9 +219,9 @@ TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
     const auto& pixels = host->finest().edges.pixels;
     const EdgePixel& e = pixels[size_t(random.below(int(pixels.size())))];
     const double low = random.uniform(1e-4, 1);
-    const EpipolarMatch m = search_epipolar(*host, *host, e.position().cast<double>(), e.normal().cast<double>(),
-                                            SE3::exp(xi), {low, low * random.uniform(1, 100)}, DepthFilterParams(),
-                                            AssociationParams());
+    const EpipolarMatch m =
+        search_epipolar(*host, *host, e.position().cast<double>(), e.normal().cast<double>(), SE3::exp(xi),
+                        {low, low * random.uniform(1, 100)}, DepthFilterParams(), AssociationParams());
     if (m.outcome != EpipolarOutcome::kFound) continue;
     ++found;
     EXPECT_TRUE(std::isfinite(m.idepth) && m.idepth > 0);
@@ -227,7 +241,11 @@ TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
   Random random(1);
   const std::vector<bool> free(size_t(CellGrid(320, 240, params.cell_px).size()), false);
   host.immature = make_immature_points(
-      host, free, [&](const Eigen::Vector2d& px) { const double q = scene.idepth(SE3(), px); return IdepthRange{0.4 * q, 2.5 * q}; },
+      host, free,
+      [&](const Eigen::Vector2d& px) {
+        const double q = scene.idepth(SE3(), px);
+        return IdepthRange{0.4 * q, 2.5 * q};
+      },
       params, &random);
   const auto error = [&](std::vector<double>* sigma) {
     std::vector<double> relative;
@@ -243,7 +261,8 @@ TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
   std::vector<double> sigma_early, sigma_late, early;
   for (int k = 1; k <= 6; ++k) {
     const SE3 T_world_target(Eigen::Matrix3d::Identity(), {0.06 * k, 0.02 * k, 0});
-    update_depths(*scene.pyramid(T_world_target), T_world_target.inverse(), params, AssociationParams(), &host);
+    update_depths(*scene.pyramid(T_world_target), T_world_target.inverse(), params, AssociationParams(),
+                  &host);
     if (k == 2) early = error(&sigma_early);
   }
   const std::vector<double> late = error(&sigma_late);

@@ -11,7 +11,8 @@ struct Views {
   std::vector<cv::Point2f> first, last;
   std::vector<Eigen::Vector3d> rays_first, rays_last;
 
-  Views(const Eigen::Vector3d& t, const Eigen::Vector3d& w, double noise_px, double nearest = 3, double farthest = 12, uint64_t seed = 3) {
+  Views(const Eigen::Vector3d& t, const Eigen::Vector3d& w, double noise_px, double nearest = 3,
+        double farthest = 12, uint64_t seed = 3) {
     Vector6d xi;
     xi << Eigen::Vector3d::Zero(), w;
     truth = SE3(SE3::exp(xi).rotation(), t);
@@ -20,7 +21,8 @@ struct Views {
       const Eigen::Vector2d px(random.uniform(20, 620), random.uniform(20, 460));
       const Eigen::Vector3d p = truth * (pinhole.ray(px) * random.uniform(nearest, farthest));
       if (p.z() < 0.5 || !pinhole.contains(pinhole.project(p))) continue;
-      const Eigen::Vector2d q = pinhole.project(p) + noise_px * Eigen::Vector2d(random.normal(), random.normal());
+      const Eigen::Vector2d q =
+          pinhole.project(p) + noise_px * Eigen::Vector2d(random.normal(), random.normal());
       first.emplace_back(float(px.x()), float(px.y()));
       last.emplace_back(float(q.x()), float(q.y()));
       rays_first.push_back(pinhole.ray(px));
@@ -36,7 +38,8 @@ TEST(RefineMotion, RecoversAPerturbedMotionExactly) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0);
   Vector6d xi;
   xi << 0, 0, 0, 0.01, -0.01, 0.015;
-  const SE3 start = SE3(SE3::exp(xi).rotation() * v.truth.rotation(), Eigen::Vector3d(0.5, 0.2, 0.1).normalized());
+  const SE3 start =
+      SE3(SE3::exp(xi).rotation() * v.truth.rotation(), Eigen::Vector3d(0.5, 0.2, 0.1).normalized());
   const SE3 T = refine_motion(start, v.rays_first, v.rays_last, 500, 0.5);
   EXPECT_LT(v.rotation_error(T), 1e-7);
   EXPECT_LT(v.direction_error(T), 1e-6);
@@ -54,7 +57,8 @@ TEST(RefineMotion, SharpensTheMotionOfRansac) {
   EXPECT_FALSE(is_ambiguous(motions.front(), motions));
 }
 
-// Depths of 36 to 110 times the way between the views, as at the begin of a slow motion: nothing speaks against them.
+// Depths of 36 to 110 times the way between the views, as at the begin of a slow motion: nothing speaks
+// against them.
 TEST(EstimateMotions, FarCornersAgree) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.2, 20, 60);
   Random random(1);

@@ -1,4 +1,5 @@
-// The sliding window: perturbed poses and depths come back, points are spread, the cloud lies in the newest frame.
+// The sliding window: perturbed poses and depths come back, points are spread, the cloud lies in the newest
+// frame.
 #include "edgevo/mapping/window.h"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,8 @@
 namespace edgevo {
 namespace {
 
-using test::Sweep;
 using test::median;
+using test::Sweep;
 using test::sweep_pose;
 
 constexpr int kFramesApart = 4;
@@ -34,7 +35,8 @@ Window true_window(int n, double depth_noise, const WindowParams& params = param
 double idepth_error(const Window& window) {
   std::vector<double> relative;
   for (const Keyframe& k : window.keyframes())
-    for (const MapPoint& p : k.points) relative.push_back(std::abs(p.idepth / Sweep::idepth(k.frame_index, p.px) - 1));
+    for (const MapPoint& p : k.points)
+      relative.push_back(std::abs(p.idepth / Sweep::idepth(k.frame_index, p.px) - 1));
   return median(relative);
 }
 
@@ -66,7 +68,8 @@ TEST(Window, ActivationIsSpreadOverTheNewestImage) {
   for (const Keyframe& k : window.keyframes()) {
     const SE3 T = relative_pose(window.newest(), k);
     for (const MapPoint& p : k.points) {
-      const Projection at = project(Sweep::pinhole(), T.R(), T.translation(), Sweep::pinhole().ray(p.px), p.idepth);
+      const Projection at =
+          project(Sweep::pinhole(), T.R(), T.translation(), Sweep::pinhole().ray(p.px), p.idepth);
       ++count[size_t(grid.index(at.px.x(), at.px.y()))];
     }
   }
@@ -81,12 +84,14 @@ TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
   EXPECT_EQ(window.activate(2, 2), 0);
 }
 
-// Two keyframes show each point in one other view: it is not lost for want of a second one that has not been taken yet.
+// Two keyframes show each point in one other view: it is not lost for want of a second one that has not been
+// taken yet.
 TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
   Window window = true_window(2, 0.02);
   EXPECT_EQ(window.activate(2, 2), 0);
   for (const Keyframe& k : window.keyframes())
-    EXPECT_TRUE(std::none_of(k.immature.begin(), k.immature.end(), [](const ImmaturePoint& p) { return p.dead; }));
+    EXPECT_TRUE(
+        std::none_of(k.immature.begin(), k.immature.end(), [](const ImmaturePoint& p) { return p.dead; }));
   Random random(17);
   window.add(test::true_keyframe(2, 2 * kFramesApart, 0.02, &random));
   window.newest().immature.clear();
@@ -116,7 +121,8 @@ TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
     const SE3 T = relative_pose(window.newest(), host);
     for (const MapPoint& p : host.points)
       if (const Observation* seen = p.find(9)) {
-        const Projection at = project(Sweep::pinhole(), T.R(), T.translation(), Sweep::pinhole().ray(p.px), p.idepth);
+        const Projection at =
+            project(Sweep::pinhole(), T.R(), T.translation(), Sweep::pinhole().ray(p.px), p.idepth);
         off.push_back(std::abs(seen->match.normal.dot(seen->match.px - at.px)));
       }
   }
@@ -130,7 +136,8 @@ TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
   Random random(3);
   Keyframe blank = test::true_keyframe(9, 4 * kFramesApart, 0.0, &random);
   blank.immature.clear();
-  blank.pyramid = PyramidBuilder(Sweep::scene().camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) { return 80; }));
+  blank.pyramid = PyramidBuilder(Sweep::scene().camera, EdgeParams())
+                      .build(test::make_image(320, 240, [](double, double) { return 80; }));
   window.add(std::move(blank));
   EXPECT_EQ(window.associate_newest(tracking_covariance()), 0);
   int misses = 0;
@@ -173,7 +180,8 @@ TEST(Window, RecoversPosesAndDepths) {
   EXPECT_LT(idepth_error(window), 0.01);
 }
 
-// The newest keyframe as after a turn in which no match of it is right: only its corners know how it is turned.
+// The newest keyframe as after a turn in which no match of it is right: only its corners know how it is
+// turned.
 Window window_that_lost_its_newest(bool with_corners) {
   Window window = true_window(4, 0.02);
   window.activate(2, 2);
@@ -190,7 +198,8 @@ Window window_that_lost_its_newest(bool with_corners) {
     newest.corners_from = last.id;
     for (double y = 20; y < 230; y += 20)
       for (double x = 20; x < 310; x += 20) {
-        const Eigen::Vector3d ray = Sweep::pinhole().ray({x, y}), there = T * Eigen::Vector3d(ray / Sweep::idepth(last.frame_index, {x, y}));
+        const Eigen::Vector3d ray = Sweep::pinhole().ray({x, y}),
+                              there = T * Eigen::Vector3d(ray / Sweep::idepth(last.frame_index, {x, y}));
         newest.corners.push_back({ray, there / there.z()});
       }
   }
@@ -224,7 +233,9 @@ TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
     revision.keyframes.push_back(r);
   }
   window.apply(revision, [](const Keyframe& k) { return k.pyramid; });
-  const auto taken_at = [&](const ImageCorrection& c, const Eigen::Vector3d& ray) { return to_file(Sweep::pinhole(), c, ImageMotion(), ray.head<2>()); };
+  const auto taken_at = [&](const ImageCorrection& c, const Eigen::Vector3d& ray) {
+    return to_file(Sweep::pinhole(), c, ImageMotion(), ray.head<2>());
+  };
   const CornerPair& moved = window.newest().corners.front();
   EXPECT_LT((taken_at(revision.now, moved.from) - taken_at(revision.before, from)).norm(), 1e-9);
   EXPECT_LT((taken_at(revision.now, moved.to) - taken_at(revision.before, to)).norm(), 1e-9);
@@ -286,7 +297,8 @@ TEST(Window, TheBootstrapKeepsItsScale) {
   window.hold_bootstrap_scale();
   window.activate(2, 1);
   window.adjust();
-  EXPECT_NEAR(relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm(), before, 0.01 * before);
+  EXPECT_NEAR(relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm(), before,
+              0.01 * before);
   EXPECT_LT(pose_error(window.keyframes()[0]).log().norm(), 1e-12);
 }
 
@@ -302,7 +314,8 @@ TEST(Window, AnEmptyWindowDoesNothing) {
 // ---- leaving and cloud ----
 
 class WindowGauge : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Both, WindowGauge, ::testing::Values("fixed", "prior"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Both, WindowGauge, ::testing::Values("fixed", "prior"),
+                         [](const auto& info) { return std::string(info.param); });
 
 TEST_P(WindowGauge, TheOldestLeavesNoTrace) {
   Window window = true_window(6, 0.02, params_with(GetParam()));
@@ -327,7 +340,8 @@ TEST_P(WindowGauge, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
   window.remove_oldest();
   for (int i = 0; i < 3; ++i) window.adjust();
   const Keyframe &first = window.keyframes().front(), &last = window.newest();
-  const double baseline = (sweep_pose(last.frame_index).translation() - sweep_pose(first.frame_index).translation()).norm();
+  const double baseline =
+      (sweep_pose(last.frame_index).translation() - sweep_pose(first.frame_index).translation()).norm();
   EXPECT_NEAR(relative_pose(last, first).translation().norm(), baseline, 0.03 * baseline);
   EXPECT_LT(idepth_error(window), 0.03);
 }
@@ -348,7 +362,9 @@ TEST(Window, TheCloudLiesInTheNewestFrame) {
     EXPECT_GT(p.idepth_sigma, 0);
     relative.push_back(std::abs(p.idepth / Sweep::idepth(window.newest().frame_index, px) - 1));
     const int e = newest.field.nearest(p.px.x(), p.px.y());
-    if (e >= 0) off_edge.push_back(std::abs(newest.edges.pixels[size_t(e)].normal().dot(newest.edges.pixels[size_t(e)].position() - p.px)));
+    if (e >= 0)
+      off_edge.push_back(std::abs(
+          newest.edges.pixels[size_t(e)].normal().dot(newest.edges.pixels[size_t(e)].position() - p.px)));
   }
   EXPECT_LT(median(relative), 0.002);
   EXPECT_GT(off_edge.size(), 0.95 * double(cloud.size()));

@@ -49,12 +49,14 @@ TEST(VehicleTrack, OdometryOfTheRichestSensorButNotOurOwn) {
   const VehicleTrack track = read_vehicle_track(folder / "x.rawlog", VehicleSensor::kOdometry);
   ASSERT_EQ(track.positions.size(), 6u);
   EXPECT_EQ(track.positions[3].time, test::frame_time(3));
-  EXPECT_LT((track.positions[3].position - Eigen::Vector3d(1.5, 0, 0)).norm(), 1e-9) << "the first is the origin";
+  EXPECT_LT((track.positions[3].position - Eigen::Vector3d(1.5, 0, 0)).norm(), 1e-9)
+      << "the first is the origin";
   EXPECT_EQ(track.sensor_on_vehicle, Eigen::Vector3d::Zero());
   EXPECT_TRUE(read_vehicle_track(folder / "x.rawlog", VehicleSensor::kGps).positions.empty());
 }
 
-// A minute of latitude is a nautical mile (1843 m at the equator by WGS84), a minute of longitude 1855 m there.
+// A minute of latitude is a nautical mile (1843 m at the equator by WGS84), a minute of longitude 1855 m
+// there.
 TEST(VehicleTrack, FixesBecomeMetres) {
   const test::TempFolder folder;
   RawlogWriter writer(folder / "x.rawlog");
@@ -103,7 +105,9 @@ TEST(GridmapWriter, MrptReadsTheSameCells) {
   mrpt::io::CFileGZInputStream file(folder / "grid.gridmap.gz");
   mrpt::maps::COccupancyGridMap2D read;
   mrpt::serialization::archiveFrom(file) >> read;
-  const auto at = [&](int x, int y) { return read.getPos(float(-0.6 + 0.2 * (x + 0.5)), float(1.2 + 0.2 * (y + 0.5))); };
+  const auto at = [&](int x, int y) {
+    return read.getPos(float(-0.6 + 0.2 * (x + 0.5)), float(1.2 + 0.2 * (y + 0.5)));
+  };
   for (int y = 0; y < 5; ++y)
     for (int x = 0; x < 7; ++x) {
       const float expected = x == 3 && y == 2 ? 0.01f : x == 6 && y == 4 ? 0.99f : 0.5f;

@@ -27,10 +27,12 @@ edgevo::Run made_run() {
   R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   run.T_vehicle_cam = SE3(R, {0.3, 0.1, 1.2});
   run.keyframes.back().segment = 1;
-  run.keyframes[2].lines = {testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
-                            testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
+  run.keyframes[2].lines = {
+      testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
+      testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
   run.keyframes[2].lines[1].is_outline = true;
-  run.keyframes[3].lines = {testing::edge_line(run.pinhole, run.keyframes[3].T_world_cam, {0, 0, 5}, {0.4, 0, 6}, 4)};
+  run.keyframes[3].lines = {
+      testing::edge_line(run.pinhole, run.keyframes[3].T_world_cam, {0, 0, 5}, {0.4, 0, 6}, 4)};
   return run;
 }
 
@@ -72,7 +74,9 @@ TEST(EdgePlyReader, GivesTheLinesBack) {
       EXPECT_EQ(b.is_outline, a.is_outline);
       ASSERT_EQ(b.vertices.size(), a.vertices.size());
       for (size_t i = 0; i < a.vertices.size(); ++i) {
-        EXPECT_LT((point_in_camera(run.pinhole, a.vertices[i]) - point_in_camera(read.pinhole, b.vertices[i])).norm(), 1e-4);
+        EXPECT_LT((point_in_camera(run.pinhole, a.vertices[i]) - point_in_camera(read.pinhole, b.vertices[i]))
+                      .norm(),
+                  1e-4);
         EXPECT_EQ(b.vertices[i].gray_dark, 40);
         EXPECT_EQ(b.vertices[i].gray_bright, 200);
       }
@@ -87,8 +91,10 @@ TEST(EdgePlyReader, TheSameMapComesOutOfIt) {
   OccupancyParams params;
   params.resolution = "0.1", params.max_range = "15";
   const OctreeMap before(run, params), after(read_edge_ply(folder / "edges.ply"), params);
-  EXPECT_NEAR(double(after.stats().occupied_voxels), double(before.stats().occupied_voxels), 0.005 * double(before.stats().occupied_voxels));
-  EXPECT_NEAR(double(after.stats().free_voxels), double(before.stats().free_voxels), 0.005 * double(before.stats().free_voxels));
+  EXPECT_NEAR(double(after.stats().occupied_voxels), double(before.stats().occupied_voxels),
+              0.005 * double(before.stats().occupied_voxels));
+  EXPECT_NEAR(double(after.stats().free_voxels), double(before.stats().free_voxels),
+              0.005 * double(before.stats().free_voxels));
 }
 
 TEST(EdgePlyReader, RefusesWhatIsNotWhole) {

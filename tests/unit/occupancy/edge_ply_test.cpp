@@ -98,8 +98,9 @@ TEST(EdgePly, LinesComeAfterThePointsWithTheirEdges) {
   const test::TempFolder folder;
   const std::string path = folder / "edges.ply";
   edgevo::Run run = two_keyframes();
-  run.keyframes[1].lines = {testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
-                            testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
+  run.keyframes[1].lines = {
+      testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
+      testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
   EXPECT_EQ(write_edge_ply(run, PointFilter(), path), 2);
   const Ply ply = read_ply(path);
   ASSERT_EQ(ply.vertices.size(), 2u + 5u + 3u);

@@ -28,7 +28,8 @@ struct MadeGrid {
   /// Where a world point (camera axes: x right, z ahead) lies in the grid.
   GridCell at(double x, double z) const {
     const Eigen::Vector3d p = T_map_world(scene.run) * Eigen::Vector3d(x, 0, z);
-    return grid.at(int(std::floor((p.x() - grid.origin_x) / grid.resolution)), int(std::floor((p.y() - grid.origin_y) / grid.resolution)));
+    return grid.at(int(std::floor((p.x() - grid.origin_x) / grid.resolution)),
+                   int(std::floor((p.y() - grid.origin_y) / grid.resolution)));
   }
 };
 
@@ -40,10 +41,12 @@ TEST(GridMap, OccupiedFreeAndUnknownAreKeptApart) {
   EXPECT_EQ(made.at(3.9, 3.05), GridCell::kUnknown) << "outside the view";
 }
 
-// The pole reaches from 1 above the camera to 1 below it; the band of heights decides whether it is in the way.
+// The pole reaches from 1 above the camera to 1 below it; the band of heights decides whether it is in the
+// way.
 TEST(GridMap, OnlyTheBandOfHeightsCounts) {
   GridParams over_the_pole;
-  over_the_pole.band_low = 2.3, over_the_pole.band_high = 3;  // camera heights over the ground, which lies one under the camera
+  over_the_pole.band_low = 2.3,
+  over_the_pole.band_high = 3;  // camera heights over the ground, which lies one under the camera
   EXPECT_NE(MadeGrid(1.0, over_the_pole).at(0.05, 5.05), GridCell::kOccupied);
   EXPECT_EQ(MadeGrid(1.0, over_the_pole).at(0.05, 10.05), GridCell::kOccupied) << "the wall is two high";
   const MadeGrid unknown_ground(0, over_the_pole);
@@ -63,7 +66,8 @@ TEST(GridMap, FollowsTheGroundUphill) {
   over_the_pole.band_low = 2.3, over_the_pole.band_high = 3;
   const OccupancyGrid grid = make_grid(run, OctreeMap(run, params), 1.0, over_the_pole);
   const Eigen::Vector3d p = T_map_world(run) * Eigen::Vector3d(0.05, 0, 25.05);
-  EXPECT_NE(grid.at(int((p.x() - grid.origin_x) / 0.1), int((p.y() - grid.origin_y) / 0.1)), GridCell::kOccupied);
+  EXPECT_NE(grid.at(int((p.x() - grid.origin_x) / 0.1), int((p.y() - grid.origin_y) / 0.1)),
+            GridCell::kOccupied);
 }
 
 // Something wrong stands in the way that was driven: the pole, and the vehicle went through it.
@@ -80,7 +84,8 @@ TEST(GridMap, TheDrivenWayIsFree) {
   const OctreeMap map(scene.run, params);
   const auto at = [&](const OccupancyGrid& grid, double x, double z) {
     const Eigen::Vector3d p = T_map_world(scene.run) * Eigen::Vector3d(x, 0, z);
-    return grid.at(int(std::floor((p.x() - grid.origin_x) / grid.resolution)), int(std::floor((p.y() - grid.origin_y) / grid.resolution)));
+    return grid.at(int(std::floor((p.x() - grid.origin_x) / grid.resolution)),
+                   int(std::floor((p.y() - grid.origin_y) / grid.resolution)));
   };
   GridParams as_the_map_says;
   as_the_map_says.driven_width = 0;
@@ -88,7 +93,8 @@ TEST(GridMap, TheDrivenWayIsFree) {
   const OccupancyGrid grid = make_grid(scene.run, map, 1.0, GridParams());
   for (const double x : {-0.5, 0.0, 0.05, 0.5}) EXPECT_EQ(at(grid, x, 5.05), GridCell::kFree) << x;
   EXPECT_EQ(at(grid, 0.05, 10.05), GridCell::kOccupied) << "the wall, where nobody has been";
-  EXPECT_EQ(at(make_grid(scene.run, map, 0, GridParams()), 0.05, 5.05), GridCell::kOccupied) << "no ground, no vehicle";
+  EXPECT_EQ(at(make_grid(scene.run, map, 0, GridParams()), 0.05, 5.05), GridCell::kOccupied)
+      << "no ground, no vehicle";
 }
 
 TEST(GridMap, RosFilesHoldTheTrinaryConvention) {
@@ -96,20 +102,24 @@ TEST(GridMap, RosFilesHoldTheTrinaryConvention) {
   const test::TempFolder folder;
   write_ros_grid(made.grid, folder / "grid.yaml");
   const std::string yaml = content(folder / "grid.yaml"), image = content(folder / "grid.pgm");
-  for (const char* line : {"image: grid.pgm\n", "mode: trinary\n", "resolution: 0.1", "negate: 0\n", "occupied_thresh: 0.65\n", "free_thresh: 0.196\n"})
+  for (const char* line : {"image: grid.pgm\n", "mode: trinary\n", "resolution: 0.1", "negate: 0\n",
+                           "occupied_thresh: 0.65\n", "free_thresh: 0.196\n"})
     EXPECT_THAT(yaml, HasSubstr(line));
   const size_t pixels = size_t(made.grid.width) * size_t(made.grid.height);
   ASSERT_GT(image.size(), pixels);
   const std::string rows = image.substr(image.size() - pixels);
-  EXPECT_EQ(size_t(std::count(rows.begin(), rows.end(), char(0))), size_t(std::count(made.grid.cells.begin(), made.grid.cells.end(), GridCell::kOccupied)));
-  EXPECT_EQ(size_t(std::count(rows.begin(), rows.end(), char(205))), size_t(std::count(made.grid.cells.begin(), made.grid.cells.end(), GridCell::kUnknown)));
+  EXPECT_EQ(size_t(std::count(rows.begin(), rows.end(), char(0))),
+            size_t(std::count(made.grid.cells.begin(), made.grid.cells.end(), GridCell::kOccupied)));
+  EXPECT_EQ(size_t(std::count(rows.begin(), rows.end(), char(205))),
+            size_t(std::count(made.grid.cells.begin(), made.grid.cells.end(), GridCell::kUnknown)));
   // The first row of the image is the one of largest y.
   for (int x = 0; x < made.grid.width; ++x)
     EXPECT_EQ(uint8_t(rows[size_t(x)]) == 0, made.grid.at(x, made.grid.height - 1) == GridCell::kOccupied);
 }
 
 TEST(GridMap, EmptyMapIsOneUnknownCell) {
-  const OccupancyGrid grid = make_grid(edgevo::Run(), OctreeMap(edgevo::Run(), OccupancyParams()), 0, GridParams());
+  const OccupancyGrid grid =
+      make_grid(edgevo::Run(), OctreeMap(edgevo::Run(), OccupancyParams()), 0, GridParams());
   EXPECT_EQ(grid.cells, std::vector<GridCell>{GridCell::kUnknown});
 }
 

@@ -85,13 +85,16 @@ TEST(OctreeMap, UncertainPointsCarveNothing) {
   EXPECT_GT(map.stats().occupied_voxels, 500);
 }
 
-// A wrong point, certain of itself, behind the wall: its ray says that the wall's inside is free. Four of them beside each other are believed.
+// A wrong point, certain of itself, behind the wall: its ray says that the wall's inside is free. Four of
+// them beside each other are believed.
 TEST(OctreeMap, LonePointsCarveNothing) {
   const auto free_behind_the_wall = [](int points) {
     auto scene = pole_and_wall(1, 5);
     for (int i = 0; i < points; ++i)
-      scene.run.keyframes[0].points.push_back(testing::edge_point(scene.run.pinhole, SE3(), {1.12 + 0.1 * i, 0.05, 14}, 0.001, 5));
-    return at(OctreeMap(scene.run, fixed_size()).tree(), scene.run, {1.12 * 12.05 / 14, 0.05 * 12.05 / 14, 12.05}) == Voxel::kFree;
+      scene.run.keyframes[0].points.push_back(
+          testing::edge_point(scene.run.pinhole, SE3(), {1.12 + 0.1 * i, 0.05, 14}, 0.001, 5));
+    return at(OctreeMap(scene.run, fixed_size()).tree(), scene.run,
+              {1.12 * 12.05 / 14, 0.05 * 12.05 / 14, 12.05}) == Voxel::kFree;
   };
   EXPECT_FALSE(free_behind_the_wall(1));
   EXPECT_FALSE(free_behind_the_wall(3));
@@ -119,7 +122,8 @@ TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
   bar.keyframes = 6;
   scene.run.keyframes[0].lines = {bar};
   const OctreeMap map(scene.run, fixed_size());
-  for (double x = -0.95; x < 1; x += 0.1) EXPECT_EQ(at(map.tree(), scene.run, {x, 0.05, 5.05}), Voxel::kOccupied) << x;
+  for (double x = -0.95; x < 1; x += 0.1)
+    EXPECT_EQ(at(map.tree(), scene.run, {x, 0.05, 5.05}), Voxel::kOccupied) << x;
 }
 
 TEST(OctreeMap, MetricVoxelsAreAtMostAFifthOfAMetre) {

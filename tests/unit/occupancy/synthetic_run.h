@@ -21,8 +21,8 @@ inline EdgePoint edge_point(const Pinhole& pinhole, const SE3& T_world_cam, cons
 }
 
 /// A line of space from a to b in the world, as its host keyframe holds it.
-inline EdgeLine edge_line(const Pinhole& pinhole, const SE3& T_world_cam, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                          int vertices) {
+inline EdgeLine edge_line(const Pinhole& pinhole, const SE3& T_world_cam, const Eigen::Vector3d& a,
+                          const Eigen::Vector3d& b, int vertices) {
   EdgeLine line;
   line.keyframes = 3;
   line.is_straight = true;

@@ -37,7 +37,8 @@ TEST(FrameClock, CountsFramesLeftOut) {
 TEST(FrameClock, KnowsTheUsualIntervalAmongGaps) {
   FrameClock clock = after(20);
   double time = 10;
-  for (const int frames : {1, 3, 1, 2, 1, 6, 1, 1, 4, 1, 2}) EXPECT_EQ(clock.tick(at(time += 0.1 * frames)).frames, frames);
+  for (const int frames : {1, 3, 1, 2, 1, 6, 1, 1, 4, 1, 2})
+    EXPECT_EQ(clock.tick(at(time += 0.1 * frames)).frames, frames);
 }
 
 // Of a busy recorder, where now and then most of the latest frames came after a gap.

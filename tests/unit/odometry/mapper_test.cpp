@@ -11,8 +11,8 @@ namespace edgevo {
 namespace {
 
 using test::Sweep;
-using test::SweepDriver;
 using test::sweep_pose;
+using test::SweepDriver;
 
 MappingParams params_with(const std::string& gauge) {
   MappingParams p;
@@ -23,7 +23,9 @@ MappingParams params_with(const std::string& gauge) {
 
 // Length of the estimated step between two keyframes over that of the true one.
 double step_scale(const SweepDriver& driver, const Keyframe& a, const Keyframe& b) {
-  const double truth = (sweep_pose(driver.frame_of.at(b.id)).translation() - sweep_pose(driver.frame_of.at(a.id)).translation()).norm();
+  const double truth = (sweep_pose(driver.frame_of.at(b.id)).translation() -
+                        sweep_pose(driver.frame_of.at(a.id)).translation())
+                           .norm();
   return relative_pose(b, a).translation().norm() / truth;
 }
 
@@ -54,7 +56,8 @@ TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
 }
 
 class MapperGauge : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Both, MapperGauge, ::testing::Values("fixed", "prior"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Both, MapperGauge, ::testing::Values("fixed", "prior"),
+                         [](const auto& info) { return std::string(info.param); });
 
 TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
   SweepDriver driver(params_with(GetParam()));
@@ -80,7 +83,8 @@ TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
   for (size_t i = 1; i < retired.size(); ++i) EXPECT_EQ(retired[i].id, retired[i - 1].id + 1);
   const auto& window = driver.mapper.window().keyframes();
   EXPECT_EQ(retired.back().id + 1, window.front().id);
-  for (size_t i = 2; i < window.size(); ++i) EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
+  for (size_t i = 2; i < window.size(); ++i)
+    EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
   // Where the run ends, after about 2.4 of way: within 5 %.
   const SE3 T_first_last = window.back().T_cam_world.inverse(), truth = sweep_pose(window.back().frame_index);
   EXPECT_LT((T_first_last.translation() - truth.translation()).norm(), 0.12);
@@ -97,7 +101,8 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
     EXPECT_EQ(driver.start(), "");
     driver.process(12, true);
     const Window& window = driver.mapper.window();
-    const int lacking = std::max(0, max_points - window.active_points()), made = int(window.newest().immature.size());
+    const int lacking = std::max(0, max_points - window.active_points()),
+              made = int(window.newest().immature.size());
     EXPECT_LE(made, std::max(300, int(params.depth_filter.candidates_per_point * lacking))) << max_points;
     return made;
   };
@@ -106,13 +111,15 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
-// No point can be matched in as many keyframes as asked for: what keeps the map alive is that one match does where it thins out.
+// No point can be matched in as many keyframes as asked for: what keeps the map alive is that one match does
+// where it thins out.
 TEST(Mapper, AMapThatThinsOutTakesPointsWithOneMatch) {
   MappingParams params = params_with("prior");
   params.window.min_matches = 10;
   SweepDriver driver(params);
   ASSERT_EQ(driver.start(), "");
-  for (int step = 1; step <= 15; ++step) driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
+  for (int step = 1; step <= 15; ++step)
+    driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
   EXPECT_GT(driver.mapper.reference()->known_points, 60);
 }
 
@@ -163,7 +170,8 @@ TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
   const DepthFilterParams params;
   const CellGrid grid(320, 240, params.cell_px);
   std::vector<bool> known(size_t(grid.size()), false);
-  for (const CloudPoint& p : driver.mapper.window().cloud(driver.mapper.window().newest())) known[size_t(grid.index(p.px.x(), p.px.y()))] = true;
+  for (const CloudPoint& p : driver.mapper.window().cloud(driver.mapper.window().newest()))
+    known[size_t(grid.index(p.px.x(), p.px.y()))] = true;
   const Keyframe& newest = driver.mapper.window().newest();
   EXPECT_GT(newest.immature.size(), 20u);
   for (const ImmaturePoint& p : newest.immature) EXPECT_FALSE(known[size_t(grid.index(p.px.x(), p.px.y()))]);

@@ -62,7 +62,8 @@ TEST(Odometry, FollowsTheSweepFromItsFirstFrame) {
 
 TEST(Odometry, TheTurnsAreThoseOfTheSweep) {
   double worst = 0;
-  for (const FrameRecord& f : whole_sweep().frames) worst = std::max(worst, (*f.T_world_cam * sweep_pose(f.index).inverse()).angle());
+  for (const FrameRecord& f : whole_sweep().frames)
+    worst = std::max(worst, (*f.T_world_cam * sweep_pose(f.index).inverse()).angle());
   EXPECT_LT(worst, 0.02);
 }
 
@@ -79,7 +80,8 @@ TEST(Odometry, KeyframesCarryPointsWithTrueDepth) {
     for (const EdgePoint& p : k.points) {
       EXPECT_GT(p.idepth, 0);
       EXPECT_GE(p.observations, 1);
-      error.push_back(std::abs(double(p.idepth) / scale / scene.idepth(sweep_pose(k.frame_index), p.px.cast<double>()) - 1));
+      error.push_back(std::abs(
+          double(p.idepth) / scale / scene.idepth(sweep_pose(k.frame_index), p.px.cast<double>()) - 1));
     }
   }
   ASSERT_GT(error.size(), 400u);
@@ -142,7 +144,8 @@ TEST(OdometryLoss, FortyBlackFramesAreLostAndTrackingResumes) {
     EXPECT_FALSE(run.frames[size_t(k)].T_world_cam) << k;
     EXPECT_NE(run.frames[size_t(k)].note, "") << k;
   }
-  const auto before = trajectory_error(run, 0, kBegin, sweep_pose), after = trajectory_error(run, kEnd, kAll, sweep_pose);
+  const auto before = trajectory_error(run, 0, kBegin, sweep_pose),
+             after = trajectory_error(run, kEnd, kAll, sweep_pose);
   EXPECT_EQ(before.poses, kBegin);
   EXPECT_LT(before.rmse, 0.03 * before.length);
   EXPECT_GT(after.poses, (kAll - kEnd) / 2);
@@ -169,7 +172,8 @@ TEST(OdometryLoss, TheNewSegmentStartsWhereTheOldOneLedTo) {
     if (!restarted && f.segment == 1 && f.T_world_cam) restarted = &f;
   ASSERT_TRUE(restarted);
   const Eigen::Vector3d last = run.frames[kBegin - 1].T_world_cam_live->translation();
-  const Eigen::Vector3d velocity = (last - run.frames[kBegin - 6].T_world_cam_live->translation()) / 5;  // a frame
+  const Eigen::Vector3d velocity =
+      (last - run.frames[kBegin - 6].T_world_cam_live->translation()) / 5;  // a frame
   const Eigen::Vector3d predicted = last + (restarted->index - (kBegin - 1)) * velocity;
   EXPECT_LT((restarted->T_world_cam->translation() - predicted).norm(), 0.2 * (predicted - last).norm());
 }
@@ -292,8 +296,10 @@ std::string error_of(const Call& call) {
 TEST(OdometryParameters, UnknownOnesAreRejectedWithTheNearestName) {
   OdometryParams params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
-  EXPECT_THAT(error_of([&] { read_params("mapping:\n  window:\n    keyframe: 9\n", "x.yaml", visit); }), ::testing::HasSubstr("keyframes"));
-  EXPECT_THAT(error_of([&] { set_param("recovery.max_frame=3", visit); }), ::testing::HasSubstr("max_frames"));
+  EXPECT_THAT(error_of([&] { read_params("mapping:\n  window:\n    keyframe: 9\n", "x.yaml", visit); }),
+              ::testing::HasSubstr("keyframes"));
+  EXPECT_THAT(error_of([&] { set_param("recovery.max_frame=3", visit); }),
+              ::testing::HasSubstr("max_frames"));
   EXPECT_THAT(error_of([&] { set_param("edges.detector=cany", visit); }), ::testing::HasSubstr("canny"));
   EXPECT_THAT(error_of([&] { set_param("mapping.window.keyframes=2", visit); }), ::testing::HasSubstr("30"));
 }

@@ -71,7 +71,8 @@ TEST(Realtime, AnImageOfAnotherSizeThrowsInTheCaller) {
   EXPECT_GE(odometry.finish().frames.size(), 25u);
 }
 
-// Frames that a live camera gave and nobody had time for: each has its row, and tracking goes on over the gap.
+// Frames that a live camera gave and nobody had time for: each has its row, and tracking goes on over the
+// gap.
 TEST(Realtime, FramesThatArePassedOverKeepTheirRow) {
   constexpr int kAll = 60, kBegin = 40, kEnd = 43;
   Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());

@@ -1,5 +1,6 @@
 #pragma once
-// Sequences for the tests of the odometry: the sweep through the hollow scene, with stretches blacked out where asked for.
+// Sequences for the tests of the odometry: the sweep through the hollow scene, with stretches blacked out
+// where asked for.
 #include <Eigen/Geometry>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace edgevo::test {
 inline Frame sweep_frame(int k) {
   static const HollowScene scene;
   static std::vector<GrayImage> images;
-  for (int i = int(images.size()); i <= k; ++i) images.push_back(scene.render(sweep_pose(i), 1, 0, 1.5, uint64_t(i + 1)));
+  for (int i = int(images.size()); i <= k; ++i)
+    images.push_back(scene.render(sweep_pose(i), 1, 0, 1.5, uint64_t(i + 1)));
   return {k, Timestamp::from_seconds(0.05 * k), images[size_t(k)]};
 }
 
@@ -60,7 +62,9 @@ TrajectoryError trajectory_error(const Run& run, int begin, int end, const Truth
   const Eigen::Matrix3Xd from = matrix(a), to = matrix(b);
   const Eigen::Matrix4d S = Eigen::umeyama(from, to, true);
   e.scale = S.topLeftCorner<3, 3>().col(0).norm();
-  e.rmse = std::sqrt(((S.topLeftCorner<3, 3>() * from).colwise() + S.topRightCorner<3, 1>() - to).squaredNorm() / double(a.size()));
+  e.rmse =
+      std::sqrt(((S.topLeftCorner<3, 3>() * from).colwise() + S.topRightCorner<3, 1>() - to).squaredNorm() /
+                double(a.size()));
   return e;
 }
 

@@ -42,7 +42,8 @@ TEST(RollingShutter, DepthsAreThoseOfThePointsInView) {
 TEST(RollingShutter, DepthsMoveWithTheCamera) {
   // Halfway towards the points of the lower half: depth 1 becomes 1/2.
   const SE3 forward(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, -0.5));
-  EXPECT_NEAR(image_motion(kCamera, cloud_of(6000), forward, twist(), 7).idepth.bottomRows<2>().mean(), 2.0, 0.15);
+  EXPECT_NEAR(image_motion(kCamera, cloud_of(6000), forward, twist(), 7).idepth.bottomRows<2>().mean(), 2.0,
+              0.15);
 }
 
 TEST(RollingShutter, WithoutPointsTheMapsMedianStands) {
@@ -71,7 +72,8 @@ TEST(RollingShutter, ShiftedPointsProjectWhereTheirRowsShowThem) {
     const Eigen::Vector2d x = seen(cloud.points[i]);
     if (!kCamera.contains(kCamera.project(Eigen::Vector3d(x.x(), x.y(), 1)))) continue;
     // The image was rectified for the motion that was expected: what is left of the shift shows.
-    const Eigen::Vector2d left = add_rolling(kCamera, readout_s, found, x) - add_rolling(kCamera, readout_s, expected, x);
+    const Eigen::Vector2d left =
+        add_rolling(kCamera, readout_s, found, x) - add_rolling(kCamera, readout_s, expected, x);
     EXPECT_LT((seen(shifted.points[i]) - (x + left)).norm(), 1e-12);
     EXPECT_NEAR(shifted.points[i].ray.z(), 1, 1e-12);
     largest = std::max(largest, 500 * left.norm());
@@ -84,12 +86,16 @@ TEST(RollingShutter, AShiftedRayIsWhereTheOtherImageShowsIt) {
   const ImageMotion expected = image_motion(kCamera, cloud_of(400), SE3(), 2 * twist(), 1);
   const ImageMotion measured{4 * twist(), expected.idepth};
   const double readout_s = 0.03;
-  for (const Eigen::Vector2d& px : {Eigen::Vector2d(100, 60), Eigen::Vector2d(320, 400), Eigen::Vector2d(550, 200)}) {
-    const Eigen::Vector2d true_x = kCamera.ray(px).head<2>(), camera_x = add_rolling(kCamera, readout_s, measured, true_x);
+  for (const Eigen::Vector2d& px :
+       {Eigen::Vector2d(100, 60), Eigen::Vector2d(320, 400), Eigen::Vector2d(550, 200)}) {
+    const Eigen::Vector2d true_x = kCamera.ray(px).head<2>(),
+                          camera_x = add_rolling(kCamera, readout_s, measured, true_x);
     const ImageCorrection correction{0, readout_s};
     const Eigen::Vector2d in_expected = from_file(kCamera, correction, expected, camera_x);
-    const Eigen::Vector3d shifted = shift_ray(kCamera, readout_s, expected, measured, {in_expected.x(), in_expected.y(), 1});
-    const double before = kCamera.fx * (in_expected - true_x).norm(), after = kCamera.fx * (shifted.head<2>() - true_x).norm();
+    const Eigen::Vector3d shifted =
+        shift_ray(kCamera, readout_s, expected, measured, {in_expected.x(), in_expected.y(), 1});
+    const double before = kCamera.fx * (in_expected - true_x).norm(),
+                 after = kCamera.fx * (shifted.head<2>() - true_x).norm();
     EXPECT_GT(before, 1) << "pixels";
     EXPECT_LT(after, 0.1 * before);  // to first order
     EXPECT_EQ(shifted.z(), 1);
@@ -100,7 +106,8 @@ TEST(RollingShutter, NothingMovesWhereTheMotionWasExpected) {
   const ReferenceCloud cloud = cloud_of(100);
   const ImageMotion m = image_motion(kCamera, cloud, SE3(), twist(), 1);
   const ReferenceCloud shifted = shift_cloud(kCamera, cloud, SE3(), 0.03, m, m);
-  for (size_t i = 0; i < cloud.points.size(); ++i) EXPECT_LT((shifted.points[i].ray - cloud.points[i].ray).norm(), 1e-14);
+  for (size_t i = 0; i < cloud.points.size(); ++i)
+    EXPECT_LT((shifted.points[i].ray - cloud.points[i].ray).norm(), 1e-14);
 }
 
 }  // namespace

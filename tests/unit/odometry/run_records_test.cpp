@@ -9,8 +9,8 @@
 namespace edgevo {
 namespace {
 
-// A point that the correction moves out to infinity is no more certain for it: its deviation follows the unit of
-// length, not its own inverse depth.
+// A point that the correction moves out to infinity is no more certain for it: its deviation follows the unit
+// of length, not its own inverse depth.
 TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   RunRecords records(test::Sweep::pinhole());
   records.begin_segment(0, test::true_bootstrap(0, 4), std::nullopt);

@@ -20,9 +20,11 @@ Matrix6d some_covariance() {
   return root * root.transpose();
 }
 
-const SE3 kAdjusted = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())), Eigen::Vector3d(0.1, 0.02, -0.9));
+const SE3 kAdjusted = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())),
+                          Eigen::Vector3d(0.1, 0.02, -0.9));
 
-// `keyframes` poses, as wrong as `sigmas` times what they are told to be; the mean factor after the first ten of them.
+// `keyframes` poses, as wrong as `sigmas` times what they are told to be; the mean factor after the first ten
+// of them.
 double mean_factor(double sigmas, int keyframes) {
   Random random(3);
   const Matrix6d root = some_covariance().llt().matrixL();
@@ -56,7 +58,8 @@ TEST(TrackingCheck, FollowsTheVarianceThatIsThere) {
 TEST(TrackingCheck, OneOutlierDoesNotDecide) {
   TrackingCheck check;
   for (int i = 0; i < 20; ++i) check.add(kAdjusted, kAdjusted, some_covariance());
-  check.add(SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(3, 0, 0)) * kAdjusted, kAdjusted, some_covariance());
+  check.add(SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(3, 0, 0)) * kAdjusted, kAdjusted,
+            some_covariance());
   EXPECT_LT(check.error_factor(), 3);
   const double before = check.error_factor();
   check.add(kAdjusted, kAdjusted, Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()));

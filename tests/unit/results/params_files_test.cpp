@@ -1,4 +1,5 @@
-// The files in params/ are what users start from: each must be readable, and default.yaml must list the defaults, all of them.
+// The files in params/ are what users start from: each must be readable, and default.yaml must list the
+// defaults, all of them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -56,10 +57,15 @@ TEST(ParamsFiles, DefaultYamlListsEveryParameterWithItsDefault) {
   // Start from other values everywhere, so that a key missing in the file would show.
   class Disturb : public ParamVisitor {
    public:
-    void number(const char*, double& value, double min, double max, const char*) override { value = value == min ? max : min; }
-    void integer(const char*, int& value, int min, int max, const char*) override { value = value == min ? max : min; }
+    void number(const char*, double& value, double min, double max, const char*) override {
+      value = value == min ? max : min;
+    }
+    void integer(const char*, int& value, int min, int max, const char*) override {
+      value = value == min ? max : min;
+    }
     void boolean(const char*, bool& value, const char*) override { value = !value; }
-    void text(const char*, std::string& value, const std::vector<std::string>& choices, const char*) override {
+    void text(const char*, std::string& value, const std::vector<std::string>& choices,
+              const char*) override {
       value = choices.empty() ? value + "x" : choices.front() == value ? choices.back() : choices.front();
     }
     void begin_group(const char*) override {}
@@ -76,7 +82,8 @@ TEST(ParamsFiles, DefaultYamlListsEveryParameterWithItsDefault) {
 TEST(ParamsFiles, UnknownKeyOffersTheNearest) {
   RunParams params;
   try {
-    read_params("mapping:\n  window:\n    keyframe: 9\n", "test.yaml", [&](ParamVisitor& v) { params.visit(v); });
+    read_params("mapping:\n  window:\n    keyframe: 9\n", "test.yaml",
+                [&](ParamVisitor& v) { params.visit(v); });
     FAIL();
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("mapping.window.keyframes"), std::string::npos) << e.what();

@@ -47,7 +47,8 @@ TEST(CameraHeight, DriftIsTakenOutWhereItAroseInPosesAndPoints) {
   for (const size_t k : {size_t(0), made.run.keyframes.size() - 1}) {
     const KeyframeRecord& keyframe = made.run.keyframes[k];
     const auto& frame = *made.run.frames[size_t(keyframe.frame_index)].T_world_cam;
-    EXPECT_LT((keyframe.T_world_cam.translation() - frame.translation()).norm(), 1e-9) << "a keyframe stands where its frame does";
+    EXPECT_LT((keyframe.T_world_cam.translation() - frame.translation()).norm(), 1e-9)
+        << "a keyframe stands where its frame does";
     double deepest = 0;
     for (const EdgePoint& p : keyframe.points) deepest = std::max(deepest, 1.0 / double(p.idepth));
     EXPECT_NEAR(deepest, 14.5, 1.3) << "points lie from 5 to 15 m ahead, keyframe " << k;
@@ -94,7 +95,8 @@ TEST(CameraHeight, ASegmentWithoutGroundTakesItsNeighboursScale) {
   EXPECT_EQ(made.run.scale.frames_carried_over, 100);
 }
 
-// What is known when a frame comes: nothing at first, then the same as in the end within its deviation; from what lies behind only.
+// What is known when a frame comes: nothing at first, then the same as in the end within its deviation; from
+// what lies behind only.
 TEST(CameraHeight, LiveScaleComesToKnowIt) {
   const MadeRun made = drive_over_ground({});
   LiveScale live(made.run.pinhole, kHeight, {}, std::nullopt, ScaleParams());
@@ -110,7 +112,8 @@ TEST(CameraHeight, LiveScaleComesToKnowIt) {
   EXPECT_NEAR(live.newest()->factor, 2, 0.04);
   edgevo::Run run = made.run;
   make_metric(estimate_run_scale(run, kHeight, {}, ScaleParams()), live.history(), kHeight, &run);
-  EXPECT_NEAR(run.frames.back().T_world_cam_live->translation().norm(), made.truth.back().translation().norm(), 3);
+  EXPECT_NEAR(run.frames.back().T_world_cam_live->translation().norm(),
+              made.truth.back().translation().norm(), 3);
   EXPECT_EQ(run.scale.frames.front().live_factor, 0) << "it was not known then";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// A made-up drive over flat ground: a winding way, points on the ground and above it, a unit that grows along the way.
+// A made-up drive over flat ground: a winding way, points on the ground and above it, a unit that grows along
+// the way.
 #include <cmath>
 #include <random>
 
@@ -9,11 +10,11 @@ namespace edgevo::testing {
 
 struct GroundDrive {
   int frames = 300;
-  double camera_height = 1.65;      ///< metres
+  double camera_height = 1.65;  ///< metres
   double metres_per_unit_begin = 2, metres_per_unit_end = 2;
-  double pitch = 0;                 ///< radians, of the camera on the vehicle
-  double ground_share = 0.6;        ///< of the points; the others stand above the ground, as cars do
-  double relative_noise = 0.02;     ///< of the depths
+  double pitch = 0;              ///< radians, of the camera on the vehicle
+  double ground_share = 0.6;     ///< of the points; the others stand above the ground, as cars do
+  double relative_noise = 0.02;  ///< of the depths
   unsigned seed = 1;
 };
 
@@ -27,7 +28,8 @@ inline double unit_at(const GroundDrive& drive, int i) {
   return drive.metres_per_unit_begin + share * (drive.metres_per_unit_end - drive.metres_per_unit_begin);
 }
 
-/// True poses in metres: half a metre a frame, the heading sways by half a radian; the camera is pitched on its vehicle.
+/// True poses in metres: half a metre a frame, the heading sways by half a radian; the camera is pitched on
+/// its vehicle.
 inline std::vector<SE3> true_poses(const GroundDrive& drive) {
   std::vector<SE3> poses;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -46,11 +48,14 @@ inline MadeRun drive_over_ground(const GroundDrive& drive) {
   made.truth = true_poses(drive);
   made.run.pinhole = {700, 700, 600, 200, 1200, 400};
   std::mt19937 random(drive.seed);
-  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   for (int i = 0; i < drive.frames; ++i) {
     const SE3& truth = made.truth[size_t(i)];
-    if (i > 0) position += (truth.translation() - made.truth[size_t(i) - 1].translation()) / unit_at(drive, i);
+    if (i > 0)
+      position += (truth.translation() - made.truth[size_t(i) - 1].translation()) / unit_at(drive, i);
     FrameRecord frame;
     frame.index = i;
     frame.time = Timestamp::from_seconds(100 + 0.1 * i);
@@ -63,9 +68,11 @@ inline MadeRun drive_over_ground(const GroundDrive& drive) {
     keyframe.frame_index = i;
     keyframe.time = frame.time;
     keyframe.T_world_cam = *frame.T_world_cam;
-    const Eigen::Quaterniond level = truth.rotation() * Eigen::AngleAxisd(-drive.pitch, Eigen::Vector3d::UnitX());
+    const Eigen::Quaterniond level =
+        truth.rotation() * Eigen::AngleAxisd(-drive.pitch, Eigen::Vector3d::UnitX());
     for (int k = 0; k < 12; ++k) {
-      const double y = uniform(0, 1) < drive.ground_share ? drive.camera_height : uniform(0, drive.camera_height);
+      const double y =
+          uniform(0, 1) < drive.ground_share ? drive.camera_height : uniform(0, drive.camera_height);
       const Eigen::Vector3d p_level(uniform(-4, 4), y, uniform(5, 15));
       const Eigen::Vector3d p_cam = truth.rotation().inverse() * (level * p_level) / unit_at(drive, i);
       EdgePoint point;
@@ -85,7 +92,8 @@ inline MadeRun drive_over_ground(const GroundDrive& drive) {
 inline double length_of(const Run& run) {
   double length = 0;
   for (size_t i = 1; i < run.frames.size(); ++i)
-    length += (run.frames[i].T_world_cam->translation() - run.frames[i - 1].T_world_cam->translation()).norm();
+    length +=
+        (run.frames[i].T_world_cam->translation() - run.frames[i - 1].T_world_cam->translation()).norm();
   return length;
 }
 

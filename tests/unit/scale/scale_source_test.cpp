@@ -30,15 +30,18 @@ TEST(ScaleSource, ReadsEveryKind) {
 }
 
 TEST(ScaleSource, OnlyMeasuredOnesAreEstimated) {
-  for (const char* measured : {"odometry", "gps", "robot_pose", "camera_height=1"}) EXPECT_TRUE(parse_scale_source(measured).is_estimated()) << measured;
-  for (const char* given : {"none", "factor=2"}) EXPECT_FALSE(parse_scale_source(given).is_estimated()) << given;
+  for (const char* measured : {"odometry", "gps", "robot_pose", "camera_height=1"})
+    EXPECT_TRUE(parse_scale_source(measured).is_estimated()) << measured;
+  for (const char* given : {"none", "factor=2"})
+    EXPECT_FALSE(parse_scale_source(given).is_estimated()) << given;
 }
 
 TEST(ScaleSource, RefusesWhatIsNoScaleAndSaysWhatToGive) {
   EXPECT_THAT(complaint("odometer"), HasSubstr("did you mean odometry?"));
   EXPECT_THAT(complaint("camera_height"), HasSubstr("camera_height=1.65"));
   EXPECT_THAT(complaint("gps=3"), HasSubstr("takes no value"));
-  for (const char* bad : {"", "factor", "factor=", "factor=-1", "factor=0", "factor=2x", "factor=inf", "factor=nan", "camera_height=-1.65", "camera_height=1,65"})
+  for (const char* bad : {"", "factor", "factor=", "factor=-1", "factor=0", "factor=2x", "factor=inf",
+                          "factor=nan", "camera_height=-1.65", "camera_height=1,65"})
     EXPECT_THAT(complaint(bad), HasSubstr("; ")) << bad;
 }
 

@@ -19,10 +19,12 @@ struct TrackNoise {
 };
 
 // In the sensor's own frame, which is turned and moved against the camera's.
-VehicleTrack track_of(const MadeRun& made, const TrackNoise& noise, const Eigen::Vector3d& sensor_in_camera = Eigen::Vector3d::Zero()) {
+VehicleTrack track_of(const MadeRun& made, const TrackNoise& noise,
+                      const Eigen::Vector3d& sensor_in_camera = Eigen::Vector3d::Zero()) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  const SE3 T_sensor_world(Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 3).normalized())), {100, -50, 3});
+  const SE3 T_sensor_world(Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 3).normalized())),
+                           {100, -50, 3});
   VehicleTrack track;
   Eigen::Vector3d position = T_sensor_world * (made.truth[0] * sensor_in_camera), last = position;
   for (size_t i = 0; i < made.truth.size(); i += size_t(noise.every)) {
@@ -66,7 +68,8 @@ TEST(TrackScale, GpsOfOneMetreAndADrift) {
 TEST(TrackScale, FixesThatJumpAreLeftOut) {
   MadeRun made = drive_over_ground({});
   VehicleTrack track = track_of(made, {0, 0.05, 1});
-  for (size_t i = 20; i < track.positions.size(); i += 25) track.positions[i].position += Eigen::Vector3d(30, -20, 10);
+  for (size_t i = 20; i < track.positions.size(); i += 25)
+    track.positions[i].position += Eigen::Vector3d(30, -20, 10);
   const RunScale scale = estimate_run_scale(made.run, kOdometry, track, ScaleParams());
   ASSERT_FALSE(scale.of_frame.empty());
   EXPECT_NEAR(scale.of_frame[150].factor, 2, 0.01);
@@ -75,7 +78,8 @@ TEST(TrackScale, FixesThatJumpAreLeftOut) {
 // An antenna a metre and a half beside the camera runs another way through a bend.
 TEST(TrackScale, TheSensorsPlaceOnTheVehicleCounts) {
   MadeRun made = drive_over_ground({});
-  made.run.T_vehicle_cam = SE3(Eigen::Quaterniond::Identity(), {0.2, 0, 0});  // the vehicle's axes are the camera's here
+  made.run.T_vehicle_cam =
+      SE3(Eigen::Quaterniond::Identity(), {0.2, 0, 0});  // the vehicle's axes are the camera's here
   VehicleTrack track = track_of(made, {}, {1.5, 0, 0});
   track.sensor_on_vehicle = {1.7, 0, 0};
   const RunScale right = estimate_run_scale(made.run, kOdometry, track, ScaleParams());

@@ -1,4 +1,5 @@
-// Derivatives of the profile cost against the cost itself: the adjustment solved again at displaced values of the unknowns.
+// Derivatives of the profile cost against the cost itself: the adjustment solved again at displaced values of
+// the unknowns.
 #include "camera_problem.h"
 
 #include <gtest/gtest.h>
@@ -38,12 +39,15 @@ TEST(ProfileCost, GradientIsTheNumericOne) {
     const ba::Unknowns k(0.004, 0.0008);
     BaProblem solution, unused;
     profile_cost(problem, k, &solution);
-    const ba::ProfileStep s = ba::profile_step(solution, camera_derivative(problem, correction(k)), ba_scene::to_the_end());
+    const ba::ProfileStep s =
+        ba::profile_step(solution, camera_derivative(problem, correction(k)), ba_scene::to_the_end());
     ASSERT_TRUE(s.usable);
     for (int i = 0; i < ba::kUnknowns; ++i) {
       const ba::Unknowns step = 1e-4 * ba::Unknowns::Unit(i);
-      const double numeric = (profile_cost(problem, k + step, &unused) - profile_cost(problem, k - step, &unused)) / 2e-4;
-      // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in the residual.
+      const double numeric =
+          (profile_cost(problem, k + step, &unused) - profile_cost(problem, k - step, &unused)) / 2e-4;
+      // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in
+      // the residual.
       EXPECT_NEAR(s.gradient[i], numeric, 0.02 * std::abs(numeric)) << i;
     }
   }
@@ -54,17 +58,20 @@ TEST(ProfileCost, RatesPredictTheNextSolution) {
   BaProblem here, there;
   profile_cost(problem, {0, 0}, &here);
   const ba::ProfileStep s = ba::profile_step(here, camera_derivative(problem, {}), ba_scene::to_the_end());
-  for (const ba::Unknowns& change : {ba::Unknowns(1e-3, 0), ba::Unknowns(0, 1e-3), ba::Unknowns(1e-3, -1e-3)}) {
+  for (const ba::Unknowns& change :
+       {ba::Unknowns(1e-3, 0), ba::Unknowns(0, 1e-3), ba::Unknowns(1e-3, -1e-3)}) {
     profile_cost(problem, change, &there);
     BaProblem predicted = there;
     const Eigen::VectorXd moved = s.pose_rate * change;
     for (size_t i = 0; i < here.poses.size(); ++i)
       predicted.poses[i].T_cam_world = SE3::exp(moved.segment<6>(6 * i)) * here.poses[i].T_cam_world;
-    EXPECT_LT(ba_scene::pose_difference(predicted, there), 0.1 * ba_scene::pose_difference(here, there)) << change.transpose();
+    EXPECT_LT(ba_scene::pose_difference(predicted, there), 0.1 * ba_scene::pose_difference(here, there))
+        << change.transpose();
   }
 }
 
-CameraEstimate estimate(const CameraProblem& problem, bool k1, bool readout, const ImageCorrection& start = {}) {
+CameraEstimate estimate(const CameraProblem& problem, bool k1, bool readout,
+                        const ImageCorrection& start = {}) {
   CameraSearch search;
   search.start = start;
   search.free << k1, readout;
@@ -94,7 +101,8 @@ TEST(ProfileCost, WhatIsNotFreeStays) {
   EXPECT_EQ(none.value, start);
   // One step with all free leads most of the way to where both searches end.
   const ba::Unknowns both = unknowns(estimate(problem, true, true).value), from = unknowns(start);
-  EXPECT_LT((none.if_all_free - both).cwiseQuotient(none.sigma).norm(), 0.3 * (from - both).cwiseQuotient(none.sigma).norm());
+  EXPECT_LT((none.if_all_free - both).cwiseQuotient(none.sigma).norm(),
+            0.3 * (from - both).cwiseQuotient(none.sigma).norm());
 }
 
 }  // namespace

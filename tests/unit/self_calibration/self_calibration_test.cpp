@@ -12,34 +12,36 @@ namespace {
 
 struct DriveOptions {
   int keyframes = 60;
-  double k1 = 0;          ///< of the images, unknown to the camera file
-  double readout_s = 0;   ///< of a rolling shutter
+  double k1 = 0;         ///< of the images, unknown to the camera file
+  double readout_s = 0;  ///< of a rolling shutter
   double noise_px = 0.15;
-  double step = 1.0;      ///< metres a keyframe; 0: a standstill
+  double step = 1.0;  ///< metres a keyframe; 0: a standstill
   uint64_t seed = 1;
 };
 
-// A drive with gentle turns through points on both sides. Points are hosted by keyframes and matched, along random normals, in the
-// keyframes around. Estimates stand where a window would leave them: near the truth.
+// A drive with gentle turns through points on both sides. Points are hosted by keyframes and matched, along
+// random normals, in the keyframes around. Estimates stand where a window would leave them: near the truth.
 std::vector<Keyframe> make_drive(const DriveOptions& o) {
   const Pinhole camera = ba_scene::pinhole();
   Random random(o.seed);
   std::vector<SE3> T_world_cam(o.keyframes);
   for (int i = 1; i < o.keyframes; ++i) {
     Vector6d step = Vector6d::Zero();
-    step << 0.02 * random.normal() * o.step, 0.02 * random.normal() * o.step, o.step, 0.005 * random.normal() * o.step,
-        0.03 * std::sin(0.2 * i) * o.step, 0.005 * random.normal() * o.step;
+    step << 0.02 * random.normal() * o.step, 0.02 * random.normal() * o.step, o.step,
+        0.005 * random.normal() * o.step, 0.03 * std::sin(0.2 * i) * o.step, 0.005 * random.normal() * o.step;
     T_world_cam[i] = T_world_cam[i - 1] * SE3::exp(step);
   }
   std::vector<Keyframe> drive(o.keyframes);
-  // The camera bobs and turns about its keyframes, five of them a second; all it sees is as far away as the middle of the points.
+  // The camera bobs and turns about its keyframes, five of them a second; all it sees is as far away as the
+  // middle of the points.
   for (Keyframe& k : drive) {
-    k.motion.velocity << 0.3 * random.normal(), 0.5 * random.normal(), -5.0, 0.1 * random.normal(), 0.1 * random.normal(),
-        0.1 * random.normal();
+    k.motion.velocity << 0.3 * random.normal(), 0.5 * random.normal(), -5.0, 0.1 * random.normal(),
+        0.1 * random.normal(), 0.1 * random.normal();
     k.motion.velocity *= o.step;
     k.motion.idepth.setConstant(0.08);
   }
-  const auto seen_at = [&](int keyframe, const Eigen::Vector2d& px) {  // true pixel -> pixel in the file's image
+  const auto seen_at = [&](int keyframe,
+                           const Eigen::Vector2d& px) {  // true pixel -> pixel in the file's image
     return correct_pixel(camera, {o.k1, o.readout_s}, {}, drive[size_t(keyframe)].motion, px);
   };
   for (int h = 0; h < o.keyframes; ++h) {
@@ -53,14 +55,16 @@ std::vector<Keyframe> make_drive(const DriveOptions& o) {
       p.normal = Eigen::Vector2d::UnitX();
       p.idepth = 1.0 / depth;
       for (int t = std::max(0, h - 2); t < std::min(o.keyframes, h + 9); ++t) {
-        const Eigen::Vector3d p_target = T_world_cam[t].inverse() * (T_world_cam[h] * Eigen::Vector3d(camera.ray(px) * depth));
+        const Eigen::Vector3d p_target =
+            T_world_cam[t].inverse() * (T_world_cam[h] * Eigen::Vector3d(camera.ray(px) * depth));
         if (t == h || p_target.z() < 1 || !camera.contains(camera.project(p_target), 8)) continue;
         const double angle = random.uniform(0, 2 * M_PI);
         Observation seen;
         seen.keyframe_id = 10 + t;
         seen.match.kind = MatchKind::kEdge;
         seen.match.normal = {std::cos(angle), std::sin(angle)};
-        seen.match.px = seen_at(t, camera.project(p_target)) + o.noise_px * Eigen::Vector2d(random.normal(), random.normal());
+        seen.match.px = seen_at(t, camera.project(p_target)) +
+                        o.noise_px * Eigen::Vector2d(random.normal(), random.normal());
         seen.match.inv_sigma_normal = 1.0 / 0.3;
         p.observations.push_back(seen);
       }
@@ -119,8 +123,10 @@ TEST(SelfCalibration, FindsARollingShutter) {
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied) << readout_s << " " << k1;
       EXPECT_NEAR(out.state.shutter.estimate, readout_s, 0.001);
-      EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013) << "a step further: matches of crooked rows hold on to them";
-      EXPECT_EQ(out.state.state, k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
+      EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013)
+          << "a step further: matches of crooked rows hold on to them";
+      EXPECT_EQ(out.state.state,
+                k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.estimate, k1, 0.002);
       ASSERT_TRUE(out.revision);
       EXPECT_EQ(out.revision->now, out.state.correction());
@@ -157,7 +163,8 @@ TEST(SelfCalibration, SeeksOnlyWhatItIsAskedFor) {
   EXPECT_EQ(calibrate(o, params).state.correction(), (ImageCorrection{0, 0.02}));
 }
 
-// Bad light may show a rolling shutter where there is none: later keyframes take it back, and what is already applied with it.
+// Bad light may show a rolling shutter where there is none: later keyframes take it back, and what is already
+// applied with it.
 TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
   DriveOptions rolling, still;
   rolling.keyframes = 14, rolling.readout_s = 0.02;
@@ -173,7 +180,8 @@ TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
     for (MapPoint& p : k.points) {
       p.px = correct_pixel(ba_scene::pinhole(), {}, mistake, k.motion, p.px);
       for (Observation& seen : p.observations)
-        seen.match.px = correct_pixel(ba_scene::pinhole(), {}, mistake, drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+        seen.match.px = correct_pixel(ba_scene::pinhole(), {}, mistake,
+                                      drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
     }
   const auto revision = calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
   EXPECT_EQ(calibration.state().shutter.state, CameraRefinement::State::kInsignificant);
@@ -195,7 +203,8 @@ TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
     for (MapPoint& p : k.points) {
       p.px = correct_pixel(ba_scene::pinhole(), none, applied, k.motion, p.px);
       for (Observation& seen : p.observations)
-        seen.match.px = correct_pixel(ba_scene::pinhole(), none, applied, drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+        seen.match.px = correct_pixel(ba_scene::pinhole(), none, applied,
+                                      drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
     }
   SelfCalibration calibration(ba_scene::pinhole(), params);
   calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
@@ -301,7 +310,10 @@ TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
   // Depths, too: new and old points alike stand at the true depth in the unit of the newest keyframe.
   for (const size_t k : {kKnown - 1, kKnown + 4})
     for (size_t i = 0; i < now[k].points.size(); ++i)
-      EXPECT_NEAR(revision->keyframes[k].points[i].idepth * revision->keyframes[k].length_ratio / now[k].points[i].idepth, 1.0, 0.25) << k;
+      EXPECT_NEAR(revision->keyframes[k].points[i].idepth * revision->keyframes[k].length_ratio /
+                      now[k].points[i].idepth,
+                  1.0, 0.25)
+          << k;
 }
 
 TEST(SelfCalibration, AnEstimateThatNobodyTakesDoesNoHarm) {
@@ -338,12 +350,14 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
       for (const Observation& seen : p.observations) {
         const int target = seen.keyframe_id - 10 - first;
         if (target < 0) continue;
-        window.observations.push_back({index, target, correct_pixel(window.pinhole, {}, r.now, {}, seen.match.px),
-                                       correct_normal(window.pinhole, {}, r.now, {}, seen.match.px, seen.match.normal),
-                                       seen.match.inv_sigma_normal, 0.0});
+        window.observations.push_back(
+            {index, target, correct_pixel(window.pinhole, {}, r.now, {}, seen.match.px),
+             correct_normal(window.pinhole, {}, r.now, {}, seen.match.px, seen.match.normal),
+             seen.match.inv_sigma_normal, 0.0});
       }
       if (!window.observations.empty() && window.observations.back().point == index)
-        window.points.push_back({int(h) - first, window.pinhole.ray(r.keyframes[h].points[n].px), r.keyframes[h].points[n].idepth, false});
+        window.points.push_back({int(h) - first, window.pinhole.ray(r.keyframes[h].points[n].px),
+                                 r.keyframes[h].points[n].idepth, false});
     }
   const BaProblem before = window;
   const BaResult result = make_bundle_adjuster("schur")->solve(&window, BaOptions());

@@ -1,4 +1,5 @@
-// Exact correspondences: against planes whose projection is known, against rendered images, and where there are none.
+// Exact correspondences: against planes whose projection is known, against rendered images, and where there
+// are none.
 #include "edgevo/simulation/correspondence.h"
 
 #include <gmock/gmock.h>
@@ -72,7 +73,8 @@ TEST(Correspondence, AnEdgeBelongsToTheNearerSurface) {
 TEST(Correspondence, InverseDepthOfASlantIsInterpolated) {
   std::vector<float> depth(size_t(kWidth) * kHeight);
   for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) depth[size_t(y) * kWidth + x] = float(1 / (0.2 + 0.0005 * x + 0.0003 * y));
+    for (int x = 0; x < kWidth; ++x)
+      depth[size_t(y) * kWidth + x] = float(1 / (0.2 + 0.0005 * x + 0.0003 * y));
   EXPECT_NEAR(edge_idepth(view(depth), {20.3, 10.6}), 0.2 + 0.0005 * 20.3 + 0.0003 * 10.6, 1e-6);
   EXPECT_NEAR(edge_idepth(view(depth), {63, 47}), 0.2 + 0.0005 * 63 + 0.0003 * 47, 1e-6) << "the last pixel";
 }
@@ -105,14 +107,16 @@ TEST(Correspondence, RenderedPointsLookAlike) {
   EXPECT_GT(alike, 0.9 * compared);
 }
 
-// Against brute force: of all pixels of the second view, the one whose own point lies nearest to the pixel in the first view, at
-// its depth.
+// Against brute force: of all pixels of the second view, the one whose own point lies nearest to the pixel in
+// the first view, at its depth.
 TEST(Correspondence, MeetsTheSamePointOfTheOtherView) {
   const SceneRenderer renderer(load_scene("corridor"));
   const std::vector<float> from = renderer.render_depth(5), to = renderer.render_depth(7);
   const Pinhole& p = renderer.camera().pinhole;
-  const SE3 T_to_from = renderer.T_world_cam(7).inverse() * renderer.T_world_cam(5), T_from_to = T_to_from.inverse();
-  const ViewPair views{p, {from.data(), p.width, p.height, p.width}, {to.data(), p.width, p.height, p.width}, T_to_from};
+  const SE3 T_to_from = renderer.T_world_cam(7).inverse() * renderer.T_world_cam(5),
+            T_from_to = T_to_from.inverse();
+  const ViewPair views{
+      p, {from.data(), p.width, p.height, p.width}, {to.data(), p.width, p.height, p.width}, T_to_from};
   int compared = 0;
   for (int v = 40; v < p.height - 40; v += 60)
     for (int u = 40; u < p.width - 40; u += 60) {
@@ -122,7 +126,8 @@ TEST(Correspondence, MeetsTheSamePointOfTheOtherView) {
       Eigen::Vector2d best_px;
       for (int y = 0; y < p.height; ++y)
         for (int x = 0; x < p.width; ++x) {
-          const Eigen::Vector3d point = T_from_to * (double(to[size_t(y) * p.width + x]) * p.ray({double(x), double(y)}));
+          const Eigen::Vector3d point =
+              T_from_to * (double(to[size_t(y) * p.width + x]) * p.ray({double(x), double(y)}));
           if (!(point.z() > 0) || std::abs(point.z() * c.idepth - 1) > 0.1) continue;
           const double d = (p.project(point) - Eigen::Vector2d(u, v)).norm();
           if (d < best) best = d, best_px = {double(x), double(y)};
@@ -151,7 +156,8 @@ TEST(CorrespondenceExport, OneFileAPair) {
   }
   EXPECT_GT(rows, 1000);
   EXPECT_GT(visible, rows / 2);
-  EXPECT_THROW(read_file(folder / "correspondences/000004.csv", ""), InputError) << "the last frame has no next one";
+  EXPECT_THROW(read_file(folder / "correspondences/000004.csv", ""), InputError)
+      << "the last frame has no next one";
   EXPECT_THROW(export_correspondences(renderer, folder.path(), 3, 4), InputError);
 }
 

@@ -1,4 +1,5 @@
-// The written folder: its files, the same bytes from one thread and from two, poses relative to the first written camera.
+// The written folder: its files, the same bytes from one thread and from two, poses relative to the first
+// written camera.
 #include "edgevo/simulation/folder_export.h"
 
 #include <gmock/gmock.h>
@@ -26,8 +27,8 @@ TEST(FolderExport, BytesDoNotDependOnThreads) {
   int calls = 0;
   export_folder(renderer, two, options, [&](int done) { EXPECT_EQ(done, ++calls); });
   EXPECT_EQ(calls, 3);
-  for (const char* file : {"images/000010.png", "images/000012.png", "depth/000011.pfm", "times.txt", "camera.txt",
-                           "groundtruth_tum.txt", "SOURCE.md"})
+  for (const char* file : {"images/000010.png", "images/000012.png", "depth/000011.pfm", "times.txt",
+                           "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
     EXPECT_EQ(content(one + "/" + file), content(two + "/" + file)) << file;
 }
 
@@ -38,8 +39,10 @@ TEST(FolderExport, FirstPoseIsTheIdentityAndDepthIsExact) {
   const test::TempFolder temp;
   const std::string folder = temp / "depth";
   export_folder(renderer, folder, options);
-  EXPECT_THAT(content(folder + "/groundtruth_tum.txt"),
-              ::testing::HasSubstr("0.0666667 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000\n"));
+  EXPECT_THAT(
+      content(folder + "/groundtruth_tum.txt"),
+      ::testing::HasSubstr(
+          "0.0666667 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 1.000000000\n"));
   const std::string pfm = content(folder + "/depth/000003.pfm"), header = "Pf\n640 480\n-1.0\n";
   ASSERT_EQ(pfm.size(), header.size() + 640 * 480 * 4);
   EXPECT_EQ(pfm.substr(0, header.size()), header);
@@ -53,7 +56,9 @@ TEST(FolderWriter, NamesThatWouldPlayInAnotherOrderAreRefused) {
   camera.pinhole = {10, 10, 1, 1, 2, 2};
   const test::TempFolder temp;
   FolderWriter writer(temp / "out", camera);
-  const auto frame = [](int i, const char* path) { return Frame{i, Timestamp::from_seconds(i), {2, 2, {1, 2, 3, 4}}, path}; };
+  const auto frame = [](int i, const char* path) {
+    return Frame{i, Timestamp::from_seconds(i), {2, 2, {1, 2, 3, 4}}, path};
+  };
   writer.add(frame(0, "/source/img9.png"));
   writer.add(frame(1, "/source/img10.jpg"));
   EXPECT_THROW(writer.add(frame(2, "/source/img1.png")), InputError);

@@ -10,7 +10,9 @@
 namespace edgevo {
 namespace {
 
-float depth_at(const std::vector<float>& depth, int width, int u, int v) { return depth[size_t(v) * width + u]; }
+float depth_at(const std::vector<float>& depth, int width, int u, int v) {
+  return depth[size_t(v) * width + u];
+}
 
 // The 5x5 pixels around (u, v) lie on one surface: their inverse depth is linear to `tolerance`.
 bool is_flat(const std::vector<float>& depth, int width, int height, int u, int v) {
@@ -18,7 +20,8 @@ bool is_flat(const std::vector<float>& depth, int width, int height, int u, int 
   const double q = 1 / double(depth_at(depth, width, u, v));
   for (int dv = -2; dv <= 2; ++dv)
     for (int du = -2; du <= 2; ++du) {
-      const double a = 1 / double(depth_at(depth, width, u + du, v + dv)), b = 1 / double(depth_at(depth, width, u - du, v - dv));
+      const double a = 1 / double(depth_at(depth, width, u + du, v + dv)),
+                   b = 1 / double(depth_at(depth, width, u - du, v - dv));
       if (!(std::abs(a + b - 2 * q) < 1e-4 * q)) return false;
     }
   return true;
@@ -36,7 +39,8 @@ struct Agreement {
   int compared = 0, good = 0;
 };
 
-// Every flat pixel of frame i, carried over to frame j; what is more than 2 % behind the depth there is hidden.
+// Every flat pixel of frame i, carried over to frame j; what is more than 2 % behind the depth there is
+// hidden.
 Agreement compare(const SceneRenderer& renderer, int i, int j) {
   const Pinhole& p = renderer.camera().pinhole;
   const std::vector<float> from = renderer.render_depth(i), to = renderer.render_depth(j);
@@ -49,7 +53,9 @@ Agreement compare(const SceneRenderer& renderer, int i, int j) {
       const Eigen::Vector3d point = T_j_i * (z * p.ray({double(u), double(v)}));
       if (point.z() < 0.1) continue;
       const Eigen::Vector2d px = p.project(point);
-      if (!p.contains(px, 3) || !is_flat(to, p.width, p.height, int(std::lround(px.x())), int(std::lround(px.y())))) continue;
+      if (!p.contains(px, 3) ||
+          !is_flat(to, p.width, p.height, int(std::lround(px.x())), int(std::lround(px.y()))))
+        continue;
       const double error = point.z() / depth_between(to, p.width, px) - 1;
       if (error > 0.02) continue;
       ++result.compared;
@@ -70,9 +76,11 @@ TEST_P(SceneGeometry, ReprojectedDepthMeetsTheNextFrame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneGeometry, ::testing::Values("street", "desk", "lakeshore", "corridor", "rotation"));
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneGeometry,
+                         ::testing::Values("street", "desk", "lakeshore", "corridor", "rotation"));
 
-// Where a horizontal (or vertical) line of pixels passes through gray 110, between dark and bright, going along it.
+// Where a horizontal (or vertical) line of pixels passes through gray 110, between dark and bright, going
+// along it.
 double crossing(const GrayImage& image, int u, int v, int du, int dv) {
   for (;; u += du, v += dv) {
     const double a = image.view().at(u, v), b = image.view().at(u + du, v + dv);
@@ -90,7 +98,8 @@ TEST(PixelCentres, CornerIsSeenWhereItProjects) {
   Camera camera;
   camera.pinhole = {410.3, 405.7, 158.61, 121.37, 320, 240};
   const Eigen::Vector2d expected = camera.pinhole.project({-0.611, -0.327, 4});
-  const Eigen::Vector2d seen = corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
+  const Eigen::Vector2d seen =
+      corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
   EXPECT_NEAR(seen.x(), expected.x(), 0.06);
   EXPECT_NEAR(seen.y(), expected.y(), 0.06);
 }
@@ -101,8 +110,10 @@ TEST(PixelCentres, CornerIsSeenWhereTheLensPutsIt) {
   camera.distortion = {-0.25, 0.06, 0.001, -0.002, 0};
   const Eigen::Vector2d x = camera.distort(Eigen::Vector2d(-0.611, -0.327) / 4);
   const Eigen::Vector2d expected(310.3 * x.x() + 158.61, 305.7 * x.y() + 121.37);
-  const Eigen::Vector2d seen = corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
-  EXPECT_NEAR(seen.x(), expected.x(), 0.1);  // the sides are bent: their crossings lie six pixels from the corner
+  const Eigen::Vector2d seen =
+      corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
+  EXPECT_NEAR(seen.x(), expected.x(),
+              0.1);  // the sides are bent: their crossings lie six pixels from the corner
   EXPECT_NEAR(seen.y(), expected.y(), 0.1);
 }
 

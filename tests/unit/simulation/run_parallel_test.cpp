@@ -13,7 +13,8 @@ TEST(RunParallel, EachTurnRunsOnce) {
   for (const int threads : {0, 1, 3, 50}) {
     std::vector<std::atomic<int>> runs(20);
     run_parallel(5, 20, threads, [&](int i) { ++runs[size_t(i)]; });
-    for (size_t i = 0; i < runs.size(); ++i) EXPECT_EQ(runs[i], i >= 5 ? 1 : 0) << threads << " threads, turn " << i;
+    for (size_t i = 0; i < runs.size(); ++i)
+      EXPECT_EQ(runs[i], i >= 5 ? 1 : 0) << threads << " threads, turn " << i;
   }
 }
 

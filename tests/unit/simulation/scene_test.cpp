@@ -44,12 +44,14 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(BadScene, UnknownKeyOffersTheNearest) {
-  EXPECT_THAT(refusal(edited("desk", "rate_hz:", "rate_hertz:")), AllOf(HasSubstr("rate_hertz"), HasSubstr("rate_hz")));
+  EXPECT_THAT(refusal(edited("desk", "rate_hz:", "rate_hertz:")),
+              AllOf(HasSubstr("rate_hertz"), HasSubstr("rate_hz")));
   EXPECT_THAT(refusal(edited("desk", "amplitude:", "amplitud:")), HasSubstr("motion.amplitude"));
 }
 
 TEST(BadScene, MissingTextureKind) {
-  EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")), AllOf(HasSubstr("plastre"), HasSubstr("'plaster'")));
+  EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")),
+              AllOf(HasSubstr("plastre"), HasSubstr("'plaster'")));
 }
 
 TEST(BadScene, NoFrames) {
@@ -64,18 +66,23 @@ TEST(BadScene, WayThroughAWall) {
 
 TEST(BadScene, WayTooShort) {
   EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")), HasSubstr("the way ends at frame"));
-  EXPECT_THAT(refusal(edited("street", "turn_radius: 8", "turn_radius: 300")), HasSubstr("too short for its turn"));
+  EXPECT_THAT(refusal(edited("street", "turn_radius: 8", "turn_radius: 300")),
+              HasSubstr("too short for its turn"));
 }
 
 TEST(BadScene, WayPoints) {
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "")), HasSubstr("fewer than two way points"));
-  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1.05]")), HasSubstr("list of two or three numbers"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1.05]")),
+              HasSubstr("list of two or three numbers"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")), HasSubstr("34: is no way point"));
   EXPECT_THAT(refusal(edited("desk", "way_points:", "other_points:")), HasSubstr("list"));
-  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1, 2, 3, 4]")), HasSubstr("list of two or three numbers"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1, 2, 3, 4]")),
+              HasSubstr("list of two or three numbers"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [nan, 2]")), HasSubstr("beyond 100 km"));
-  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - 1.05")), HasSubstr("list of two or three numbers"));
-  EXPECT_THAT(refusal(edited("desk", "way_points:  ", "way_points: []")), HasSubstr("something follows way_points"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - 1.05")),
+              HasSubstr("list of two or three numbers"));
+  EXPECT_THAT(refusal(edited("desk", "way_points:  ", "way_points: []")),
+              HasSubstr("something follows way_points"));
   EXPECT_THAT(refusal(edited("desk", "seed: 1", "way_points:\n  - [0, 0]")), HasSubstr("given already"));
 }
 
@@ -94,17 +101,26 @@ TEST(BadScene, MessagesNameTheLine) {
     return refusal(std::string("way_points:  # metres\n") + points + rest);
   };
   const char* const points = "  - [0, 0, 1.35]\n\n  - [1, 0, 0.74]  # the desk\n";
-  EXPECT_THAT(with_points_first(points, "frames: 9\nrate_herz: 3\n"), HasSubstr("bad_scene.yaml:6: unknown parameter"));
+  EXPECT_THAT(with_points_first(points, "frames: 9\nrate_herz: 3\n"),
+              HasSubstr("bad_scene.yaml:6: unknown parameter"));
   EXPECT_THAT(with_points_first(points, "frames: 0\n"), HasSubstr("bad_scene.yaml:5: frames"));
-  EXPECT_THAT(with_points_first("  - [0, 0]\n  - [0, zero]\n", "frames: 9\n"), HasSubstr("bad_scene.yaml:3: is no way point"));
-  EXPECT_THAT(with_points_first("  - [0, 0]\n", "frames: 9\n"), HasSubstr("bad_scene.yaml:1: has fewer than two"));
-  EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")), HasSubstr(at_line_of("desk", "walls:") + "there is no texture"));
-  EXPECT_THAT(refusal(edited("street", "sky: clouds", "sky: cloud")), HasSubstr(at_line_of("street", "sky:") + "there is no texture"));
-  EXPECT_THAT(refusal(edited("street", "lane_offset: 1.5", "lane_offset: 11")), HasSubstr(at_line_of("street", "way_points:") + "the camera passes"));
-  EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")), HasSubstr(at_line_of("street", "way_points:") + "the way ends"));
+  EXPECT_THAT(with_points_first("  - [0, 0]\n  - [0, zero]\n", "frames: 9\n"),
+              HasSubstr("bad_scene.yaml:3: is no way point"));
+  EXPECT_THAT(with_points_first("  - [0, 0]\n", "frames: 9\n"),
+              HasSubstr("bad_scene.yaml:1: has fewer than two"));
+  EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")),
+              HasSubstr(at_line_of("desk", "walls:") + "there is no texture"));
+  EXPECT_THAT(refusal(edited("street", "sky: clouds", "sky: cloud")),
+              HasSubstr(at_line_of("street", "sky:") + "there is no texture"));
+  EXPECT_THAT(refusal(edited("street", "lane_offset: 1.5", "lane_offset: 11")),
+              HasSubstr(at_line_of("street", "way_points:") + "the camera passes"));
+  EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")),
+              HasSubstr(at_line_of("street", "way_points:") + "the way ends"));
 }
 
-TEST(BadScene, NoCamera) { EXPECT_THAT(refusal(edited("desk", "  width: 640", "")), HasSubstr("image size")); }
+TEST(BadScene, NoCamera) {
+  EXPECT_THAT(refusal(edited("desk", "  width: 640", "")), HasSubstr("image size"));
+}
 
 TEST(BadScene, UnknownNameListsWhatThereIs) {
   try {
@@ -116,11 +132,13 @@ TEST(BadScene, UnknownNameListsWhatThereIs) {
 }
 
 TEST(Scene, NamesHoldWhatShips) {
-  for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation"}) EXPECT_THAT(scene_names(), Contains(name));
+  for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation"})
+    EXPECT_THAT(scene_names(), Contains(name));
 }
 
 TEST(Scene, SameSeedSameBytesOtherSeedOtherPlace) {
-  const SceneRenderer first(load_scene("desk", 7)), second(load_scene("desk", 7)), other(load_scene("desk", 8));
+  const SceneRenderer first(load_scene("desk", 7)), second(load_scene("desk", 7)),
+      other(load_scene("desk", 8));
   const RenderedFrame a = first.render(3), b = second.render(3), c = other.render(3);
   EXPECT_EQ(a.image.pixels, b.image.pixels);
   EXPECT_EQ(a.depth, b.depth);
@@ -166,12 +184,17 @@ double mean_gray(const GrayImage& image) {
   return sum / double(image.pixels.size());
 }
 
-// A season changes leaves and light, and neither the way nor the ground: bare trees let the bright sky through.
+// A season changes leaves and light, and neither the way nor the ground: bare trees let the bright sky
+// through.
 TEST(Season, ChangesWhatIsSeenAndNotTheWay) {
-  const SceneRenderer none(load_scene("lakeshore")), summer(load_scene("lakeshore:summer")), winter(load_scene("lakeshore:winter"));
+  const SceneRenderer none(load_scene("lakeshore")), summer(load_scene("lakeshore:summer")),
+      winter(load_scene("lakeshore:winter"));
   EXPECT_EQ(winter.scene().name, "lakeshore:winter");
   for (const int i : {0, 399})
-    EXPECT_EQ((none.scene().T_scene_cam[size_t(i)].matrix() - winter.scene().T_scene_cam[size_t(i)].matrix()).norm(), 0) << i;
+    EXPECT_EQ((none.scene().T_scene_cam[size_t(i)].matrix() - winter.scene().T_scene_cam[size_t(i)].matrix())
+                  .norm(),
+              0)
+        << i;
   const GrayImage in_summer = summer.render_image(100), in_winter = winter.render_image(100);
   const auto sky = [](const SceneRenderer& renderer) {
     const std::vector<float> depth = renderer.render_depth(100);
@@ -188,7 +211,8 @@ TEST(Season, ChangesWhatIsSeenAndNotTheWay) {
 }
 
 TEST(Season, UnknownOnesAndWorldsWithoutThem) {
-  EXPECT_THAT(scene_error("lakeshore:wintr"), AllOf(HasSubstr("'wintr' is no season"), HasSubstr("'winter'")));
+  EXPECT_THAT(scene_error("lakeshore:wintr"),
+              AllOf(HasSubstr("'wintr' is no season"), HasSubstr("'winter'")));
   EXPECT_THAT(scene_error("desk:winter"), HasSubstr("has no seasons"));
   EXPECT_THAT(scene_error("lake:winter"), HasSubstr("neither a file nor a known scene"));
 }

@@ -46,17 +46,20 @@ TEST_P(RollingShutter, RowsAreThoseOfACameraAtTheirTime) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, RollingShutter, ::testing::Values("desk", "corridor"));  // with and without lens distortion
+INSTANTIATE_TEST_SUITE_P(Scenes, RollingShutter,
+                         ::testing::Values("desk", "corridor"));  // with and without lens distortion
 
 TEST(Shutter, MotionBetweenFramesPassesThroughTheFrames) {
   for (const char* name : {"desk", "rotation"}) {
     const Scene scene = load_scene(name);
     for (int i : {0, 1, 40, scene.size() - 1}) {
-      const SE3 off = scene.T_scene_cam[size_t(i)].inverse() * scene.T_scene_cam_at(scene.times[size_t(i)].seconds());
+      const SE3 off =
+          scene.T_scene_cam[size_t(i)].inverse() * scene.T_scene_cam_at(scene.times[size_t(i)].seconds());
       EXPECT_LT(off.log().norm(), 1e-6) << name << " " << i;  // the times are rounded to 100 ns
     }
     for (double seconds : {-0.02, scene.times.back().seconds() + 0.05})  // and goes on beyond them
-      EXPECT_LT((scene.T_scene_cam_at(seconds).inverse() * scene.T_scene_cam_at(seconds + 1e-3)).log().norm(), 0.1);
+      EXPECT_LT((scene.T_scene_cam_at(seconds).inverse() * scene.T_scene_cam_at(seconds + 1e-3)).log().norm(),
+                0.1);
   }
 }
 
@@ -115,7 +118,9 @@ TEST(Exposure, SpreadsAlongTheMotionAboutTheSameCentre) {
   const GrayImage sharp = SceneRenderer(scene).render_image(0);
   constexpr double kSpeed = 3;  // m/s, to the right: 3 * 0.04 / 4 * 410 = 12.3 px of blur
   const SE3 start = scene.T_scene_cam[0];
-  scene.T_scene_cam_at = [=](double t) { return start * SE3(Eigen::Quaterniond::Identity(), {kSpeed * t, 0, 0}); };
+  scene.T_scene_cam_at = [=](double t) {
+    return start * SE3(Eigen::Quaterniond::Identity(), {kSpeed * t, 0, 0});
+  };
   scene.shutter.exposure_s = 0.04;
   const GrayImage blurred = SceneRenderer(scene).render_image(0);
   const Blob before = blob(sharp), after = blob(blurred);
@@ -125,7 +130,8 @@ TEST(Exposure, SpreadsAlongTheMotionAboutTheSameCentre) {
   // The left side passes over 12.3 columns: across them the brightness rises by a constant step.
   const int v = int(before.centre.y());
   int columns = 0;
-  for (int u = 0; u < int(before.centre.x()); ++u) columns += blurred.view().at(u, v) > 25 && blurred.view().at(u, v) < 195;
+  for (int u = 0; u < int(before.centre.x()); ++u)
+    columns += blurred.view().at(u, v) > 25 && blurred.view().at(u, v) < 195;
   EXPECT_NEAR(columns, 12.3 * 170 / 180, 1.5);
   EXPECT_EQ(blurred.view().at(int(before.centre.x()), v), 200);
 }

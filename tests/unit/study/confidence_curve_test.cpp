@@ -12,7 +12,8 @@ namespace {
 
 std::vector<RankedMatch> ranking(const std::vector<bool>& right_by_falling_confidence) {
   std::vector<RankedMatch> matches;
-  for (const bool right : right_by_falling_confidence) matches.push_back({1.0 / double(matches.size() + 1), right});
+  for (const bool right : right_by_falling_confidence)
+    matches.push_back({1.0 / double(matches.size() + 1), right});
   return matches;
 }
 

@@ -78,7 +78,8 @@ TEST_P(EpipolarFlow, FindsThePointsWhateverTheLight) {
   const auto flow = epipolar_flow(*pair.host.pyramid, *pair.target.pyramid, positions(pair));
   std::vector<double> errors;
   for (size_t i = 0; i < flow.size(); ++i)
-    if (flow[i].found && pair.target.truth[i].visible) errors.push_back((flow[i].px - pair.target.truth[i].px).norm());
+    if (flow[i].found && pair.target.truth[i].visible)
+      errors.push_back((flow[i].px - pair.target.truth[i].px).norm());
   ASSERT_GT(errors.size(), 200u);
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.5);

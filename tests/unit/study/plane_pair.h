@@ -32,13 +32,15 @@ class PlanePair {
 
  private:
   ImageView<float> view(const std::vector<float>& depth) const {
-    return {depth.data(), scene.camera.pinhole.width, scene.camera.pinhole.height, scene.camera.pinhole.width};
+    return {depth.data(), scene.camera.pinhole.width, scene.camera.pinhole.height,
+            scene.camera.pinhole.width};
   }
   std::vector<float> depth_of(const SE3& T_world_cam) const {
     const Pinhole& p = scene.camera.pinhole;
     std::vector<float> depth;
     for (int y = 0; y < p.height; ++y)
-      for (int x = 0; x < p.width; ++x) depth.push_back(float(1 / scene.idepth(T_world_cam, {double(x), double(y)})));
+      for (int x = 0; x < p.width; ++x)
+        depth.push_back(float(1 / scene.idepth(T_world_cam, {double(x), double(y)})));
     return depth;
   }
 };

@@ -26,7 +26,8 @@ TEST_F(StudyPoints, AreEdgePixelsWithoutRepetition) {
   const auto points = sample(400, 0.1);
   ASSERT_EQ(points.size(), 400u);
   std::set<std::pair<double, double>> edges, seen;
-  for (const EdgePixel& e : pair.host.pyramid->finest().edges.pixels) edges.insert({double(e.x), double(e.y)});
+  for (const EdgePixel& e : pair.host.pyramid->finest().edges.pixels)
+    edges.insert({double(e.x), double(e.y)});
   for (const StudyPoint& p : points) {
     EXPECT_TRUE(edges.count({p.px.x(), p.px.y()}));
     EXPECT_TRUE(seen.insert({p.px.x(), p.px.y()}).second);

@@ -35,7 +35,8 @@ class PlaneFrames : public ExactFrames {
     ExactFrame frame{i, 0.1 * i, scene_.render(T_world_cam(i)), {}, T_world_cam(i)};
     for (int y = 0; y < p.height; ++y)
       for (int x = 0; x < p.width; ++x)
-        frame.depth.push_back(depth_factor * float(1 / scene_.idepth(T_world_cam(i), {double(x), double(y)})));
+        frame.depth.push_back(depth_factor *
+                              float(1 / scene_.idepth(T_world_cam(i), {double(x), double(y)})));
     return frame;
   }
   float depth_factor = 1;
@@ -54,8 +55,8 @@ StudyOptions small_study() {
   return options;
 }
 
-const StudyCell& cell(const StudyResult& r, const std::string& curve, const std::string& light, const std::string& method,
-                      const std::string& setting) {
+const StudyCell& cell(const StudyResult& r, const std::string& curve, const std::string& light,
+                      const std::string& method, const std::string& setting) {
   for (const StudyCell& c : r.cells)
     if (c.curve == curve && c.light == light && c.method == method && c.setting == setting) return c;
   throw std::runtime_error("no such cell");
@@ -86,19 +87,23 @@ TEST(Study, AnEasySceneIsSolved) {
       EXPECT_GT(s.matches, 60) << method;
     }
   // A plane tells an essential matrix less than a street does.
-  for (const StudySample& s : cell(r, "frame_distance", "normal", "epipolar_flow", "2").samples) EXPECT_LT(s.drift_percent, 25);
+  for (const StudySample& s : cell(r, "frame_distance", "normal", "epipolar_flow", "2").samples)
+    EXPECT_LT(s.drift_percent, 25);
   EXPECT_EQ(cell(r, "search_length", "normal", "gradient", "0").samples[0].photometric, 0);
   EXPECT_GT(cell(r, "search_length", "normal", "gradient", "max").samples[0].photometric, 10);
   EXPECT_FALSE(cell(r, "confidence", "normal", "gradient", "1").errors.empty());
 }
 
-// The plane's frames as a folder of Virtual KITTI 2.0.3 give the study the same frames, but for depth in whole centimetres.
+// The plane's frames as a folder of Virtual KITTI 2.0.3 give the study the same frames, but for depth in
+// whole centimetres.
 TEST(Study, VirtualKittiFolders) {
   const test::TempFolder root;
   const PlaneFrames frames(6);
   const std::string folder = root / "Scene01/clone";
-  std::string poses = "frame cameraID r1,1 ...\n", intrinsics = "frame cameraID K[0,0] K[1,1] K[0,2] K[1,2]\n";
-  for (const char* part : {"/frames/rgb/Camera_0", "/frames/depth/Camera_0"}) std::filesystem::create_directories(folder + part);
+  std::string poses = "frame cameraID r1,1 ...\n",
+              intrinsics = "frame cameraID K[0,0] K[1,1] K[0,2] K[1,2]\n";
+  for (const char* part : {"/frames/rgb/Camera_0", "/frames/depth/Camera_0"})
+    std::filesystem::create_directories(folder + part);
   for (int i = 0; i < frames.size(); ++i) {
     const ExactFrame frame = frames.load(i);
     cv::Mat depth(240, 320, CV_16U);
@@ -108,8 +113,8 @@ TEST(Study, VirtualKittiFolders) {
     cv::imwrite(folder + "/frames/depth/Camera_0/depth_" + digits, depth);
     write_png(folder + "/frames/rgb/Camera_0/rgb_" + digits, frame.image);
     const Eigen::Vector3d t = frame.T_world_cam.inverse().translation();
-    poses += std::to_string(i) + " 0 1 0 0 " + fixed(t.x(), 6) + " 0 1 0 " + fixed(t.y(), 6) + " 0 0 1 " + fixed(t.z(), 6) +
-             " 0 0 0 1\n";
+    poses += std::to_string(i) + " 0 1 0 0 " + fixed(t.x(), 6) + " 0 1 0 " + fixed(t.y(), 6) + " 0 0 1 " +
+             fixed(t.z(), 6) + " 0 0 0 1\n";
     intrinsics += std::to_string(i) + " 0 260 260 159.5 119.5\n";
   }
   write_file(folder + "/extrinsic.txt", poses);
@@ -145,11 +150,13 @@ TEST(Study, TheNumbersDependOnTheSeedAndNotOnThreads) {
 TEST(Study, TablesAndText) {
   const test::TempFolder folder;
   write_study(run_study(PlaneFrames(7), small_study()), folder / "out");
-  for (const char* name : {"search_length.csv", "patch_size.csv", "frame_distance.csv", "residuals.csv", "variants.csv",
-                           "end_point_error.csv", "match_errors.csv", "confidence.csv", "confidence_areas.csv", "plots.gnuplot"})
+  for (const char* name :
+       {"search_length.csv", "patch_size.csv", "frame_distance.csv", "residuals.csv", "variants.csv",
+        "end_point_error.csv", "match_errors.csv", "confidence.csv", "confidence_areas.csv", "plots.gnuplot"})
     EXPECT_GT(std::filesystem::file_size(folder / (std::string("out/") + name)), 100u) << name;
   const std::string text = read_file(folder / "out/study.md", "");
-  for (const char* number : {"### 1. ", "### 2. ", "### 3. ", "### 4. "}) EXPECT_THAT(text, HasSubstr(number));
+  for (const char* number : {"### 1. ", "### 2. ", "### 3. ", "### 4. "})
+    EXPECT_THAT(text, HasSubstr(number));
   int verdicts = 0;
   for (const char* words : {"**holds here**", "**holds here in part**", "**does not hold here**"})
     for (size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++verdicts;
@@ -181,7 +188,8 @@ TEST(Study, TooFewFramesAreTold) {
 TEST(Study, OptionsThatCannotBeAreTold) {
   StudyOptions options = small_study();
   options.distance = 3;
-  EXPECT_THAT(message_of(PlaneFrames(9), options), HasSubstr("distance 3: is more than the largest distance, 2"));
+  EXPECT_THAT(message_of(PlaneFrames(9), options),
+              HasSubstr("distance 3: is more than the largest distance, 2"));
   options = small_study();
   options.light = "dark";
   EXPECT_THAT(message_of(PlaneFrames(9), options), HasSubstr("dark"));

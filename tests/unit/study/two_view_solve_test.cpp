@@ -73,7 +73,8 @@ TEST(TwoViewSolve, NoisyDepthsAreEstimatedAlong) {
 }
 
 TEST(TwoViewSolve, ThePriorIsAGaussianOnTheInverseDepth) {
-  // Point-to-tangent matches whose normals are across the motion say nothing about depth: it stays where the prior has it.
+  // Point-to-tangent matches whose normals are across the motion say nothing about depth: it stays where the
+  // prior has it.
   const test::PlanePair pair(200, 0.05);
   std::vector<Match> matches = exact_matches(pair);
   for (size_t i = 0; i < matches.size(); ++i) {
@@ -81,7 +82,8 @@ TEST(TwoViewSolve, ThePriorIsAGaussianOnTheInverseDepth) {
     matches[i].normal = Eigen::Vector2d(-motion.y(), motion.x()).normalized();
     matches[i].inv_sigma_tangent = 0;
   }
-  const TwoViewSolution s = solve_two_view(pair.camera(), pair.host.points, matches, pair.target.T_target_host);
+  const TwoViewSolution s =
+      solve_two_view(pair.camera(), pair.host.points, matches, pair.target.T_target_host);
   ASSERT_TRUE(s.usable);
   for (size_t i = 0; i < matches.size(); i += 10)
     EXPECT_NEAR(s.idepth[i], pair.host.points[i].idepth, 0.6 * pair.host.points[i].idepth_sigma) << i;

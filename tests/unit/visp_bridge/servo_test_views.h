@@ -19,7 +19,7 @@ inline std::shared_ptr<const Reference> reference_with(std::vector<CloudPoint> c
 }
 
 inline NewestPose tracked(int index, double seconds, const SE3& T_cam_map, int segment = 0,
-                        double residual_k1 = 0) {
+                          double residual_k1 = 0) {
   NewestPose view;
   view.frame_index = index;
   view.time = at(seconds);

@@ -26,8 +26,8 @@ Sequence read_edgevo_layout(const SourceOptions& options) {
                      "write seconds, one line an image, or give " + images + " with --camera and --fps");
   sequence.times = read_times(times, &sequence.details);
   check_counts(sequence.images, sequence.times, times, images);
-  sequence.camera = choose_or_assume_camera(options, (root / "camera.txt").string(), {sequence.images.front()},
-                                            &sequence.details);
+  sequence.camera = choose_or_assume_camera(options, (root / "camera.txt").string(),
+                                            {sequence.images.front()}, &sequence.details);
   sequence.ground_truth_path = existing((root / "groundtruth_tum.txt").string());
   return sequence;
 }

@@ -31,7 +31,7 @@ std::string list_path(const std::string& folder) { return (fs::path(folder) / kS
 bool is_symphony_layout(const std::string& folder) { return !existing(list_path(folder)).empty(); }
 
 // ---- rows
-// --------------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 double usual_tilt(const SurveyRows& survey) {
   std::vector<double> tilts;
@@ -77,7 +77,7 @@ std::pair<size_t, size_t> played(const SurveyRows& survey, const SourceOptions& 
 }
 
 // ---- images
-// ------------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 using NameOf = std::string (*)(int number);
 
@@ -94,7 +94,7 @@ NameOf naming_of(const std::string& folder, const SurveyRows& survey) {
 }
 
 // ---- camera
-// ------------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 Pinhole pinhole_of(const SurveyRow& row, const std::string& where) {
   return {row.fx, row.fy, row.cx, row.cy, image_side(row.width, where), image_side(row.height, where)};
@@ -148,7 +148,7 @@ VehicleTrack gps_track(const SurveyRows& survey) {
 }
 
 // ---- ground truth
-// ------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 std::string describe_truth(const std::string& folder, const SurveyRows& survey) {
   const std::string map = survey_map(folder);
@@ -200,7 +200,7 @@ std::string symphony_ground_truth(const SourceOptions& options) {
 }
 
 // ---- all of it
-// ---------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------
 
 Camera survey_camera(const SurveyRows& survey, const SourceOptions& options, Sequence* sequence) {
   if (!options.camera_file.empty()) return read_camera_file(options.camera_file);

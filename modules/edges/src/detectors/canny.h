@@ -9,7 +9,8 @@ namespace edgevo {
 /// never edges. Cost: about 1.5 ms at 1241x376.
 Plane<uint8_t> canny(const Gradient& gradient, float low, float high);
 
-/// Marks of a mask before linking, and after: what is strong enough by itself, and what needs to be linked to such.
+/// Marks of a mask before linking, and after: what is strong enough by itself, and what needs to be linked to
+/// such.
 constexpr uint8_t kWeakMark = 1, kStrongMark = 255;
 /// Weak pixels that are linked to a strong one become strong, the others 0. The outermost pixels must be 0.
 void keep_linked(Plane<uint8_t>* mask);

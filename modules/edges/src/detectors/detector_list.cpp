@@ -11,11 +11,15 @@ const std::vector<EdgeDetectorKind>& edge_detector_kinds() {
       {"canny", "hysteresis thresholds that follow the image", make_canny_detector},
       {"edge_drawing", "OpenCV's EdgeDrawing with the same thresholds", make_edge_drawing_detector},
       {"structured", "structured forests, learned", make_probable_detector, make_structured_probability},
-      {"network", "a small network, learned, or any in ONNX", make_probable_detector, make_network_probability},
-      {"precomputed", "probabilities from files, see edgevo edges", make_probable_detector, make_precomputed_probability},
-      {"combined:structured", "of Canny's edges those that structured would choose", make_combined_detector, make_structured_probability},
+      {"network", "a small network, learned, or any in ONNX", make_probable_detector,
+       make_network_probability},
+      {"precomputed", "probabilities from files, see edgevo edges", make_probable_detector,
+       make_precomputed_probability},
+      {"combined:structured", "of Canny's edges those that structured would choose", make_combined_detector,
+       make_structured_probability},
       {"combined:network", "the same by network", make_combined_detector, make_network_probability},
-      {"combined:precomputed", "the same by precomputed", make_combined_detector, make_precomputed_probability},
+      {"combined:precomputed", "the same by precomputed", make_combined_detector,
+       make_precomputed_probability},
   };
   return kKinds;
 }
@@ -44,7 +48,9 @@ const EdgeDetectorKind& kind_of(const EdgeParams& params) {
 
 }  // namespace
 
-std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params) { return kind_of(params).make(params); }
+std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params) {
+  return kind_of(params).make(params);
+}
 
 std::unique_ptr<EdgeProbability> make_edge_probability(const EdgeParams& params) {
   const auto make = kind_of(params).make_probability;

@@ -14,7 +14,8 @@ std::string file_checksum(const std::string& path) {
   for (const char c : bytes) hash = (hash ^ uint8_t(c)) * 1099511628211u;
   char digits[17];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return std::filesystem::path(path).filename().string() + ", " + std::to_string(bytes.size()) + " bytes, fnv1a " + digits;
+  return std::filesystem::path(path).filename().string() + ", " + std::to_string(bytes.size()) +
+         " bytes, fnv1a " + digits;
 }
 
 }  // namespace edgevo

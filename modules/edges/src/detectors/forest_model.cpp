@@ -12,12 +12,15 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kRemedy = "give a model in OpenCV's format for structured forests, such as share/training makes";
+constexpr const char* kRemedy =
+    "give a model in OpenCV's format for structured forests, such as share/training makes";
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) { throw InputError(where, what, kRemedy); }
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw InputError(where, what, kRemedy);
+}
 
-// An option by its name in the file, and the values with which OpenCV's arithmetic holds and a frame takes neither minutes nor
-// gigabytes: the published models have 2, 2, 32, 16, 4, 0, 2, 8, 4, 5, 4 to 8 and 4.
+// An option by its name in the file, and the values with which OpenCV's arithmetic holds and a frame takes
+// neither minutes nor gigabytes: the published models have 2, 2, 32, 16, 4, 0, 2, 8, 4, 5, 4 to 8 and 4.
 struct OptionRange {
   const char* name;
   int ForestOptions::*value;
@@ -49,7 +52,8 @@ void check_options(const ForestOptions& o, const std::string& where) {
   if (border < 0 || border % (2 * o.shrinkNumber) != 0 || o.patchSize % o.shrinkNumber != 0)
     refuse(where, "patchSize, patchInnerSize and shrinkNumber do not fit each other");
   if (o.stride > o.patchInnerSize) refuse(where, "options.stride is larger than patchInnerSize");
-  if (o.numberOfTreesToEvaluate > o.numberOfTrees) refuse(where, "options.numberOfTreesToEvaluate is larger than numberOfTrees");
+  if (o.numberOfTreesToEvaluate > o.numberOfTrees)
+    refuse(where, "options.numberOfTreesToEvaluate is larger than numberOfTrees");
 }
 
 // Where OpenCV puts the cells that are compared with each other: all must lie in the patch.
@@ -70,7 +74,8 @@ int feature_count(const ForestOptions& o) {
 void check_tree(const ForestModel& m, size_t tree, const std::string& where) {
   const std::string name = "tree " + std::to_string(tree);
   const size_t nodes = m.childs[tree].size();
-  if (nodes == 0 || nodes != m.childs[0].size()) refuse(where, name + " has not as many nodes as the first, or none");
+  if (nodes == 0 || nodes != m.childs[0].size())
+    refuse(where, name + " has not as many nodes as the first, or none");
   if (m.featureIds[tree].size() != nodes || m.thresholds[tree].size() != nodes)
     refuse(where, name + ": childs, featureIds and thresholds are not of one length");
   const int features = feature_count(m.options);
@@ -78,7 +83,8 @@ void check_tree(const ForestModel& m, size_t tree, const std::string& where) {
     const std::string node = name + ", node " + std::to_string(i) + ": ";
     const int child = m.childs[tree][i], id = m.featureIds[tree][i];
     // Behind their parent, so that every walk ends.
-    if (child != 0 && (child < int(i) + 2 || child >= int(nodes))) refuse(where, node + "child " + std::to_string(child) + " is out of range");
+    if (child != 0 && (child < int(i) + 2 || child >= int(nodes)))
+      refuse(where, node + "child " + std::to_string(child) + " is out of range");
     if (id < 0 || id >= features) refuse(where, node + "feature " + std::to_string(id) + " is out of range");
     if (!std::isfinite(m.thresholds[tree][i])) refuse(where, node + "the threshold is no number");
   }
@@ -95,8 +101,10 @@ void check_edges(const ForestModel& m, const std::string& where) {
   const std::vector<int> boundaries = joined(m.edgeBoundaries), bins = joined(m.edgeBins);
   const size_t nodes = m.childs.size() * m.childs[0].size();
   if (boundaries.size() != nodes + 1)
-    refuse(where, "has " + std::to_string(boundaries.size()) + " edgeBoundaries for " + std::to_string(nodes) + " nodes, not one more");
-  if (boundaries.front() < 0 || !std::is_sorted(boundaries.begin(), boundaries.end()) || size_t(boundaries.back()) > bins.size())
+    refuse(where, "has " + std::to_string(boundaries.size()) + " edgeBoundaries for " +
+                      std::to_string(nodes) + " nodes, not one more");
+  if (boundaries.front() < 0 || !std::is_sorted(boundaries.begin(), boundaries.end()) ||
+      size_t(boundaries.back()) > bins.size())
     refuse(where, "edgeBoundaries do not ascend from 0 to the number of edgeBins");
   const int pixels = m.options.patchInnerSize * m.options.patchInnerSize * m.options.channels();
   for (const int bin : bins)
@@ -133,7 +141,8 @@ ForestModel model_of(const cv::FileStorage& file, const std::string& where) {
   ForestModel m;
   const cv::FileNode options = file["options"];
   if (!options.isMap()) refuse(where, "is no structured forest: no 'options'");
-  for (const OptionRange& range : kOptions) m.options.*range.value = number<int>(options[range.name], range.name, where);
+  for (const OptionRange& range : kOptions)
+    m.options.*range.value = number<int>(options[range.name], range.name, where);
   m.childs = rows<int>(file, "childs", where);
   m.featureIds = rows<int>(file, "featureIds", where);
   m.thresholds = rows<float>(file, "thresholds", where);
@@ -150,7 +159,8 @@ ForestModel open_forest(const std::string& file, int flags, const std::string& w
 } catch (const cv::Exception& e) {
   refuse(where, "is no structured forest: " + one_line(e));
 } catch (const std::length_error&) {
-  refuse(where, "is no structured forest: a key in it is empty");  // OpenCV's reader of YAML does not foresee it
+  refuse(where,
+         "is no structured forest: a key in it is empty");  // OpenCV's reader of YAML does not foresee it
 }
 
 }  // namespace
@@ -160,7 +170,8 @@ void validate_forest(const ForestModel& m, const std::string& where) {
   check_grid(m.options, where);
   const size_t trees = size_t(m.options.numberOfTrees);
   if (m.childs.size() != trees || m.featureIds.size() != trees || m.thresholds.size() != trees)
-    refuse(where, "childs, featureIds and thresholds have not a row for each of " + std::to_string(trees) + " trees");
+    refuse(where, "childs, featureIds and thresholds have not a row for each of " + std::to_string(trees) +
+                      " trees");
   for (size_t tree = 0; tree < trees; ++tree) check_tree(m, tree, where);
   check_edges(m, where);
 }

@@ -20,17 +20,19 @@ struct NetworkDescription {
 /// The description, taken apart.
 struct NetworkInput {
   bool is_fixed = false;
-  cv::Size size;         ///< fixed: of the network
-  int multiple = 1;      ///< else: width and height are multiples of it
+  cv::Size size;     ///< fixed: of the network
+  int multiple = 1;  ///< else: width and height are multiples of it
   int channels = 1;
   double scale = 0;
   cv::Scalar mean, std;  ///< by channel
 
-  /// Of the network for an image of this size. Throws InputError, opened by `where`, for an image that is larger than a fixed size.
+  /// Of the network for an image of this size. Throws InputError, opened by `where`, for an image that is
+  /// larger than a fixed size.
   cv::Size size_for(cv::Size image, const std::string& where) const;
 };
 
-/// Throws InputError: an unknown key, a size rule that is none, means or deviations that do not fit the channels.
+/// Throws InputError: an unknown key, a size rule that is none, means or deviations that do not fit the
+/// channels.
 NetworkDescription read_network_description(const std::string& path);
 NetworkInput network_input(const NetworkDescription& description, const std::string& where);
 

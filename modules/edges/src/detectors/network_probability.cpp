@@ -1,5 +1,5 @@
-// Any network in ONNX that gives an edge probability, by OpenCV's dnn: HED, RCF, PiDiNet, DexiNed, or the one that comes with
-// edgevo. How images go in stands in a YAML beside it.
+// Any network in ONNX that gives an edge probability, by OpenCV's dnn: HED, RCF, PiDiNet, DexiNed, or the one
+// that comes with edgevo. How images go in stands in a YAML beside it.
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/dnn.hpp>
@@ -17,7 +17,8 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kRemedy = "give a network in ONNX that OpenCV reads, with its description beside it (NAME.onnx, NAME.yaml)";
+constexpr const char* kRemedy =
+    "give a network in ONNX that OpenCV reads, with its description beside it (NAME.onnx, NAME.yaml)";
 
 // NAME.onnx and NAME.yaml, whichever of the two was named.
 std::string beside(const std::string& path, const char* extension) {
@@ -38,7 +39,8 @@ cv::dnn::Net load(const std::string& path) try {
 // 1 x channels x height x width. `image` is continued to `size` by mirroring; its pixels stay where they are.
 cv::Mat make_blob(const cv::Mat& image, cv::Size size, const NetworkInput& input) {
   cv::Mat wide, scaled;
-  cv::copyMakeBorder(image, wide, 0, size.height - image.rows, 0, size.width - image.cols, cv::BORDER_REFLECT_101);
+  cv::copyMakeBorder(image, wide, 0, size.height - image.rows, 0, size.width - image.cols,
+                     cv::BORDER_REFLECT_101);
   wide.convertTo(scaled, CV_32F, input.scale);
   const int shape[] = {1, input.channels, size.height, size.width};
   cv::Mat blob(4, shape, CV_32F);
@@ -66,8 +68,11 @@ class NetworkProbability : public EdgeProbability {
   Plane<uint8_t> estimate(const ImageView<uint8_t>& gray, const std::string&) override {
     const cv::Size size = input_.size_for({gray.width, gray.height}, path_);
     const cv::Mat found = forward(make_blob(as_mat(gray), size, input_));
-    if (found.dims != 4 || found.size[0] != 1 || found.size[1] != 1 || found.size[2] != size.height || found.size[3] != size.width)
-      throw InputError(path_, "gives " + shape_of(found) + " for an image of 1x1x" + std::to_string(size.height) + "x" + std::to_string(size.width),
+    if (found.dims != 4 || found.size[0] != 1 || found.size[1] != 1 || found.size[2] != size.height ||
+        found.size[3] != size.width)
+      throw InputError(path_,
+                       "gives " + shape_of(found) + " for an image of 1x1x" + std::to_string(size.height) +
+                           "x" + std::to_string(size.width),
                        "correct 'size' or 'output' in " + beside(path_, ".yaml"));
     const cv::Mat whole(size.height, size.width, CV_32F, const_cast<float*>(found.ptr<float>()));
     Plane<uint8_t> probability(gray.width, gray.height);
@@ -75,7 +80,9 @@ class NetworkProbability : public EdgeProbability {
     return probability;
   }
 
-  std::string description() const override { return file_checksum(path_) + "; " + file_checksum(beside(path_, ".yaml")); }
+  std::string description() const override {
+    return file_checksum(path_) + "; " + file_checksum(beside(path_, ".yaml"));
+  }
 
  private:
   cv::Mat forward(const cv::Mat& blob) try {
@@ -83,8 +90,9 @@ class NetworkProbability : public EdgeProbability {
     net_.setInput(blob, description_.input);
     return net_.forward(description_.output);
   } catch (const cv::Exception& e) {
-    throw InputError(path_, "does not work with input '" + description_.input + "' of " + shape_of(blob) + " and output '" + description_.output +
-                                "': " + one_line(e),
+    throw InputError(path_,
+                     "does not work with input '" + description_.input + "' of " + shape_of(blob) +
+                         " and output '" + description_.output + "': " + one_line(e),
                      "correct " + beside(path_, ".yaml"));
   }
 
@@ -98,7 +106,9 @@ class NetworkProbability : public EdgeProbability {
 
 std::unique_ptr<EdgeProbability> make_network_probability(const EdgeParams& params) {
   return std::make_unique<NetworkProbability>(
-      params.model.empty() ? share_file("models/edge_network.onnx", "give a network with edges.model=FILE").string() : params.model);
+      params.model.empty()
+          ? share_file("models/edge_network.onnx", "give a network with edges.model=FILE").string()
+          : params.model);
 }
 
 }  // namespace edgevo

@@ -1,4 +1,5 @@
-// Probabilities from files, as `edgevo edges` writes them, or any other program on any machine: NAME.png for the image NAME.*
+// Probabilities from files, as `edgevo edges` writes them, or any other program on any machine: NAME.png for
+// the image NAME.*
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
@@ -13,13 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRemedy = "make it again with `edgevo edges SOURCE -o FOLDER`, with the options of SOURCE that the run has";
+constexpr const char* kRemedy =
+    "make it again with `edgevo edges SOURCE -o FOLDER`, with the options of SOURCE that the run has";
 
 cv::Mat decode(const std::string& path) try {
   const std::string bytes = read_file(path, kRemedy);
   const std::string damage = image_damage(bytes);
   if (!damage.empty()) throw InputError(path, "the image does not decode: " + damage, kRemedy);
-  return cv::imdecode(cv::Mat(1, int(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data())), cv::IMREAD_UNCHANGED);
+  return cv::imdecode(cv::Mat(1, int(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data())),
+                      cv::IMREAD_UNCHANGED);
 } catch (const cv::Exception&) {
   return {};
 }
@@ -27,7 +30,9 @@ cv::Mat decode(const std::string& path) try {
 class PrecomputedProbability : public EdgeProbability {
  public:
   explicit PrecomputedProbability(const std::string& folder) : folder_(folder) {
-    if (folder.empty()) throw InputError("edges.folder", "is not given", "name the folder that `edgevo edges` has written, --edge-folder FOLDER");
+    if (folder.empty())
+      throw InputError("edges.folder", "is not given",
+                       "name the folder that `edgevo edges` has written, --edge-folder FOLDER");
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) throw InputError(folder, "is no folder", kRemedy);
   }
@@ -39,8 +44,10 @@ class PrecomputedProbability : public EdgeProbability {
     if (image.type() != CV_8UC1 && image.type() != CV_16UC1)
       throw InputError(path, "is no image of 8 or 16 bits and one channel", kRemedy);
     if (image.cols != gray.width || image.rows != gray.height)
-      throw InputError(path, "is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) + ", the image " + std::to_string(gray.width) + "x" +
-                                 std::to_string(gray.height), kRemedy);
+      throw InputError(path,
+                       "is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
+                           ", the image " + std::to_string(gray.width) + "x" + std::to_string(gray.height),
+                       kRemedy);
     Plane<uint8_t> probability(gray.width, gray.height);
     image.convertTo(as_mat(probability), CV_8U, image.depth() == CV_16U ? 255.0 / 65535.0 : 1.0);
     return probability;

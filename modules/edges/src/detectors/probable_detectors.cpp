@@ -1,5 +1,5 @@
-// The detectors that choose by a probability: `structured`, `network` and `precomputed` among all maxima of the gradient, `combined`
-// among Canny's.
+// The detectors that choose by a probability: `structured`, `network` and `precomputed` among all maxima of
+// the gradient, `combined` among Canny's.
 #include "adaptive_threshold.h"
 #include "canny.h"
 #include "detector_list.h"
@@ -13,14 +13,16 @@ Plane<uint8_t> canny_at(const Gradient& gradient, const EdgeParams& params) {
   return canny(gradient, float(params.canny_low_ratio * high), float(high));
 }
 
-// What an edge is, the probability says alone, as long as there is a gradient to place it by: more than Canny's least low threshold.
+// What an edge is, the probability says alone, as long as there is a gradient to place it by: more than
+// Canny's least low threshold.
 class ProbableDetector : public EdgeDetector {
  public:
   explicit ProbableDetector(const EdgeParams& params) : params_(params) {}
 
   Plane<uint8_t> detect(const EdgeImage& image) override {
     const float floor = float(params_.canny_low_ratio * params_.min_gradient) * kSobelPerGrayLevel;
-    return most_probable(canny(image.gradient, floor, floor), image.gradient, image.probability, count_marked(canny_at(image.gradient, params_)));
+    return most_probable(canny(image.gradient, floor, floor), image.gradient, image.probability,
+                         count_marked(canny_at(image.gradient, params_)));
   }
 
  private:
@@ -45,7 +47,11 @@ class CombinedDetector : public EdgeDetector {
 
 }  // namespace
 
-std::unique_ptr<EdgeDetector> make_probable_detector(const EdgeParams& params) { return std::make_unique<ProbableDetector>(params); }
-std::unique_ptr<EdgeDetector> make_combined_detector(const EdgeParams& params) { return std::make_unique<CombinedDetector>(params); }
+std::unique_ptr<EdgeDetector> make_probable_detector(const EdgeParams& params) {
+  return std::make_unique<ProbableDetector>(params);
+}
+std::unique_ptr<EdgeDetector> make_combined_detector(const EdgeParams& params) {
+  return std::make_unique<CombinedDetector>(params);
+}
 
 }  // namespace edgevo

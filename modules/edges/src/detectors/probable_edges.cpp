@@ -18,7 +18,8 @@ constexpr int kReach = 2;  // pixels: networks that halve the image twice are of
 
 void check_there(const ImageView<uint8_t>& probability) {
   if (probability.data == nullptr)
-    throw InputError("edges.detector", "needs a probability, and there is none", "build pyramids with the detector's own");
+    throw InputError("edges.detector", "needs a probability, and there is none",
+                     "build pyramids with the detector's own");
 }
 
 // Sixteen bits, smoothed over a pixel: eight bits have plateaus on top of a ridge.
@@ -45,7 +46,8 @@ struct Across {
   const Gradient& gradient;
 
   cv::Point at(int x, int y, int steps) const {
-    const float dx = gradient.dx.at(x, y), dy = gradient.dy.at(x, y), length = std::max(std::hypot(dx, dy), 1.0f);
+    const float dx = gradient.dx.at(x, y), dy = gradient.dy.at(x, y),
+                length = std::max(std::hypot(dx, dy), 1.0f);
     return {std::clamp(int(std::lrint(x + steps * dx / length)), 0, gradient.dx.width() - 1),
             std::clamp(int(std::lrint(y + steps * dy / length)), 0, gradient.dx.height() - 1)};
   }
@@ -56,7 +58,8 @@ struct Scored {
   uint16_t score;
 };
 
-std::vector<Scored> score_all(const Plane<uint8_t>& candidates, const Gradient& gradient, const Plane<uint16_t>& probability) {
+std::vector<Scored> score_all(const Plane<uint8_t>& candidates, const Gradient& gradient,
+                              const Plane<uint16_t>& probability) {
   std::vector<Scored> all;
   const Across across{gradient};
   for_each_marked(candidates, [&](int x, int y) {
@@ -81,8 +84,8 @@ uint16_t score_of_rank(std::vector<uint16_t>* scores, int rank) {
 
 int count_marked(const Plane<uint8_t>& mask) { return cv::countNonZero(as_mat(mask)); }
 
-Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& gradient, const ImageView<uint8_t>& probability,
-                             int budget) {
+Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& gradient,
+                             const ImageView<uint8_t>& probability, int budget) {
   check_there(probability);
   const std::vector<Scored> all = score_all(candidates, gradient, smoothed(probability));
   std::vector<uint16_t> scores;

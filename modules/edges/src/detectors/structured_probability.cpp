@@ -1,5 +1,5 @@
-// Structured forests (Dollar and Zitnick, ICCV 2013) by OpenCV's ximgproc: each patch of the image is looked up in some trees,
-// whose leaves hold edges of patches, and these are added up.
+// Structured forests (Dollar and Zitnick, ICCV 2013) by OpenCV's ximgproc: each patch of the image is looked
+// up in some trees, whose leaves hold edges of patches, and these are added up.
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/structured_edge_detection.hpp>
 
@@ -33,14 +33,15 @@ class StructuredProbability : public EdgeProbability {
   std::string description() const override { return file_checksum(path_); }
 
  private:
-  // Three channels of 0 to 1. OpenCV rounds the size of its features, and lays patches over what it rounded up, or over nothing:
-  // multiples of what it shrinks by, not smaller than a patch, leave nothing to round.
+  // Three channels of 0 to 1. OpenCV rounds the size of its features, and lays patches over what it rounded
+  // up, or over nothing: multiples of what it shrinks by, not smaller than a patch, leave nothing to round.
   cv::Mat padded(const ImageView<uint8_t>& gray) const {
     const int side = 2 * options_.shrinkNumber;
     const int width = next_multiple(std::max(gray.width, options_.patchSize), side);
     const int height = next_multiple(std::max(gray.height, options_.patchSize), side);
     cv::Mat wide, colour, scaled;
-    cv::copyMakeBorder(as_mat(gray), wide, 0, height - gray.height, 0, width - gray.width, cv::BORDER_REPLICATE);
+    cv::copyMakeBorder(as_mat(gray), wide, 0, height - gray.height, 0, width - gray.width,
+                       cv::BORDER_REPLICATE);
     cv::cvtColor(wide, colour, cv::COLOR_GRAY2RGB);
     colour.convertTo(scaled, CV_32F, 1.0 / 255.0);
     return scaled;
@@ -55,7 +56,9 @@ class StructuredProbability : public EdgeProbability {
 
 std::unique_ptr<EdgeProbability> make_structured_probability(const EdgeParams& params) {
   const std::string path =
-      params.model.empty() ? share_file("models/structured_forest.yml.gz", "give a forest with edges.model=FILE").string() : params.model;
+      params.model.empty()
+          ? share_file("models/structured_forest.yml.gz", "give a forest with edges.model=FILE").string()
+          : params.model;
   return std::make_unique<StructuredProbability>(path);
 }
 

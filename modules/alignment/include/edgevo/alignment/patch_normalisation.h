@@ -1,6 +1,6 @@
 #pragma once
-// Patches of zero mean and unit deviation, so that gain and offset of the light cancel. The patch is `count` values, row by row;
-// a constant count unrolls.
+// Patches of zero mean and unit deviation, so that gain and offset of the light cancel. The patch is `count`
+// values, row by row; a constant count unrolls.
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +20,8 @@ inline PatchMoments patch_moments(const float* value, int count) {
   return {mean, std::sqrt(std::max(0.0f, square / float(count) - mean * mean))};
 }
 
-/// Takes out of a patch's derivative what its normalisation cancels: the mean, and the part along the normalised patch itself.
+/// Takes out of a patch's derivative what its normalisation cancels: the mean, and the part along the
+/// normalised patch itself.
 inline void project_out_normalisation(const float* normalised, int count, float* derivative) {
   float mean = 0, along = 0;
 #pragma omp simd reduction(+ : mean, along)

@@ -1,6 +1,7 @@
 #pragma once
-// Small patches around points of a reference image, each with zero mean and unit deviation, so that gain and offset of the
-// light cancel. Compared with a patch of another image that is merely shifted: between two frames the warp of five pixels is small.
+// Small patches around points of a reference image, each with zero mean and unit deviation, so that gain and
+// offset of the light cancel. Compared with a patch of another image that is merely shifted: between two
+// frames the warp of five pixels is small.
 #include <Eigen/Core>
 #include <array>
 #include <vector>
@@ -18,10 +19,11 @@ constexpr double kUnrelatedMeanSquare = 2.0;
 
 /// A patch of the reference image, ready to be compared.
 struct PatchTemplate {
-  bool usable = false;                       ///< inside the image and not flat
-  std::array<float, kPatchPixels> value;     ///< zero mean, unit deviation
-  std::array<float, kPatchPixels> gx, gy;    ///< d value / d shift of the patch, with the normalisation's share taken out
-  Eigen::Matrix2d information;               ///< sum over the patch of (gx, gy)(gx, gy)^T, divided by the number of pixels
+  bool usable = false;                    ///< inside the image and not flat
+  std::array<float, kPatchPixels> value;  ///< zero mean, unit deviation
+  std::array<float, kPatchPixels> gx,
+      gy;                       ///< d value / d shift of the patch, with the normalisation's share taken out
+  Eigen::Matrix2d information;  ///< sum over the patch of (gx, gy)(gx, gy)^T, divided by the number of pixels
 };
 using PatchTemplates = std::vector<PatchTemplate>;  ///< one for each point of a cloud, in its order
 
@@ -31,9 +33,9 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
 
 /// How a patch differs from the image at a place.
 struct PatchDifference {
-  bool usable = false;        ///< inside the image and not flat
-  float mean_square = 0;      ///< of the normalised difference; 0 equal, kUnrelatedMeanSquare unrelated
-  Eigen::Vector2d gradient;   ///< d (mean_square / 2) / d shift
+  bool usable = false;       ///< inside the image and not flat
+  float mean_square = 0;     ///< of the normalised difference; 0 equal, kUnrelatedMeanSquare unrelated
+  Eigen::Vector2d gradient;  ///< d (mean_square / 2) / d shift
 };
 
 /// Difference of `patch` to the image at (x, y).

@@ -4,7 +4,8 @@
 //
 // An alignment finds the minimum next to where it starts, and there are several: where edges repeat, where
 // shadows move, after an unpredicted turn. So there are several hypotheses, from the likeliest and
-// cheapest to the most expensive; the expensive ones are tried only where the poses found so far call for them.
+// cheapest to the most expensive; the expensive ones are tried only where the poses found so far call for
+// them.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -20,11 +21,11 @@ struct PoseHypothesis {
   enum class Refinement {
     kPatchesThenEdges,  ///< from far: gray patches on the coarse levels, then edges on two
     kEdges,             ///< from near: edges on two levels
-    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is searched from half to
-                        ///< twice, then edges
+    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is searched from half
+                        ///< to twice, then edges
     kFinestEdges,       ///< nearly right already: edges on the finest level
   };
-  SE3 T_cur_ref;  ///< reference to current camera
+  SE3 T_cur_ref;                                          ///< reference to current camera
   Refinement refinement = Refinement::kPatchesThenEdges;  ///< how far it may be from the truth
   /// Standard deviation of its translation, axis by axis (camera axes, unit of the map); nothing: no prior
   /// holds the alignment to it.
@@ -33,8 +34,8 @@ struct PoseHypothesis {
 
 /// Where a hypothesis led.
 struct PoseCandidate {
-  SE3 T_cur_ref;  ///< reference to current camera, aligned
-  AlignmentStats stats;  ///< of the last alignment, on the finest level
+  SE3 T_cur_ref;           ///< reference to current camera, aligned
+  AlignmentStats stats;    ///< of the last alignment, on the finest level
   PoseEvidence evidence;   ///< of the image alone, whatever the prior
   bool has_prior = false;  ///< a prior held the alignment
 };
@@ -79,7 +80,7 @@ struct Proposer {
 
 /// The pose that won, and what it took to find it.
 struct PoseChoice {
-  PoseCandidate pose;  ///< the winner
+  PoseCandidate pose;        ///< the winner
   int proposer = -1;         ///< index of the one whose hypothesis won
   int hypotheses_tried = 0;  ///< 1: the first was good
 };

@@ -26,9 +26,9 @@ namespace edgevo {
 /// A matched point in the normal equations.
 struct PoseEquation {
   Eigen::Matrix<double, 1, 6> jacobian;  ///< of the residual by xi, tangent [v, w]
-  double residual_px = 0;  ///< along the edge normal
-  double weight = 0;  ///< robust weight times that of the depth
-  int edge = 0;       ///< points of one edge carry the same number, >= 0
+  double residual_px = 0;                ///< along the edge normal
+  double weight = 0;                     ///< robust weight times that of the depth
+  int edge = 0;                          ///< points of one edge carry the same number, >= 0
 };
 
 /// Variance with the reference's own error over that of the alignment alone: measured 1.41 to 1.69 on four
@@ -40,9 +40,9 @@ constexpr double kReferenceShare = 1.5;
 /// equations.
 Matrix6d pose_covariance(const std::vector<PoseEquation>& equations);
 
-/// Square of the error xi = log(T_estimate T_true^-1), normalised by its covariance, without its part along the
-/// translation, which a wrong unit of length makes: it is taken out with the covariance as metric. Follows
-/// chi^2 with kNormalisedErrorFreedom degrees of freedom where the covariance is right.
+/// Square of the error xi = log(T_estimate T_true^-1), normalised by its covariance, without its part along
+/// the translation, which a wrong unit of length makes: it is taken out with the covariance as metric.
+/// Follows chi^2 with kNormalisedErrorFreedom degrees of freedom where the covariance is right.
 double normalised_error_square(const SE3& T_estimate, const SE3& T_true, const Matrix6d& covariance);
 constexpr int kNormalisedErrorFreedom = 5;  ///< six of a pose, less the length
 

@@ -24,8 +24,9 @@ struct PoseEvidence {
 PoseEvidence weigh_evidence(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                             const AlignmentParams& params);
 
-/// What speaks for a pose beyond what a wrong one has by chance, to choose among poses. A wrong pose that keeps more points in view finds
-/// more edges than the right one, but not a larger share of them. Negative below the limit of LOST.
+/// What speaks for a pose beyond what a wrong one has by chance, to choose among poses. A wrong pose that
+/// keeps more points in view finds more edges than the right one, but not a larger share of them. Negative
+/// below the limit of LOST.
 inline double support(const PoseEvidence& evidence, const AlignmentParams& params) {
   return (evidence.inlier_share - params.lost_share) * evidence.weight;
 }

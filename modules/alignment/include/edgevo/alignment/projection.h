@@ -11,9 +11,9 @@ constexpr double kMinProjectedDepth = 1e-3;  ///< of Y_z = z_target / z_host: cl
 
 /// p' = pi(Y), Y = R x + rho t (the point in the target camera, times rho), Eq. (pointproj).
 struct Projection {
-  bool valid = false;        ///< in front of the target camera
-  Eigen::Vector2d px;        ///< target pixels
-  Eigen::Vector3d Y;  ///< R x + rho t
+  bool valid = false;  ///< in front of the target camera
+  Eigen::Vector2d px;  ///< target pixels
+  Eigen::Vector3d Y;   ///< R x + rho t
 };
 
 /// Of the point with the viewing `ray` (x, y, 1) and inverse depth `idepth` in its host camera; (R, t) is
@@ -37,7 +37,8 @@ inline Eigen::Matrix<double, 2, 3> projection_jacobian(const Pinhole& camera, co
 }
 
 /// d p' / d xi (2x6) for T <- exp(xi) T:  J_pi [rho I | -[Y]x].
-inline Eigen::Matrix<double, 2, 6> pose_jacobian(const Pinhole& camera, const Eigen::Vector3d& Y, double idepth) {
+inline Eigen::Matrix<double, 2, 6> pose_jacobian(const Pinhole& camera, const Eigen::Vector3d& Y,
+                                                 double idepth) {
   const double iz = 1.0 / Y.z(), x = Y.x() * iz, y = Y.y() * iz;
   const double a = idepth * iz;
   Eigen::Matrix<double, 2, 6> J;

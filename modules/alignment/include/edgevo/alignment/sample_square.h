@@ -4,8 +4,9 @@
 
 namespace edgevo {
 
-/// `corner`: the grid point of the first pixel; all pixels lie (fx, fy) beyond theirs. Writes kSide * kSide values row by row; reads one
-/// row and one column more. Each row is interpolated along itself once and serves the values above and below it.
+/// `corner`: the grid point of the first pixel; all pixels lie (fx, fy) beyond theirs. Writes kSide * kSide
+/// values row by row; reads one row and one column more. Each row is interpolated along itself once and
+/// serves the values above and below it.
 template <int kSide, class T>
 inline void sample_square(const T* corner, std::ptrdiff_t stride, float fx, float fy, float* to) {
   float rows[2][kSide];

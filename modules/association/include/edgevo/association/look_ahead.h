@@ -1,7 +1,8 @@
 #pragma once
-// Keyframes of the window have long left the processor's caches, and an association reads a field, then what it says of an index, then
-// an edge, then the images around it: each read waits for the one before. Many associations to come are told here, and wait together.
-// Saves a fifth of the activation's time (modules/mapping). Nothing but time depends on it.
+// Keyframes of the window have long left the processor's caches, and an association reads a field, then what
+// it says of an index, then an edge, then the images around it: each read waits for the one before. Many
+// associations to come are told here, and wait together. Saves a fifth of the activation's time
+// (modules/mapping). Nothing but time depends on it.
 #include <Eigen/Core>
 #include <array>
 
@@ -13,13 +14,14 @@ namespace edgevo {
 /// Prefetches what many associations will read. One object a thread.
 class LookAhead {
  public:
-  static constexpr int kAtOnce = 32;  ///< requests that wait for memory together: processors keep about as many open
+  static constexpr int kAtOnce =
+      32;  ///< requests that wait for memory together: processors keep about as many open
 
   explicit LookAhead(const AssociationParams& params) : params_(params) {}  ///< keeps a reference
   /// A point that projects to `px` is going to be associated with `target`.
   void add(const FramePyramid& target, const Eigen::Vector2d& px);
-  /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much. Returns of how many
-  /// points the target has an edge near: only of these is more asked for than the field.
+  /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much. Returns of
+  /// how many points the target has an edge near: only of these is more asked for than the field.
   int run();
   /// Points that were added and not asked for yet, at most kAtOnce.
   int waiting() const { return count_; }

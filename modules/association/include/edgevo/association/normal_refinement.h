@@ -9,24 +9,25 @@ namespace edgevo {
 
 /// A host patch ready for refinement along one direction of the target image.
 struct NormalTemplate {
-  Patch value;                 ///< zero mean, unit deviation
-  Patch slope;                 ///< d value / d shift along the normal, the normalisation's share taken out
-  double slope_square = 0;     ///< sum of slope^2
+  Patch value;              ///< zero mean, unit deviation
+  Patch slope;              ///< d value / d shift along the normal, the normalisation's share taken out
+  double slope_square = 0;  ///< sum of slope^2
 };
 
 /// False where the patch leaves the image or is flat.
-bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
-                          const Eigen::Vector2d& normal_target, int radius, NormalTemplate* out);
+bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host,
+                          const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_target,
+                          int radius, NormalTemplate* out);
 
 /// Where a refinement ended.
 struct NormalRefinement {
   bool accepted = false;  ///< false: keep the match as it was
-  Eigen::Vector2d px;          ///< start + move * normal
-  double move_px = 0;  ///< along the normal, signed
-  double zncc_loss = 2;        ///< 1 - ZNCC at the end
+  Eigen::Vector2d px;     ///< start + move * normal
+  double move_px = 0;     ///< along the normal, signed
+  double zncc_loss = 2;   ///< 1 - ZNCC at the end
 };
-/// At most params.refine_iterations steps, stops at 0.02 px; not accepted where it moves over refine_max_move_px or the patch
-/// does not fit (refine_max_zncc_loss).
+/// At most params.refine_iterations steps, stops at 0.02 px; not accepted where it moves over
+/// refine_max_move_px or the patch does not fit (refine_max_zncc_loss).
 NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
                                      const Eigen::Vector2d& start, const Eigen::Vector2d& normal,
                                      const AssociationParams& params);

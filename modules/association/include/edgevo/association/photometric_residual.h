@@ -1,8 +1,10 @@
 #pragma once
-// The direct image-gradient cost of one point, paper Eq. (photometricerror) with F the gradient magnitude, linearised: near the
-// projection p' the patch difference is least at p' + shift, and grows with `information` around it. Adding the residual
+// The direct image-gradient cost of one point, paper Eq. (photometricerror) with F the gradient magnitude,
+// linearised: near the projection p' the patch difference is least at p' + shift, and grows with
+// `information` around it. Adding the residual
 //     shift-corrected position minus projection, weighed by information,
-// to a bundle adjustment is one Gauss-Newton linearisation of the direct cost; it is renewed at each round of the adjustment.
+// to a bundle adjustment is one Gauss-Newton linearisation of the direct cost; it is renewed at each round of
+// the adjustment.
 #include <Eigen/Core>
 
 #include "edgevo/association/warp.h"
@@ -11,10 +13,11 @@ namespace edgevo {
 
 /// The linearised cost of one point in one keyframe.
 struct PhotometricResidual {
-  bool usable = false;            ///< patch inside both images, not flat, shift within the linear range
-  Eigen::Vector2d shift;          ///< pixels; the Gauss-Newton step of the patch cost from p'
-  Eigen::Matrix2d information;    ///< mean over the patch of grad grad^T, patches at zero mean and unit deviation; 1/px^2
-  double mean_square = 0;         ///< of the difference at p', in deviations
+  bool usable = false;    ///< patch inside both images, not flat, shift within the linear range
+  Eigen::Vector2d shift;  ///< pixels; the Gauss-Newton step of the patch cost from p'
+  Eigen::Matrix2d
+      information;  ///< mean over the patch of grad grad^T, patches at zero mean and unit deviation; 1/px^2
+  double mean_square = 0;  ///< of the difference at p', in deviations
 };
 
 /// `host` and `target` are gradient magnitudes. Patch of 5x5, warped by A_target_host. Cost: about 0.4 us.

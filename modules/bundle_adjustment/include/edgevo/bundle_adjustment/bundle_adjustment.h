@@ -34,7 +34,7 @@ namespace edgevo {
 
 /// A keyframe.
 struct BaPose {
-  SE3 T_cam_world;  ///< world to camera
+  SE3 T_cam_world;     ///< world to camera
   bool fixed = false;  ///< held as it is
 };
 
@@ -71,7 +71,7 @@ struct BaCornerPair {
 /// estimate). For an update exp(delta) T the solvers use dxi/ddelta = J_l^-1(xi), the inverse left Jacobian
 /// of SE(3), so they minimise E itself.
 struct BaPrior {
-  std::vector<int> pose_ids;  ///< ascending or not; names of BaProblem::pose_ids
+  std::vector<int> pose_ids;       ///< ascending or not; names of BaProblem::pose_ids
   std::vector<SE3> linearization;  ///< T_cam_world at which H and b were formed
   Eigen::MatrixXd H;               ///< 6n x 6n
   Eigen::VectorXd b;               ///< 6n, in the range of H
@@ -80,18 +80,18 @@ struct BaPrior {
 
 /// All that one adjustment works on.
 struct BaProblem {
-  Pinhole pinhole;  ///< of all images, pixels
-  std::vector<BaPose> poses;  ///< in any order; the caller's keyframes
-  std::vector<int> pose_ids;  ///< a lasting name for each pose, for priors; may be empty without one
+  Pinhole pinhole;              ///< of all images, pixels
+  std::vector<BaPose> poses;    ///< in any order; the caller's keyframes
+  std::vector<int> pose_ids;    ///< a lasting name for each pose, for priors; may be empty without one
   std::vector<BaPoint> points;  ///< hosts as in `poses`
   std::vector<BaObservation> observations;  ///< ascending in `point`
-  std::vector<BaCornerPair> corners;  ///< may be empty
-  std::optional<BaPrior> prior;  ///< of what was marginalised, or a gauge
+  std::vector<BaCornerPair> corners;        ///< may be empty
+  std::optional<BaPrior> prior;             ///< of what was marginalised, or a gauge
 };
 
 /// How an adjustment is run.
 struct BaOptions {
-  int max_iterations = 8;  ///< steps tried, at most
+  int max_iterations = 8;           ///< steps tried, at most
   double huber_width = 1.5;         ///< in sigmas
   double min_idepth = 1e-6;         ///< an update never takes rho below it
   double relative_decrease = 1e-4;  ///< stop when the cost falls by less than this share

@@ -1,9 +1,9 @@
 #pragma once
 // The camera: pinhole with plumb-bob distortion (OpenCV's k1 k2 p1 p2 k3), and maps that undo the distortion.
 //
-// Frames: camera x right, y down, z forward. Pixel (0,0) is the CENTRE of the top-left pixel. A point (X,Y,Z) in front of
-// the camera has the normalised coordinates x = (X/Z, Y/Z); distortion acts on these; u = fx x_d + cx, v = fy y_d + cy.
-// The odometry works on undistorted images, where only the pinhole part remains.
+// Frames: camera x right, y down, z forward. Pixel (0,0) is the CENTRE of the top-left pixel. A point (X,Y,Z)
+// in front of the camera has the normalised coordinates x = (X/Z, Y/Z); distortion acts on these; u = fx x_d
+// + cx, v = fy y_d + cy. The odometry works on undistorted images, where only the pinhole part remains.
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace edgevo {
 /// Pinhole part, in pixels, for images of width x height.
 struct Pinhole {
   double fx = 0, fy = 0, cx = 0, cy = 0;  ///< focal lengths and principal point, pixels
-  int width = 0, height = 0;  ///< of the image, pixels
+  int width = 0, height = 0;              ///< of the image, pixels
 
   /// Pixel of a point in front of the camera (z > 0, not checked), camera frame.
   Eigen::Vector2d project(const Eigen::Vector3d& p_cam) const {
@@ -27,11 +27,13 @@ struct Pinhole {
   Pinhole at_level(int level) const;
   /// `px` lies at least `border` pixels inside the image.
   bool contains(const Eigen::Vector2d& px, double border = 0) const {
-    return px.x() >= border && px.y() >= border && px.x() <= width - 1 - border && px.y() <= height - 1 - border;
+    return px.x() >= border && px.y() >= border && px.x() <= width - 1 - border &&
+           px.y() <= height - 1 - border;
   }
 };
 
-/// Plumb-bob coefficients: x_d = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + tangential(p1, p2), as OpenCV and MRPT define them.
+/// Plumb-bob coefficients: x_d = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + tangential(p1, p2), as OpenCV and MRPT
+/// define them.
 struct Distortion {
   double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< as in OpenCV: radial k1, k2, k3, tangential p1, p2
   bool is_zero() const { return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0; }  ///< no distortion
@@ -39,8 +41,8 @@ struct Distortion {
 
 /// A camera as files describe it, and what self-calibration found besides.
 struct Camera {
-  Pinhole pinhole;  ///< intrinsics
-  Distortion distortion;  ///< of the raw images
+  Pinhole pinhole;         ///< intrinsics
+  Distortion distortion;   ///< of the raw images
   double residual_k1 = 0;  ///< found by self-calibration, acts before `distortion`; see radial.h
 
   /// the raw images are not those of the pinhole alone
@@ -49,8 +51,8 @@ struct Camera {
   Eigen::Vector2d distort(const Eigen::Vector2d& x) const;
   /// Inverse of distort by Newton steps, to 1e-12 inside the image; returns false where they do not converge.
   [[nodiscard]] bool undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) const;
-  /// Throws InputError naming `where` when sizes or focal lengths are not positive, the principal point lies outside
-  /// the image or a value is not finite.
+  /// Throws InputError naming `where` when sizes or focal lengths are not positive, the principal point lies
+  /// outside the image or a value is not finite.
   void check(const std::string& where) const;
 };
 
@@ -69,10 +71,11 @@ struct ImageCorrection {
 /// For each pixel of the undistorted image, row by row, where it lies in the distorted one.
 struct UndistortionMaps {
   int width = 0, height = 0;  ///< of both images, pixels
-  std::vector<float> x, y;  ///< width * height source coordinates in pixels
+  std::vector<float> x, y;    ///< width * height source coordinates in pixels
 };
 
-/// Maps that keep the pinhole part (fx fy cx cy, size) and remove the distortion. Cost: one distort() a pixel.
+/// Maps that keep the pinhole part (fx fy cx cy, size) and remove the distortion. Cost: one distort() a
+/// pixel.
 UndistortionMaps make_undistortion_maps(const Camera& camera);
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
 #pragma once
-// Broken input as an exception: what is wrong, where, and what to do about it. `main` turns it into one line and exit
-// code 2. Expected failures (a frame that does not track, a bootstrap that is not ready) are values, never exceptions.
+// Broken input as an exception: what is wrong, where, and what to do about it. `main` turns it into one line
+// and exit code 2. Expected failures (a frame that does not track, a bootstrap that is not ready) are values,
+// never exceptions.
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -8,7 +9,8 @@
 
 namespace edgevo {
 
-/// Unusable input or an output that cannot be written. what() reads "WHERE: WHAT; REMEDY" and has no line break.
+/// Unusable input or an output that cannot be written. what() reads "WHERE: WHAT; REMEDY" and has no line
+/// break.
 class InputError : public std::runtime_error {
  public:
   /// `remedy` may be empty.
@@ -16,7 +18,8 @@ class InputError : public std::runtime_error {
       : std::runtime_error(where + ": " + what + (remedy.empty() ? "" : "; " + remedy)) {}
 };
 
-/// The candidate with the smallest edit distance to `word`; empty if `candidates` is empty. For "did you mean".
+/// The candidate with the smallest edit distance to `word`; empty if `candidates` is empty. For "did you
+/// mean".
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace edgevo

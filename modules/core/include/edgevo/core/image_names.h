@@ -6,7 +6,8 @@
 
 namespace edgevo {
 
-/// The order in which images of a folder are played: runs of digits compare as numbers (of any length), all else byte by byte.
+/// The order in which images of a folder are played: runs of digits compare as numbers (of any length), all
+/// else byte by byte.
 bool natural_less(const std::string& a, const std::string& b);
 
 /// Six digits or more: "000012".

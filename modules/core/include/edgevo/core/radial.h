@@ -3,15 +3,17 @@
 //
 //     x_file = x (1 + k1 r^2),   r = |x|
 //
-// x is the true normalised image point, x_file the one that the file's camera model yields. In forward motion an unknown k1 makes
-// the measured expansion wrong by (1 + 2 k1 r^2) and the scale of a monocular map grows or shrinks all along the drive; KITTI's
-// rectified images carry about +0.012. Valid where 1 + 3 k1 r^2 > 0.
+// x is the true normalised image point, x_file the one that the file's camera model yields. In forward motion
+// an unknown k1 makes the measured expansion wrong by (1 + 2 k1 r^2) and the scale of a monocular map grows
+// or shrinks all along the drive; KITTI's rectified images carry about +0.012. Valid where 1 + 3 k1 r^2 > 0.
 #include <Eigen/Core>
 
 namespace edgevo {
 
 /// x_file of a true x, both normalised.
-inline Eigen::Vector2d add_radial(double k1, const Eigen::Vector2d& x) { return x * (1.0 + k1 * x.squaredNorm()); }
+inline Eigen::Vector2d add_radial(double k1, const Eigen::Vector2d& x) {
+  return x * (1.0 + k1 * x.squaredNorm());
+}
 
 /// d x_file / d x.
 inline Eigen::Matrix2d radial_jacobian(double k1, const Eigen::Vector2d& x) {

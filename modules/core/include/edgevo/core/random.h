@@ -1,5 +1,6 @@
 #pragma once
-// Seeds: one number a run; every part that draws derives its own stream from it, so that parts do not disturb each other.
+// Seeds: one number a run; every part that draws derives its own stream from it, so that parts do not disturb
+// each other.
 #include <cstdint>
 
 namespace edgevo {

@@ -1,5 +1,6 @@
 #pragma once
-// Robust weights for iteratively re-weighted least squares. `r` and the widths share one unit (pixels or sigmas).
+// Robust weights for iteratively re-weighted least squares. `r` and the widths share one unit (pixels or
+// sigmas).
 #include <cmath>
 
 namespace edgevo {

@@ -2,8 +2,9 @@
 // Rigid motions SE(3) and similarities Sim(3).
 //
 // T_a_b maps coordinates from b to a:            p_a = T_a_b p_b = R p_b + t
-// Tangent of se(3): xi = [v, w], translation part first; exp is the TRUE exponential (the translation is V(w) v, not v).
-// The project's one perturbation convention is from the left: T <- exp(xi) T, so that for p_a = T_a_b p_b
+// Tangent of se(3): xi = [v, w], translation part first; exp is the TRUE exponential (the translation is V(w)
+// v, not v). The project's one perturbation convention is from the left: T <- exp(xi) T, so that for p_a =
+// T_a_b p_b
 //     d p_a / d xi = [ I | -[p_a]x ]            (3x6)
 // MRPT's Lie::SE<3>::exp leaves the translation untouched: never mix the two.
 // Rotations are unit quaternions and are normalised in every product, so that long chains stay rotations.
@@ -40,10 +41,10 @@ class SE3 {
   /// Ad(T): exp(Ad(T) xi) = T exp(xi) T^-1, for tangents [v, w].
   Matrix6d adjoint() const;
 
-  const Eigen::Quaterniond& rotation() const { return q_; }  ///< unit
+  const Eigen::Quaterniond& rotation() const { return q_; }    ///< unit
   Eigen::Matrix3d R() const { return q_.toRotationMatrix(); }  ///< rotation matrix
-  const Eigen::Vector3d& translation() const { return t_; }  ///< t
-  Eigen::Matrix4d matrix() const;  ///< [R t; 0 1]
+  const Eigen::Vector3d& translation() const { return t_; }    ///< t
+  Eigen::Matrix4d matrix() const;                              ///< [R t; 0 1]
   /// Angle of the rotation, in [0, pi] radians.
   double angle() const;
   bool is_finite() const { return q_.coeffs().allFinite() && t_.allFinite(); }  ///< neither NaN nor infinite
@@ -56,14 +57,14 @@ class SE3 {
 /// Similarity p_a = s R p_b + t, the gauge freedom of a monocular map. scale > 0.
 struct Sim3 {
   double scale = 1.0;  ///< s > 0
-  SE3 rigid;  ///< R and t
+  SE3 rigid;           ///< R and t
 
   /// s R p + t.
   Eigen::Vector3d operator*(const Eigen::Vector3d& p) const {
     return scale * (rigid.rotation() * p) + rigid.translation();
   }
   Sim3 operator*(const Sim3& other) const;  ///< first `other`, then this
-  Sim3 inverse() const;  ///< of a to b
+  Sim3 inverse() const;                     ///< of a to b
   /// Where a camera at T_b_cam stands in frame a; the rotation stays a rotation.
   SE3 apply(const SE3& T_b_cam) const;
 };

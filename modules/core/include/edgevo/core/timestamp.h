@@ -1,6 +1,6 @@
 #pragma once
-// Time as an integer count of 100 ns ticks since the Unix epoch: MRPT's resolution, so that a time survives a rawlog
-// unchanged, and exact where a double epoch is not.
+// Time as an integer count of 100 ns ticks since the Unix epoch: MRPT's resolution, so that a time survives a
+// rawlog unchanged, and exact where a double epoch is not.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,7 +20,7 @@ struct Timestamp {
 
   friend bool operator==(Timestamp a, Timestamp b) { return a.ticks == b.ticks; }  ///< the same tick
   friend bool operator!=(Timestamp a, Timestamp b) { return a.ticks != b.ticks; }  ///< another tick
-  friend bool operator<(Timestamp a, Timestamp b) { return a.ticks < b.ticks; }  ///< earlier
+  friend bool operator<(Timestamp a, Timestamp b) { return a.ticks < b.ticks; }    ///< earlier
   friend bool operator<=(Timestamp a, Timestamp b) { return a.ticks <= b.ticks; }  ///< not later
 };
 
@@ -32,7 +32,8 @@ inline double seconds_between(Timestamp a, Timestamp b) {
 /// Seconds with seven decimals ("1305031102.1753040"): exact, and what every file of ours holds.
 std::string to_string(Timestamp t);
 
-/// Reads decimal seconds ("12.5", "1.036224e-01") exactly to the tick. Returns false if `text` is not wholly a number.
+/// Reads decimal seconds ("12.5", "1.036224e-01") exactly to the tick. Returns false if `text` is not wholly
+/// a number.
 [[nodiscard]] bool parse_seconds(std::string_view text, Timestamp* t);
 
 }  // namespace edgevo

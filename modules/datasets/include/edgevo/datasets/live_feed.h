@@ -38,7 +38,7 @@ std::shared_ptr<FeedClock> steady_clock();
 
 /// A frame as the feed hands it out.
 struct FedFrame {
-  Frame frame;  ///< of the source
+  Frame frame;          ///< of the source
   double due_s = 0;     ///< of the feed's clock: when it was due. Live camera: when it came in; pace kAtOnce:
                         ///< when it was asked for and there
   double handed_s = 0;  ///< when it was handed out, due_s or later

@@ -15,8 +15,8 @@
 //                         Camera_0 (default), Camera_1
 //   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
 //   any other file        a video, by OpenCV; needs a camera file
-// A camera file given by the user wins over the source's own calibration. Where there is neither, --fov or the focal
-// length in a photo's EXIF data makes a camera to start with.
+// A camera file given by the user wins over the source's own calibration. Where there is neither, --fov or
+// the focal length in a photo's EXIF data makes a camera to start with.
 //
 // Frames come out as the camera took them (gray, distorted) in time order, numbered from 0 in the whole
 // source. Opening reads lists and calibration, not the images (but the first one, where the calibration does
@@ -43,7 +43,8 @@ struct SourceOptions {
   double image_scale = 1;   ///< of the images (scaled_source.h); 0: the usual one for their width
 };
 
-/// Names in ImageSource::details() for what a user must be told: how the camera was guessed, and that images were scaled.
+/// Names in ImageSource::details() for what a user must be told: how the camera was guessed, and that images
+/// were scaled.
 constexpr const char* kAssumed = "camera assumed";
 constexpr const char* kScaled = "images scaled";  ///< from which size to which
 

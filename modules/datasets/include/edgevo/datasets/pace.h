@@ -15,7 +15,7 @@ struct Pace {
     kTimes,   ///< as their times say, `value` times as fast
   };
   Kind kind = Kind::kAtOnce;  ///< the rule
-  double value = 0;  ///< of kRate and kTimes, > 0
+  double value = 0;           ///< of kRate and kTimes, > 0
 
   /// Seconds after the first image (taken at `first`) at which the n-th (from 0, of those that are taken) is
   /// due. Not for kAtOnce.

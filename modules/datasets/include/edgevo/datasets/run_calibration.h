@@ -17,8 +17,9 @@ struct RunCalibration {
 /// Throws InputError: no summary.yaml in the folder, or one without a readable camera or self_calibration.
 RunCalibration read_run_calibration(const std::string& run_folder);
 
-/// The run's camera with its residual distortion folded in; unchanged where self-calibration found none. Throws InputError, which says what
-/// to do, when self-calibration was off or could not tell: then nobody knows whether the camera is right.
+/// The run's camera with its residual distortion folded in; unchanged where self-calibration found none.
+/// Throws InputError, which says what to do, when self-calibration was off or could not tell: then nobody
+/// knows whether the camera is right.
 FoldedCamera corrected_camera(const RunCalibration& run);
 
 }  // namespace edgevo

@@ -21,7 +21,7 @@ namespace edgevo {
 
 /// Where a survey stands in an archive.
 struct SurveyPlace {
-  std::string archive;  ///< folder of the archive
+  std::string archive;       ///< folder of the archive
   std::string name;          ///< YYMMDD, perhaps with a letter behind
   bool newer_names = false;  ///< of folders and images
 

@@ -29,11 +29,12 @@ namespace edgevo {
 
 /// A sequence as its lists and calibration tell it.
 struct VirtualKitti {
-  std::string release;      ///< "1.3.1" or "2.0.3"
-  std::string camera_name;  ///< "Camera_0"; empty for 1.3.1
-  Camera camera;  ///< without distortion
+  std::string release;              ///< "1.3.1" or "2.0.3"
+  std::string camera_name;          ///< "Camera_0"; empty for 1.3.1
+  Camera camera;                    ///< without distortion
   std::vector<std::string> images;  ///< paths, in order
-  std::vector<std::string> depths;  ///< where the depth of each image is; whether it is there shows when it is read
+  std::vector<std::string>
+      depths;  ///< where the depth of each image is; whether it is there shows when it is read
   std::vector<Timestamp> times;  ///< of each image, 0.1 s apart
   std::string poses_path;        ///< empty where the poses were not downloaded
   std::vector<SE3> T_world_cam;  ///< of each image, metres; empty without poses
@@ -42,11 +43,13 @@ struct VirtualKitti {
 /// The folder is one of a Virtual KITTI sequence.
 bool is_virtual_kitti(const std::string& folder);
 
-/// `path` and `sensor_label` of the options are used (and `fps` for the times). Reads lists, calibration and poses. Throws
-/// InputError: no such camera, a list that is not readable, a frame without a pose, a matrix that is no rigid motion.
+/// `path` and `sensor_label` of the options are used (and `fps` for the times). Reads lists, calibration and
+/// poses. Throws InputError: no such camera, a list that is not readable, a frame without a pose, a matrix
+/// that is no rigid motion.
 VirtualKitti read_virtual_kitti(const SourceOptions& options);
 
-/// z in metres, row by row; 0 for the sky. Throws InputError: missing, damaged, not 16 bits, not width x height.
+/// z in metres, row by row; 0 for the sky. Throws InputError: missing, damaged, not 16 bits, not width x
+/// height.
 std::vector<float> read_virtual_kitti_depth(const std::string& path, int width, int height);
 
 }  // namespace edgevo

@@ -20,7 +20,7 @@ enum class OnBadFrame {
 
 /// What a drive has led to.
 struct Drive {
-  Run run;  ///< as Odometry::finish() returns it
+  Run run;           ///< as Odometry::finish() returns it
   double cpu_s = 0;  ///< of the odometry, all threads: `on_frame` is not in it, and reading images only of a
                      ///< realtime run
   int left_out = 0;  ///< frames whose images could not be used
@@ -38,8 +38,8 @@ struct DrivenFrame {
 
 /// How a source is driven through the odometry.
 struct DriveOptions {
-  OdometryOptions odometry;  ///< seed, threads, log
-  Pace pace;  ///< at which a realtime run gets its frames
+  OdometryOptions odometry;                     ///< seed, threads, log
+  Pace pace;                                    ///< at which a realtime run gets its frames
   OnBadFrame on_bad_frame = OnBadFrame::kStop;  ///< see above
   std::function<bool()>
       stop;  ///< asked before each frame and while one is waited for: true ends the drive; none: never

@@ -35,18 +35,18 @@ std::vector<EdgeSides> sample_sides(const PyramidLevel& level);
 
 /// Another image of the scene. Lengths in the unit of the map.
 struct EdgeView {
-  std::shared_ptr<const FramePyramid> pyramid;  ///< of the image; not null
+  std::shared_ptr<const FramePyramid> pyramid;          ///< of the image; not null
   std::shared_ptr<const std::vector<EdgeSides>> sides;  ///< of the pyramid's finest level
-  SE3 T_view_host;  ///< host to this view
-  double gain = 1;  ///< its brightness over the host's
+  SE3 T_view_host;                                      ///< host to this view
+  double gain = 1;                                      ///< its brightness over the host's
 };
 
 /// A pixel of an edge with its depth.
 struct EdgeNode {
-  int edge_pixel = -1;    ///< index into the host's EdgeMap
-  double idepth = 0;      ///< 1/z in the host frame
+  int edge_pixel = -1;      ///< index into the host's EdgeMap
+  double idepth = 0;        ///< 1/z in the host frame
   double idepth_sigma = 0;  ///< one standard deviation, same unit
-  int views = 0;          ///< that show it there
+  int views = 0;            ///< that show it there
   bool is_outline = false;  ///< only one side of the edge looks the same from elsewhere
 };
 

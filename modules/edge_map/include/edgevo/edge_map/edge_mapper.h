@@ -23,7 +23,7 @@ namespace edgevo {
 
 /// The lines of a keyframe, in its frame.
 struct HostedLines {
-  int keyframe_id = -1;  ///< that hosts them
+  int keyframe_id = -1;         ///< that hosts them
   std::vector<EdgeLine> lines;  ///< vertices in its undistorted image
 };
 

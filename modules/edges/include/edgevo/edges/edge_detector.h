@@ -14,9 +14,10 @@ namespace edgevo {
 
 /// One level of a pyramid, as detectors see it.
 struct EdgeImage {
-  ImageView<uint8_t> gray;  ///< of this level
+  ImageView<uint8_t> gray;   ///< of this level
   const Gradient& gradient;  ///< of `gray`
-  ImageView<uint8_t> probability = {};  ///< of an edge (edge_probability.h); without data for detectors that need none
+  ImageView<uint8_t> probability =
+      {};  ///< of an edge (edge_probability.h); without data for detectors that need none
 };
 
 /// Marks edge pixels. One object a thread.
@@ -32,7 +33,8 @@ struct EdgeDetectorKind {
   const char* name;  ///< as edges.detector and --detector give it
   const char* what;  ///< in a few words, for --help
   std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);  ///< never null
-  std::unique_ptr<EdgeProbability> (*make_probability)(const EdgeParams& params) = nullptr;  ///< null: it needs none
+  std::unique_ptr<EdgeProbability> (*make_probability)(const EdgeParams& params) =
+      nullptr;  ///< null: it needs none
 };
 
 /// All of them, the default first.

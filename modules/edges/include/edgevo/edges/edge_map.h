@@ -1,8 +1,8 @@
 #pragma once
 // The edges of one image: thin, sub-pixel, with direction, and linked along the edge.
 //
-// Pixels are stored chain by chain, in the order in which one walks along the edge, so that the two neighbours of pixel i
-// on its edge are i-1 and i+1 wherever both belong to the same chain.
+// Pixels are stored chain by chain, in the order in which one walks along the edge, so that the two
+// neighbours of pixel i on its edge are i-1 and i+1 wherever both belong to the same chain.
 #include <Eigen/Core>
 #include <vector>
 
@@ -27,13 +27,13 @@ struct EdgePixel {
 
 /// Pixels [begin, end) of EdgeMap::pixels form one edge.
 struct EdgeChain {
-  int begin = 0, end = 0;  ///< first pixel, and the one after the last
+  int begin = 0, end = 0;                     ///< first pixel, and the one after the last
   int length() const { return end - begin; }  ///< pixels
 };
 
 /// The edges of one image.
 struct EdgeMap {
-  int width = 0, height = 0;  ///< of the image, pixels
+  int width = 0, height = 0;      ///< of the image, pixels
   std::vector<EdgePixel> pixels;  ///< chain by chain
   std::vector<EdgeChain> chains;  ///< ascending in `begin`; together they hold all pixels
 

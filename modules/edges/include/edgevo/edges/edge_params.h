@@ -8,8 +8,8 @@ namespace edgevo {
 /// Parameters of edge detection.
 struct EdgeParams {
   std::string detector = "canny";  ///< a name of edge_detector_kinds()
-  std::string model;   ///< file of structured or network; empty: the one that comes with edgevo
-  std::string folder;  ///< of precomputed
+  std::string model;               ///< file of structured or network; empty: the one that comes with edgevo
+  std::string folder;              ///< of precomputed
   int levels = 4;                  ///< pyramid levels of the image
   int edge_levels = 2;             ///< finest levels that get edges and a nearest-neighbour field
   double canny_percentile = 0.90;  ///< high threshold: this share of the pixels has a smaller gradient

@@ -7,8 +7,8 @@
 
 namespace edgevo {
 
-/// Smoothed by a binomial of 5x5 pixels (sigma 1), then Sobel 3x3. Sobel units: 8 times gray levels per pixel. No rounding in between: the
-/// sub-pixel positions of edges live from it.
+/// Smoothed by a binomial of 5x5 pixels (sigma 1), then Sobel 3x3. Sobel units: 8 times gray levels per
+/// pixel. No rounding in between: the sub-pixel positions of edges live from it.
 struct Gradient {
   Plane<int16_t> dx, dy;   ///< kGradientSteps steps a Sobel unit
   Plane<float> magnitude;  ///< Sobel units

@@ -1,11 +1,12 @@
 #pragma once
 // Nearest-neighbour field: for each pixel of an image, the index of the nearest edge pixel within a radius.
 //
-// Exact (Euclidean distance between integer pixel positions; ties go to the upper row, then to the left), cut off at `radius`.
-// Separable: first the nearest edge within each row, then for each pixel the best of the 2 radius + 1 rows around it; the second
-// pass is a minimum over 16-bit keys (squared distance, row offset, side), which compilers vectorise. A key is all that is stored of an
-// offset: squared distance and row give the number of columns.
-// Cost at 1241x376, radius 12: about 1 ms on one core, independent of the number of edges.
+// Exact (Euclidean distance between integer pixel positions; ties go to the upper row, then to the left), cut
+// off at `radius`. Separable: first the nearest edge within each row, then for each pixel the best of the 2
+// radius + 1 rows around it; the second pass is a minimum over 16-bit keys (squared distance, row offset,
+// side), which compilers vectorise. A key is all that is stored of an offset: squared distance and row give
+// the number of columns. Cost at 1241x376, radius 12: about 1 ms on one core, independent of the number of
+// edges.
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +19,8 @@ namespace edgevo {
 /// Finds the edge pixel nearest to a place in constant time.
 class NearestField {
  public:
-  static constexpr int kMaxRadius = 15;  ///< squared distance, row offset and side must fit 15 bits
-  static constexpr int kRowBits = 5;     ///< of these, for the row offset
+  static constexpr int kMaxRadius = 15;        ///< squared distance, row offset and side must fit 15 bits
+  static constexpr int kRowBits = 5;           ///< of these, for the row offset
   static constexpr int kShift = kRowBits + 1;  ///< of the squared distance; the lowest bit is the side
 
   NearestField() = default;
@@ -28,8 +29,8 @@ class NearestField {
   NearestField(const EdgeMap& edges, int radius, bool oriented = false);
 
   int radius() const { return radius_; }  ///< pixels
-  /// Index into EdgeMap::pixels of the edge pixel nearest to (x, y), rounded to the next pixel; -1 if there is none within
-  /// the radius or (x, y) lies outside the image.
+  /// Index into EdgeMap::pixels of the edge pixel nearest to (x, y), rounded to the next pixel; -1 if there
+  /// is none within the radius or (x, y) lies outside the image.
   int nearest(float x, float y) const {
     const int pixel = nearest_pixel(x, y);
     return pixel < 0 ? -1 : edge_at(pixel);
@@ -39,17 +40,18 @@ class NearestField {
     const int pixel = nearest_pixel_at(x, y);
     return pixel < 0 ? -1 : edge_at(pixel);
   }
-  /// The nearest edge pixel that `accept` takes (its index into EdgeMap::pixels): of a compatible direction, say. Oriented: within
-  /// `reach` pixels, beyond the nearest of all if need be, as a field for each direction would give it, without the price of eight
-  /// fields a frame. Else the nearest of all, if it is one. -1 if there is none.
+  /// The nearest edge pixel that `accept` takes (its index into EdgeMap::pixels): of a compatible direction,
+  /// say. Oriented: within `reach` pixels, beyond the nearest of all if need be, as a field for each
+  /// direction would give it, without the price of eight fields a frame. Else the nearest of all, if it is
+  /// one. -1 if there is none.
   template <class Accept>
   int nearest_such(float x, float y, int reach, const Accept& accept) const {
     const int n = nearest(x, y);
     if (n < 0 || accept(n)) return n;
     return oriented_ ? search(int(x + 0.5f), int(y + 0.5f), std::min(reach, radius_), accept) : -1;
   }
-  /// Squared distance from (x, y), rounded to the next pixel, to the pixel of the nearest edge; radius^2 + 1 where there is none within
-  /// the radius or (x, y) lies outside the image.
+  /// Squared distance from (x, y), rounded to the next pixel, to the pixel of the nearest edge; radius^2 + 1
+  /// where there is none within the radius or (x, y) lies outside the image.
   int squared_distance(float x, float y) const {
     if (!contains(x, y)) return none_ >> kShift;
     return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kShift;
@@ -57,7 +59,9 @@ class NearestField {
 
   /// `nearest` in two halves, for callers with many look-ups at a time, whose memory is then prefetched:
   /// row * width + column of the nearest edge's pixel, -1 as for `nearest`;
-  int nearest_pixel(float x, float y) const { return contains(x, y) ? nearest_pixel_at(int(x + 0.5f), int(y + 0.5f)) : -1; }
+  int nearest_pixel(float x, float y) const {
+    return contains(x, y) ? nearest_pixel_at(int(x + 0.5f), int(y + 0.5f)) : -1;
+  }
   /// the edge at such a pixel.
   int edge_at(int pixel) const { return index_.row(0)[pixel]; }
   /// What the first half will read, and the second.
@@ -97,8 +101,8 @@ class NearestField {
 
   bool oriented_ = false;
   int radius_ = 0;
-  int none_ = 0;                 // keys from here on mean: no edge within the radius
-  Plane<int16_t> keys_;   // 64 * squared distance + 2 * (row offset + radius) + 1 if the edge lies to the left
+  int none_ = 0;         // keys from here on mean: no edge within the radius
+  Plane<int16_t> keys_;  // 64 * squared distance + 2 * (row offset + radius) + 1 if the edge lies to the left
   Plane<int32_t> index_;  // edge pixel index; valid only at edge pixels
 };
 

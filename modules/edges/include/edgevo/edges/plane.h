@@ -1,9 +1,10 @@
 #pragma once
-// An owned image of any element type, rows without padding. Elements are NOT initialised by the constructor: planes are
-// written whole right after they are made, and clearing megabytes a frame would be wasted. Their memory is kept for the next
-// plane of the same size: a frame needs some ten of them, and fresh memory costs more than a gradient does.
-#include <cstdint>
+// An owned image of any element type, rows without padding. Elements are NOT initialised by the constructor:
+// planes are written whole right after they are made, and clearing megabytes a frame would be wasted. Their
+// memory is kept for the next plane of the same size: a frame needs some ten of them, and fresh memory costs
+// more than a gradient does.
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 
@@ -27,15 +28,19 @@ class Plane {
  public:
   Plane() = default;
   /// Elements are not initialised.
-  Plane(int width, int height) : width_(width), height_(height), data_(static_cast<T*>(PlaneMemory::take(sizeof(T) * width * height)), GiveBack{sizeof(T) * width * height}) {}
+  Plane(int width, int height)
+      : width_(width),
+        height_(height),
+        data_(static_cast<T*>(PlaneMemory::take(sizeof(T) * width * height)),
+              GiveBack{sizeof(T) * width * height}) {}
 
-  int width() const { return width_; }  ///< pixels
-  int height() const { return height_; }  ///< pixels
-  bool empty() const { return !data_; }  ///< no image
-  T* row(int y) { return data_.get() + size_t(y) * width_; }  ///< 0 <= y < height, not checked
+  int width() const { return width_; }                                    ///< pixels
+  int height() const { return height_; }                                  ///< pixels
+  bool empty() const { return !data_; }                                   ///< no image
+  T* row(int y) { return data_.get() + size_t(y) * width_; }              ///< 0 <= y < height, not checked
   const T* row(int y) const { return data_.get() + size_t(y) * width_; }  ///< 0 <= y < height, not checked
-  T& at(int x, int y) { return row(y)[x]; }  ///< inside the image, not checked
-  const T& at(int x, int y) const { return row(y)[x]; }  ///< inside the image, not checked
+  T& at(int x, int y) { return row(y)[x]; }                               ///< inside the image, not checked
+  const T& at(int x, int y) const { return row(y)[x]; }                   ///< inside the image, not checked
   /// valid while this object lives
   ImageView<T> view() const { return {data_.get(), width_, height_, width_}; }
 

@@ -1,11 +1,12 @@
 #pragma once
 // Which ground-truth pose belongs to which estimated pose, and which input frame that was.
 //
-// Ground truth may have a rate of its own (motion capture at 100 Hz under images at 30 Hz), so it is interpolated to the
-// estimate's times: positions linearly, rotations by slerp. Outside its span, or inside a hole of more than ten of its
-// median steps, there is no match: nobody knows where the camera was.
+// Ground truth may have a rate of its own (motion capture at 100 Hz under images at 30 Hz), so it is
+// interpolated to the estimate's times: positions linearly, rotations by slerp. Outside its span, or inside a
+// hole of more than ten of its median steps, there is no match: nobody knows where the camera was.
 //
-// What the metrics need to know beside the poses is the INPUT: the frames that the system was given, posed or not.
+// What the metrics need to know beside the poses is the INPUT: the frames that the system was given, posed or
+// not.
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,8 +17,8 @@
 
 namespace edgevo {
 
-/// The ground truth at `time`; nullopt where it does not say. A time up to 0.1 ms outside the span (rounding of the
-/// files) counts as its end. Cost: logarithmic, after one linear pass in the constructor.
+/// The ground truth at `time`; nullopt where it does not say. A time up to 0.1 ms outside the span (rounding
+/// of the files) counts as its end. Cost: logarithmic, after one linear pass in the constructor.
 class GroundTruth {
  public:
   /// Keeps a reference; poses in time order.
@@ -32,7 +33,7 @@ class GroundTruth {
 /// The frames that were put into the system, in time order.
 struct InputFrames {
   std::vector<Timestamp> times;  ///< ascending
-  std::string source;  ///< how they were found, for the report
+  std::string source;            ///< how they were found, for the report
 };
 
 /// Finds the input frames, taking the first of these that there is:
@@ -50,23 +51,23 @@ InputFrames find_input_frames(const Trajectory& estimate, const Trajectory& grou
 /// An estimated pose with its ground truth.
 struct MatchedPose {
   Timestamp time;  ///< of the estimated pose
-  int frame = 0;  ///< index of the nearest input frame
-  SE3 T_est;      ///< estimate, its own world and unit
-  SE3 T_gt;       ///< ground truth at `time`, metres
+  int frame = 0;   ///< index of the nearest input frame
+  SE3 T_est;       ///< estimate, its own world and unit
+  SE3 T_gt;        ///< ground truth at `time`, metres
 };
 
 /// One input frame.
 struct EvaluatedFrame {
-  std::optional<SE3> T_gt;   ///< at the pose's time if there is one, else at the frame's
-  int match = -1;            ///< index into Association::matches; -1: no pose, or none with ground truth
-  bool has_pose = false;     ///< the estimate holds a pose for it, whether or not ground truth does
+  std::optional<SE3> T_gt;  ///< at the pose's time if there is one, else at the frame's
+  int match = -1;           ///< index into Association::matches; -1: no pose, or none with ground truth
+  bool has_pose = false;    ///< the estimate holds a pose for it, whether or not ground truth does
 };
 
 /// The estimate beside its ground truth, by pose and by input frame.
 struct Association {
-  std::vector<MatchedPose> matches;     ///< in time order
-  std::vector<EvaluatedFrame> frames;   ///< one for each input frame
-  int without_ground_truth = 0;         ///< estimated poses outside the ground truth
+  std::vector<MatchedPose> matches;    ///< in time order
+  std::vector<EvaluatedFrame> frames;  ///< one for each input frame
+  int without_ground_truth = 0;        ///< estimated poses outside the ground truth
 };
 
 /// Throws InputError with fewer than three matches.

@@ -16,8 +16,8 @@ struct PaperLakeCell {
 /// One method on the lake: spring, summer, autumn, winter; milliseconds a frame, 0 where the paper prints
 /// none.
 struct PaperLakeRow {
-  std::string method;  ///< as the paper names it
-  PaperLakeCell full[4];  ///< every frame
+  std::string method;       ///< as the paper names it
+  PaperLakeCell full[4];    ///< every frame
   PaperLakeCell every3[4];  ///< every third frame
   double track_ms, map_ms;  ///< tracking and mapping
 };
@@ -30,7 +30,7 @@ const std::vector<std::string>& paper_kitti_methods();
 /// without sequence 01.
 struct PaperKittiRow {
   std::string sequence;  ///< as the paper names it
-  double ate_m[5];  ///< in the order of paper_kitti_methods()
+  double ate_m[5];       ///< in the order of paper_kitti_methods()
 };
 const std::vector<PaperKittiRow>& paper_kitti_rows();  ///< in the order of the paper
 

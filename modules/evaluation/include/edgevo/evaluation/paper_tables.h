@@ -15,7 +15,8 @@ namespace edgevo {
 /// Failure of a trial, percent: the share of its stretches that drift by more than 30 cm/m or lack their
 /// poses. A trial that could not be compared has failed throughout, with the drift of a failure.
 double failure_percent(const Trial& trial);
-double drift_with_failures(const Trial& trial);  ///< cm/m; of a trial that could not be compared that of a failure
+double drift_with_failures(
+    const Trial& trial);  ///< cm/m; of a trial that could not be compared that of a failure
 
 /// "spring" of "spring-edge_drawing" or "150415"; empty if it is neither a season nor a date.
 std::string season_of(const std::string& sequence);

@@ -18,19 +18,19 @@ struct TableCell {
 
 /// One row of a table.
 struct TableRow {
-  std::string name;  ///< stands before the cells
+  std::string name;              ///< stands before the cells
   std::vector<TableCell> cells;  ///< as many as columns
   bool is_own = false;           ///< measured here, not taken from the paper
 };
 
 /// A table with what stands around it.
 struct PrintedTable {
-  std::string title, corner;  ///< corner: the title of the rows' names
-  BenchHeader header;         ///< version, machine, ...
+  std::string title, corner;         ///< corner: the title of the rows' names
+  BenchHeader header;                ///< version, machine, ...
   std::vector<std::string> columns;  ///< their titles
-  std::vector<TableRow> rows;  ///< from the top
+  std::vector<TableRow> rows;        ///< from the top
   std::vector<std::string> remarks;  ///< lines below the table
-  int decimals = 1;  ///< of all values
+  int decimals = 1;                  ///< of all values
 };
 
 /// "1.2 [0.9..1.7]", "1.2", the text, or "-".

@@ -2,8 +2,8 @@
 // The best similarity or rigid motion between two lists of points (Umeyama 1991), as evo uses it:
 // minimise sum_i || dst_i - (s R src_i + t) ||^2 over s, R, t (Sim(3)), or with s = 1 (SE(3)).
 //
-// Points on one line leave the rotation about that line open: any choice has the same residual, and scale and residual
-// stay well defined. Points that all coincide define nothing: the result is nullopt.
+// Points on one line leave the rotation about that line open: any choice has the same residual, and scale and
+// residual stay well defined. Points that all coincide define nothing: the result is nullopt.
 #include <Eigen/Core>
 #include <optional>
 

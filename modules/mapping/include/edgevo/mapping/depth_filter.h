@@ -27,7 +27,7 @@ struct CellGrid {
   /// Cell of a pixel of the image (not checked).
   int index(double x, double y) const { return int(y) / cell * columns + int(x) / cell; }
   int size() const { return columns * rows; }  ///< number of cells
-  int cell, columns, rows;  ///< side of a cell in pixels; cells along x and along y
+  int cell, columns, rows;                     ///< side of a cell in pixels; cells along x and along y
 };
 
 /// One observation of every living immature point of `host` in a frame at T_target_host.

@@ -15,25 +15,25 @@ namespace edgevo {
 /// Where the inverse depth of a new point may lie.
 struct IdepthRange {
   double low = 0, high = 0;  ///< bounds, 0 < low < high
-  double likely = 0;  ///< best guess within; 0: no better one than the geometric mean
+  double likely = 0;         ///< best guess within; 0: no better one than the geometric mean
   double guess() const { return likely > 0 ? likely : std::sqrt(low * high); }  ///< the likeliest value
 };
 
 /// How a search ended; only kFound tells a depth.
 enum class EpipolarOutcome {
   kFound,
-  kNoBaseline,     ///< the segment is too short to tell anything
+  kNoBaseline,  ///< the segment is too short to tell anything
   kOutOfView,
-  kAlongLine,      ///< the edge runs along its epipolar line, which it crosses anywhere: not searched
-  kNoMatch,        ///< no edge of compatible direction looks alike
-  kAmbiguous,      ///< two places look alike
+  kAlongLine,  ///< the edge runs along its epipolar line, which it crosses anywhere: not searched
+  kNoMatch,    ///< no edge of compatible direction looks alike
+  kAmbiguous,  ///< two places look alike
 };
 
 /// The depth that one image tells.
 struct EpipolarMatch {
   EpipolarOutcome outcome = EpipolarOutcome::kNoMatch;  ///< all below holds for kFound only
-  double idepth = 0, idepth_sigma = 0;  ///< 1/z in the host frame, and one standard deviation
-  Eigen::Vector2d px;  ///< the match, in the target image
+  double idepth = 0, idepth_sigma = 0;                  ///< 1/z in the host frame, and one standard deviation
+  Eigen::Vector2d px;                                   ///< the match, in the target image
 };
 
 /// Looks for the host point in the target image over the inverse depths of `range`.

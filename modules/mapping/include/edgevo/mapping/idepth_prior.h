@@ -29,7 +29,7 @@ class IdepthPrior {
   }
 
   bool occupied(int cell) const { return high_[cell] > 0; }  ///< a known depth lies in the cell
-  const CellGrid& grid() const { return grid_; }  ///< cells of `cell_px`
+  const CellGrid& grid() const { return grid_; }             ///< cells of `cell_px`
 
   /// Search range at `px`: around what lies in the 5x5 cells about it, else around the median of the image.
   IdepthRange range(const Eigen::Vector2d& px) {

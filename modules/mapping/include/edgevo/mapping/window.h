@@ -16,10 +16,10 @@ namespace edgevo {
 
 /// Health of the window after an adjustment.
 struct WindowStats {
-  int observations = 0;  ///< matches that were adjusted
-  int points = 0;  ///< that have them
-  int matched_in_newest = 0;  ///< of these points
-  int photometric = 0;             ///< matches with a 2-D residual
+  int observations = 0;             ///< matches that were adjusted
+  int points = 0;                   ///< that have them
+  int matched_in_newest = 0;        ///< of these points
+  int photometric = 0;              ///< matches with a 2-D residual
   double cost_per_observation = 0;  ///< robust, in sigmas squared
 };
 
@@ -29,10 +29,10 @@ class Window {
   /// Throws InputError for an unknown solver.
   Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
 
-  std::deque<Keyframe>& keyframes() { return keyframes_; }  ///< the oldest first
+  std::deque<Keyframe>& keyframes() { return keyframes_; }              ///< the oldest first
   const std::deque<Keyframe>& keyframes() const { return keyframes_; }  ///< the oldest first
-  Keyframe& newest() { return keyframes_.back(); }  ///< there must be one
-  const Keyframe& newest() const { return keyframes_.back(); }  ///< there must be one
+  Keyframe& newest() { return keyframes_.back(); }                      ///< there must be one
+  const Keyframe& newest() const { return keyframes_.back(); }          ///< there must be one
   /// more keyframes than it is to hold: remove_oldest()
   bool full() const { return int(keyframes_.size()) > params_.keyframes; }
   int active_points() const;  ///< of all keyframes
@@ -91,8 +91,8 @@ class Window {
   /// The window as a problem, and how to find one's way back from it.
   struct Adjustment {
     BaProblem problem;
-    std::vector<MapPoint*> points;   ///< of problem.points
-    std::vector<int> match_index;    ///< of each match, point by point: its place in problem.observations
+    std::vector<MapPoint*> points;  ///< of problem.points
+    std::vector<int> match_index;   ///< of each match, point by point: its place in problem.observations
   };
   Adjustment build_adjustment();
   void add_corners(BaProblem* problem) const;

@@ -19,7 +19,7 @@
 
 namespace edgevo {
 
-mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b);  ///< The same motion.
+mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b);    ///< The same motion.
 SE3 from_mrpt(const mrpt::poses::CPose3D& T_a_b);  ///< The same motion.
 
 /// Exact for every tick; MRPT counts from 1601 (its "no time" is tick 0 of that epoch).

@@ -6,8 +6,8 @@
 
 namespace edgevo {
 
-/// Writes `path` (grid.gridmap.gz): the serialised map, gzip-compressed. Free cells hold 0.99, occupied ones 0.01, unknown ones 0.5 (probability of
-/// being free). Throws InputError when it cannot be written.
+/// Writes `path` (grid.gridmap.gz): the serialised map, gzip-compressed. Free cells hold 0.99, occupied ones
+/// 0.01, unknown ones 0.5 (probability of being free). Throws InputError when it cannot be written.
 void write_gridmap(const OccupancyGrid& grid, const std::string& path);
 
 }  // namespace edgevo

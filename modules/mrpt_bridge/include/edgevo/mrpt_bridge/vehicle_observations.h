@@ -14,8 +14,8 @@
 
 namespace edgevo {
 
-/// Everything but the image itself. `T_vehicle_cam`: as the source says; a camera that looks straight ahead where
-/// it says nothing.
+/// Everything but the image itself. `T_vehicle_cam`: as the source says; a camera that looks straight ahead
+/// where it says nothing.
 mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const std::string& label,
                                                          const Camera& camera,
                                                          const std::optional<SE3>& T_vehicle_cam);

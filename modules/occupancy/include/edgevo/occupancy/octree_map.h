@@ -43,15 +43,15 @@ namespace edgevo {
 
 /// What went into the map, for summary.yaml.
 struct OctreeStats {
-  PointCounts points;  ///< which of them were mapped, and why not
-  double median_depth = 0;  ///< of the kept points, in their host cameras; 0: no points
-  double resolution = 0;    ///< as used
-  double max_range = 0;     ///< as used
-  int batches = 0;          ///< keyframes inserted
+  PointCounts points;            ///< which of them were mapped, and why not
+  double median_depth = 0;       ///< of the kept points, in their host cameras; 0: no points
+  double resolution = 0;         ///< as used
+  double max_range = 0;          ///< as used
+  int batches = 0;               ///< keyframes inserted
   std::vector<double> batch_ms;  ///< CPU milliseconds of each
-  int rays = 0;             ///< rays that carved, after those with the same end voxel were dropped
-  int beyond_range = 0;     ///< kept points and vertices of lines not marked because they lie beyond max_range
-  int out_of_bounds = 0;    ///< kept points outside the octree (32768 voxels from the origin)
+  int rays = 0;                  ///< rays that carved, after those with the same end voxel were dropped
+  int beyond_range = 0;   ///< kept points and vertices of lines not marked because they lie beyond max_range
+  int out_of_bounds = 0;  ///< kept points outside the octree (32768 voxels from the origin)
   int64_t occupied_voxels = 0, free_voxels = 0;  ///< of the finest size
 };
 
@@ -68,7 +68,7 @@ class OctreeMap {
   OctreeMap& operator=(OctreeMap&&) noexcept;
 
   const octomap::OcTree& tree() const { return *tree_; }  ///< log-odds; valid while this object lives
-  const OctreeStats& stats() const { return stats_; }  ///< what went into it
+  const OctreeStats& stats() const { return stats_; }     ///< what went into it
 
   /// Occupied or free only, the smallest and most widely read format. Throws InputError when it cannot be
   /// written.

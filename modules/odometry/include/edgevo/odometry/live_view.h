@@ -1,6 +1,7 @@
 #pragma once
-// What is known while a run goes on: for displays and live recorders. Everything is in the world and unit of the live poses
-// (FrameRecord::T_world_cam_live): no later knowledge is in it, and a correction of the camera may move it.
+// What is known while a run goes on: for displays and live recorders. Everything is in the world and unit of
+// the live poses (FrameRecord::T_world_cam_live): no later knowledge is in it, and a correction of the camera
+// may move it.
 #include <vector>
 
 #include "edgevo/core/records.h"

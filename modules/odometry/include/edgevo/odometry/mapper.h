@@ -20,14 +20,14 @@ namespace edgevo {
 
 /// A frame with its pose, handed from tracking to mapping.
 struct TrackedFrame {
-  int frame_index = 0;  ///< in the source
-  Timestamp time;  ///< of the frame
+  int frame_index = 0;                          ///< in the source
+  Timestamp time;                               ///< of the frame
   std::shared_ptr<const FramePyramid> pyramid;  ///< of its image
-  ImageMotion motion;    ///< of its image
-  int reference_id = 0;  ///< keyframe that T_cam_ref refers to
-  SE3 T_cam_ref;  ///< keyframe `reference_id` to this camera
-  Matrix6d covariance = Matrix6d::Zero();  ///< of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w]
-  bool make_keyframe = false;  ///< keyframe_policy.h called for it
+  ImageMotion motion;                           ///< of its image
+  int reference_id = 0;                         ///< keyframe that T_cam_ref refers to
+  SE3 T_cam_ref;                                ///< keyframe `reference_id` to this camera
+  Matrix6d covariance = Matrix6d::Zero();       ///< of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w]
+  bool make_keyframe = false;                   ///< keyframe_policy.h called for it
   std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless requested
   int return_to = -1;  ///< keyframe of the window to track against from now on; -1: the present one
 };
@@ -39,7 +39,7 @@ using StageTimes = std::vector<std::pair<std::string, double>>;
 struct MapUpdate {
   int keyframe_id = -1;  ///< of the keyframe made of this frame; -1 if none
   WindowStats stats;     ///< of the adjustment, if there was one
-  StageTimes times;  ///< of the stages that ran
+  StageTimes times;      ///< of the stages that ran
 };
 
 /// Window, self-calibration and edge map of a run.
@@ -67,7 +67,7 @@ class Mapper {
   void close();
 
   std::shared_ptr<const Reference> reference() const { return reference_; }  ///< null without a map
-  const Window& window() const { return window_; }  ///< empty without a map
+  const Window& window() const { return window_; }                           ///< empty without a map
   int next_id() const { return next_id_; }  ///< of the keyframe that comes next; ascends over the whole run
   /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
   std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }

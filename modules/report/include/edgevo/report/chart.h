@@ -14,12 +14,12 @@ struct Series {
 
 /// Values over time. Long series are drawn as the mean of stretches of equal length.
 struct TimeChart {
-  std::string y_name;     ///< with its unit
-  std::vector<double> x;  ///< seconds, ascending
+  std::string y_name;          ///< with its unit
+  std::vector<double> x;       ///< seconds, ascending
   std::vector<Series> series;  ///< the first is drawn first
-  bool stacked = false;    ///< areas on top of each other; values >= 0
-  bool from_zero = false;  ///< the y axis holds 0
-  double y_max = 0;        ///< > 0: what is larger leaves the drawing
+  bool stacked = false;        ///< areas on top of each other; values >= 0
+  bool from_zero = false;      ///< the y axis holds 0
+  double y_max = 0;            ///< > 0: what is larger leaves the drawing
 };
 /// For a page.
 std::string draw(const TimeChart& chart);

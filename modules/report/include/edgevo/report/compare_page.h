@@ -17,7 +17,7 @@ struct ComparedRun {
   std::string ground_truth;  ///< a trajectory file; empty: not known. One that cannot be read or compared is
                              ///< told in the row
   int frames = 0, lost = 0, keyframes = 0, segments = 0;  ///< counts of the run
-  double cpu_ms = 0;  ///< a frame
+  double cpu_ms = 0;                                      ///< a frame
   Trajectory
       trajectory;  ///< final poses, T_world_cam; `path` tells where frames.csv lies (find_input_frames)
 };

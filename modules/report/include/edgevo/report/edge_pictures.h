@@ -16,9 +16,9 @@ namespace edgevo {
 
 /// One keyframe.
 struct EdgePicture {
-  int frame_index = 0;  ///< in the source
-  Timestamp time;  ///< of the frame
-  int points = 0;  ///< drawn
+  int frame_index = 0;        ///< in the source
+  Timestamp time;             ///< of the frame
+  int points = 0;             ///< drawn
   std::vector<uint8_t> jpeg;  ///< bytes of the file
 };
 

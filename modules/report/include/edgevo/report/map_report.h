@@ -9,7 +9,7 @@ namespace edgevo {
 
 /// What was written, for those who tell it.
 struct MapReport {
-  OctreeStats octree;  ///< of edges.ot
+  OctreeStats octree;                 ///< of edges.ot
   std::optional<OccupancyGrid> grid;  ///< as written
 };
 

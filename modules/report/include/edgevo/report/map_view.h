@@ -34,7 +34,7 @@ struct MapKeyframe {
 struct MapView {
   std::string unit;                 ///< of all lengths: "m", "units"
   std::vector<MapVertex> vertices;  ///< more than kMostMapVertices are thinned evenly, and the page says so
-  std::vector<MapKeyframe> keyframes;  ///< in time order
+  std::vector<MapKeyframe> keyframes;                       ///< in time order
   std::vector<double> seconds;                              ///< of each frame, since the first
   std::vector<std::optional<Eigen::Vector3d>> path, truth;  ///< one for each frame; truth may be empty
 };

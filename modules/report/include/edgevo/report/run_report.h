@@ -18,10 +18,10 @@ namespace edgevo {
 
 /// All that the page tells. References must outlive it.
 struct ReportInput {
-  const Run& run;  ///< finished
-  const RunInfo& info;  ///< what is told besides
-  PointFilter points;  ///< which edge points are drawn
-  EdgePictures pictures;  ///< may be empty
+  const Run& run;                        ///< finished
+  const RunInfo& info;                   ///< what is told besides
+  PointFilter points;                    ///< which edge points are drawn
+  EdgePictures pictures;                 ///< may be empty
   std::vector<std::string> not_written;  ///< files of the run that could not be
   MapReport map = {};                    ///< what the map files hold
   std::vector<MapVertex> map_vertices =

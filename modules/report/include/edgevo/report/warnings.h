@@ -1,5 +1,6 @@
 #pragma once
-// What a user must know before the results of a run are used: on the console, first on the report, in summary.yaml.
+// What a user must know before the results of a run are used: on the console, first on the report, in
+// summary.yaml.
 #include <string>
 #include <vector>
 

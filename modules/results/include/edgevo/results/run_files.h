@@ -8,7 +8,7 @@ namespace edgevo {
 
 /// A file of a run.
 struct RunFile {
-  std::string name;  ///< in the run's folder
+  std::string name;     ///< in the run's folder
   std::string content;  ///< what it is, a line for people
 };
 

@@ -22,9 +22,9 @@ constexpr const char* kRunJournal = "unfinished_run.bin";  ///< name of the file
 
 /// All that is known before the first frame and needed to write a run's files.
 struct JournalHeader {
-  RunInfo info;  ///< as for the run's files
-  std::string scale = "none";  ///< as --scale gave it
-  VehicleTrack track;          ///< that it is measured by; may be empty
+  RunInfo info;                      ///< as for the run's files
+  std::string scale = "none";        ///< as --scale gave it
+  VehicleTrack track;                ///< that it is measured by; may be empty
   std::optional<SE3> T_vehicle_cam;  ///< mount of the camera, if it is known
 };
 
@@ -46,7 +46,7 @@ class RunJournal {
   void add_camera(const CameraRefinement& camera);
 
   size_t settled() const;  ///< keyframes written since the last revision
-  int revision() const;  ///< SettledKeyframes::revision of these
+  int revision() const;    ///< SettledKeyframes::revision of these
   /// The journal has ended before the run.
   bool is_broken() const;
   /// The run's files are written: takes the journal away.
@@ -60,9 +60,9 @@ class RunJournal {
 /// What a run that was cut off has left.
 struct CutOffRun {
   JournalHeader header;  ///< as it was before the first frame
-  Run run;  ///< frames with live poses, keyframes in the same world; no final poses yet
+  Run run;               ///< frames with live poses, keyframes in the same world; no final poses yet
   std::vector<size_t> frames_before_keyframe;  ///< frames that had come when each keyframe left the window
-  bool camera_was_corrected = false;  ///< self-calibration has changed the camera
+  bool camera_was_corrected = false;           ///< self-calibration has changed the camera
 };
 
 /// Reads as far as the file is whole. Throws InputError: no such file, a header that is not whole or of

@@ -32,11 +32,11 @@ std::string trajectory_kitti(const Run& run);
 /// One row for each frame:
 ///   index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,
 ///   ms_<stage>...
-/// time in seconds; segment -1: none; keyframe 0 or 1; keyframe_rule: what called for one (with keyframe 0: while the mapping
-/// was busy with another; "return": to an older keyframe), or empty; a stage that did not run in a frame is left empty, as
-/// is the latency of a synchronous run. What depends on the clock comes last (`cut -d, -f1-10` gives what does
-/// not), the stages in the order in which they first ran. A note holds no comma and no quote: both are
-/// replaced, so that every reader can split at commas.
+/// time in seconds; segment -1: none; keyframe 0 or 1; keyframe_rule: what called for one (with keyframe 0:
+/// while the mapping was busy with another; "return": to an older keyframe), or empty; a stage that did not
+/// run in a frame is left empty, as is the latency of a synchronous run. What depends on the clock comes last
+/// (`cut -d, -f1-10` gives what does not), the stages in the order in which they first ran. A note holds no
+/// comma and no quote: both are replaced, so that every reader can split at commas.
 std::string frames_csv(const Run& run);
 /// One row of it, with the times of these stages.
 std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages);

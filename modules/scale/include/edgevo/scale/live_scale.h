@@ -1,9 +1,10 @@
 #pragma once
-// The metric scale while a run is going on: what is known when a frame comes, from the stretch behind it alone.
+// The metric scale while a run is going on: what is known when a frame comes, from the stretch behind it
+// alone.
 //
-// Feed it with each frame as the odometry hands it out and with each keyframe as it leaves the window. One thread.
-// Memory: the last three stretches of the present segment, and an estimate for each frame. Cost: a fit for each keyframe
-// (camera_height) or for each fifth frame (others), under a millisecond.
+// Feed it with each frame as the odometry hands it out and with each keyframe as it leaves the window. One
+// thread. Memory: the last three stretches of the present segment, and an estimate for each frame. Cost: a
+// fit for each keyframe (camera_height) or for each fifth frame (others), under a millisecond.
 #include <optional>
 #include <vector>
 
@@ -19,9 +20,10 @@ namespace edgevo {
 /// The scale as it becomes known.
 class LiveScale {
  public:
-  /// `source` may be any; only estimated ones ever know a scale. `T_vehicle_cam`: the camera's mount, if it is known.
-  LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track, std::optional<SE3> T_vehicle_cam,
-            const ScaleParams& params);
+  /// `source` may be any; only estimated ones ever know a scale. `T_vehicle_cam`: the camera's mount, if it
+  /// is known.
+  LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track,
+            std::optional<SE3> T_vehicle_cam, const ScaleParams& params);
 
   /// A frame with its live pose, in the order of time.
   void add_frame(const FrameRecord& frame);

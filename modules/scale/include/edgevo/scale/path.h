@@ -9,9 +9,9 @@ namespace edgevo {
 /// One frame of the path.
 struct PathPose {
   int frame_index = 0;  ///< in the source
-  Timestamp time;  ///< of the frame
-  SE3 T_world_cam;  ///< units of the run
-  double way = 0;  ///< length of the path up to here, units of the run
+  Timestamp time;       ///< of the frame
+  SE3 T_world_cam;      ///< units of the run
+  double way = 0;       ///< length of the path up to here, units of the run
 };
 
 /// In time order; `way` never falls.

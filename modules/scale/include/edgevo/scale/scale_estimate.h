@@ -10,8 +10,8 @@ struct ScaleEstimate {
   int samples = 0;    ///< that it rests on
 };
 
-/// How many independent values a series of residuals is worth: n (1 - rho) / (1 + rho), rho its correlation from one value to the next,
-/// not below 0. At least 1.
+/// How many independent values a series of residuals is worth: n (1 - rho) / (1 + rho), rho its correlation
+/// from one value to the next, not below 0. At least 1.
 double effective_count(const std::vector<double>& residuals);
 
 }  // namespace edgevo

@@ -11,7 +11,7 @@ namespace edgevo {
 struct ScaleSource {
   /// kNone leaves the unit arbitrary.
   enum class Kind { kNone, kFactor, kOdometry, kGps, kRobotPose, kCameraHeight };
-  Kind kind = Kind::kNone;  ///< what it is
+  Kind kind = Kind::kNone;    ///< what it is
   double value = 0;           ///< metres per unit (factor), metres over the ground (camera_height); else 0
   std::string text = "none";  ///< as it was given
 
@@ -21,8 +21,8 @@ struct ScaleSource {
   bool is_estimated() const { return sensor().has_value() || kind == Kind::kCameraHeight; }
 };
 
-/// Reads none, factor=2.5, odometry, gps, robot_pose or camera_height=1.65. Throws InputError for anything else: it says what is wrong,
-/// the nearest name, and what to give.
+/// Reads none, factor=2.5, odometry, gps, robot_pose or camera_height=1.65. Throws InputError for anything
+/// else: it says what is wrong, the nearest name, and what to give.
 ScaleSource parse_scale_source(const std::string& option);
 
 }  // namespace edgevo

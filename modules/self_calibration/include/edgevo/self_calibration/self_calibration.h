@@ -34,18 +34,18 @@ namespace edgevo {
 
 /// Parameters of the self-calibration.
 struct SelfCalibrationParams {
-  std::string refine = "all";    ///< "none": the camera file is taken as it is; "k1", "readout": only that
-  int min_keyframes = 30;        ///< at the first checkpoint; each next one at twice as many
-  int checkpoints = 3;           ///< the last one is the most expensive, about a second at 120 keyframes
-  double prior_sigma = 0.01;     ///< of k1 before anything was seen
-  double max_k1 = 0.03;          ///< an estimate at this limit is not believed
-  double significance = 3.0;     ///< standard deviations
+  std::string refine = "all";  ///< "none": the camera file is taken as it is; "k1", "readout": only that
+  int min_keyframes = 30;      ///< at the first checkpoint; each next one at twice as many
+  int checkpoints = 3;         ///< the last one is the most expensive, about a second at 120 keyframes
+  double prior_sigma = 0.01;   ///< of k1 before anything was seen
+  double max_k1 = 0.03;        ///< an estimate at this limit is not believed
+  double significance = 3.0;   ///< standard deviations
   /// What biased matches add to the standard deviation, at 30 keyframes; falls with their number.
   double model_sigma = 0.004;
   /// Of a rolling shutter, where it is known: the last row is taken this much later than the first.
   double readout_s = 0;
-  double readout_prior_sigma = 0.03;  ///< of the read-out time before anything was seen, seconds
-  double max_readout_s = 0.1;    ///< an estimate at this limit is not believed
+  double readout_prior_sigma = 0.03;    ///< of the read-out time before anything was seen, seconds
+  double max_readout_s = 0.1;           ///< an estimate at this limit is not believed
   double readout_model_sigma = 0.0015;  ///< as model_sigma, in seconds
 
   /// Rows may have a time of their own.
@@ -96,8 +96,8 @@ class SelfCalibration {
   CameraRefinement state_;
   std::vector<Keyframe> history_;  ///< without images
   int next_checkpoint_;
-  bool finished_ = false;          ///< the last checkpoint has passed
-  std::unique_ptr<Job> job_;       ///< an estimate that is running
+  bool finished_ = false;     ///< the last checkpoint has passed
+  std::unique_ptr<Job> job_;  ///< an estimate that is running
 };
 
 }  // namespace edgevo

@@ -20,7 +20,7 @@ struct ServoParams {
   int points = 20;             ///< fed, and steered by in IBVS
   double gain = 1;             ///< lambda, 1/s
   double limit_s = 25;         ///< the servo loop ends after so long even if it has not converged
-  uint64_t seed = 1;  ///< of start, noise and light
+  uint64_t seed = 1;           ///< of start, noise and light
 };
 
 }  // namespace edgevo

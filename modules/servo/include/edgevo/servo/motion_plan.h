@@ -15,7 +15,7 @@ enum class Phase {
 /// The motion before the servo loop. Scene axes: simulation/world.h, metres.
 struct MotionPlan {
   SE3 T_scene_taught, T_scene_start;  ///< where the goal is taught, and where the servo loop starts
-  double teach_s = 0, away_s = 0;  ///< how long the two take
+  double teach_s = 0, away_s = 0;     ///< how long the two take
 
   Phase phase(double seconds) const;  ///< at a time since the first image
   /// Pose at a time of the first two phases; continuous, with continuous velocity.

@@ -17,8 +17,8 @@ namespace edgevo {
 
 /// What is told of a run besides its result.
 struct ServoRunInfo {
-  ServoParams params;  ///< of the loop
-  std::string params_yaml;  ///< of the odometry
+  ServoParams params;                     ///< of the loop
+  std::string params_yaml;                ///< of the odometry
   std::vector<std::string> command_line;  ///< program and arguments
 };
 
@@ -26,7 +26,7 @@ struct ServoRunInfo {
 /// (InputError).
 void write_servo_outputs(const ServoResult& result, const ServoRunInfo& info, RunFolder* folder);
 
-std::string servo_csv(const ServoResult& result);  ///< Text of servo.csv.
+std::string servo_csv(const ServoResult& result);                                ///< Text of servo.csv.
 std::string servo_summary(const ServoResult& result, const ServoRunInfo& info);  ///< Text of summary.yaml.
 
 }  // namespace edgevo

@@ -11,19 +11,20 @@ namespace edgevo {
 
 /// The frames of a source.
 struct Clip {
-  Camera camera;  ///< of the source
-  std::string kind;  ///< of the source
+  Camera camera;              ///< of the source
+  std::string kind;           ///< of the source
   std::vector<Frame> frames;  ///< in time order
 };
 
-/// Reads a source to its end, calling `on_frame` with the number of frames so far; false from it ends the clip there. Memory: the images.
+/// Reads a source to its end, calling `on_frame` with the number of frames so far; false from it ends the
+/// clip there. Memory: the images.
 std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame);
 
 /// The same frames, the last first; index and time are mirrored (first + last - own), so that both grow.
 std::shared_ptr<const Clip> played_backward(const Clip& clip);
 
-/// What a busy recorder leaves of it: nearly a third of the frames is missing, drawn by `seed`, and from the 50th on four in a row every 60.
-/// The others keep index and time.
+/// What a busy recorder leaves of it: nearly a third of the frames is missing, drawn by `seed`, and from the
+/// 50th on four in a row every 60. The others keep index and time.
 std::shared_ptr<const Clip> with_gaps(const Clip& clip, uint64_t seed);
 
 /// Plays a clip.

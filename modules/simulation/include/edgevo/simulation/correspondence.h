@@ -1,11 +1,14 @@
 #pragma once
-// Exact correspondences: where a pixel of one view is seen in another, by the depth of both views and the motion between them.
+// Exact correspondences: where a pixel of one view is seen in another, by the depth of both views and the
+// motion between them.
 //
-// For rendered frames and anything else with depth and pose (Virtual KITTI, for instance; there, what moves by itself is wrong).
-// Depth images hold z in metres at pixel centres of the undistorted image, 0 for sky, which is infinitely far away.
+// For rendered frames and anything else with depth and pose (Virtual KITTI, for instance; there, what moves
+// by itself is wrong). Depth images hold z in metres at pixel centres of the undistorted image, 0 for sky,
+// which is infinitely far away.
 //
-// An edge often lies between two surfaces and belongs to the nearer one. Where the depth around a sub-pixel position is one
-// surface, its inverse depth is interpolated (exact on planes); where it is not, the nearest surface within a pixel is taken.
+// An edge often lies between two surfaces and belongs to the nearer one. Where the depth around a sub-pixel
+// position is one surface, its inverse depth is interpolated (exact on planes); where it is not, the nearest
+// surface within a pixel is taken.
 #include <Eigen/Core>
 #include <vector>
 
@@ -28,13 +31,13 @@ struct Correspondence {
 
 /// Two views of one scene.
 struct ViewPair {
-  Pinhole pinhole;  ///< of both
+  Pinhole pinhole;                        ///< of both
   ImageView<float> depth_from, depth_to;  ///< of the two views
-  SE3 T_to_from;  ///< exact motion, metres
+  SE3 T_to_from;                          ///< exact motion, metres
 };
 
-/// Where `px` of the first view is seen. Visible if one of the pixels around the position has the expected depth to within
-/// `tolerance` (relative).
+/// Where `px` of the first view is seen. Visible if one of the pixels around the position has the expected
+/// depth to within `tolerance` (relative).
 Correspondence find_correspondence(const ViewPair& views, const Eigen::Vector2d& px, double tolerance = 0.02);
 
 }  // namespace edgevo

@@ -4,8 +4,8 @@
 //   correspondences/000000.csv ..   x,y,x_next,y_next,visible: each edge pixel of the frame, and where it is
 //                                   seen in the next one
 //
-// Sub-pixel positions in the undistorted images; empty fields where it is not in the next view. `visible` is 1 or 0. The last
-// frame has no next one, hence no file.
+// Sub-pixel positions in the undistorted images; empty fields where it is not in the next view. `visible` is
+// 1 or 0. The last frame has no next one, hence no file.
 #include <functional>
 #include <string>
 
@@ -13,9 +13,9 @@
 
 namespace edgevo {
 
-/// Frames begin <= index < end into `folder`/correspondences. Edges are those of the default detector. Throws InputError for
-/// fewer than two frames, for a rolling shutter (rows have poses of their own) and where something cannot be written.
-/// `on_pair_done` is told how many pairs are done.
+/// Frames begin <= index < end into `folder`/correspondences. Edges are those of the default detector. Throws
+/// InputError for fewer than two frames, for a rolling shutter (rows have poses of their own) and where
+/// something cannot be written. `on_pair_done` is told how many pairs are done.
 void export_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end,
                             const std::function<void(int)>& on_pair_done = {});
 

@@ -20,8 +20,8 @@ namespace edgevo {
 /// What is written.
 struct FolderExport {
   int begin = 0, end = -1;  ///< frames begin <= index < end; end -1: to the last
-  bool depth = false;  ///< the depth of each frame, too
-  bool edges = false;  ///< true edges as label images (true_edge_labels.h)
+  bool depth = false;       ///< the depth of each frame, too
+  bool edges = false;       ///< true edges as label images (true_edge_labels.h)
   int threads = 2;          ///< the bytes do not depend on it
 };
 
@@ -34,11 +34,12 @@ class FolderWriter {
  public:
   /// Makes the folders. Throws InputError.
   FolderWriter(std::string folder, const Camera& camera);
-  /// Writes the image under its name in its source, or the frame's number if it has none. Throws InputError, also when the names of the
-  /// source are not in the order of its frames: the folder would play in another order.
+  /// Writes the image under its name in its source, or the frame's number if it has none. Throws InputError,
+  /// also when the names of the source are not in the order of its frames: the folder would play in another
+  /// order.
   void add(const Frame& frame);
-  /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note` that of
-  /// SOURCE.md. Throws InputError.
+  /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note`
+  /// that of SOURCE.md. Throws InputError.
   void finish(const std::string& ground_truth, const std::string& source_note);
 
  private:
@@ -52,7 +53,8 @@ std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end);
 /// Called with the number of frames done, one call at a time.
 using OnFrameDone = std::function<void(int)>;
 
-/// Throws InputError: no frame in the range, something cannot be written. Existing files of these names are overwritten.
+/// Throws InputError: no frame in the range, something cannot be written. Existing files of these names are
+/// overwritten.
 void export_folder(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
                    const OnFrameDone& on_frame_done = {});
 

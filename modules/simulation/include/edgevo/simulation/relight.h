@@ -14,8 +14,9 @@
 //   noise     normal, standard deviation 8 gray levels
 //   dropped   one frame in twelve is missing
 //   mixed     all but blur and dropped together, noise and glare weaker
-// Geometry, names, times and calibration stay as they are. The result for a frame depends on kind, seed, its number and its
-// time only: the same bytes each time, in any order, from any thread. Cost: 1 to 10 ms for 1241x376.
+// Geometry, names, times and calibration stay as they are. The result for a frame depends on kind, seed, its
+// number and its time only: the same bytes each time, in any order, from any thread. Cost: 1 to 10 ms for
+// 1241x376.
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-// Another source under changed light: whatever it plays, from a folder, a rawlog or a renderer, passes through Relight.
+// Another source under changed light: whatever it plays, from a folder, a rawlog or a renderer, passes
+// through Relight.
 #include <memory>
 
 #include "edgevo/core/image_source.h"
@@ -11,7 +12,8 @@ namespace edgevo {
 class RelitSource : public ImageSource {
  public:
   /// `source` is not null.
-  RelitSource(std::unique_ptr<ImageSource> source, Relight relight) : source_(std::move(source)), relight_(std::move(relight)) {}
+  RelitSource(std::unique_ptr<ImageSource> source, Relight relight)
+      : source_(std::move(source)), relight_(std::move(relight)) {}
 
   const Camera& camera() const override { return source_->camera(); }
   std::optional<SE3> T_vehicle_cam() const override { return source_->T_vehicle_cam(); }

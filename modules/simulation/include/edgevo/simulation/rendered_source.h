@@ -10,8 +10,8 @@ namespace edgevo {
 /// Renders each frame when it is wanted.
 class RenderedSource : public ImageSource {
  public:
-  /// Frames begin <= index < end of the scene; end -1: to its last. Frame::index counts from the scene's first frame.
-  /// Throws InputError when that range holds no frame.
+  /// Frames begin <= index < end of the scene; end -1: to its last. Frame::index counts from the scene's
+  /// first frame. Throws InputError when that range holds no frame.
   explicit RenderedSource(std::shared_ptr<const SceneRenderer> renderer, int begin = 0, int end = -1);
 
   const Camera& camera() const override { return renderer_->camera(); }

@@ -1,8 +1,10 @@
 #pragma once
-// A scene: a world, a camera and its motion through it, read from a YAML file such as datasets/scenes/street.yaml.
+// A scene: a world, a camera and its motion through it, read from a YAML file such as
+// datasets/scenes/street.yaml.
 //
-// The file names the kind of world (street, desk, lakeshore, corridor, plaza), a seed, the camera and the motion; the
-// world is then grown from the seed, textures included. The same file and seed give the same scene, to the byte.
+// The file names the kind of world (street, desk, lakeshore, corridor, plaza), a seed, the camera and the
+// motion; the world is then grown from the seed, textures included. The same file and seed give the same
+// scene, to the byte.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -17,34 +19,39 @@
 
 namespace edgevo {
 
-/// When the rows of an image gather light. The time of a frame, its pose and its depth are those of the middle of the
-/// exposure of the image's middle: what is true of the image as a whole, whatever the shutter.
+/// When the rows of an image gather light. The time of a frame, its pose and its depth are those of the
+/// middle of the exposure of the image's middle: what is true of the image as a whole, whatever the shutter.
 struct Shutter {
-  double rolling_s = 0;   ///< the last row is exposed this much later than the first (0.01 to 0.03 s in common cameras)
+  double rolling_s =
+      0;  ///< the last row is exposed this much later than the first (0.01 to 0.03 s in common cameras)
   double exposure_s = 0;  ///< each row gathers light for this long
 
   /// Middle of the exposure of row v of `height`, in seconds from the time of the frame.
-  double row_time(int v, int height) const { return rolling_s > 0 && height > 1 ? rolling_s * (double(v) / (height - 1) - 0.5) : 0; }
+  double row_time(int v, int height) const {
+    return rolling_s > 0 && height > 1 ? rolling_s * (double(v) / (height - 1) - 0.5) : 0;
+  }
 };
 
 /// A world with a camera that moves through it.
 struct Scene {
-  std::string name;  ///< of the file without its suffix
-  uint64_t seed = 0;  ///< of world, textures and noise
-  Camera camera;  ///< lens included
-  std::vector<SE3> T_scene_cam;      ///< pose of the camera at each frame; scene axes as in world.h, metres
-  std::vector<Timestamp> times;      ///< of each frame, from 0 s on
-  std::function<SE3(double)> T_scene_cam_at;  ///< the same motion at any time, seconds; for a shutter that is open for a while
-  Shutter shutter;  ///< global and instantaneous by default
-  double noise_sigma = 0;            ///< standard deviation of the sensor's noise, gray levels
+  std::string name;              ///< of the file without its suffix
+  uint64_t seed = 0;             ///< of world, textures and noise
+  Camera camera;                 ///< lens included
+  std::vector<SE3> T_scene_cam;  ///< pose of the camera at each frame; scene axes as in world.h, metres
+  std::vector<Timestamp> times;  ///< of each frame, from 0 s on
+  std::function<SE3(double)>
+      T_scene_cam_at;      ///< the same motion at any time, seconds; for a shutter that is open for a while
+  Shutter shutter;         ///< global and instantaneous by default
+  double noise_sigma = 0;  ///< standard deviation of the sensor's noise, gray levels
   std::shared_ptr<const World> world;  ///< shared, since it may hold tens of megabytes
 
   int size() const { return int(T_scene_cam.size()); }  ///< number of frames
 };
 
-/// Reads a scene: the name of one that ships with the program ("street"), or the path of a YAML file. `seed` overrides the
-/// file's own. Throws InputError: no such scene (the known ones are named), unknown key, unknown kind of texture, value out
-/// of range, no frames, a trajectory through a wall. Cost: about a second, for the textures and the shadows.
+/// Reads a scene: the name of one that ships with the program ("street"), or the path of a YAML file. `seed`
+/// overrides the file's own. Throws InputError: no such scene (the known ones are named), unknown key,
+/// unknown kind of texture, value out of range, no frames, a trajectory through a wall. Cost: about a second,
+/// for the textures and the shadows.
 Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed = std::nullopt);
 
 /// Names that load_scene knows without a path, sorted.

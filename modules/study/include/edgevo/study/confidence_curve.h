@@ -1,6 +1,6 @@
 #pragma once
-// Does a confidence rank matches rightly? Curves and areas as the stereo literature has them (Hu and Mordohai, "A quantitative
-// evaluation of confidence measures for stereo vision", 2012).
+// Does a confidence rank matches rightly? Curves and areas as the stereo literature has them (Hu and
+// Mordohai, "A quantitative evaluation of confidence measures for stereo vision", 2012).
 #include <vector>
 
 namespace edgevo {
@@ -21,12 +21,12 @@ struct CurvePoint {
 
 /// How well a confidence ranks.
 struct ConfidenceCurve {
-  std::vector<CurvePoint> points;  ///< by falling confidence; equal confidences enter together
-  double error_rate = 0;           ///< of all matches
-  double roc_area = 0.5;           ///< chance that a right match ranks above a wrong one; 0.5 says nothing
+  std::vector<CurvePoint> points;    ///< by falling confidence; equal confidences enter together
+  double error_rate = 0;             ///< of all matches
+  double roc_area = 0.5;             ///< chance that a right match ranks above a wrong one; 0.5 says nothing
   double precision_recall_area = 0;  ///< under precision over recall
-  double sparsification_area = 0;  ///< under error_rate over density
-  double optimal_area = 0;         ///< of the best possible ranking, e + (1 - e) ln(1 - e)
+  double sparsification_area = 0;    ///< under error_rate over density
+  double optimal_area = 0;           ///< of the best possible ranking, e + (1 - e) ln(1 - e)
 };
 
 /// Empty curve for no matches. Cost: one sort.

@@ -1,5 +1,6 @@
 #pragma once
-// Frames whose depth and pose are exact: what the study measures against. Rendered in memory, or read from Virtual KITTI.
+// Frames whose depth and pose are exact: what the study measures against. Rendered in memory, or read from
+// Virtual KITTI.
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@ namespace edgevo {
 
 /// A frame with its ground truth.
 struct ExactFrame {
-  int index = 0;  ///< in the sequence
+  int index = 0;             ///< in the sequence
   double seconds = 0;        ///< since the first frame
   GrayImage image;           ///< as the camera took it
   std::vector<float> depth;  ///< z in metres at the pixels of the undistorted image, row by row; 0: sky
@@ -33,7 +34,8 @@ class ExactFrames {
   virtual std::string name() const = 0;
   /// Pose of a frame without loading it.
   virtual SE3 T_world_cam(int index) const = 0;
-  /// 0 <= index < size(). May be called from several threads. Throws InputError for a file that cannot be read.
+  /// 0 <= index < size(). May be called from several threads. Throws InputError for a file that cannot be
+  /// read.
   virtual ExactFrame load(int index) const = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// One way to find the points of a host in a target. All are followed by the same two-view adjustment, so that only the matches
-// differ.
+// One way to find the points of a host in a target. All are followed by the same two-view adjustment, so that
+// only the matches differ.
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,10 +25,11 @@ class PairMatcher {
 };
 
 /// Ours: associate() with these parameters; update() searches again where needs_update() says so.
-std::unique_ptr<PairMatcher> association_matcher(const AssociationParams& params, const PatchComparison& comparison);
+std::unique_ptr<PairMatcher> association_matcher(const AssociationParams& params,
+                                                 const PatchComparison& comparison);
 
-/// Pyramidal Lucas-Kanade (OpenCV, 21x21 windows, four levels), which knows neither pose nor depth. Points must be found back to
-/// within a pixel.
+/// Pyramidal Lucas-Kanade (OpenCV, 21x21 windows, four levels), which knows neither pose nor depth. Points
+/// must be found back to within a pixel.
 std::unique_ptr<PairMatcher> lucas_kanade_matcher();
 
 /// Semi-dense epipolar flow (epipolar_flow.h), likewise.

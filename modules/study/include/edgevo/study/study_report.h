@@ -17,7 +17,8 @@ namespace edgevo {
 /// Throws InputError.
 void write_study(const StudyResult& result, const std::string& folder);
 
-/// Runs gnuplot on the script. False where there is no gnuplot or it fails; the tables and the script are then all there is.
+/// Runs gnuplot on the script. False where there is no gnuplot or it fails; the tables and the script are
+/// then all there is.
 [[nodiscard]] bool draw_plots(const std::string& folder);
 
 }  // namespace edgevo

@@ -37,7 +37,7 @@ struct ServoFeedOptions {
 
 /// What a length of the map is in metres.
 struct ServoScale {
-  double metres_per_unit = 1;  ///< > 0
+  double metres_per_unit = 1;   ///< > 0
   double relative_sigma = 0;    ///< one standard deviation over the value; 0: unknown
   std::string source = "none";  ///< "none": the unit is arbitrary
 
@@ -46,21 +46,21 @@ struct ServoScale {
 
 /// The newest pose, at the time of the loop.
 struct ServoPose {
-  bool usable = false;  ///< false: the robot must stop
-  std::string reason;  ///< why it is not usable; for a person
+  bool usable = false;                                  ///< false: the robot must stop
+  std::string reason;                                   ///< why it is not usable; for a person
   TrackingState state = TrackingState::kBootstrapping;  ///< of the newest frame
-  int frame_index = -1;     ///< of the image
-  Timestamp time;           ///< of the image
-  double age_s = 0;         ///< asked for this much later
-  double predicted_s = 0;   ///< of the age, this much is in cMw
+  int frame_index = -1;                                 ///< of the image
+  Timestamp time;                                       ///< of the image
+  double age_s = 0;                                     ///< asked for this much later
+  double predicted_s = 0;                               ///< of the age, this much is in cMw
   vpHomogeneousMatrix cMw;  ///< at the time asked for; translation in scale.metres_per_unit x map units
   vpHomogeneousMatrix cMw_at_image;  ///< the same at the time of the image, not predicted
-  /// 6x6 of xi in cMw <- exp(xi) cMw, [v, w] in the camera frame, against the map nearby and the scale taken as known; grows with the
-  /// prediction. All zero: unknown.
+  /// 6x6 of xi in cMw <- exp(xi) cMw, [v, w] in the camera frame, against the map nearby and the scale taken
+  /// as known; grows with the prediction. All zero: unknown.
   vpMatrix covariance;
   int map_version = 0;  ///< poses and points of different versions must not be mixed
-  ServoScale scale;  ///< of all lengths
-  NewestPose view;  ///< in map units: for ServoPoints
+  ServoScale scale;     ///< of all lengths
+  NewestPose view;      ///< in map units: for ServoPoints
 };
 
 /// Between the thread of the odometry and that of the loop.

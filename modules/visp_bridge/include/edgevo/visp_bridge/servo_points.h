@@ -35,8 +35,8 @@ struct ServoPoint {
   vpFeaturePoint point;                     ///< x = X/Z, y = Y/Z (normalised, undistorted), Z
   vpFeaturePoint3D point3d;                 ///< X, Y, Z
   double sigma_x = 0, sigma_y = 0;          ///< one standard deviation of x and y, pose and depth; normalised
-  double sigma_Z = 0;    ///< of Z, metres
-  bool in_view = false;  ///< in front of the camera and inside the image
+  double sigma_Z = 0;                       ///< of Z, metres
+  bool in_view = false;                     ///< in front of the camera and inside the image
 };
 
 /// The chosen points.
