@@ -60,8 +60,7 @@ TableCell plain(double value) {
   return cell;
 }
 
-// ---- the lake
-// ----------------------------------------------------------------------
+// ---- the lake ----
 
 std::vector<std::string> lake_columns() {
   std::vector<std::string> columns;
@@ -122,8 +121,7 @@ TableRow own_row(const std::string& name, const Rows& rows) {
   return row;
 }
 
-// ---- KITTI
-// ----------------------------------------------------------------------
+// ---- KITTI ----
 
 // "00" of "kitti00"; the name itself of anything else, such as a piece.
 std::string kitti_row_name(const std::string& sequence) {

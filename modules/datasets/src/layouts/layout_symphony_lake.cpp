@@ -30,8 +30,7 @@ std::string list_path(const std::string& folder) { return (fs::path(folder) / kS
 
 bool is_symphony_layout(const std::string& folder) { return !existing(list_path(folder)).empty(); }
 
-// ---- rows
-// ----------------------------------------------------------------------
+// ---- rows ----
 
 double usual_tilt(const SurveyRows& survey) {
   std::vector<double> tilts;
@@ -76,8 +75,7 @@ std::pair<size_t, size_t> played(const SurveyRows& survey, const SourceOptions& 
   return {begin, std::max(end, begin + 1)};
 }
 
-// ---- images
-// ----------------------------------------------------------------------
+// ---- images ----
 
 using NameOf = std::string (*)(int number);
 
@@ -93,8 +91,7 @@ NameOf naming_of(const std::string& folder, const SurveyRows& survey) {
                    "put the folders of the images beside " + std::string(kSurveyList));
 }
 
-// ---- camera
-// ----------------------------------------------------------------------
+// ---- camera ----
 
 Pinhole pinhole_of(const SurveyRow& row, const std::string& where) {
   return {row.fx, row.fy, row.cx, row.cy, image_side(row.width, where), image_side(row.height, where)};
@@ -147,8 +144,7 @@ VehicleTrack gps_track(const SurveyRows& survey) {
   return track;
 }
 
-// ---- ground truth
-// ----------------------------------------------------------------------
+// ---- ground truth ----
 
 std::string describe_truth(const std::string& folder, const SurveyRows& survey) {
   const std::string map = survey_map(folder);
@@ -199,8 +195,7 @@ std::string symphony_ground_truth(const SourceOptions& options) {
          describe_truth(options.path, survey) + "\n" + poses;
 }
 
-// ---- all of it
-// ----------------------------------------------------------------------
+// ---- all of it ----
 
 Camera survey_camera(const SurveyRows& survey, const SourceOptions& options, Sequence* sequence) {
   if (!options.camera_file.empty()) return read_camera_file(options.camera_file);
