@@ -92,7 +92,7 @@ cv::Mat as_taken(const cv::Mat& clean, int index, Random& random) {
 
 cv::Rect any_piece(const Plan& plan, cv::Size image, Random& random) {
   const int width = std::min(plan.width, image.width), height = std::min(plan.height, image.height);
-  const int u = random.below(image.width - width + 1), v = random.below(image.height - height + 1);
+  const int v = random.below(image.height - height + 1), u = random.below(image.width - width + 1);
   return {u, v, width, height};
 }
 
