@@ -12,13 +12,14 @@ namespace edgevo {
 
 class LookAhead {
  public:
-  static constexpr int kAtOnce = 32;  ///< requests that wait for memory together: processors keep about as many open
+  static constexpr int kAtOnce =
+      32;  ///< requests that wait for memory together: processors keep about as many open
 
   explicit LookAhead(const AssociationParams& params) : params_(params) {}
   /// A point that projects to `px` is going to be associated with `target`.
   void add(const FramePyramid& target, const Eigen::Vector2d& px);
-  /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much. Returns of how many
-  /// points the target has an edge near: only of these is more asked for than the field.
+  /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much. Returns of
+  /// how many points the target has an edge near: only of these is more asked for than the field.
   int run();
   /// Points that were added and not asked for yet, at most kAtOnce.
   int waiting() const { return count_; }
