@@ -213,10 +213,14 @@ class RealAccuracy : public ::testing::Test {
 // Seed 1: 0.20 %, 0.075; 0.090 %, 0.0048; 0.16 %, 0.018.
 TEST_F(RealAccuracy, KittiDrive) { expect_sequence("kitti00_first300", 100, 1, {0.4, 0.15}); }
 
-TEST_F(RealAccuracy, KittiDriveEveryThirdFrame) { expect_sequence("kitti05_first300", 120, 3, {0.18, 0.0095}); }
+TEST_F(RealAccuracy, KittiDriveEveryThirdFrame) {
+  expect_sequence("kitti05_first300", 120, 3, {0.18, 0.0095});
+}
 
 // A turn of 90 degrees, up to 16 between two frames.
-TEST_F(RealAccuracy, KittiTurnEveryFourthFrame) { expect_sequence("kitti00_first300", 300, 4, {0.32, 0.036}); }
+TEST_F(RealAccuracy, KittiTurnEveryFourthFrame) {
+  expect_sequence("kitti00_first300", 300, 4, {0.32, 0.036});
+}
 
 TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) {
   expect_sequence("tum_fr1_xyz_first500", 150, 1, {2.0, 0.5});
