@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "opencv_view.h"
+#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -71,6 +72,8 @@ void UnlitSurround::find_areas() {
   areas_ = std::move(mask);
 }
 
-std::shared_ptr<const Plane<uint8_t>> UnlitSurround::mask() const { return images_ >= kImagesNeeded ? areas_ : nullptr; }
+std::shared_ptr<const Plane<uint8_t>> UnlitSurround::mask() const {
+  return images_ >= kImagesNeeded && areas_ && rule("border mask") ? areas_ : nullptr;
+}
 
 }  // namespace edgevo
