@@ -1,5 +1,5 @@
 #pragma once
-// One sequence of a benchmark, opened anew for each of its jobs.
+// One sequence of a benchmark, opened again for each of its jobs.
 #include <memory>
 #include <string>
 

@@ -26,7 +26,7 @@ struct CalibrateArguments {
   bool force = false;
 };
 
-RunCalibration calibration_as_asked(const CalibrateArguments& args) {
+RunCalibration calibration_from(const CalibrateArguments& args) {
   RunCalibration run = read_run_calibration(args.source);
   if (args.camera_file.empty()) return run;
   const Camera camera = read_camera_file(args.camera_file);
@@ -63,7 +63,7 @@ void print_use(const std::string& file) {
 }
 
 int calibrate_from_run(const CalibrateArguments& args) {
-  const RunCalibration run = calibration_as_asked(args);
+  const RunCalibration run = calibration_from(args);
   const FoldedCamera corrected = corrected_camera(run);
   const std::string found = finding(run.refinement);
   write_file(args.out, camera_yaml(corrected.camera, "Self-calibration of edgevo: " + found));
@@ -78,7 +78,7 @@ int calibrate_from_run(const CalibrateArguments& args) {
   return 0;
 }
 
-Board board_as_asked(const CalibrateArguments& args) {
+Board board_from(const CalibrateArguments& args) {
   const bool charuco = !args.charuco.empty();
   Board board = charuco ? board_of_size(args.charuco, true, "--charuco")
                         : board_of_size(args.chessboard, false, "--chessboard");
@@ -88,8 +88,8 @@ Board board_as_asked(const CalibrateArguments& args) {
   return board;
 }
 
-BoardViews views_as_asked(const CalibrateArguments& args) {
-  const BoardFinder finder(board_as_asked(args));
+BoardViews views_from(const CalibrateArguments& args) {
+  const BoardFinder finder(board_from(args));
   SourceOptions options = args.images;
   options.path = args.source;
   options.any_camera = true;
@@ -119,7 +119,7 @@ void print_calibration(const CameraCalibration& c, const BoardViews& views) {
 }
 
 int calibrate_from_board(const CalibrateArguments& args) {
-  const BoardViews views = views_as_asked(args);
+  const BoardViews views = views_from(args);
   const CameraCalibration c = calibrate_camera(views, args.source);
   const std::string picture = picture_beside(args.out);
   write_file(args.out,

@@ -24,7 +24,7 @@ struct MapArguments {
   bool force = false;
 };
 
-MapParams params_as_asked(const MapArguments& args) {
+MapParams params_from(const MapArguments& args) {
   RunParams params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
   if (!args.params_file.empty()) read_params_file(args.params_file, visit);
@@ -64,7 +64,7 @@ MapReport write_maps(const Run& run, const MapParams& params, const std::string&
 }
 
 int map(const MapArguments& args) {
-  const MapParams params = params_as_asked(args);
+  const MapParams params = params_from(args);
   check_output(args);
   const Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
   check_map_size(run, params.occupancy, free_memory(), args.run);

@@ -75,7 +75,7 @@ std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, Ru
   };
 }
 
-std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSource& source) {
+std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& source) {
   if (!args.view) return nullptr;
   std::string why;
   auto view = RunView::open(source.T_vehicle_cam(), &why);
@@ -83,7 +83,7 @@ std::unique_ptr<RunView> view_as_asked(const RunArguments& args, const ImageSour
   return view;
 }
 
-Drive drive_as_asked(const RunArguments& args, ImageSource& source, const OdometryParams& params,
+Drive drive_from(const RunArguments& args, ImageSource& source, const OdometryParams& params,
                      RunScaling& scaling, RunOutputs& outputs) {
   DriveOptions options;
   options.odometry.seed = args.seed;
@@ -94,7 +94,7 @@ Drive drive_as_asked(const RunArguments& args, ImageSource& source, const Odomet
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
-  const auto view = view_as_asked(args, source);
+  const auto view = view_from(args, source);
   return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
 }
 
@@ -143,7 +143,7 @@ int run(const RunArguments& args) {
   RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
   outputs.keep_journal({info, args.scale, scaling.track(), source->T_vehicle_cam()});
   listen_to_signals();
-  Drive driven = drive_as_asked(args, *source, params.odometry, scaling, outputs);
+  Drive driven = drive_from(args, *source, params.odometry, scaling, outputs);
   Run& result = driven.run;
   if (result.frames.empty()) throw_without_frames(args, driven);
   scaling.apply(&result);

@@ -38,7 +38,7 @@ void set_range(const std::string& text, FolderExport* range) {
   range->end = number(text.substr(colon + 1), -1);
 }
 
-Scene scene_as_asked(const SimulateOptions& options) {
+Scene scene_from(const SimulateOptions& options) {
   Scene scene = load_scene(options.scene, options.seed);
   scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
   scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
@@ -71,7 +71,7 @@ int simulate(const SimulateOptions& options) {
   if (options.correspondences && names_rawlog(options.out))
     throw InputError(options.out, "a rawlog does not hold correspondences", "name a folder, or leave --correspondences out");
   check_sequence_output("", options.out, options.force);
-  const auto renderer = std::make_shared<const SceneRenderer>(scene_as_asked(options));
+  const auto renderer = std::make_shared<const SceneRenderer>(scene_from(options));
   const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
   if (!names_rawlog(options.out)) clear_sequence(options.out);
   if (options.correspondences) write_correspondences(*renderer, options.out, range.begin, range.begin + count);

@@ -1,5 +1,5 @@
 #pragma once
-// The sub-commands of `edgevo`. Each adds itself to the parser with its options and, when it is the one asked for, leaves
+// The sub-commands of `edgevo`. Each adds itself to the parser with its options and, when it is the requested one, leaves
 // its work in `*action`; the action returns the exit code (0 done, 3 tracking failed for most of the sequence) and
 // throws edgevo::InputError for bad input (main makes that one line and exit code 2).
 #include <CLI/CLI.hpp>

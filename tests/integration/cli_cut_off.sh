@@ -36,7 +36,7 @@ killed cut 45
 streamed=$(rows cut)
 check "rows of frames.csv while it ran" "$streamed" -ge 45
 check "poses while it ran" "$(grep -c '^[0-9]' cut/trajectory_live_tum.txt)" -ge 30
-complains "cut: the run in it was cut off .*; .edgevo finish cut. writes them; --force begins anew" "$edgevo" run long -o cut --quiet
+complains "cut: the run in it was cut off .*; .edgevo finish cut. writes them; --force starts over" "$edgevo" run long -o cut --quiet
 check "rows after that" "$(rows cut)" -eq "$streamed"
 
 run_code 0 "$edgevo" finish cut
@@ -68,7 +68,7 @@ run_code 0 "$edgevo" finish threads
 check "metres" "$(sed -n '/^scale:/,/^[a-z]/s/^  metric: //p' threads/summary.yaml | grep -c true)" -eq 1
 killed again 20
 run_code 0 "$edgevo" run "$sequence" -o again --quiet --frames 0:15 --force
-check "rows of a run begun anew" "$(rows again)" -eq 15
+check "rows of a run started over" "$(rows again)" -eq 15
 check "what is left of the one before" "$(ls -d again/unfinished_run.bin again/earlier_run 2>/dev/null | wc -l)" -eq 0
 
 # While a run goes on, nobody finishes it or writes there.

@@ -138,7 +138,7 @@ std::shared_ptr<const Clip> through_round_lens(Clip clip) {
   return std::make_shared<const Clip>(std::move(clip));
 }
 
-// The outline of what is lit is no edge of the scene (edges/src/unlit_surround.h).
+// The outline of the border mask is no edge of the scene (edges/src/border_mask.h).
 TEST(RenderedAccuracy, AStreetThroughARoundLens) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("street"));
   constexpr int kFrames = 220;

@@ -46,10 +46,10 @@ TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
   if (!std::filesystem::is_directory(options.path))
     GTEST_SKIP() << "NOT TESTED: there is no " << options.path << "; configure with -DEDGEVO_DATA_DIR=DIR";
   edgevo::Run run = drive(*open_source(options));
-  const ScaleSource asked = parse_scale_source("camera_height=1.65");
-  const RunScale scale = estimate_run_scale(run, asked, {}, ScaleParams());
+  const ScaleSource requested = parse_scale_source("camera_height=1.65");
+  const RunScale scale = estimate_run_scale(run, requested, {}, ScaleParams());
   ASSERT_EQ(scale.problem, "");
-  make_metric(scale, {}, asked, &run);
+  make_metric(scale, {}, requested, &run);
   const DriveFigures figures = measure(std::move(run), read_trajectory(options.path + "/groundtruth_tum.txt"));
   const TrajectoryEvaluation& e = figures.evaluation;
   double length = 0;

@@ -51,10 +51,10 @@ class StreetDrive : public ::testing::Test {
 
   static edgevo::Run in_metres(const std::string& source, const VehicleTrack& track) {
     edgevo::Run run = *run_;
-    const ScaleSource asked = parse_scale_source(source);
-    const RunScale scale = estimate_run_scale(run, asked, track, ScaleParams());
+    const ScaleSource requested = parse_scale_source(source);
+    const RunScale scale = estimate_run_scale(run, requested, track, ScaleParams());
     EXPECT_EQ(scale.problem, "");
-    if (scale.problem.empty()) make_metric(scale, {}, asked, &run);
+    if (scale.problem.empty()) make_metric(scale, {}, requested, &run);
     return run;
   }
 

@@ -24,7 +24,7 @@ const std::vector<Frame>& desk() {
   return frames;
 }
 
-// Numbered and timed anew, one after another.
+// Numbered and timed again, one after another.
 std::vector<Frame> in_order(std::vector<Frame> frames) {
   for (size_t i = 0; i < frames.size(); ++i) {
     frames[i].index = int(i);
@@ -62,7 +62,7 @@ int count(const Run& run, TrackingState state) {
                            [&](const FrameRecord& f) { return f.state == state; }));
 }
 
-// Exactly the dark frames are LOST, each frame has its row, and the old map is found again.
+// Exactly the dark frames are LOST, each frame has its row, and tracking relocalises in the old map.
 TEST(Verdict, BlackoutsOfOneTenAndSixtyFrames) {
   for (const int dark : {1, 10, 60}) {
     SCOPED_TRACE(std::to_string(dark) + " black frames");

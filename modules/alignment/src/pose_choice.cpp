@@ -16,7 +16,7 @@ int coarsest_edge_level(const FramePyramid& pyramid) {
   return std::min(levels, 2) - 1;
 }
 
-// Glare and shadows lead gray levels astray where the edges of the scene run along the motion: the edges
+// Glare and shadows mislead gray levels where the edges of the scene run along the motion: the edges
 // choose where to go on from.
 SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                      const AlignmentParams& params) {
@@ -24,9 +24,9 @@ SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, c
   SE3 T_cur_ref = start;
   align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &T_cur_ref);
   const int level = coarsest_edge_level(current);
-  const bool astray =
+  const bool misled =
       edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);
-  return astray && rule("patches misled") ? start : T_cur_ref;
+  return misled && rule("patches misled") ? start : T_cur_ref;
 }
 
 SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,

@@ -62,7 +62,7 @@ double aml_confidence(const double* costs, int count, double best, double sigma_
     const double d = (costs[i] - best) / sigma_c;
     sum += std::exp(-0.5 * d * d);
   }
-  return 1.0 / std::max(sum, 1.0);  // Eq. (amlconfidence), put right
+  return 1.0 / std::max(sum, 1.0);  // Eq. (amlconfidence), corrected
 }
 
 }  // namespace edgevo

@@ -94,22 +94,22 @@ std::exception_ptr broken_by(const Stop& stop, Work&& work) {
 
 }  // namespace
 
-Drive drive(ImageSource& source, const OdometryParams& params, const DriveOptions& asked,
+Drive drive(ImageSource& source, const OdometryParams& params, const DriveOptions& requested,
             const OnFrame& on_frame) {
   cv::setNumThreads(1);  // the threads are ours: tracking and mapping
-  OdometryOptions options = asked.odometry;
+  OdometryOptions options = requested.odometry;
   // Frames that come at their own time do not wait: better an older map than a late pose.
-  if (source.is_live() || asked.pace.kind != Pace::Kind::kAtOnce) options.max_frames_ahead = 3;
-  const Stop stop = asked.stop ? asked.stop : [] { return false; };
+  if (source.is_live() || requested.pace.kind != Pace::Kind::kAtOnce) options.max_frames_ahead = 3;
+  const Stop stop = requested.stop ? requested.stop : [] { return false; };
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
-  ImageSource& frames = asked.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
+  ImageSource& frames = requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   Drive result;
   const Course course{lenient, odometry, options, stop, on_frame, &result};
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
   if (options.realtime) {
-    LiveFeed live_feed(frames, asked.pace);
-    KeepingUp keeping_up(source.is_live() ? "that of the camera" : describe(asked.pace));
+    LiveFeed live_feed(frames, requested.pace);
+    KeepingUp keeping_up(source.is_live() ? "that of the camera" : describe(requested.pace));
     result.broken = broken_by(stop, [&] { feed_realtime(course, live_feed, &keeping_up); });
     finish();
     keeping_up.write_to(&result.run);

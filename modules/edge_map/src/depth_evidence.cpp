@@ -28,7 +28,7 @@ struct Look {
   SideChange change;
 };
 
-// The first `most` views in whose image the point lies. Memory is asked for before it is read: what is looked up lies
+// The first `most` views in whose image the point lies. Memory is prefetched: what is looked up lies
 // anywhere in a megabyte.
 void project(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, int most,
              std::vector<Look>* looks) {

@@ -10,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kSearchedViews = 2;      // in which crossings are sought: one may be covered
+constexpr int kSearchedViews = 2;      // in which crossings are searched: one may be covered
 constexpr int kSearchEveryPx = 12;     // along the edge; in between, what was found is carried along
 constexpr int kMaxHypotheses = 3;      // kept of a pixel
 constexpr double kSameIdepth = 0.03;   // hypotheses within this share are one

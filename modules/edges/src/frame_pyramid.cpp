@@ -8,18 +8,18 @@
 #include "edgevo/edges/edge_extraction.h"
 #include "opencv_view.h"
 #include "undistortion.h"
-#include "unlit_surround.h"
+#include "border_mask.h"
 
 namespace edgevo {
 namespace {
 
-// Clears the pixels of level l that lie in `unlit`, a mask of level 0.
-void strike_out(const Plane<uint8_t>& unlit, int l, Plane<uint8_t>* mask) {
+// Clears the pixels of level l that lie in `border`, a mask of level 0.
+void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
   for (int y = 0; y < mask->height(); ++y) {
-    const uint8_t* from = unlit.row(std::min(y << l, unlit.height() - 1));
+    const uint8_t* from = border.row(std::min(y << l, border.height() - 1));
     uint8_t* to = mask->row(y);
     for (int x = 0; x < mask->width(); ++x)
-      if (from[std::min(x << l, unlit.width() - 1)]) to[x] = 0;
+      if (from[std::min(x << l, border.width() - 1)]) to[x] = 0;
   }
 }
 
@@ -32,7 +32,7 @@ struct PyramidBuilder::Impl {
   std::unique_ptr<EdgeDetector> detector;
   std::optional<Undistortion> undistortion;  // none where the camera has no distortion
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
-  UnlitSurround surround;                      // of the images as they come
+  BorderMask border;                      // of the images as they come
 
   bool has_area() const { return camera.pinhole.width > 1 && camera.pinhole.height > 1; }
 
@@ -68,22 +68,23 @@ struct PyramidBuilder::Impl {
     return grid;
   }
 
-  // `unlit`: of the finest level, or empty.
-  void find_edges(int l, const Plane<uint8_t>& unlit, PyramidLevel* level) const {
+  // `border`: the border mask of the finest level, or empty.
+  void find_edges(int l, const Plane<uint8_t>& border, PyramidLevel* level) const {
     Gradient gradient = compute_gradient(level->gray.view());
     Plane<uint8_t> mask = detector->detect(level->gray.view(), gradient);
-    if (!unlit.empty()) strike_out(unlit, l, &mask);
+    if (!border.empty()) clear_masked(border, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
     level->field = NearestField(level->edges, params.field_radius);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion,
-                                            std::shared_ptr<const Plane<uint8_t>> unlit);
+                                            std::shared_ptr<const Plane<uint8_t>> border);
 };
 
-double FramePyramid::unlit_share() const {
-  return unlit ? double(cv::countNonZero(as_mat(*unlit))) / (double(unlit->width()) * unlit->height()) : 0;
+double FramePyramid::masked_share() const {
+  if (!border_mask) return 0;
+  return double(cv::countNonZero(as_mat(*border_mask))) / (double(border_mask->width()) * border_mask->height());
 }
 
 PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params) : impl_(new Impl) {
@@ -112,22 +113,22 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image
     throw InputError("image", "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
                                   " but the camera is " + std::to_string(camera.width) + "x" +
                                   std::to_string(camera.height), "give the camera file of these images");
-  impl_->surround.add(image.view());
-  return impl_->build(image, motion, impl_->surround.mask());
+  impl_->border.add(image.view());
+  return impl_->build(image, motion, impl_->border.mask());
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old, const ImageMotion& motion) {
-  return impl_->build(old.source, motion, old.unlit);
+  return impl_->build(old.source, motion, old.border_mask);
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image, const ImageMotion& motion,
-                                                                std::shared_ptr<const Plane<uint8_t>> unlit) {
+                                                                std::shared_ptr<const Plane<uint8_t>> border) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
-  pyramid->unlit = std::move(unlit);
+  pyramid->border_mask = std::move(border);
   pyramid->correction = {camera.residual_k1, readout_s};
   pyramid->levels.resize(size_t(params.levels));
-  const Plane<uint8_t> unlit_here = pyramid->unlit ? undistort(pyramid->unlit->view(), motion) : Plane<uint8_t>();
+  const Plane<uint8_t> border_here = pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[size_t(l)];
     level.pinhole = camera.pinhole.at_level(l);
@@ -138,7 +139,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
       cv::Mat to = as_mat(level.gray);
       cv::pyrDown(as_mat(pyramid->levels[size_t(l - 1)].gray), to, to.size());
     }
-    if (l < params.edge_levels) find_edges(l, unlit_here, &level);
+    if (l < params.edge_levels) find_edges(l, border_here, &level);
   }
   return pyramid;
 }

@@ -43,7 +43,7 @@ class ShiftGrid {
 };
 
 /// As Undistortion, with a further shift in the raw image that is another for each one: a rolling shutter. Slower: positions are
-/// computed anew.
+/// computed again.
 class ShiftedUndistortion {
  public:
   explicit ShiftedUndistortion(UndistortionMaps maps) : maps_(std::move(maps)) {}

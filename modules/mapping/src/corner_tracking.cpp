@@ -16,7 +16,7 @@ constexpr double kQuality = 0.005;
 // Corners stand at least an image's width over this apart, and never less than kMinDistancePx: spread over
 // the image.
 constexpr double kCornersAcross = 120, kMinDistancePx = 5.0;
-constexpr int kLevels = 4;      // halvings: corners are found 100 px from where they are sought
+constexpr int kLevels = 4;      // halvings: corners are found 100 px from where the search starts
 constexpr int kLevelsBack = 1;  // on the way back it is known where they began
 // Side of the patch that is compared, OpenCV's own default, as are the two that follow.
 constexpr int kPatchPx = 21;

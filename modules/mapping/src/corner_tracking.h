@@ -15,7 +15,7 @@ cv::Mat equalised(const FramePyramid& pyramid);
 /// At most `count` corners, spread over the image, the strongest first.
 Corners find_corners(const cv::Mat& image, int count);
 
-/// Where the corners `from` of one image are in another. `to` holds where they are sought, or is empty: where
+/// Where the corners `from` of one image are in another. `to` holds where the search starts, or is empty: where
 /// they were. Returns one flag a corner: found in the image, and found again where it began when followed
 /// back.
 std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from,

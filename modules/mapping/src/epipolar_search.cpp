@@ -100,7 +100,7 @@ class EpipolarSearch {
     int count = 0;
   };
 
-  // A search waits for memory most of its time: field, index and edges of a batch are asked for before they
+  // A search waits for memory most of its time: field, index and edges of a batch are prefetched before they
   // are read.
   void scan(const EpipolarSegment& s) {
     const double step = std::max(1.0, s.length / kMaxSteps);

@@ -63,7 +63,7 @@ void WindowParams::visit(ParamVisitor& v) {
 }
 
 void CornerParams::visit(ParamVisitor& v) {
-  v.number("max_inlier_share", max_inlier_share, 0, 1, "of a keyframe right after another one (large motion), below which corners are asked about its motion; 0: never");
+  v.number("max_inlier_share", max_inlier_share, 0, 1, "of a keyframe right after another one (large motion), below which corners give a motion hypothesis; 0: never");
   v.integer("max_corners", max_corners, 20, 10000, "corners followed from the last keyframe");
   v.integer("min_agreeing", min_agreeing, 8, 10000, "corners that must agree on one motion");
   v.number("min_agreeing_share", min_agreeing_share, 0.1, 1, "of those that could be followed");

@@ -65,7 +65,7 @@ bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vecto
   return T.translation().cross(y).dot(normal) < 0 && T.translation().cross(Rx).dot(normal) < 0;
 }
 
-// What a sample of five corners gives, refined over all that agree with it, these found anew each time: the
+// What a sample of five corners gives, refined over all that agree with it, these found again each time: the
 // more agree, the less depends on the sample.
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
                         const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,

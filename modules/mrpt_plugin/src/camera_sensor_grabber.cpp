@@ -68,7 +68,7 @@ class CameraSensorGrabber : public Grabber {
   mrpt::obs::CObservation::Ptr grab_until_an_image_comes() {
     try {
       why_ended_ = "end of the video, or the stream has stopped";
-      for (int empty = 0; empty < kEmptyGrabs && !stop_asked();) {
+      for (int empty = 0; empty < kEmptyGrabs && !stop_requested();) {
         Grabbed grabbed;
         sensor_.getNextFrame(grabbed);
         if (const auto image = image_among(grabbed)) return image;

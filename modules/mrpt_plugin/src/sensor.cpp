@@ -85,7 +85,7 @@ void CEdgeVoSensor::open() {
 
 void CEdgeVoSensor::doProcess() {
   if (!odometry_) throw std::runtime_error("CEdgeVoSensor: initialize() comes first");
-  if (why_ended_.empty() && stop_asked()) end("interrupted");
+  if (why_ended_.empty() && stop_requested()) end("interrupted");
   if (!why_ended_.empty()) return end_when_all_is_written();
   tail_.all_written();  // lets go of what was written
   try {
@@ -94,7 +94,7 @@ void CEdgeVoSensor::doProcess() {
     else
       end("end of the input");
   } catch (const std::exception& e) {
-    end(stop_asked() ? "interrupted" : one_line(e));
+    end(stop_requested() ? "interrupted" : one_line(e));
   }
 }
 
@@ -122,7 +122,7 @@ void CEdgeVoSensor::end(const std::string& why) {
 }
 
 void CEdgeVoSensor::end_when_all_is_written() {
-  const bool to_end = config_.stop_at_end || stop_asked();
+  const bool to_end = config_.stop_at_end || stop_requested();
   if (!to_end || !tail_.all_written()) return;
   throw std::runtime_error("[" + section_ + "] " + why_ended_ + "; all " + std::to_string(frames_) +
                            " frames are in the rawlog");

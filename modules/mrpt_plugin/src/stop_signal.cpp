@@ -26,6 +26,6 @@ void listen_for_stop() {
   listen_to(SIGTERM);
 }
 
-bool stop_asked() { return came; }
+bool stop_requested() { return came; }
 
 }  // namespace edgevo

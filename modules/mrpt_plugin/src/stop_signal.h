@@ -9,6 +9,6 @@ namespace edgevo {
 void listen_for_stop();
 
 /// One of them came.
-bool stop_asked();
+bool stop_requested();
 
 }  // namespace edgevo

@@ -59,7 +59,7 @@ double SegmentInserter::neighbour_radius(double range) const {
   return limits_.carve_neighbour_share * std::min(range, kFarthest * limits_.max_range);
 }
 
-// Wrong matches leave points far behind the surface, certain of themselves (depth off by 20 to 300 of their
+// Outliers leave points far behind the surface, certain of themselves (depth off by 20 to 300 of their
 // sigmas), but each alone.
 bool SegmentInserter::has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const {
   const int with_itself = limits_.carve_neighbours + 1;

@@ -19,9 +19,9 @@ std::vector<std::string> describe_changes(const ImageCorrection& before, const C
   return lines;
 }
 
-std::string describe_unlit(double share) {
+std::string describe_border_mask(double share) {
   char line[120];
-  std::snprintf(line, sizeof line, "no light reaches %.0f %% of the images: no edges are taken there, nor of its outline", 100 * share);
+  std::snprintf(line, sizeof line, "border mask: %.0f %% of the images never receive light; no edges are taken there", 100 * share);
   return line;
 }
 

@@ -21,18 +21,18 @@ Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualS
           [&] { return std::vector<PoseHypothesis>{usual->hypothesis()}; }};
 }
 
-// About to be lost; or explained badly, and the map moves on at every frame: large motion. At small motion
+// About to be lost; or with few inliers while the map moves on at every frame: large motion. At small motion
 // bad light does that, and it misleads corners, too.
-bool is_doubtful(const TrackingTask& task, const PoseCandidate& pose, const PoseJudge& judge) {
+bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, const PoseJudge& judge) {
   if (task.was_lost || !(pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share))
     return false;
   return judge.is_lost(pose) ||
          (task.keyframes.follows_keyframe() && task.keyframes.calls_for_keyframe(pose, task.reference));
 }
 
-// A second opinion (mapping/corner_motion.h), sought from where the camera was expected, not from what the
-// edges made of it: rotation and direction from corners, the length from the edges.
-std::vector<PoseHypothesis> ask_corners(const TrackingTask& task, Track* track) {
+// A hypothesis from corners (mapping/corner_motion.h), searched from the predicted pose, not from the one that the
+// edges led to: rotation and direction from corners, the length from the edges.
+std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* track) {
   const double start = thread_cpu_ms();
   const SE3 expected = task.motion.predict();
   std::vector<PoseHypothesis> hypotheses;
@@ -50,9 +50,9 @@ std::vector<PoseHypothesis> ask_corners(const TrackingTask& task, Track* track) 
   return hypotheses;
 }
 
-Proposer propose_by_corners(const TrackingTask& task, const PoseJudge& judge, Track* track) {
-  return {[&](const PoseCandidate& best) { return is_doubtful(task, best, judge) && rule("corners"); },
-          [&task, track] { return ask_corners(task, track); }};
+Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge, Track* track) {
+  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge) && rule("corners"); },
+          [&task, track] { return corner_hypotheses(task, track); }};
 }
 
 // ---- rolling shutter: edges/image_correction.h ----
@@ -93,7 +93,7 @@ Track track_frame(const TrackingTask& task) {
       propose_starts(starts, judge),
       propose_rotations(task.pyramid, cloud, starts.front(), judge, params),
       propose_usual_step(task, usual, judge),
-      propose_by_corners(task, judge, &track),
+      propose_corner_motion(task, judge, &track),
   };
   const PoseChoice choice = choose(proposers, task.pyramid, cloud, judge, params);
   track.took_usual_step = choice.proposer == kUsualStep;

@@ -33,7 +33,7 @@ struct Track {
   Vector6d twist =
       Vector6d::Zero();  ///< how the camera moved when the image was taken (edges/image_motion.h)
   std::vector<CornerPair>
-      corners;  ///< seen in the reference and here; empty unless asked for, and the motion is large
+      corners;  ///< seen in the reference and here; empty unless requested, and the motion is large
   bool took_usual_step = false;  ///< the pose is near the usual step because that was expected
   double corner_ms = 0;          ///< CPU time of asking the corners, 0: they were not
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Has the camera turned away from the map? A rotation can be followed with points of unknown depth, a
+// Is the map out of view? A rotation can be followed with points of unknown depth, a
 // translation only while what is left of the map explains the images. Where it does not, a new map is worth
 // more than the old one.
 #include <optional>
@@ -13,7 +13,7 @@ struct Reference;
 
 class MapCoverage {
  public:
-  /// After each frame with a pose: Event::kTurnedAway, Event::kInView, or nothing where neither is certain.
+  /// After each frame with a pose: Event::kOutOfView, Event::kInView, or nothing where neither is certain.
   std::optional<Event> look(const Reference& reference, const TrackResult& tracked);
   /// A new map.
   void restart() { unexplained_frames_ = 0; }

@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-// Points of the first window: fewer do not hold its poses against wrong matches.
+// Points of the first window: fewer do not hold its poses against outliers.
 constexpr int kMinFirstPoints = 100;
 // Huber cost an observation, in variances, above which the two views do not fit: about a half where residuals
 // have the deviations they are given.
@@ -75,7 +75,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
   if (stats.cost_per_observation > kMaxFirstCost && rule("first map unfit"))
     return "the edges of the first views do not fit one rigid scene";
-  // For an estimate of the read-out time; rows that were put right for one already are not as the camera took
+  // For an estimate of the read-out time; rows that were rectified for one already are not as the camera took
   // them.
   if (calibration_.state().shutter.readout_s == 0) find_motions(&window_.keyframes());
   next_id_ += int(chosen.size());

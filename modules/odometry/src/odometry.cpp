@@ -56,7 +56,7 @@ struct Odometry::Impl {
     motion.begin_frame(frame.time);
     const Arrival arrival = find_edges(frame);
     if (state.tracks(arrival.record->edges)) follow_map(arrival);
-    if (state.bootstraps()) seek_map(arrival);
+    if (state.bootstraps()) bootstrap_map(arrival);
     note_pose(*arrival.record);
     return *arrival.record;
   }
@@ -75,8 +75,8 @@ struct Odometry::Impl {
     const RowRectification rows{builder.correction().readout_s, expected_motion()};
     const std::shared_ptr<const FramePyramid> pyramid =
         builder.build(frame.image, rows.expected);  // throws for a wrong size: no record then
-    if (pyramid->unlit && !(newest_pyramid && newest_pyramid->unlit))
-      say(frame, describe_unlit(pyramid->unlit_share()));
+    if (pyramid->border_mask && !(newest_pyramid && newest_pyramid->border_mask))
+      say(frame, describe_border_mask(pyramid->masked_share()));
     newest_pyramid = pyramid;
     newest_pose = {};
     FrameRecord& record = records.begin_frame(frame);
@@ -144,7 +144,7 @@ struct Odometry::Impl {
     return tracked;
   }
 
-  // What is measured in a keyframe stays: its rows are rectified anew, for the motion that was found.
+  // What is measured in a keyframe stays: its rows are rectified again, for the motion that was found.
   void rectify_keyframe(const Arrival& now, const Vector6d& twist, TrackedFrame* tracked) {
     const double start = thread_cpu_ms();
     tracked->motion = measured_motion(builder.pinhole(), *reference, now.rows, tracked->T_cam_ref, twist);
@@ -179,7 +179,7 @@ struct Odometry::Impl {
 
   // ---- a map to be made ----
 
-  void seek_map(const Arrival& now) {
+  void bootstrap_map(const Arrival& now) {
     const double start = thread_cpu_ms();
     BootstrapStatus status = bootstrap.add(now.frame.index, now.frame.time, now.pyramid);
     if (status.result) status.reason = make_map(now, *status.result);
@@ -239,7 +239,7 @@ struct Odometry::Impl {
     if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
       bootstrap.reset();
     if (action == Action::kLose) say(frame, "LOST: " + reason);
-    if (action == Action::kResume) say(frame, "tracking resumed in the old map");
+    if (action == Action::kRelocalised) say(frame, "relocalised in the old map");
   }
 
   void note_pose(const FrameRecord& record) {

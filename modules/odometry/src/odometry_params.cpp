@@ -3,7 +3,7 @@
 namespace edgevo {
 
 void RecoveryParams::visit(ParamVisitor& v) {
-  v.integer("max_frames", max_frames, 0, 1000, "after a loss so many frames that show something are tried against the old map");
+  v.integer("max_frames", max_frames, 0, 1000, "relocalisation in the old map is tried in so many frames after a loss; those that show nothing do not count");
 }
 
 void OdometryParams::visit(ParamVisitor& v) {

@@ -22,7 +22,7 @@ Transition transition(Phase phase, Event event) {
       break;
     case Phase::kTracking:
       if (event == Event::kUntracked) return {Phase::kLost, Action::kLose};
-      if (event == Event::kTurnedAway) return {Phase::kSeeking, Action::kBeginBootstrap};
+      if (event == Event::kOutOfView) return {Phase::kSeeking, Action::kBeginBootstrap};
       break;
     case Phase::kSeeking:
       if (event == Event::kUntracked) return {Phase::kLost, Action::kLose};
@@ -31,8 +31,8 @@ Transition transition(Phase phase, Event event) {
       if (event == Event::kMapRefused) return {Phase::kBootstrapping, Action::kNone};
       break;
     case Phase::kLost:
-      // A DEGRADED pose is not enough to have found the old map again.
-      if (event == Event::kTracked) return {Phase::kTracking, Action::kResume};
+      // A DEGRADED pose is not enough for a relocalisation.
+      if (event == Event::kTracked) return {Phase::kTracking, Action::kRelocalised};
       if (event == Event::kMapMade) return {Phase::kTracking, Action::kNone};
       if (event == Event::kMapRefused) return {Phase::kBootstrapping, Action::kNone};
       break;
@@ -42,13 +42,13 @@ Transition transition(Phase phase, Event event) {
 
 bool OdometryState::tracks(int edges) {
   if (phase_ != Phase::kLost) return has_map();
-  return edges >= kMinEdges && old_map_tries_++ < max_old_map_tries_ && rule("relocalisation");
+  return edges >= kMinEdges && relocalisation_tries_++ < max_relocalisation_tries_ && rule("relocalisation");
 }
 
 Action OdometryState::after(Event event, int frame_index) {
   const Transition t = transition(phase_, event);
   phase_ = t.next;
-  if (t.action == Action::kLose) lost_at_ = frame_index, old_map_tries_ = 0;
+  if (t.action == Action::kLose) lost_at_ = frame_index, relocalisation_tries_ = 0;
   if (event == Event::kMapMade) ++segment_;
   return t.action;
 }

@@ -10,18 +10,17 @@
 namespace edgevo {
 
 enum class Phase {
-  kBootstrapping,  ///< no map: two views are sought that make one
+  kBootstrapping,  ///< no map: two views are searched that make one
   kTracking,       ///< frames are tracked against the map
-  kSeeking,        ///< tracked, and a new map is sought beside: the camera has turned away from this one
-  kLost,           ///< no pose: the old map is tried for some frames more, and a new one is sought beside
+  kSeeking,        ///< tracked, with a second bootstrap under way: the map is out of view
+  kLost,           ///< no pose: relocalisation in the old map is tried for some frames, and a bootstrap is under way
 };
 
 enum class Event {
   kTracked,     ///< a pose with the verdict TRACKING
   kDegraded,    ///< a pose with the verdict DEGRADED
   kUntracked,   ///< no pose
-  kTurnedAway,  ///< tracked, but next to nothing of known depth is in view, and what is does not explain the
-                ///< images
+  kOutOfView,   ///< tracked, but next to nothing of known depth is in view, and that does not explain the images
   kInView,      ///< tracked, and the map is in view
   kMapMade,     ///< a bootstrap has made a map
   kMapRefused,  ///< two views were found, but make no map; the map before them is closed
@@ -33,7 +32,7 @@ Event event_of(TrackingState verdict);
 enum class Action {
   kNone,
   kLose,            ///< begin a bootstrap, tell the user
-  kResume,          ///< tell the user that the old map has been found again
+  kRelocalised,     ///< tell the user of the relocalisation in the old map
   kBeginBootstrap,  ///< beside a map that is still tracked
   kDropBootstrap,   ///< it is not needed any more
 };
@@ -49,8 +48,8 @@ Transition transition(Phase phase, Event event);
 /// What outlives a frame besides the map itself.
 class OdometryState {
  public:
-  /// `max_old_map_tries`: frames that show something and are tried against the old map after a loss.
-  explicit OdometryState(int max_old_map_tries) : max_old_map_tries_(max_old_map_tries) {}
+  /// `max_relocalisation_tries`: frames with enough edges in which a relocalisation is tried after a loss.
+  explicit OdometryState(int max_relocalisation_tries) : max_relocalisation_tries_(max_relocalisation_tries) {}
 
   Phase phase() const { return phase_; }
   bool has_map() const { return phase_ != Phase::kBootstrapping; }
@@ -76,10 +75,10 @@ class OdometryState {
  private:
   bool ever_tracked() const { return segment_ >= 0; }
 
-  int max_old_map_tries_;
+  int max_relocalisation_tries_;
   Phase phase_ = Phase::kBootstrapping;
   int segment_ = -1;
-  int old_map_tries_ = 0;  // since the loss
+  int relocalisation_tries_ = 0;  // since the loss
   int lost_at_ = -1;       // frame
 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kSteady = 3;   // deviations: a longer translation is one of a camera that is under way
 constexpr double kUnusual = 5;  // deviations, on any axis: beyond what steps of such a camera do by chance
 constexpr double kLeastFlowPx = 2;  // at kReferenceWidth: two poses less than this apart are one to the image
-constexpr double kNearDeviations = 3;  // how far from the usual step the other pose is sought
+constexpr double kNearDeviations = 3;  // how far from the usual step the other pose is searched
 // Of an unusual step, beside the usual one: one that the image shows leaves the usual one less than 0.82 of
 // its support (drives, by hand).
 constexpr double kUnusualLikelihood = 0.85;

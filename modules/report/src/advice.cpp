@@ -58,7 +58,7 @@ void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list
   if (posed(run) > 0 && lost > 0)
     list->push_back({std::to_string(lost) + " frames are lost" +
                          because(commonest_note(run, TrackingState::kLost)) +
-                         ". Where a segment begins anew its place and scale are a guess. Images at a higher "
+                         ". Where a new segment begins its place and scale are a guess. Images at a higher "
                          "rate or with a shorter exposure "
                          "help most; look at the images of the red stretches.",
                      ""});

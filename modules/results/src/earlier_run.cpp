@@ -22,7 +22,7 @@ void check_is_written_to_its_end(const std::string& folder, bool force) {
   std::error_code ignored;
   if (force || !fs::exists(journal_path(folder), ignored)) return;
   throw InputError(folder, "the run in it was cut off before its results were written",
-                   "`edgevo finish " + folder + "` writes them; --force begins anew");
+                   "`edgevo finish " + folder + "` writes them; --force starts over");
 }
 
 void move(const fs::path& from, const fs::path& to) {

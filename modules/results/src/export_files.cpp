@@ -2,9 +2,9 @@
 
 namespace edgevo {
 
-void export_files(const std::function<bool(FileKind)>& asked, ExportContext* context, RunFolder* folder) {
+void export_files(const std::function<bool(FileKind)>& requested, ExportContext* context, RunFolder* folder) {
   for (const Exporter& exporter : exporters()) {
-    if (!exporter.write || !asked(exporter.kind) || (exporter.applies && !exporter.applies(*context)))
+    if (!exporter.write || !requested(exporter.kind) || (exporter.applies && !exporter.applies(*context)))
       continue;
     context->not_written = folder->not_written();
     folder->attempt(exporter.file, [&](const std::string& path) { exporter.write(context, path); });

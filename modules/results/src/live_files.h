@@ -1,6 +1,6 @@
 #pragma once
 // The files of a run that grow while it goes on: the journal, and for people trajectory_live_tum.txt and
-// frames.csv, which the run writes anew, with all that it knows, at its end.
+// frames.csv, which the run writes again, with all that it knows, at its end.
 #include <string>
 
 #include "edgevo/odometry/odometry.h"

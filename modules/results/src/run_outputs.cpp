@@ -31,11 +31,11 @@ bool has_pose(const Run& run) {
 }  // namespace
 
 RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, const MapParams& map,
-                       const OutputOptions& asked)
+                       const OutputOptions& requested)
     : params(checked(map)),
       camera(camera_of_images),
-      options(asked),
-      earlier(path, asked.force),
+      options(requested),
+      earlier(path, requested.force),
       was_there(is_there(path)),
       folder(path),
       text_reserve(path, kTextBytes),

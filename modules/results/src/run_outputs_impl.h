@@ -13,7 +13,7 @@ namespace edgevo {
 
 struct RunOutputs::Impl {
   Impl(const std::string& path, const Camera& camera_of_images, const MapParams& map,
-       const OutputOptions& asked);
+       const OutputOptions& requested);
 
   /// The first frame is there: nothing in the folder is the earlier run's from here on.
   void begin();

@@ -62,7 +62,7 @@ void carry_over(std::vector<ScaleEstimate>* of_frame) {
 
 SE3 at(const SE3& T, const Eigen::Vector3d& position) { return {T.rotation(), position}; }
 
-// Chains steps anew, each with its own scale.
+// Chains steps again, each with its own scale.
 class Chain {
  public:
   /// The position in metres of the next pose on the way.

@@ -28,10 +28,10 @@ size_t positions_beside_images(const VehicleTrack& track, const std::vector<Time
   return count;
 }
 
-VehicleTrack track_for(const ScaleSource& asked, const ImageSource& source) {
-  if (!asked.sensor()) return {};
-  VehicleTrack track = source.vehicle_track(*asked.sensor());
-  const std::string where = "--scale " + asked.text, what = what_it_reads(*asked.sensor());
+VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) {
+  if (!requested.sensor()) return {};
+  VehicleTrack track = source.vehicle_track(*requested.sensor());
+  const std::string where = "--scale " + requested.text, what = what_it_reads(*requested.sensor());
   if (track.positions.empty())
     throw InputError(where, "this source (" + source.kind() + ") recorded no " + what,
                      "give a rawlog that holds it, or another --scale");
@@ -43,37 +43,37 @@ VehicleTrack track_for(const ScaleSource& asked, const ImageSource& source) {
 
 }  // namespace
 
-RunScaling::RunScaling(const ScaleSource& asked, const ImageSource& source, const ScaleParams& params)
-    : RunScaling(asked, track_for(asked, source), source.camera().pinhole, source.T_vehicle_cam(), params) {}
+RunScaling::RunScaling(const ScaleSource& requested, const ImageSource& source, const ScaleParams& params)
+    : RunScaling(requested, track_for(requested, source), source.camera().pinhole, source.T_vehicle_cam(), params) {}
 
-RunScaling::RunScaling(const ScaleSource& asked, VehicleTrack track, const Pinhole& pinhole,
+RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
                        const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params)
-    : asked_(asked),
+    : requested_(requested),
       params_(params),
       track_(std::move(track)),
-      live_(pinhole, asked, track_, T_vehicle_cam, params) {}
+      live_(pinhole, requested, track_, T_vehicle_cam, params) {}
 
 void RunScaling::add_frame(const FrameRecord& frame, const Odometry& odometry) {
-  if (!asked_.is_estimated()) return;
+  if (!requested_.is_estimated()) return;
   const SettledKeyframes settled = odometry.settled_keyframes(settled_);
   settled_ += settled.keyframes.size();
   add_frame(frame, settled.keyframes);
 }
 
 void RunScaling::add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled) {
-  if (!asked_.is_estimated()) return;
+  if (!requested_.is_estimated()) return;
   live_.add_frame(frame);
   for (const KeyframeRecord& keyframe : settled) live_.add_keyframe(keyframe);
 }
 
 void RunScaling::apply(Run* run) const {
-  if (asked_.kind == ScaleSource::Kind::kFactor) scale_run(asked_.value, asked_.text, run);
-  if (!asked_.is_estimated()) return;
-  const RunScale scale = estimate_run_scale(*run, asked_, track_, params_);
+  if (requested_.kind == ScaleSource::Kind::kFactor) scale_run(requested_.value, requested_.text, run);
+  if (!requested_.is_estimated()) return;
+  const RunScale scale = estimate_run_scale(*run, requested_, track_, params_);
   if (scale.of_frame.empty())
-    run->scale.problem = "--scale " + asked_.text + ": " + scale.problem;
+    run->scale.problem = "--scale " + requested_.text + ": " + scale.problem;
   else
-    make_metric(scale, live_.history(), asked_, run);
+    make_metric(scale, live_.history(), requested_, run);
 }
 
 }  // namespace edgevo

@@ -81,12 +81,12 @@ class CameraFinder {
 
   CameraFinding run() {
     if (knew_more() && rule("longer segment knows more")) return nothing();
-    const bool seek_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
-    const bool seek_readout =
-        params_.refines_readout() && (state_.shutter.state == State::kApplied || !seek_k1);
-    CameraEstimate e = search(seek_k1, seek_readout);
+    const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
+    const bool estimate_readout =
+        params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
+    CameraEstimate e = search(estimate_k1, estimate_readout);
     if (!e.usable) return nothing();
-    if (params_.refines_readout() && !seek_readout) e = look_at_shutter(std::move(e));
+    if (params_.refines_readout() && !estimate_readout) e = look_at_shutter(std::move(e));
     return settle(std::move(e));
   }
 
@@ -109,7 +109,7 @@ class CameraFinder {
     return estimate_camera(problem_, s, options_);
   }
 
-  // Beside a k1 that was sought alone: the read-out time as one more step shows it. Such a step is less sure
+  // Beside a k1 that was estimated alone: the read-out time as one more step shows it. Such a step is less sure
   // than a search, and far from the minimum its own deviation says little; where it is large a search for
   // both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
@@ -142,8 +142,8 @@ class CameraFinder {
     return f;
   }
 
-  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is sought
-  // anew.
+  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is estimated
+  // again.
   CameraFinding settle(CameraEstimate e) {
     const bool k1_free = e.free[0], readout_free = e.free[1];
     bool k1 = false, readout = false, given_up = false;

@@ -14,7 +14,7 @@ struct CameraFinding {
   std::optional<CameraEstimate> estimate;  ///< where something is to be applied
 };
 
-/// Before `params.min_keyframes` only the read-out time is sought: k1 shows later. From then on k1, and the
+/// Before `params.min_keyframes` only the read-out time is estimated: k1 shows later. From then on k1, and the
 /// read-out time with it where it is known already or one more step makes the shutter look like a rolling
 /// one. `known`: what earlier estimates found.
 CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known,

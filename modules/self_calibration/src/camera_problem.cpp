@@ -20,7 +20,7 @@ const Unknowns kEnough(1e-4, 1e-4);
 constexpr double kEnoughSigmas = 0.15;
 // Times the tolerance at which the first solve may stop: its solution serves only until the unknowns move.
 constexpr double kRough = 10;
-// Factor by which a predicted inverse depth may change: a linear prediction of a far point goes astray
+// Factor by which a predicted inverse depth may change: a linear prediction of a far point is far off
 // beyond.
 constexpr double kMaxIdepthChange = 2;
 

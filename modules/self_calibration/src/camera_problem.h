@@ -30,7 +30,7 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
 /// How that problem changes with the unknowns.
 ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction);
 
-/// How an estimate is sought. Gaussian priors around `prior`.
+/// How an estimate is made. Gaussian priors around `prior`.
 struct CameraSearch {
   ImageCorrection start;
   /// k1, readout_s; what is not free stays at its start.
@@ -41,7 +41,7 @@ struct CameraSearch {
 struct CameraEstimate {
   bool usable = false;
   ImageCorrection value;
-  Eigen::Array<bool, ba::kUnknowns, 1> free{false, false};  ///< as it was sought
+  Eigen::Array<bool, ba::kUnknowns, 1> free{false, false};  ///< as in the estimate
   /// One standard deviation of each, cluster-robust (ProfileStep::score_square): of the free ones by
   /// themselves, of the others if all were free.
   ba::Unknowns sigma = ba::Unknowns::Zero();

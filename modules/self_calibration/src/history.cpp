@@ -11,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-// Keyframes, the newest that an estimate knew: they tell its unit of length. As many as share points with the
+// Keyframes, the newest that an estimate knew: they tell its unit of length. As many as are covisible with the
 // newest one, which is where the map goes on; a median over them needs no more.
 constexpr size_t kNewestSpan = 8;
 

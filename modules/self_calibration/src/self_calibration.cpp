@@ -18,7 +18,7 @@ namespace {
 using State = CameraRefinement::State;
 
 // Of k1, or of the read-out time in seconds: half of what either is known to at 120 keyframes. Smaller
-// changes wait for the end of the run: undistorting the window's images anew would cost more than they are
+// changes wait for the end of the run: undistorting the window's images again would cost more than they are
 // worth.
 constexpr double kMinChange = 5e-4;
 

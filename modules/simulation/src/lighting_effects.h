@@ -1,5 +1,5 @@
 #pragma once
-// The single effects of relight.h. Each takes its own stream of random numbers by value and starts it anew for every frame, so
+// The single effects of relight.h. Each takes its own stream of random numbers by value and starts it again for every frame, so
 // that frames do not depend on each other. `share` scales the strength, 1 = as documented.
 #include <vector>
 

@@ -4,7 +4,7 @@
 
 namespace edgevo {
 
-// The connection stays open: a server without a window manager starts anew when its last client leaves, and
+// The connection stays open: a server without a window manager starts again when its last client leaves, and
 // does not answer meanwhile.
 bool has_display() {
   static Display* const display = XOpenDisplay(nullptr);

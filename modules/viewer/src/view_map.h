@@ -17,7 +17,7 @@ class ViewMap {
   ViewMap(const std::optional<SE3>& T_vehicle_cam, mrpt::opengl::COpenGLViewport* viewport);
 
   /// Brings the objects up to date; call while the scene is locked. Cost: grows with what is new since the
-  /// last call, but for a correction of the camera, after which all points are made anew.
+  /// last call, but for a correction of the camera, after which all points are made again.
   void update(const FrameRecord& record, const Odometry& odometry, const FrameView& view);
   /// Position of the camera, in the world of the map; none before the first pose.
   const std::optional<Eigen::Vector3d>& camera() const { return camera_; }

@@ -195,12 +195,12 @@ TEST(Track, PhotometricCostAgreesWithTheTruth) {
 }
 
 // Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges are those of the scene.
-TEST(Track, EdgesOverruleGrayLevelsThatAreLedAstray) {
+TEST(Track, EdgesOverruleMisledGrayLevels) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)), elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
   const auto frame = std::const_pointer_cast<FramePyramid>(scene.pyramid(T_cur_ref.inverse()));
-  const auto astray = std::const_pointer_cast<FramePyramid>(scene.pyramid(elsewhere.inverse()));
-  for (size_t level = 1; level < frame->levels.size(); ++level) std::swap(frame->levels[level].gray, astray->levels[level].gray);
+  const auto misled = std::const_pointer_cast<FramePyramid>(scene.pyramid(elsewhere.inverse()));
+  for (size_t level = 1; level < frame->levels.size(); ++level) std::swap(frame->levels[level].gray, misled->levels[level].gray);
   const FramePyramid& current = *frame;
   const ReferenceCloud cloud = scene.cloud(SE3());
   SE3 by_patches = T_cur_ref;

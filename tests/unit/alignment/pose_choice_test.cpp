@@ -58,7 +58,7 @@ TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
   EXPECT_TRUE(PoseJudge(params).is_lost(candidate(0.9, broken)));
 }
 
-// Proposers that count how often they are asked.
+// Proposers that count how often they are called.
 class Choice : public ::testing::Test {
  protected:
   Proposer proposer(const std::vector<SE3>& starts, bool called, int* made) {
@@ -80,7 +80,7 @@ class Choice : public ::testing::Test {
   int first = 0, second = 0;
 };
 
-TEST_F(Choice, WhoIsNotCalledForIsNotAsked) {
+TEST_F(Choice, WhoIsNotCalledForIsNotCalled) {
   const PoseChoice c = among({proposer({SE3(), kWrong}, false, &first), proposer({kWrong}, false, &second)});
   EXPECT_EQ(c.hypotheses_tried, 1);
   EXPECT_EQ(first, 1);

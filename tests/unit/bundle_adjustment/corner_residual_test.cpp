@@ -30,7 +30,7 @@ SE3 motion(const BaProblem& p) { return p.poses[1].T_cam_world * p.poses[0].T_ca
 TEST(BundleAdjustmentCorners, ResidualIsTheDistanceFromBothEpipolarLines) {
   const SE3 sideways(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-0.5, 0, 0));
   const Eigen::Vector3d x = pinhole().ray({400, 200}), one_px_off = x + Eigen::Vector3d(-0.05, 1 / pinhole().fx, 0);
-  // The epipolar lines are rows: half of the pixel is put right in either image.
+  // The epipolar lines are rows: half of the pixel is corrected in either image.
   EXPECT_NEAR(std::abs(ba::linearize(pinhole(), sideways, {0, 1, x, one_px_off, 3}).residual), 3 / std::sqrt(2.0), 1e-9);
 }
 

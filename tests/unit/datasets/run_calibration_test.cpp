@@ -40,7 +40,7 @@ TEST_F(RunCalibrationFile, TellsCameraAndFinding) {
 
 TEST_F(RunCalibrationFile, TellsTheShutter) {
   const CameraRefinement::Shutter read_back =
-      read(summary("insignificant", "  residual_k1: 0\n  shutter: \"applied\"\n  shutter_result: \"rows: put right\"\n  readout_s: 0.0221\n"
+      read(summary("insignificant", "  residual_k1: 0\n  shutter: \"applied\"\n  shutter_result: \"rows: rectified\"\n  readout_s: 0.0221\n"
                                     "  readout_estimate: 0.0217\n  readout_standard_deviation: 0.0015\n  readout_keyframes: 30\n"))
           .refinement.shutter;
   EXPECT_EQ(read_back.state, State::kApplied);

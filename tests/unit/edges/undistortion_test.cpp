@@ -1,4 +1,4 @@
-// Images put right: by the lens, and row by row for a rolling shutter.
+// Undistortion, and rolling-shutter rectification.
 #include "undistortion.h"
 
 #include <gtest/gtest.h>

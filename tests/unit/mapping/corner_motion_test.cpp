@@ -1,4 +1,4 @@
-// The second opinion: what corners say of a motion, and when they say nothing.
+// The motion hypothesis from corners: how exact it is, and when there is none.
 #include "edgevo/mapping/corner_motion.h"
 
 #include <gtest/gtest.h>

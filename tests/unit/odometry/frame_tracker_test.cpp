@@ -44,11 +44,11 @@ TEST_F(FrameTracker, FindsTheFrameWhereTheCameraGoesOn) {
   EXPECT_EQ(t.result.verdict, TrackingState::kTracking) << t.result.reason;
   EXPECT_LT((t.result.T_cur_ref.translation() - truth.translation()).norm(), 0.01);
   EXPECT_FALSE(t.took_usual_step);
-  EXPECT_EQ(t.corner_ms, 0) << "nothing was in doubt";
+  EXPECT_EQ(t.corner_ms, 0) << "the edges explain the frame";
   EXPECT_LT((t.twist - kStep.log() / 0.1).norm(), 0.15);
 }
 
-TEST_F(FrameTracker, CornersAreAskedBeforeAFrameIsLostButNotAfter) {
+TEST_F(FrameTracker, CornersGiveAHypothesisBeforeAFrameIsLostButNotAfter) {
   const auto black = scene.pyramid(SE3(), 0.0, 0.0);
   const Track about_to_be_lost = track(*black), lost_before = track(*black, true);
   EXPECT_EQ(about_to_be_lost.result.verdict, TrackingState::kLost);

@@ -289,7 +289,7 @@ TEST_F(Policy, ComparesWithTheBestOfThisReference) {
   EXPECT_TRUE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()));
   policy.begin_reference();
   EXPECT_FALSE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()))
-      << "another reference starts anew";
+      << "another reference starts again";
 }
 
 TEST_F(Policy, ReturnsToAnOlderKeyframe) {

@@ -46,7 +46,7 @@ TEST(MapCoverage, TwelveMoreUnexplainedFramesThanOthers) {
   for (int i = 0; i < 11; ++i) EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt) << i;
   EXPECT_EQ(coverage.look(kAway, kExplained), std::nullopt);
   EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt);
-  EXPECT_EQ(coverage.look(kAway, with_matches(0.9, 1.5)), Event::kTurnedAway) << "matched, but a pixel off";
+  EXPECT_EQ(coverage.look(kAway, with_matches(0.9, 1.5)), Event::kOutOfView) << "matched, but a pixel off";
 }
 
 TEST(MapCoverage, ALookAtTheMapForgets) {

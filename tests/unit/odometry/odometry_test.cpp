@@ -149,7 +149,7 @@ TEST(OdometryLoss, FortyBlackFramesAreLostAndTrackingResumes) {
   EXPECT_LT(after.rmse, 0.05 * after.length);
   EXPECT_EQ(count(run, TrackingState::kLost, 0, kBegin), 0);
   EXPECT_EQ(run.frames.back().state, TrackingState::kTracking);
-  EXPECT_EQ(run.frames.back().segment, 0);  // the hollow is still in view: found again
+  EXPECT_EQ(run.frames.back().segment, 0);  // the hollow is still in view: relocalised
   bool first_segment_kept = false;
   for (const KeyframeRecord& k : run.keyframes) first_segment_kept |= k.segment == 0 && !k.points.empty();
   EXPECT_TRUE(first_segment_kept);
@@ -162,16 +162,16 @@ TEST(OdometryLoss, FortyBlackFramesAreLostAndTrackingResumes) {
 TEST(OdometryLoss, TheNewSegmentStartsWhereTheOldOneLedTo) {
   constexpr int kBegin = 45, kEnd = 85;
   OdometryParams params;
-  params.recovery.max_frames = 0;  // the old map is not looked for
+  params.recovery.max_frames = 0;  // no relocalisation
   const auto run = run_sweep(130, {}, kBegin, kEnd, params);
-  const FrameRecord* resumed = nullptr;
+  const FrameRecord* restarted = nullptr;
   for (const FrameRecord& f : run.frames)
-    if (!resumed && f.segment == 1 && f.T_world_cam) resumed = &f;
-  ASSERT_TRUE(resumed);
+    if (!restarted && f.segment == 1 && f.T_world_cam) restarted = &f;
+  ASSERT_TRUE(restarted);
   const Eigen::Vector3d last = run.frames[kBegin - 1].T_world_cam_live->translation();
   const Eigen::Vector3d velocity = (last - run.frames[kBegin - 6].T_world_cam_live->translation()) / 5;  // a frame
-  const Eigen::Vector3d predicted = last + (resumed->index - (kBegin - 1)) * velocity;
-  EXPECT_LT((resumed->T_world_cam->translation() - predicted).norm(), 0.2 * (predicted - last).norm());
+  const Eigen::Vector3d predicted = last + (restarted->index - (kBegin - 1)) * velocity;
+  EXPECT_LT((restarted->T_world_cam->translation() - predicted).norm(), 0.2 * (predicted - last).norm());
 }
 
 TEST(OdometryLoss, OneBlackFrameRecoversInTheOldMap) {
@@ -189,7 +189,7 @@ TEST(OdometryLoss, OneBlackFrameRecoversInTheOldMap) {
   const auto e = trajectory_error(run, 0, kAll, sweep_pose);
   EXPECT_LT(e.rmse, 0.03 * e.length);
   EXPECT_THAT(log, ::testing::Contains(::testing::HasSubstr("frame 60: LOST")));
-  EXPECT_THAT(log, ::testing::Contains(::testing::HasSubstr("frame 61: tracking resumed in the old map")));
+  EXPECT_THAT(log, ::testing::Contains(::testing::HasSubstr("frame 61: relocalised in the old map")));
 }
 
 TEST(OdometryLoss, BlackAtTheEndEndsNormally) {

@@ -70,7 +70,7 @@ TEST(RollingShutter, ShiftedPointsProjectWhereTheirRowsShowThem) {
     };
     const Eigen::Vector2d x = seen(cloud.points[i]);
     if (!kCamera.contains(kCamera.project(Eigen::Vector3d(x.x(), x.y(), 1)))) continue;
-    // The image was put right for the motion that was expected: what is left of the shift shows.
+    // The image was rectified for the motion that was expected: what is left of the shift shows.
     const Eigen::Vector2d left = add_rolling(kCamera, readout_s, found, x) - add_rolling(kCamera, readout_s, expected, x);
     EXPECT_LT((seen(shifted.points[i]) - (x + left)).norm(), 1e-12);
     EXPECT_NEAR(shifted.points[i].ray.z(), 1, 1e-12);

@@ -19,19 +19,19 @@ void PrintTo(const Transition& t, std::ostream* out) {
 namespace {
 
 constexpr Phase kPhases[] = {Phase::kBootstrapping, Phase::kTracking, Phase::kSeeking, Phase::kLost};
-constexpr Event kEvents[] = {Event::kTracked, Event::kDegraded, Event::kUntracked, Event::kTurnedAway,
+constexpr Event kEvents[] = {Event::kTracked, Event::kDegraded, Event::kUntracked, Event::kOutOfView,
                              Event::kInView,  Event::kMapMade,  Event::kMapRefused};
 
 // The whole machine: what is not listed changes nothing.
 const std::vector<std::tuple<Phase, Event, Transition>> kTable{
     {Phase::kBootstrapping, Event::kMapMade, {Phase::kTracking, Action::kNone}},
     {Phase::kTracking, Event::kUntracked, {Phase::kLost, Action::kLose}},
-    {Phase::kTracking, Event::kTurnedAway, {Phase::kSeeking, Action::kBeginBootstrap}},
+    {Phase::kTracking, Event::kOutOfView, {Phase::kSeeking, Action::kBeginBootstrap}},
     {Phase::kSeeking, Event::kUntracked, {Phase::kLost, Action::kLose}},
     {Phase::kSeeking, Event::kInView, {Phase::kTracking, Action::kDropBootstrap}},
     {Phase::kSeeking, Event::kMapMade, {Phase::kTracking, Action::kNone}},
     {Phase::kSeeking, Event::kMapRefused, {Phase::kBootstrapping, Action::kNone}},
-    {Phase::kLost, Event::kTracked, {Phase::kTracking, Action::kResume}},
+    {Phase::kLost, Event::kTracked, {Phase::kTracking, Action::kRelocalised}},
     {Phase::kLost, Event::kMapMade, {Phase::kTracking, Action::kNone}},
     {Phase::kLost, Event::kMapRefused, {Phase::kBootstrapping, Action::kNone}},
 };
@@ -94,7 +94,7 @@ TEST(OdometryState, EachLossGrantsNewTries) {
     s.after(Event::kUntracked, 20 + 10 * loss);
     EXPECT_TRUE(s.tracks(kManyEdges));
     EXPECT_FALSE(s.tracks(kManyEdges));
-    EXPECT_EQ(s.after(Event::kTracked, 25 + 10 * loss), Action::kResume);
+    EXPECT_EQ(s.after(Event::kTracked, 25 + 10 * loss), Action::kRelocalised);
   }
   EXPECT_EQ(s.segment(), 0);
 }
@@ -110,7 +110,7 @@ TEST(OdometryState, FramesWithoutAPoseAreLostOrBootstrapping) {
 
 TEST(OdometryState, AMapThatIsRefusedEndsTheOldOneButNotItsNumber) {
   OdometryState s = tracking();
-  s.after(Event::kTurnedAway, 20);
+  s.after(Event::kOutOfView, 20);
   EXPECT_TRUE(s.tracks(kManyEdges));
   EXPECT_TRUE(s.bootstraps());
   s.after(Event::kMapRefused, 30);

@@ -53,7 +53,7 @@ TEST(TrackingCheck, FollowsTheVarianceThatIsThere) {
   EXPECT_NEAR(mean_factor(1.5, 400) / honest, 2.1, 0.4);  // 2.25, less what is cut off above
 }
 
-TEST(TrackingCheck, OneBlunderDoesNotDecide) {
+TEST(TrackingCheck, OneOutlierDoesNotDecide) {
   TrackingCheck check;
   for (int i = 0; i < 20; ++i) check.add(kAdjusted, kAdjusted, some_covariance());
   check.add(SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(3, 0, 0)) * kAdjusted, kAdjusted, some_covariance());

@@ -1,4 +1,4 @@
-// Derivatives of the profile cost against the cost itself: the adjustment solved anew at displaced values of the unknowns.
+// Derivatives of the profile cost against the cost itself: the adjustment solved again at displaced values of the unknowns.
 #include "camera_problem.h"
 
 #include <gtest/gtest.h>

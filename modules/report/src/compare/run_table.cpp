@@ -43,7 +43,7 @@ const std::vector<Column>& columns() {
       {"keyframes", "", "", 0, [](const RunFigures& f) { return f.run->keyframes; }},
       {"lost", "frames", "without a pose after the first that has one", 0,
        [](const RunFigures& f) { return f.run->lost; }},
-      {"segments", "", "more than one: the map was lost and begun anew", 0,
+      {"segments", "", "more than one: the map was lost and a new one was started", 0,
        [](const RunFigures& f) { return f.run->segments; }},
   };
   return all;

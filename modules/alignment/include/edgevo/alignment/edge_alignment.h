@@ -14,21 +14,23 @@
 
 namespace edgevo {
 
+/// What an alignment of edges ended with.
 struct AlignmentStats {
   int visible = 0;          ///< points that project into the image
   int inliers = 0;          ///< of these, matched within the gates
   double residual_px = 0;   ///< rms of the inliers along the normal
   double cost = 0;          ///< truncated, a visible point; lower is better
   Matrix6d information = Matrix6d::Zero();  ///< sum of w J^T J at the solution, px^-2
-  int iterations = 0;
+  int iterations = 0;  ///< steps that were kept or refused, on this level
+  /// inliers over visible points, [0, 1]
   double matched_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
 };
 
 /// Where the camera is expected: of xi in T_cur_ref <- exp(xi) T_expected, the translation v has this standard deviation, axis by axis
 /// (camera axes, unit of the map; > 0).
 struct TranslationPrior {
-  SE3 T_expected;
-  Eigen::Vector3d sigma;
+  SE3 T_expected;  ///< predicted pose, reference to current camera
+  Eigen::Vector3d sigma;  ///< one standard deviation, axis by axis
 };
 
 /// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per usable patch
@@ -47,9 +49,11 @@ double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int l
 
 /// Residual g^T (p' - n) and its derivative for one point and a given match; for tests and for align_edges.
 struct EdgeResidual {
-  double value = 0;
-  Eigen::Matrix<double, 1, 6> jacobian;
+  double value = 0;  ///< pixels
+  Eigen::Matrix<double, 1, 6> jacobian;  ///< by xi in T_cur_ref <- exp(xi) T_cur_ref, tangent [v, w]
 };
+/// Eq. (edgeerror): `ray` (x, y, 1) and `idepth` in the reference camera; `match` in pixels of the current
+/// image, with the unit `normal` of its edge. The point must lie in front of the current camera (not checked).
 EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray, double idepth,
                            const Eigen::Vector2d& match, const Eigen::Vector2d& normal);
 

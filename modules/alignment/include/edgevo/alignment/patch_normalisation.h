@@ -6,10 +6,12 @@
 
 namespace edgevo {
 
+/// Mean and standard deviation of the values of a patch.
 struct PatchMoments {
-  float mean = 0, deviation = 0;
+  float mean = 0, deviation = 0;  ///< in the patch's own unit
 };
 
+/// Of the `count` > 0 values at `value`.
 inline PatchMoments patch_moments(const float* value, int count) {
   float sum = 0, square = 0;
 #pragma omp simd reduction(+ : sum, square)

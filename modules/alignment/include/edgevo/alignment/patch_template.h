@@ -16,18 +16,20 @@ constexpr int kPatchPixels = kPatchSide * kPatchSide;  ///< 25
 /// Of the difference of two patches of unit deviation that have nothing in common.
 constexpr double kUnrelatedMeanSquare = 2.0;
 
+/// A patch of the reference image, ready to be compared.
 struct PatchTemplate {
   bool usable = false;                       ///< inside the image and not flat
   std::array<float, kPatchPixels> value;     ///< zero mean, unit deviation
   std::array<float, kPatchPixels> gx, gy;    ///< d value / d shift of the patch, with the normalisation's share taken out
   Eigen::Matrix2d information;               ///< sum over the patch of (gx, gy)(gx, gy)^T, divided by the number of pixels
 };
-using PatchTemplates = std::vector<PatchTemplate>;
+using PatchTemplates = std::vector<PatchTemplate>;  ///< one for each point of a cloud, in its order
 
 /// Patches centred at `positions` (pixels of this image).
 template <class T>
 PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::Vector2f>& positions);
 
+/// How a patch differs from the image at a place.
 struct PatchDifference {
   bool usable = false;        ///< inside the image and not flat
   float mean_square = 0;      ///< of the normalised difference; 0 equal, kUnrelatedMeanSquare unrelated

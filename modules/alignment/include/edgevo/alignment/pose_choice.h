@@ -3,8 +3,8 @@
 // which wins.
 //
 // An alignment finds the minimum next to where it starts, and there are several: where edges repeat, where
-// shadows move, after a turn that nobody foresaw. So there are several starts, from the likeliest and
-// cheapest to the dearest; the dear ones are asked for only where what was found so far calls for them.
+// shadows move, after an unpredicted turn. So there are several hypotheses, from the likeliest and
+// cheapest to the most expensive; the expensive ones are tried only where the poses found so far call for them.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -16,15 +16,16 @@ namespace edgevo {
 
 /// Where the camera may be, and how it gets from there to where it is.
 struct PoseHypothesis {
+  /// What is aligned, from the hypothesis on.
   enum class Refinement {
     kPatchesThenEdges,  ///< from far: gray patches on the coarse levels, then edges on two
     kEdges,             ///< from near: edges on two levels
-    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is sought from half to
+    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is searched from half to
                         ///< twice, then edges
     kFinestEdges,       ///< nearly right already: edges on the finest level
   };
-  SE3 T_cur_ref;
-  Refinement refinement = Refinement::kPatchesThenEdges;
+  SE3 T_cur_ref;  ///< reference to current camera
+  Refinement refinement = Refinement::kPatchesThenEdges;  ///< how far it may be from the truth
   /// Standard deviation of its translation, axis by axis (camera axes, unit of the map); nothing: no prior
   /// holds the alignment to it.
   std::optional<Eigen::Vector3d> translation_sigma = std::nullopt;
@@ -32,8 +33,8 @@ struct PoseHypothesis {
 
 /// Where a hypothesis led.
 struct PoseCandidate {
-  SE3 T_cur_ref;
-  AlignmentStats stats;
+  SE3 T_cur_ref;  ///< reference to current camera, aligned
+  AlignmentStats stats;  ///< of the last alignment, on the finest level
   PoseEvidence evidence;   ///< of the image alone, whatever the prior
   bool has_prior = false;  ///< a prior held the alignment
 };
@@ -52,6 +53,7 @@ class PoseJudge {
   /// In (0, 1]: 1 for a motion that nothing speaks against.
   using Likelihood = std::function<double(const SE3& T_cur_ref)>;
 
+  /// Keeps a reference to `params`; without a `likelihood` all motions are equally likely.
   explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {})
       : params_(params), likelihood_(std::move(likelihood)) {}
 
@@ -75,8 +77,9 @@ struct Proposer {
   std::function<std::vector<PoseHypothesis>()> hypotheses;
 };
 
+/// The pose that won, and what it took to find it.
 struct PoseChoice {
-  PoseCandidate pose;
+  PoseCandidate pose;  ///< the winner
   int proposer = -1;         ///< index of the one whose hypothesis won
   int hypotheses_tried = 0;  ///< 1: the first was good
 };

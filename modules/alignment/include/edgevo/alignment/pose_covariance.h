@@ -25,8 +25,8 @@ namespace edgevo {
 
 /// A matched point in the normal equations.
 struct PoseEquation {
-  Eigen::Matrix<double, 1, 6> jacobian;
-  double residual_px = 0;
+  Eigen::Matrix<double, 1, 6> jacobian;  ///< of the residual by xi, tangent [v, w]
+  double residual_px = 0;  ///< along the edge normal
   double weight = 0;  ///< robust weight times that of the depth
   int edge = 0;       ///< points of one edge carry the same number, >= 0
 };

@@ -14,6 +14,7 @@
 
 namespace edgevo {
 
+/// The support of the image for a pose.
 struct PoseEvidence {
   double weight = 0;        ///< sum of w over the points in view
   double inlier_share = 0;  ///< of that weight, what speaks for the pose, [0, 1]

@@ -13,9 +13,11 @@ constexpr double kMinProjectedDepth = 1e-3;  ///< of Y_z = z_target / z_host: cl
 struct Projection {
   bool valid = false;        ///< in front of the target camera
   Eigen::Vector2d px;        ///< target pixels
-  Eigen::Vector3d Y;
+  Eigen::Vector3d Y;  ///< R x + rho t
 };
 
+/// Of the point with the viewing `ray` (x, y, 1) and inverse depth `idepth` in its host camera; (R, t) is
+/// host to target. Not valid where Y_z <= kMinProjectedDepth.
 inline Projection project(const Pinhole& camera, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                           const Eigen::Vector3d& ray, double idepth) {
   Projection p;

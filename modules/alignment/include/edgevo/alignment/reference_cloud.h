@@ -9,6 +9,7 @@
 
 namespace edgevo {
 
+/// A map point as the reference keyframe sees it.
 struct CloudPoint {
   Eigen::Vector3d ray;        ///< (x, y, 1) in the reference camera
   double idepth = 0;          ///< 1/z in the reference camera
@@ -19,11 +20,12 @@ struct CloudPoint {
   int host_keyframe = -1, host_pixel = -1;
 };
 
+/// The reference keyframe: its image, the points and their patches. Immutable while frames are tracked.
 struct ReferenceCloud {
-  std::shared_ptr<const FramePyramid> pyramid;
-  std::vector<CloudPoint> points;
+  std::shared_ptr<const FramePyramid> pyramid;  ///< of the reference image
+  std::vector<CloudPoint> points;  ///< in the reference camera's frame
   std::vector<PatchTemplates> patches;           ///< one for each pyramid level, normalised intensity
-  PatchTemplates gradient_patches;               ///< finest level, gradient magnitude; empty unless asked for
+  PatchTemplates gradient_patches;               ///< finest level, gradient magnitude; empty unless requested
 };
 
 /// Cuts the patches of all levels. Cost: 2 to 3 ms for 1500 points.

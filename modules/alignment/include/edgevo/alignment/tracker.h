@@ -24,6 +24,8 @@ TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, con
 
 /// Tries the starts in turn until one fits, then rotations around the first (rotation_search.h).
 Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge);
+/// search_rotation() around `T_predicted`, if no pose fits by then. Keeps references to all but
+/// `T_predicted`.
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
                            const PoseJudge& judge, const AlignmentParams& params);
 

@@ -11,6 +11,7 @@
 
 namespace edgevo {
 
+/// What a match fixes of a point's projection.
 enum class MatchKind {
   kNone,         ///< no edge within the gates
   kPhotometric,  ///< best template match along the edge: 2-D residual
@@ -20,17 +21,18 @@ enum class MatchKind {
 
 /// The point as its host keyframe knows it.
 struct AssociationQuery {
-  const FramePyramid* host = nullptr;
-  const FramePyramid* target = nullptr;
-  Eigen::Vector2d px_host;
-  Eigen::Vector2d normal_host;
-  double idepth = 0, idepth_sigma = 0;
-  SE3 T_target_host;
+  const FramePyramid* host = nullptr;  ///< pyramid of the keyframe that hosts the point; not null
+  const FramePyramid* target = nullptr;  ///< pyramid of the keyframe that it is matched in; not null
+  Eigen::Vector2d px_host;  ///< position in the host image, finest level, pixels
+  Eigen::Vector2d normal_host;  ///< unit gradient there
+  double idepth = 0, idepth_sigma = 0;  ///< 1/z in the host camera, > 0, and one standard deviation
+  SE3 T_target_host;  ///< predicted pose, host to target
   Matrix6d pose_covariance;      ///< of T_target_host, tangent [v, w]
 };
 
+/// Where a point was found in a keyframe, and how far that can be trusted.
 struct Match {
-  MatchKind kind = MatchKind::kNone;
+  MatchKind kind = MatchKind::kNone;  ///< kNone: all else is meaningless
   Eigen::Vector2d px;            ///< in the target, sub-pixel
   Eigen::Vector2d normal;        ///< unit gradient of the matched edge
   bool refined = false;          ///< along the normal

@@ -10,9 +10,10 @@
 
 namespace edgevo {
 
+/// Prefetches what many associations will read. One object a thread.
 class LookAhead {
  public:
-  explicit LookAhead(const AssociationParams& params) : params_(params) {}
+  explicit LookAhead(const AssociationParams& params) : params_(params) {}  ///< keeps a reference
   /// A point that projects to `px` is going to be associated with `target`.
   void add(const FramePyramid& target, const Eigen::Vector2d& px);
   /// Asks for the memory of what was added, and forgets it. `add` does so when there is too much.

@@ -18,10 +18,11 @@ struct NormalTemplate {
 bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A_target_host,
                           const Eigen::Vector2d& normal_target, int radius, NormalTemplate* out);
 
+/// Where a refinement ended.
 struct NormalRefinement {
-  bool accepted = false;
+  bool accepted = false;  ///< false: keep the match as it was
   Eigen::Vector2d px;          ///< start + move * normal
-  double move_px = 0;
+  double move_px = 0;  ///< along the normal, signed
   double zncc_loss = 2;        ///< 1 - ZNCC at the end
 };
 /// At most params.refine_iterations steps, stops at 0.02 px; not accepted where it moves over refine_max_move_px or the patch

@@ -16,6 +16,7 @@
 
 namespace edgevo {
 
+/// A way to compare patches; stateless.
 class PatchComparison {
  public:
   virtual ~PatchComparison() = default;
@@ -30,7 +31,7 @@ class PatchComparison {
 
 /// The three kinds; they hold no state and may be used from any thread.
 const PatchComparison& gradient_comparison();
-const PatchComparison& intensity_comparison();
-const PatchComparison& census_comparison();
+const PatchComparison& intensity_comparison();  ///< gray levels
+const PatchComparison& census_comparison();  ///< census signs
 
 }  // namespace edgevo

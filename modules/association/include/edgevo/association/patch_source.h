@@ -8,9 +8,9 @@ namespace edgevo {
 
 /// A level of the host, the point and its warp in that level's pixels.
 struct PatchSource {
-  const PyramidLevel* level = nullptr;
-  Eigen::Vector2d px;
-  Eigen::Matrix2d A_target_host;
+  const PyramidLevel* level = nullptr;  ///< of the host
+  Eigen::Vector2d px;  ///< the point, in pixels of that level
+  Eigen::Matrix2d A_target_host;  ///< d p_target / d p_host, p_host in pixels of that level
 };
 
 /// The finest level, unless the target sees the patch at less than 0.6 of its size (a camera that backs away): sampled so sparsely the

@@ -9,6 +9,7 @@
 
 namespace edgevo {
 
+/// The linearised cost of one point in one keyframe.
 struct PhotometricResidual {
   bool usable = false;            ///< patch inside both images, not flat, shift within the linear range
   Eigen::Vector2d shift;          ///< pixels; the Gauss-Newton step of the patch cost from p'

@@ -16,6 +16,8 @@ struct DepthMotion {
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< unit l; arbitrary where sigma_mu is 0
   double sigma_mu_px = 0;  ///< max |p(d +- sigma_d) - p(d)|, Eq. (secondcomponent)
 };
+/// Of the point with the viewing `ray` (x, y, 1), `idepth` > 0 and its standard deviation in the host camera,
+/// projected into the target (pixels of `camera`).
 DepthMotion depth_motion(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector3d& ray, double idepth,
                          double idepth_sigma);
 

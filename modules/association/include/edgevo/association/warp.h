@@ -22,10 +22,10 @@ constexpr int kMaxPatchPixels = (2 * kMaxPatchRadius + 1) * (2 * kMaxPatchRadius
 
 /// Square patch, row by row, (2 radius + 1) pixels a side.
 struct Patch {
-  int radius = 0;
-  std::array<float, kMaxPatchPixels> value;
-  int side() const { return 2 * radius + 1; }
-  int size() const { return side() * side(); }
+  int radius = 0;  ///< pixels, up to kMaxPatchRadius
+  std::array<float, kMaxPatchPixels> value;  ///< the first size() of them count
+  int side() const { return 2 * radius + 1; }  ///< pixels
+  int size() const { return side() * side(); }  ///< pixels
 };
 
 /// Brings a patch to zero mean and unit deviation, so that gain and offset of the light cancel. Returns its deviation; 0, and the patch

@@ -32,11 +32,13 @@
 
 namespace edgevo {
 
+/// A keyframe.
 struct BaPose {
-  SE3 T_cam_world;
-  bool fixed = false;
+  SE3 T_cam_world;  ///< world to camera
+  bool fixed = false;  ///< held as it is
 };
 
+/// An edge point of a keyframe.
 struct BaPoint {
   int host = 0;         ///< index into BaProblem::poses
   Eigen::Vector3d ray;  ///< (x, y, 1) in the host camera
@@ -44,6 +46,7 @@ struct BaPoint {
   bool fixed = false;   ///< low match AND low depth confidence: constrains poses only
 };
 
+/// The match of a point in another keyframe.
 struct BaObservation {
   int point = 0;   ///< index into BaProblem::points; observations of one point are adjacent, points ascend
   int target = 0;  ///< index into BaProblem::poses, not the host of the point
@@ -68,25 +71,27 @@ struct BaCornerPair {
 /// estimate). For an update exp(delta) T the solvers use dxi/ddelta = J_l^-1(xi), the inverse left Jacobian
 /// of SE(3), so they minimise E itself.
 struct BaPrior {
-  std::vector<int> pose_ids;
+  std::vector<int> pose_ids;  ///< ascending or not; names of BaProblem::pose_ids
   std::vector<SE3> linearization;  ///< T_cam_world at which H and b were formed
   Eigen::MatrixXd H;               ///< 6n x 6n
   Eigen::VectorXd b;               ///< 6n, in the range of H
   double constant = 0;  ///< E at xi = 0; keeps E, and with it every total cost, from going negative
 };
 
+/// All that one adjustment works on.
 struct BaProblem {
-  Pinhole pinhole;
-  std::vector<BaPose> poses;
+  Pinhole pinhole;  ///< of all images, pixels
+  std::vector<BaPose> poses;  ///< in any order; the caller's keyframes
   std::vector<int> pose_ids;  ///< a lasting name for each pose, for priors; may be empty without one
-  std::vector<BaPoint> points;
-  std::vector<BaObservation> observations;
-  std::vector<BaCornerPair> corners;
-  std::optional<BaPrior> prior;
+  std::vector<BaPoint> points;  ///< hosts as in `poses`
+  std::vector<BaObservation> observations;  ///< ascending in `point`
+  std::vector<BaCornerPair> corners;  ///< may be empty
+  std::optional<BaPrior> prior;  ///< of what was marginalised, or a gauge
 };
 
+/// How an adjustment is run.
 struct BaOptions {
-  int max_iterations = 8;
+  int max_iterations = 8;  ///< steps tried, at most
   double huber_width = 1.5;         ///< in sigmas
   double min_idepth = 1e-6;         ///< an update never takes rho below it
   double relative_decrease = 1e-4;  ///< stop when the cost falls by less than this share
@@ -94,6 +99,7 @@ struct BaOptions {
   double initial_damping = 1e-4;
 };
 
+/// What an adjustment found; poses and depths are in the problem.
 struct BaResult {
   bool usable = false;  ///< false: nothing to solve or not finite; poses and depths are then untouched
   double initial_cost = 0, final_cost = 0;  ///< sum of Huber costs (1/2 r^2 near 0), prior included
@@ -114,7 +120,9 @@ struct BaResult {
 class BundleAdjuster {
  public:
   virtual ~BundleAdjuster() = default;
+  /// Moves poses and depths that are not fixed to the least cost.
   virtual BaResult solve(BaProblem* problem, const BaOptions& options) = 0;
+  /// as make_bundle_adjuster() knows it
   virtual std::string name() const = 0;
 };
 

@@ -19,6 +19,8 @@ struct EpipolarLines {
   /// z = 1.
   double length = 0;
 };
+/// `x` in the first view ("from"), `y` in the second ("to"), both (x, y, 1). The lines do not depend on the
+/// length of the translation; `length` does.
 inline EpipolarLines epipolar_lines(const SE3& T_to_from, const Eigen::Vector3d& x,
                                     const Eigen::Vector3d& y) {
   const Eigen::Vector3d t = T_to_from.translation(), in_to = t.cross(T_to_from.rotation() * x);

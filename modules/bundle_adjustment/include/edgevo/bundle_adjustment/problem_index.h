@@ -16,6 +16,7 @@ struct ProblemIndex {
   /// Point i has observations [first_observation[i], first_observation[i + 1]).
   std::vector<int> first_observation;
 };
+/// Observations of a point must be adjacent, as in BaProblem.
 ProblemIndex index_problem(const BaProblem& problem);
 
 /// The poses [host, end) of a problem with the points that `host` hosts, matches and corners among these

@@ -14,11 +14,15 @@
 
 namespace edgevo::ba {
 
-// k1 and the read-out time (self_calibration); known to the compiler, so that nothing is allocated.
+/// Number of global unknowns: k1 and the read-out time (self_calibration). Known to the compiler, so that
+/// nothing is allocated.
 constexpr int kUnknowns = 2;
+/// k, or a gradient by it.
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
+/// A curvature or covariance of k.
 using UnknownsSquare = Eigen::Matrix<double, kUnknowns, kUnknowns>;
-using ImageRate = Eigen::Matrix<double, 2, kUnknowns>;  // of an image point, a column an unknown
+/// d / dk of an image point; a column an unknown.
+using ImageRate = Eigen::Matrix<double, 2, kUnknowns>;
 
 /// How rays and matches move with k.
 struct GlobalDerivative {
@@ -26,6 +30,7 @@ struct GlobalDerivative {
   std::vector<ImageRate> px;   ///< per observation, dm / dk in pixels
 };
 
+/// The profile cost's derivatives at one k, and how the map moves with k.
 struct ProfileStep {
   Unknowns gradient = Unknowns::Zero();               ///< C'
   UnknownsSquare curvature = UnknownsSquare::Zero();  ///< C''
@@ -36,7 +41,7 @@ struct ProfileStep {
   /// dpose/dk, left perturbations, 6 rows a pose; 0 for fixed poses.
   Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> pose_rate;
   std::vector<Eigen::Matrix<double, 1, kUnknowns>> idepth_rate;  ///< per point
-  bool usable = false;
+  bool usable = false;  ///< false: the normal equations have no finite solution
 };
 
 /// `problem` must stand at its minimum (BundleAdjuster::solve). Cost: about two linearisations and one 6n x

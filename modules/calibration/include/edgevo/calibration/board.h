@@ -11,8 +11,9 @@
 
 namespace edgevo {
 
+/// What the board looks like.
 struct Board {
-  bool charuco = false;
+  bool charuco = false;  ///< else a chessboard
   /// Chessboard: INNER corners along its two sides, as OpenCV counts (a game's board has 7x7). ChArUco:
   /// squares.
   int columns = 0, rows = 0;
@@ -36,6 +37,7 @@ struct BoardView {
   std::vector<Eigen::Vector2f> p_board;  ///< where it is on the board, metres
 };
 
+/// Finds one board in images. Stateless; any thread.
 class BoardFinder {
  public:
   /// Throws InputError as Board::check().

@@ -8,6 +8,7 @@
 
 namespace edgevo {
 
+/// What a sequence of images shows of a board.
 struct BoardViews {
   int width = 0, height = 0;     ///< of the images
   int images = 0;                ///< looked at

@@ -15,16 +15,18 @@
 
 namespace edgevo {
 
+/// How well one view fits the camera.
 struct ViewFit {
-  int frame = 0;
-  double rms_px = 0;
+  int frame = 0;  ///< of the image in its source
+  double rms_px = 0;  ///< of its residuals
   std::vector<Eigen::Vector2f> px;           ///< corners as found
   std::vector<Eigen::Vector2f> residual_px;  ///< found minus projected
   Eigen::Vector3d normal_cam;                ///< of the board, unit length, z > 0
 };
 
+/// A camera, and what tells whether to believe it.
 struct CameraCalibration {
-  Camera camera;
+  Camera camera;  ///< of the raw images
   double rms_px = 0;                      ///< over all corners of the views used
   double sigma_f_px = 0, sigma_c_px = 0;  ///< one standard deviation; the larger of x and y
   std::vector<ViewFit> views;             ///< those used

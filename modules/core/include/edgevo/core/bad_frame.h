@@ -12,9 +12,10 @@ namespace edgevo {
 /// InputError.
 class BadFrame : public InputError {
  public:
+  /// `index` and `time` of the frame in its source; `why` as an InputError says it.
   BadFrame(int index, Timestamp time, const InputError& why) : InputError(why), index_(index), time_(time) {}
   int index() const { return index_; }  ///< in the source
-  Timestamp time() const { return time_; }
+  Timestamp time() const { return time_; }  ///< of the frame
 
  private:
   int index_;

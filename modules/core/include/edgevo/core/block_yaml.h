@@ -10,6 +10,7 @@
 
 namespace edgevo {
 
+/// One line with a key.
 struct YamlEntry {
   std::string key;        ///< dotted: "mapping.window"
   std::string value;      ///< without quotes; empty for a key that stands alone

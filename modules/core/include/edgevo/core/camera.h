@@ -12,8 +12,8 @@ namespace edgevo {
 
 /// Pinhole part, in pixels, for images of width x height.
 struct Pinhole {
-  double fx = 0, fy = 0, cx = 0, cy = 0;
-  int width = 0, height = 0;
+  double fx = 0, fy = 0, cx = 0, cy = 0;  ///< focal lengths and principal point, pixels
+  int width = 0, height = 0;  ///< of the image, pixels
 
   /// Pixel of a point in front of the camera (z > 0, not checked), camera frame.
   Eigen::Vector2d project(const Eigen::Vector3d& p_cam) const {
@@ -33,15 +33,17 @@ struct Pinhole {
 
 /// Plumb-bob coefficients: x_d = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + tangential(p1, p2), as OpenCV and MRPT define them.
 struct Distortion {
-  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;
-  bool is_zero() const { return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0; }
+  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;  ///< as in OpenCV: radial k1, k2, k3, tangential p1, p2
+  bool is_zero() const { return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0; }  ///< no distortion
 };
 
+/// A camera as files describe it, and what self-calibration found besides.
 struct Camera {
-  Pinhole pinhole;
-  Distortion distortion;
+  Pinhole pinhole;  ///< intrinsics
+  Distortion distortion;  ///< of the raw images
   double residual_k1 = 0;  ///< found by self-calibration, acts before `distortion`; see radial.h
 
+  /// the raw images are not those of the pinhole alone
   bool has_distortion() const { return residual_k1 != 0 || !distortion.is_zero(); }
   /// Distorted normalised coordinates of undistorted ones.
   Eigen::Vector2d distort(const Eigen::Vector2d& x) const;
@@ -59,13 +61,14 @@ struct ImageCorrection {
   /// The last row is taken this much later than the first; negative: from the bottom to the top.
   double readout_s = 0;
 
+  /// exact
   bool operator==(const ImageCorrection& o) const { return k1 == o.k1 && readout_s == o.readout_s; }
-  bool operator!=(const ImageCorrection& o) const { return !(*this == o); }
+  bool operator!=(const ImageCorrection& o) const { return !(*this == o); }  ///< exact
 };
 
 /// For each pixel of the undistorted image, row by row, where it lies in the distorted one.
 struct UndistortionMaps {
-  int width = 0, height = 0;
+  int width = 0, height = 0;  ///< of both images, pixels
   std::vector<float> x, y;  ///< width * height source coordinates in pixels
 };
 

@@ -11,6 +11,7 @@ namespace edgevo {
 /// Unusable input or an output that cannot be written. what() reads "WHERE: WHAT; REMEDY" and has no line break.
 class InputError : public std::runtime_error {
  public:
+  /// `remedy` may be empty.
   InputError(const std::string& where, const std::string& what, const std::string& remedy)
       : std::runtime_error(where + ": " + what + (remedy.empty() ? "" : "; " + remedy)) {}
 };

@@ -13,6 +13,7 @@
 
 namespace edgevo {
 
+/// Frames of one camera, in time order, with what is known about them. One thread at a time.
 class ImageSource {
  public:
   virtual ~ImageSource() = default;

@@ -6,8 +6,10 @@
 
 namespace edgevo {
 
+/// Unknown is kept apart from free: no ray has been there.
 enum class GridCell : uint8_t { kUnknown, kFree, kOccupied };
 
+/// A grid of square cells, seen from above, axes as the world of the map files (x forward, z up).
 struct OccupancyGrid {
   int width = 0, height = 0;           ///< cells along x and along y
   double resolution = 0;               ///< edge of a cell, unit of the run
@@ -15,6 +17,7 @@ struct OccupancyGrid {
   std::vector<GridCell> cells;         ///< row by row from the least y up: cells[y * width + x]
   std::string statement;               ///< which heights are in it and what its unit is, one line
 
+  /// 0 <= x < width, 0 <= y < height, not checked
   GridCell at(int x, int y) const { return cells[size_t(y) * size_t(width) + size_t(x)]; }
 };
 

@@ -14,6 +14,7 @@
 
 namespace edgevo {
 
+/// A file open for writing.
 class OutputFile {
  public:
   /// Opens `path` for writing. Throws InputError.
@@ -29,7 +30,7 @@ class OutputFile {
   /// Flushes and closes. Throws InputError. Nothing may be written afterwards.
   void close();
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return path_; }  ///< as given
 
  private:
   [[noreturn]] void fail(int error_number) const;
@@ -47,6 +48,6 @@ void make_output_folder(const std::string& path);
 
 /// Appends `value` with `decimals` digits after a '.', whatever the locale; no "-0.000".
 void append_fixed(std::string* text, double value, int decimals);
-std::string fixed(double value, int decimals);
+std::string fixed(double value, int decimals);  ///< the same as a text
 
 }  // namespace edgevo

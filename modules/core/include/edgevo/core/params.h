@@ -19,24 +19,30 @@
 
 namespace edgevo {
 
+/// Who walks a struct's parameters: a reader, a writer, or a check of ranges.
 class ParamVisitor {
  public:
   virtual ~ParamVisitor() = default;
+  /// A number in [min, max]; `help` is its text in params/default.yaml.
   virtual void number(const char* key, double& value, double min, double max, const char* help) = 0;
+  /// An integer in [min, max].
   virtual void integer(const char* key, int& value, int min, int max, const char* help) = 0;
   /// An odd integer, such as the side of a patch that has a middle.
   virtual void odd(const char* key, int& value, int min, int max, const char* help) { integer(key, value, min, max, help); }
+  /// true or false.
   virtual void boolean(const char* key, bool& value, const char* help) = 0;
   /// Free text; with `choices`, one of these.
   virtual void text(const char* key, std::string& value, const std::vector<std::string>& choices,
                     const char* help) = 0;
+  /// Keys that follow lie in the group `key`; use group() instead.
   virtual void begin_group(const char* key) = 0;
+  /// Ends the innermost group.
   virtual void end_group() = 0;
 
   /// Opens a group and closes it when the returned guard goes out of scope.
   class Group {
    public:
-    explicit Group(ParamVisitor& v) : v_(&v) {}
+    explicit Group(ParamVisitor& v) : v_(&v) {}  ///< of a group that was just begun
     ~Group() { v_->end_group(); }
     Group(const Group&) = delete;
     Group& operator=(const Group&) = delete;
@@ -44,13 +50,14 @@ class ParamVisitor {
    private:
     ParamVisitor* v_;
   };
+  /// Begins a group for the life of what it returns.
   [[nodiscard]] Group group(const char* key) {
     begin_group(key);
     return Group(*this);
   }
 };
 
-using VisitParams = std::function<void(ParamVisitor&)>;
+using VisitParams = std::function<void(ParamVisitor&)>;  ///< a struct's visit(), bound to it
 
 /// Overwrites the fields that `yaml_text` names. Each error message opens with `where` (a file name) and the line.
 /// The text is the plain part of YAML: nested `key: value` lines indented with blanks, comments, quoted texts.

@@ -14,11 +14,13 @@ struct PointFilter {
   double max_relative_sigma = 0.15;  ///< idepth_sigma / idepth
   int min_observations = 2;          ///< keyframes that matched the point
 
+  /// Names, ranges and texts of the fields (params.h).
   void visit(ParamVisitor& v) {
     v.number("max_relative_sigma", max_relative_sigma, 0.001, 10,
              "largest idepth_sigma/idepth of a point in the map files");
     v.integer("min_observations", min_observations, 0, 1000, "keyframes that must have matched a point");
   }
+  /// good enough for the map files
   bool keeps(const EdgePoint& p) const { return is_valid(p) && is_certain(p) && is_confirmed(p); }
 
   /// In front of the camera and finite.
@@ -29,14 +31,16 @@ struct PointFilter {
   bool is_certain(const EdgePoint& p) const {
     return p.idepth_sigma > 0 && p.idepth_sigma <= max_relative_sigma * p.idepth;
   }
+  /// matched in enough keyframes
   bool is_confirmed(const EdgePoint& p) const { return p.observations >= min_observations; }
 };
 
 /// How many points passed, and why the others did not (the first reason counts).
 struct PointCounts {
+  /// points; kept + invalid + uncertain + unconfirmed = total
   int total = 0, kept = 0, invalid = 0, uncertain = 0, unconfirmed = 0;
 };
 
-PointCounts count_points(const Run& run, const PointFilter& filter);
+PointCounts count_points(const Run& run, const PointFilter& filter);  ///< Over the points of all keyframes.
 
 }  // namespace edgevo

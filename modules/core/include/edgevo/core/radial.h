@@ -10,6 +10,7 @@
 
 namespace edgevo {
 
+/// x_file of a true x, both normalised.
 inline Eigen::Vector2d add_radial(double k1, const Eigen::Vector2d& x) { return x * (1.0 + k1 * x.squaredNorm()); }
 
 /// d x_file / d x.

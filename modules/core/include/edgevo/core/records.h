@@ -19,10 +19,10 @@ namespace edgevo {
 /// One row for every input frame.
 struct FrameRecord {
   int index = 0;                ///< in the source
-  Timestamp time;
-  TrackingState state = TrackingState::kBootstrapping;
+  Timestamp time;  ///< of the exposure
+  TrackingState state = TrackingState::kBootstrapping;  ///< the verdict
   int segment = -1;             ///< number of the connected stretch of trajectory, from 0; -1: none
-  bool is_keyframe = false;
+  bool is_keyframe = false;  ///< it was made one
   /// The rule that called for a keyframe (odometry/src/keyframe_policy.cpp), "bootstrap", or "return": to an older keyframe. With
   /// !is_keyframe it was called for while the mapping was busy with another. Empty: nothing called.
   std::string keyframe_rule;
@@ -67,20 +67,22 @@ struct EdgeLine {
   bool is_outline = false;           ///< seen against what lies behind: the border of a thing, not a mark on it
 };
 
+/// A keyframe as it left the window: final pose, and what it hosts.
 struct KeyframeRecord {
   int frame_index = 0;   ///< index of its frame in the source
-  Timestamp time;
-  int segment = 0;
+  Timestamp time;  ///< of its frame
+  int segment = 0;  ///< as FrameRecord::segment
   SE3 T_world_cam;       ///< final
-  std::vector<EdgePoint> points;
+  std::vector<EdgePoint> points;  ///< that it hosts
   std::vector<EdgeLine> lines;  ///< empty with `--edge-map off`
 };
 
 /// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h),
 /// and read row by row in readout_s (ImageCorrection).
 struct CameraRefinement {
+  /// What became of the estimate; only kApplied changes anything.
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
-  State state = State::kOff;
+  State state = State::kOff;  ///< of k1
   double k1 = 0;        ///< applied to all images; 0 unless kApplied
   double estimate = 0;  ///< newest estimate, applied or not
   double sigma = 0;     ///< one standard deviation of the estimate; 0: there is none
@@ -88,14 +90,15 @@ struct CameraRefinement {
 
   /// The read-out time of a rolling shutter, in the same words.
   struct Shutter {
-    State state = State::kOff;
+    State state = State::kOff;  ///< of the read-out time
     double readout_s = 0;  ///< applied to all images: found, or as the parameters gave it
+    /// newest estimate and its standard deviation, seconds; sigma 0: there is none
     double estimate = 0, sigma = 0;
-    int keyframes = 0;
+    int keyframes = 0;  ///< that the estimate rests on
   };
-  Shutter shutter;
+  Shutter shutter;  ///< rolling shutter
 
-  ImageCorrection correction() const { return {k1, shutter.readout_s}; }
+  ImageCorrection correction() const { return {k1, shutter.readout_s}; }  ///< what is applied to all images
 };
 
 /// Words for the states in files, in their order. At the limit: the images ask for more than a lens that the file
@@ -104,6 +107,7 @@ inline const std::vector<std::string>& refinement_state_names() {
   static const std::vector<std::string> names{"off", "too_early", "not_observable", "insignificant", "applied", "at_limit"};
   return names;
 }
+/// Its word in refinement_state_names().
 inline const std::string& to_string(CameraRefinement::State state) { return refinement_state_names()[size_t(state)]; }
 
 /// Metres per unit of the odometry at one frame: `factor` from all of the run, `live_factor` from what was known when the frame came.
@@ -119,7 +123,7 @@ struct ScaleRecord {
   double lowest = 1, highest = 1;   ///< factors: what the drift of the scale was, before it was taken out
   int frames_carried_over = 0;      ///< frames where the scale was not measured
   std::vector<FrameScale> frames;   ///< as Run::frames; empty where one factor was given
-  std::string problem;              ///< why the scale that was asked for could not be had; else empty
+  std::string problem;              ///< why the requested scale could not be had; else empty
 };
 
 /// How a --realtime run kept up with its source; the latency of each frame is in its FrameRecord.
@@ -132,17 +136,18 @@ struct RealtimeRecord {
   double frames_per_second = 0;   ///< handed over, from when the first was due until the last had its pose
 };
 
+/// All that the odometry knows about a run.
 struct Run {
   Pinhole pinhole;             ///< of the undistorted images, camera.k1 taken out; EdgePoint::px refers to it
-  CameraRefinement camera;
-  std::vector<FrameRecord> frames;
-  std::vector<KeyframeRecord> keyframes;
+  CameraRefinement camera;  ///< what self-calibration found
+  std::vector<FrameRecord> frames;  ///< one for every input frame, in time order
+  std::vector<KeyframeRecord> keyframes;  ///< in time order
   std::string scale_source = "none";  ///< "none": unit arbitrary; else metres
   ScaleRecord scale;                  ///< all lengths of the run have been multiplied by it
   std::optional<RealtimeRecord> realtime;  ///< none of a synchronous run
   std::optional<SE3> T_vehicle_cam;   ///< mount of the camera (vehicle x forward, y left, z up; metres), if it is known
 
-  bool is_metric() const { return scale_source != "none"; }
+  bool is_metric() const { return scale_source != "none"; }  ///< lengths are metres
   /// The factor changed along the run by more than drift does: the odometry itself was wrong, and so may be the metres
   /// between the places where they were measured.
   bool scale_varies() const {

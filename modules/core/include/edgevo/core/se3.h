@@ -12,8 +12,8 @@
 
 namespace edgevo {
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
+using Vector6d = Eigen::Matrix<double, 6, 1>;  ///< tangent [v, w], translation first
+using Matrix6d = Eigen::Matrix<double, 6, 6>;  ///< covariance or information of such a tangent
 
 /// Cross-product matrix: skew(a) b = a x b.
 Eigen::Matrix3d skew(const Eigen::Vector3d& a);
@@ -24,6 +24,7 @@ class SE3 {
   SE3() = default;
   /// `q` need not be normalised, but must not be zero.
   SE3(const Eigen::Quaterniond& q, const Eigen::Vector3d& t) : q_(q.normalized()), t_(t) {}
+  /// `R` is a rotation
   SE3(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : q_(Eigen::Quaterniond(R).normalized()), t_(t) {}
 
   /// The true exponential of xi = [v, w] (metres or map units, radians).
@@ -31,20 +32,21 @@ class SE3 {
   /// Inverse of exp; |w| <= pi.
   Vector6d log() const;
 
-  SE3 inverse() const;
+  SE3 inverse() const;  ///< T_b_a of T_a_b
+  /// T_a_c = T_a_b T_b_c
   SE3 operator*(const SE3& other) const { return {q_ * other.q_, q_ * other.t_ + t_}; }
-  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return q_ * p + t_; }
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return q_ * p + t_; }  ///< p_a = T_a_b p_b
 
   /// Ad(T): exp(Ad(T) xi) = T exp(xi) T^-1, for tangents [v, w].
   Matrix6d adjoint() const;
 
-  const Eigen::Quaterniond& rotation() const { return q_; }
-  Eigen::Matrix3d R() const { return q_.toRotationMatrix(); }
-  const Eigen::Vector3d& translation() const { return t_; }
-  Eigen::Matrix4d matrix() const;
+  const Eigen::Quaterniond& rotation() const { return q_; }  ///< unit
+  Eigen::Matrix3d R() const { return q_.toRotationMatrix(); }  ///< rotation matrix
+  const Eigen::Vector3d& translation() const { return t_; }  ///< t
+  Eigen::Matrix4d matrix() const;  ///< [R t; 0 1]
   /// Angle of the rotation, in [0, pi] radians.
   double angle() const;
-  bool is_finite() const { return q_.coeffs().allFinite() && t_.allFinite(); }
+  bool is_finite() const { return q_.coeffs().allFinite() && t_.allFinite(); }  ///< neither NaN nor infinite
 
  private:
   Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
@@ -53,14 +55,15 @@ class SE3 {
 
 /// Similarity p_a = s R p_b + t, the gauge freedom of a monocular map. scale > 0.
 struct Sim3 {
-  double scale = 1.0;
-  SE3 rigid;
+  double scale = 1.0;  ///< s > 0
+  SE3 rigid;  ///< R and t
 
+  /// s R p + t.
   Eigen::Vector3d operator*(const Eigen::Vector3d& p) const {
     return scale * (rigid.rotation() * p) + rigid.translation();
   }
-  Sim3 operator*(const Sim3& other) const;
-  Sim3 inverse() const;
+  Sim3 operator*(const Sim3& other) const;  ///< first `other`, then this
+  Sim3 inverse() const;  ///< of a to b
   /// Where a camera at T_b_cam stands in frame a; the rotation stays a rotation.
   SE3 apply(const SE3& T_b_cam) const;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// For hot loops: wide registers, and memory that is asked for before it is read.
+// For hot loops: wide registers, and prefetched memory.
 // EDGEVO_WIDE_CLONES before a function that compilers vectorise makes them translate it twice, for the x86-64 baseline and for AVX2;
 // the program takes the better one that the processor has when it starts. Both give the same bits: AVX2 is asked for without fused
 // multiply-add, and the order of floating-point sums never depends on the width.

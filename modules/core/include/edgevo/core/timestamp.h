@@ -7,19 +7,21 @@
 
 namespace edgevo {
 
+/// A moment, exact to 100 ns.
 struct Timestamp {
   int64_t ticks = 0;  ///< 100 ns each
 
   static constexpr int64_t kTicksPerSecond = 10'000'000;  ///< MRPT's clock
+  /// since the epoch, rounded to a double
   double seconds() const { return double(ticks) / double(kTicksPerSecond); }
   /// Rounds to the nearest tick.
   static Timestamp from_seconds(double s);
-  static Timestamp from_nanoseconds(int64_t ns);
+  static Timestamp from_nanoseconds(int64_t ns);  ///< rounded to the nearest tick
 
-  friend bool operator==(Timestamp a, Timestamp b) { return a.ticks == b.ticks; }
-  friend bool operator!=(Timestamp a, Timestamp b) { return a.ticks != b.ticks; }
-  friend bool operator<(Timestamp a, Timestamp b) { return a.ticks < b.ticks; }
-  friend bool operator<=(Timestamp a, Timestamp b) { return a.ticks <= b.ticks; }
+  friend bool operator==(Timestamp a, Timestamp b) { return a.ticks == b.ticks; }  ///< the same tick
+  friend bool operator!=(Timestamp a, Timestamp b) { return a.ticks != b.ticks; }  ///< another tick
+  friend bool operator<(Timestamp a, Timestamp b) { return a.ticks < b.ticks; }  ///< earlier
+  friend bool operator<=(Timestamp a, Timestamp b) { return a.ticks <= b.ticks; }  ///< not later
 };
 
 /// Seconds from a to b.

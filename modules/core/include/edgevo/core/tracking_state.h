@@ -4,6 +4,7 @@
 
 namespace edgevo {
 
+/// How far a frame's pose can be trusted.
 enum class TrackingState {
   kBootstrapping,  ///< no map yet; a pose may be filled in afterwards
   kTracking,       ///< pose and map are good

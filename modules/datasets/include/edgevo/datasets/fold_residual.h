@@ -15,6 +15,7 @@
 
 namespace edgevo {
 
+/// The camera for other programs, and what the fold costs.
 struct FoldedCamera {
   Camera camera;  ///< same pinhole, residual_k1 = 0
   /// Distance over the image between the two lens models, pixels of the distorted image.

@@ -27,15 +27,18 @@ namespace edgevo {
 class FeedClock {
  public:
   virtual ~FeedClock() = default;
+  /// seconds since some moment
   virtual double now_s() const = 0;
+  /// returns at once where `seconds` <= 0
   virtual void sleep_s(double seconds) = 0;
 };
 
 /// The clock of the machine.
 std::shared_ptr<FeedClock> steady_clock();
 
+/// A frame as the feed hands it out.
 struct FedFrame {
-  Frame frame;
+  Frame frame;  ///< of the source
   double due_s = 0;     ///< of the feed's clock: when it was due. Live camera: when it came in; pace kAtOnce:
                         ///< when it was asked for and there
   double handed_s = 0;  ///< when it was handed out, due_s or later
@@ -43,6 +46,7 @@ struct FedFrame {
       dropped;  ///< frames that came before it and were not handed out, in order, without their images
 };
 
+/// Plays a source in time. One thread calls next().
 class LiveFeed {
  public:
   static constexpr size_t kReadAhead = 4;    ///< frames of a recording that are decoded beforehand

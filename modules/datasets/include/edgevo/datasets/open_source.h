@@ -28,6 +28,7 @@
 
 namespace edgevo {
 
+/// What the command line says about a source.
 struct SourceOptions {
   std::string path;          ///< SOURCE
   std::string camera_file;   ///< camera_file.h; empty: the source's own calibration
@@ -43,7 +44,7 @@ struct SourceOptions {
 
 /// Names in ImageSource::details() for what a user must be told: how the camera was guessed, and that images were scaled.
 constexpr const char* kAssumed = "camera assumed";
-constexpr const char* kScaled = "images scaled";
+constexpr const char* kScaled = "images scaled";  ///< from which size to which
 
 /// Sets first and last from "A:B", "A:" or ":B" (half-open, A < B). Throws InputError.
 void set_frame_range(const std::string& text, SourceOptions* options);

@@ -6,14 +6,16 @@
 
 namespace edgevo {
 
+/// A rule for when images are due.
 struct Pace {
+  /// The rule.
   enum class Kind {
     kAtOnce,  ///< each as soon as it is asked for
     kRate,    ///< `value` images a second, whatever their times say
     kTimes,   ///< as their times say, `value` times as fast
   };
-  Kind kind = Kind::kAtOnce;
-  double value = 0;
+  Kind kind = Kind::kAtOnce;  ///< the rule
+  double value = 0;  ///< of kRate and kTimes, > 0
 
   /// Seconds after the first image (taken at `first`) at which the n-th (from 0, of those that are taken) is
   /// due. Not for kAtOnce.

@@ -7,6 +7,7 @@
 
 namespace edgevo {
 
+/// The camera of a finished run.
 struct RunCalibration {
   std::string path;             ///< of the summary.yaml, for messages
   Camera camera;                ///< that the run was given

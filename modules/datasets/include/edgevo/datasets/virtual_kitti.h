@@ -3,8 +3,9 @@
 //
 //   1.3.1   vkitti_1.3.1_rgb/WORLD/VARIATION/00000.png ..            the folder to name
 //           vkitti_1.3.1_depthgt/WORLD/VARIATION/00000.png ..        16 bits, centimetres, 65535 for the sky
-//           vkitti_1.3.1_extrinsicsgt/WORLD_VARIATION.txt            a header, then `frame` and 16 numbers: world to camera, row
-//           by row K = 725 725 620.5 187 for all
+//           vkitti_1.3.1_extrinsicsgt/WORLD_VARIATION.txt            a header, then `frame` and 16 numbers: world to
+//                                                                    camera, row by row
+//           K = 725 725 620.5 187 for all
 //   2.0.3   SceneNN/VARIATION                                        the folder to name; Camera_0 (default) and Camera_1 in it
 //           frames/rgb/Camera_0/rgb_00000.jpg ..
 //           frames/depth/Camera_0/depth_00000.png ..                 as above
@@ -25,13 +26,14 @@
 
 namespace edgevo {
 
+/// A sequence as its lists and calibration tell it.
 struct VirtualKitti {
   std::string release;      ///< "1.3.1" or "2.0.3"
   std::string camera_name;  ///< "Camera_0"; empty for 1.3.1
-  Camera camera;
+  Camera camera;  ///< without distortion
   std::vector<std::string> images;  ///< paths, in order
   std::vector<std::string> depths;  ///< where the depth of each image is; whether it is there shows when it is read
-  std::vector<Timestamp> times;
+  std::vector<Timestamp> times;  ///< of each image, 0.1 s apart
   std::string poses_path;        ///< empty where the poses were not downloaded
   std::vector<SE3> T_world_cam;  ///< of each image, metres; empty without poses
 };

@@ -18,8 +18,9 @@ enum class OnBadFrame {
   kSkip   ///< it is left out: its row says why, and the motion is foreseen over the gap. Not the first frame
 };
 
+/// What a drive has led to.
 struct Drive {
-  Run run;
+  Run run;  ///< as Odometry::finish() returns it
   double cpu_s = 0;  ///< of the odometry, all threads: `on_frame` is not in it, and reading images only of a
                      ///< realtime run
   int left_out = 0;  ///< frames whose images could not be used
@@ -32,13 +33,14 @@ struct DrivenFrame {
   const Frame& frame;  ///< without image where it was left out
   const FrameRecord&
       record;  ///< stays where it is until the drive ends, and may get its pose later (a bootstrap)
-  const Odometry& odometry;
+  const Odometry& odometry;  ///< after this frame
 };
 
+/// How a source is driven through the odometry.
 struct DriveOptions {
-  OdometryOptions odometry;
+  OdometryOptions odometry;  ///< seed, threads, log
   Pace pace;  ///< at which a realtime run gets its frames
-  OnBadFrame on_bad_frame = OnBadFrame::kStop;
+  OnBadFrame on_bad_frame = OnBadFrame::kStop;  ///< see above
   std::function<bool()>
       stop;  ///< asked before each frame and while one is waited for: true ends the drive; none: never
 };

@@ -5,9 +5,10 @@
 
 namespace edgevo {
 
+/// Parameters of the lines of whole edges.
 struct EdgeMapParams {
   std::string mode = "full";          ///< "off", "keyframes": each keyframe's own lines, "full": fused
-  int views = 8;                      ///< other images that a keyframe's edges are sought in
+  int views = 8;                      ///< other images that a keyframe's edges are searched for in
   int step_px = 3;                    ///< along the edge, from vertex to vertex
   int min_views = 3;                  ///< that must show an edge where its depth says
   int min_vertices = 4;               ///< of a line
@@ -15,9 +16,9 @@ struct EdgeMapParams {
   double max_relative_sigma = 0.007;   ///< idepth_sigma / idepth of a vertex
   int fusion_keyframes = 12;          ///< so long a keyframe's lines wait for others that see them
 
-  bool is_on() const { return mode != "off"; }
-  bool is_fused() const { return mode == "full"; }
-  void visit(ParamVisitor& v);
+  bool is_on() const { return mode != "off"; }  ///< lines are made at all
+  bool is_fused() const { return mode == "full"; }  ///< each 3D edge once
+  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
 
 }  // namespace edgevo

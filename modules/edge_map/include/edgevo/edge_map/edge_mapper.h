@@ -23,12 +23,14 @@ namespace edgevo {
 
 /// The lines of a keyframe, in its frame.
 struct HostedLines {
-  int keyframe_id = -1;
-  std::vector<EdgeLine> lines;
+  int keyframe_id = -1;  ///< that hosts them
+  std::vector<EdgeLine> lines;  ///< vertices in its undistorted image
 };
 
+/// Makes the lines of one segment after another.
 class EdgeMapper {
  public:
+  /// `own_thread`: add() returns at once
   EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread);
   ~EdgeMapper();
 

@@ -11,6 +11,7 @@
 
 namespace edgevo {
 
+/// Marks edge pixels. One object a thread.
 class EdgeDetector {
  public:
   virtual ~EdgeDetector() = default;
@@ -22,7 +23,7 @@ class EdgeDetector {
 struct EdgeDetectorKind {
   const char* name;  ///< as edges.detector and --detector give it
   const char* what;  ///< in a few words, for --help
-  std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);
+  std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);  ///< never null
 };
 
 /// All of them, the default first.

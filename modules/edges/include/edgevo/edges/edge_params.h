@@ -5,6 +5,7 @@
 
 namespace edgevo {
 
+/// Parameters of edge detection.
 struct EdgeParams {
   std::string detector = "canny";  ///< a name of edge_detector_kinds()
   int levels = 4;                  ///< pyramid levels of the image
@@ -15,7 +16,7 @@ struct EdgeParams {
   int min_chain = 6;               ///< pixels
   int field_radius = 12;           ///< pixels
 
-  void visit(ParamVisitor& v);
+  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
 
 }  // namespace edgevo

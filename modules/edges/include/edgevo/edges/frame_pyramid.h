@@ -16,20 +16,21 @@ namespace edgevo {
 
 /// x_l = x_0 / 2^l for all pixel coordinates.
 struct PyramidLevel {
-  Pinhole pinhole;
-  Plane<uint8_t> gray;
+  Pinhole pinhole;  ///< of this level's pixels
+  Plane<uint8_t> gray;  ///< undistorted
   Plane<float> gradient_magnitude;  ///< Sobel units; empty on levels without edges
   EdgeMap edges;                    ///< empty on levels without edges
-  NearestField field;
+  NearestField field;  ///< of `edges`; empty on levels without edges
 };
 
+/// A frame made ready. Immutable once it is built.
 struct FramePyramid {
-  std::vector<PyramidLevel> levels;
-  GrayImage source;            ///< as the camera took it: to build the pyramid anew when the camera is corrected
-  std::shared_ptr<const Plane<uint8_t>> unlit;  ///< 255 where no light reaches `source`: no edges are taken there; null where it does everywhere, and at first
+  std::vector<PyramidLevel> levels;  ///< the finest first
+  GrayImage source;            ///< as the camera took it: to build the pyramid again when the camera is corrected
+  std::shared_ptr<const Plane<uint8_t>> border_mask;  ///< 255 where no light reaches `source`: no edges are taken there; null where it does everywhere, and at first
   ImageCorrection correction;  ///< that was taken out of `levels`, beside what the camera file says
-  const PyramidLevel& finest() const { return levels.front(); }
-  double unlit_share() const;  ///< of the pixels of `source`, 0 to 1
+  const PyramidLevel& finest() const { return levels.front(); }  ///< level 0
+  double masked_share() const;  ///< of the pixels of `source`, 0 to 1
 };
 
 /// Turns frames into pyramids. Holds the detector and the undistortion maps; one object a thread.
@@ -44,6 +45,7 @@ class PyramidBuilder {
   const Pinhole& pinhole() const;
   /// Taken out of the images that follow. A change of k1 makes new undistortion maps, about 20 ms at 1241x376.
   ImageCorrection correction() const;
+  /// likewise; pyramids built before stay as they are
   void set_correction(const ImageCorrection& correction);
   /// `image` must have the camera's size (throws InputError). `motion`: of the image at that moment, for a rolling shutter; without it
   /// the rows stay where they are. Cost at 1241x376: see tests/bench/bench_edges.cpp.

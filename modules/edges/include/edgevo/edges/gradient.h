@@ -22,7 +22,7 @@ Gradient compute_gradient(const ImageView<uint8_t>& gray);
 /// How strong the gradient of an image is; looks at a quarter of its pixels.
 class GradientHistogram {
  public:
-  explicit GradientHistogram(const Plane<float>& magnitude);
+  explicit GradientHistogram(const Plane<float>& magnitude);  ///< `magnitude` in Sobel units
   /// Magnitude (Sobel units, rounded up) that the share `percentile` of the pixels does not exceed.
   float percentile(double percentile) const;
 

@@ -15,6 +15,7 @@
 
 namespace edgevo {
 
+/// The motion of the camera at one moment, with the depths in view.
 struct ImageMotion {
   /// Cells of the image: a coarse picture of the depths will do.
   static constexpr int kRows = 8, kColumns = 10;
@@ -24,7 +25,7 @@ struct ImageMotion {
   /// At the cells' centres.
   Eigen::Matrix<double, kRows, kColumns> idepth = Eigen::Matrix<double, kRows, kColumns>::Zero();
 
-  bool is_known() const { return !velocity.isZero(0); }
+  bool is_known() const { return !velocity.isZero(0); }  ///< `velocity` is not zero
   /// dx/dt of the normalised image point x, per second; depths between the cells' centres bilinear.
   Eigen::Vector2d at(const Pinhole& pinhole, const Eigen::Vector2d& x) const;
 };

@@ -15,6 +15,7 @@
 
 namespace edgevo {
 
+/// Finds the edge pixel nearest to a place in constant time.
 class NearestField {
  public:
   static constexpr int kMaxRadius = 15;  ///< squared distance, row offset and side must fit 15 bits
@@ -25,7 +26,7 @@ class NearestField {
   /// `radius` in pixels, 1..kMaxRadius. Edge positions are rounded to the pixel they lie in.
   NearestField(const EdgeMap& edges, int radius);
 
-  int radius() const { return radius_; }
+  int radius() const { return radius_; }  ///< pixels
   /// Index into EdgeMap::pixels of the edge pixel nearest to (x, y), rounded to the next pixel; -1 if there is none within
   /// the radius or (x, y) lies outside the image.
   int nearest(float x, float y) const {
@@ -44,7 +45,7 @@ class NearestField {
     return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kShift;
   }
 
-  /// `nearest` in two halves, for callers with many look-ups at a time, whose memory is then asked for before it is read:
+  /// `nearest` in two halves, for callers with many look-ups at a time, whose memory is then prefetched:
   /// row * width + column of the nearest edge's pixel, -1 as for `nearest`;
   int nearest_pixel(float x, float y) const { return contains(x, y) ? nearest_pixel_at(int(x + 0.5f), int(y + 0.5f)) : -1; }
   /// the edge at such a pixel.
@@ -53,7 +54,7 @@ class NearestField {
   void prefetch_pixel(float x, float y) const {
     if (contains(x, y)) prefetch(&keys_.at(int(x + 0.5f), int(y + 0.5f)));
   }
-  void prefetch_edge(int pixel) const { prefetch(index_.row(0) + pixel); }
+  void prefetch_edge(int pixel) const { prefetch(index_.row(0) + pixel); }  ///< for edge_at
 
  private:
   // Rounds to a pixel of the image.

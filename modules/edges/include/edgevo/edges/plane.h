@@ -13,26 +13,30 @@ namespace edgevo {
 
 /// Memory of planes, used again. Any thread.
 struct PlaneMemory {
+  /// A block of `bytes`, not initialised. Throws std::bad_alloc.
   static void* take(size_t bytes);
   /// Keeps the block for the next `take` of that size, or frees it where many are kept.
   static void give_back(void* block, size_t bytes);
 };
 
+/// An owned image of trivial elements; see above.
 template <class T>
 class Plane {
   static_assert(std::is_trivial_v<T>);
 
  public:
   Plane() = default;
+  /// Elements are not initialised.
   Plane(int width, int height) : width_(width), height_(height), data_(static_cast<T*>(PlaneMemory::take(sizeof(T) * width * height)), GiveBack{sizeof(T) * width * height}) {}
 
-  int width() const { return width_; }
-  int height() const { return height_; }
-  bool empty() const { return !data_; }
-  T* row(int y) { return data_.get() + size_t(y) * width_; }
-  const T* row(int y) const { return data_.get() + size_t(y) * width_; }
-  T& at(int x, int y) { return row(y)[x]; }
-  const T& at(int x, int y) const { return row(y)[x]; }
+  int width() const { return width_; }  ///< pixels
+  int height() const { return height_; }  ///< pixels
+  bool empty() const { return !data_; }  ///< no image
+  T* row(int y) { return data_.get() + size_t(y) * width_; }  ///< 0 <= y < height, not checked
+  const T* row(int y) const { return data_.get() + size_t(y) * width_; }  ///< 0 <= y < height, not checked
+  T& at(int x, int y) { return row(y)[x]; }  ///< inside the image, not checked
+  const T& at(int x, int y) const { return row(y)[x]; }  ///< inside the image, not checked
+  /// valid while this object lives
   ImageView<T> view() const { return {data_.get(), width_, height_, width_}; }
 
  private:

@@ -15,17 +15,18 @@ namespace edgevo {
 
 /// Distances from ground truth after alignment, metres.
 struct AbsoluteError {
-  double rmse = 0, mean = 0, median = 0, max = 0;
-  int poses = 0;
+  double rmse = 0, mean = 0, median = 0, max = 0;  ///< over the poses, metres
+  int poses = 0;  ///< that were compared
   double scale = 1;  ///< that the alignment multiplied the estimate with
 };
 
 /// Estimated positions of `matches`, one a column; estimate_points in its own unit, truth_points in metres.
 Points estimate_points(const std::vector<MatchedPose>& matches);
-Points truth_points(const std::vector<MatchedPose>& matches);
+Points truth_points(const std::vector<MatchedPose>& matches);  ///< True positions, likewise.
 
 /// nullopt where the fit is (similarity_fit.h).
 std::optional<AbsoluteError> ate_sim3(const std::vector<MatchedPose>& matches);
+/// nullopt where the fit is; for an estimate in metres.
 std::optional<AbsoluteError> ate_se3(const std::vector<MatchedPose>& matches);
 
 /// `matches` with T_est in metres: cut into blocks of `block_frames` consecutive INPUT frames, the step from a pose to the

@@ -20,8 +20,9 @@ namespace edgevo {
 /// files) counts as its end. Cost: logarithmic, after one linear pass in the constructor.
 class GroundTruth {
  public:
+  /// Keeps a reference; poses in time order.
   explicit GroundTruth(const Trajectory& trajectory);
-  std::optional<SE3> at(Timestamp time) const;
+  std::optional<SE3> at(Timestamp time) const;  ///< interpolated T_world_cam
 
  private:
   const std::vector<StampedPose>* poses_;  ///< not owned: the trajectory must outlive this
@@ -30,7 +31,7 @@ class GroundTruth {
 
 /// The frames that were put into the system, in time order.
 struct InputFrames {
-  std::vector<Timestamp> times;
+  std::vector<Timestamp> times;  ///< ascending
   std::string source;  ///< how they were found, for the report
 };
 
@@ -46,7 +47,7 @@ InputFrames find_input_frames(const Trajectory& estimate, const Trajectory& grou
 
 /// An estimated pose with its ground truth.
 struct MatchedPose {
-  Timestamp time;
+  Timestamp time;  ///< of the estimated pose
   int frame = 0;  ///< index of the nearest input frame
   SE3 T_est;      ///< estimate, its own world and unit
   SE3 T_gt;       ///< ground truth at `time`, metres
@@ -59,6 +60,7 @@ struct EvaluatedFrame {
   bool has_pose = false;     ///< the estimate holds a pose for it, whether or not ground truth does
 };
 
+/// The estimate beside its ground truth, by pose and by input frame.
 struct Association {
   std::vector<MatchedPose> matches;     ///< in time order
   std::vector<EvaluatedFrame> frames;   ///< one for each input frame

@@ -19,24 +19,28 @@
 
 namespace edgevo {
 
+/// How a sequence is changed before it is run.
 struct BenchVariant {
-  std::string name = "normal";
-  int every = 1;
-  bool backward = false;
-  bool gaps = false;
+  std::string name = "normal";  ///< as the list gives it
+  int every = 1;  ///< only each every-th frame
+  bool backward = false;  ///< the last frame first
+  bool gaps = false;  ///< frames are missing here and there
   std::string light;  ///< kind of `edgevo relight`; empty: as it is
 };
 
+/// A sequence of the list.
 struct BenchSequence {
   std::string name, source, frames, camera, params;  ///< texts as in the list; all but the first two may be empty
-  std::vector<BenchVariant> variants;
+  std::vector<BenchVariant> variants;  ///< each is run with every seed
   std::string where;  ///< "LIST:LINE" of its source, for messages
 };
 
+/// All that a benchmark runs.
 struct BenchList {
-  std::vector<uint64_t> seeds;
+  std::vector<uint64_t> seeds;  ///< of every sequence and variant
   std::vector<BenchSequence> sequences;  ///< in the order of the file
 
+  /// Runs that the list asks for: variants of all sequences times seeds.
   int jobs() const;
 };
 

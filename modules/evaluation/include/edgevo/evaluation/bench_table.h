@@ -11,8 +11,9 @@
 
 namespace edgevo {
 
+/// The trials of one sequence and variant.
 struct BenchRow {
-  std::string sequence, variant;
+  std::string sequence, variant;  ///< as the list names them
   std::vector<Trial> trials;  ///< those that ended; one a seed
   int missing = 0;            ///< trials that did not: a broken source, or not run yet
 };

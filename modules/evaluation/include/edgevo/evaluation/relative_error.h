@@ -17,18 +17,18 @@ namespace edgevo {
 /// Each stretch counts at most `cap`, and counts the cap if one of its ends, or half or more of its input frames, lack a
 /// pose: losing track must not look better than tracking badly.
 struct Drift {
-  double mean_cm_per_m = 0, median_cm_per_m = 0;
-  int stretches = 0;
+  double mean_cm_per_m = 0, median_cm_per_m = 0;  ///< over all stretches
+  int stretches = 0;  ///< that were compared
   int capped = 0;              ///< for the size of their error
   int without_poses = 0;       ///< capped for missing poses
   double path_m = 0;           ///< length of the true path over the input
-  std::vector<double> lengths_m;
+  std::vector<double> lengths_m;  ///< of the stretches, ascending
   /// The same for each of these lengths alone, in their order.
   struct OfLength {
-    double mean_cm_per_m = 0, median_cm_per_m = 0, max_cm_per_m = 0;
+    double mean_cm_per_m = 0, median_cm_per_m = 0, max_cm_per_m = 0;  ///< over the stretches of this length
     int stretches = 0;  ///< 0: none fits, the figures say nothing
   };
-  std::vector<OfLength> by_length;
+  std::vector<OfLength> by_length;  ///< as lengths_m
 };
 
 /// `metric_matches` are Association::matches with T_est in metres (rescale_blocks), `frames` Association::frames.
@@ -39,9 +39,9 @@ std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames, const std:
 /// The KITTI odometry benchmark's figures, averaged over stretches of 100, 200, ..., 800 m that begin at every tenth
 /// frame; as its devkit, divided by the nominal length. Stretches whose ends lack a pose are left out.
 struct KittiRelative {
-  double t_rel_percent = 0;
-  double r_rel_deg_per_100m = 0;
-  int stretches = 0;
+  double t_rel_percent = 0;  ///< translation error over length
+  double r_rel_deg_per_100m = 0;  ///< rotation error over length
+  int stretches = 0;  ///< that were averaged
 };
 
 /// `scale` multiplies the estimate: one Sim(3) fit for all. nullopt where no stretch fits (a path under 100 m).
@@ -52,7 +52,7 @@ std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& f
 /// no drift. Windows overlap by half.
 struct ScalePoint {
   int first_frame = 0, last_frame = 0;  ///< input frames of the window's first and last pose
-  double relative_scale = 1;
+  double relative_scale = 1;  ///< estimate over truth, 1: as in the whole run
 };
 
 /// Windows of `window_frames` input frames (stretch_scale of absolute_error.h); windows with fewer than three poses or

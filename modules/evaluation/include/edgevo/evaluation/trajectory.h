@@ -17,19 +17,22 @@
 
 namespace edgevo {
 
+/// The two formats above.
 enum class TrajectoryFormat { kTum, kKitti };
 
 /// "TUM", "KITTI".
 std::string_view to_string(TrajectoryFormat format);
 
+/// One line of the file.
 struct StampedPose {
-  Timestamp time;
+  Timestamp time;  ///< KITTI: the number of the row, in seconds
   SE3 T_world_cam;  ///< translation in the file's own unit: metres in a ground truth, arbitrary in a monocular estimate
 };
 
+/// A trajectory file.
 struct Trajectory {
   std::string path;                              ///< file it came from, for messages
-  TrajectoryFormat format = TrajectoryFormat::kTum;
+  TrajectoryFormat format = TrajectoryFormat::kTum;  ///< of the file
   std::vector<StampedPose> poses;                ///< times increase; a KITTI row's time is its number, in seconds
 };
 

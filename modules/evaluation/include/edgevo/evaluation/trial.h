@@ -9,19 +9,20 @@
 
 namespace edgevo {
 
+/// One sequence, variant and seed.
 struct Trial {
   int frames = 0;                 ///< put in
   double completion_percent = 0;  ///< of them, with a pose
-  int segments = 0;
+  int segments = 0;  ///< with a pose
   double cpu_ms = 0;              ///< of the odometry a frame, all threads; images are read or rendered beforehand
   bool evaluated = false;         ///< against ground truth; if not, `note` says why and the figures below say nothing
-  std::string note;
+  std::string note;  ///< why there are no errors; else empty
   double path_m = 0;              ///< of the ground truth
   double ate_m = 0;               ///< RMSE after Sim(3)
   double ate200_m = 0;            ///< scale re-corrected every 200 input frames (absolute_error.h)
-  double drift_cm_per_m = 0;
+  double drift_cm_per_m = 0;  ///< mean (relative_error.h)
 
-  void visit(ParamVisitor& v);
+  void visit(ParamVisitor& v);  ///< names of the fields, for the file of a trial (core/params.h)
 };
 
 /// What the run itself tells; `cpu_s` of all its frames.

@@ -15,33 +15,36 @@ namespace edgevo {
 
 /// A frame of the bootstrap with its pose; the first view is the origin.
 struct BootstrapView {
-  int frame_index = 0;
-  Timestamp time;
+  int frame_index = 0;  ///< in the source
+  Timestamp time;  ///< of the frame
   std::shared_ptr<const FramePyramid> pyramid;  ///< empty for frames whose image was not kept
-  SE3 T_cam_first;
+  SE3 T_cam_first;  ///< first view to this camera, unit of the bootstrap
   bool placed = false;                          ///< false: PnP failed, no pose
 };
 
 /// A corner triangulated from the two views, in the first camera.
 struct BootstrapCorner {
-  Eigen::Vector2d px_first, px_last;
-  double idepth_first = 0, idepth_last = 0;
+  Eigen::Vector2d px_first, px_last;  ///< pixels, in the first view and in the last
+  double idepth_first = 0, idepth_last = 0;  ///< 1/z in the first camera and in the last, > 0
 };
 
+/// Two views that make a map, and what lies between them.
 struct BootstrapResult {
   std::vector<BootstrapView> views;   ///< all frames from the first view to the last
-  std::vector<BootstrapCorner> corners;
+  std::vector<BootstrapCorner> corners;  ///< inliers
   double parallax_deg = 0;            ///< median
 };
 
+/// What the newest frame brought.
 struct BootstrapStatus {
-  std::optional<BootstrapResult> result;
+  std::optional<BootstrapResult> result;  ///< none: not ready yet
   std::string reason;                 ///< why there is no result yet, a short sentence
 };
 
+/// Waits for two views with enough parallax.
 class Bootstrap {
  public:
-  Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);
+  Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);  ///< `seed` of its RANSAC
   ~Bootstrap();
 
   /// Next frame. Corners are followed on histogram-equalised images, so that a changing exposure does no

@@ -21,11 +21,13 @@ std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
 
 /// Cells of `cell_px` pixels over an image, row by row.
 struct CellGrid {
+  /// Over an image of width x height pixels.
   CellGrid(int width, int height, int cell_px)
       : cell(cell_px), columns((width + cell_px - 1) / cell_px), rows((height + cell_px - 1) / cell_px) {}
+  /// Cell of a pixel of the image (not checked).
   int index(double x, double y) const { return int(y) / cell * columns + int(x) / cell; }
-  int size() const { return columns * rows; }
-  int cell, columns, rows;
+  int size() const { return columns * rows; }  ///< number of cells
+  int cell, columns, rows;  ///< side of a cell in pixels; cells along x and along y
 };
 
 /// One observation of every living immature point of `host` in a frame at T_target_host.

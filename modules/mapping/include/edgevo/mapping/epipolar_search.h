@@ -14,11 +14,12 @@ namespace edgevo {
 
 /// Where the inverse depth of a new point may lie.
 struct IdepthRange {
-  double low = 0, high = 0;
+  double low = 0, high = 0;  ///< bounds, 0 < low < high
   double likely = 0;  ///< best guess within; 0: no better one than the geometric mean
-  double guess() const { return likely > 0 ? likely : std::sqrt(low * high); }
+  double guess() const { return likely > 0 ? likely : std::sqrt(low * high); }  ///< the likeliest value
 };
 
+/// How a search ended; only kFound tells a depth.
 enum class EpipolarOutcome {
   kFound,
   kNoBaseline,     ///< the segment is too short to tell anything
@@ -28,10 +29,11 @@ enum class EpipolarOutcome {
   kAmbiguous,      ///< two places look alike
 };
 
+/// The depth that one image tells.
 struct EpipolarMatch {
-  EpipolarOutcome outcome = EpipolarOutcome::kNoMatch;
-  double idepth = 0, idepth_sigma = 0;
-  Eigen::Vector2d px;
+  EpipolarOutcome outcome = EpipolarOutcome::kNoMatch;  ///< all below holds for kFound only
+  double idepth = 0, idepth_sigma = 0;  ///< 1/z in the host frame, and one standard deviation
+  Eigen::Vector2d px;  ///< the match, in the target image
 };
 
 /// Looks for the host point in the target image over the inverse depths of `range`.

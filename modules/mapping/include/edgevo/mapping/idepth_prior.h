@@ -10,6 +10,7 @@
 
 namespace edgevo {
 
+/// Depths known in one image, by cell.
 class IdepthPrior {
  public:
   /// `median_before`: the median inverse depth of an earlier image, for one in which nothing is known.
@@ -20,6 +21,7 @@ class IdepthPrior {
         high_(grid_.size(), 0),
         median_(median_before) {}
 
+  /// A point of known depth: `px` inside the image, `idepth` > 0 in its camera.
   void add(const Eigen::Vector2d& px, double idepth) {
     const int c = grid_.index(px.x(), px.y());
     low_[c] = std::min(low_[c], idepth);
@@ -27,8 +29,8 @@ class IdepthPrior {
     all_.push_back(idepth);
   }
 
-  bool occupied(int cell) const { return high_[cell] > 0; }
-  const CellGrid& grid() const { return grid_; }
+  bool occupied(int cell) const { return high_[cell] > 0; }  ///< a known depth lies in the cell
+  const CellGrid& grid() const { return grid_; }  ///< cells of `cell_px`
 
   /// Search range at `px`: around what lies in the 5x5 cells about it, else around the median of the image.
   IdepthRange range(const Eigen::Vector2d& px) {
@@ -43,6 +45,7 @@ class IdepthPrior {
     return {params_.far_low * median(), params_.far_high * median(), median()};
   }
 
+  /// Median inverse depth of the image, or of the earlier one where nothing is known.
   double median() {
     if (!all_.empty()) {
       median_ = edgevo::median(std::move(all_));

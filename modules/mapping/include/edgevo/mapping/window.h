@@ -16,24 +16,28 @@ namespace edgevo {
 
 /// Health of the window after an adjustment.
 struct WindowStats {
-  int observations = 0;
-  int points = 0;
-  int matched_in_newest = 0;
+  int observations = 0;  ///< matches that were adjusted
+  int points = 0;  ///< that have them
+  int matched_in_newest = 0;  ///< of these points
   int photometric = 0;             ///< matches with a 2-D residual
-  double cost_per_observation = 0;
+  double cost_per_observation = 0;  ///< robust, in sigmas squared
 };
 
+/// The sliding window of one segment. Not for several threads at a time.
 class Window {
  public:
+  /// Throws InputError for an unknown solver.
   Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
 
-  std::deque<Keyframe>& keyframes() { return keyframes_; }
-  const std::deque<Keyframe>& keyframes() const { return keyframes_; }
-  Keyframe& newest() { return keyframes_.back(); }
-  const Keyframe& newest() const { return keyframes_.back(); }
+  std::deque<Keyframe>& keyframes() { return keyframes_; }  ///< the oldest first
+  const std::deque<Keyframe>& keyframes() const { return keyframes_; }  ///< the oldest first
+  Keyframe& newest() { return keyframes_.back(); }  ///< there must be one
+  const Keyframe& newest() const { return keyframes_.back(); }  ///< there must be one
+  /// more keyframes than it is to hold: remove_oldest()
   bool full() const { return int(keyframes_.size()) > params_.keyframes; }
-  int active_points() const;
+  int active_points() const;  ///< of all keyframes
 
+  /// the newest from now on; ids ascend
   void add(Keyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
 
   /// Matches all active points with the newest keyframe; `pose_covariance` is that of its tracking. Returns
@@ -66,9 +70,9 @@ class Window {
   /// is a guess.
   std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
-  /// The camera was corrected: poses, points and prior as the revision says, images built anew by `rebuild`.
+  /// The camera was corrected: poses, points and prior as the revision says, images built again by `rebuild`.
   using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const Keyframe&)>;
-  void apply(const MapRevision& revision, const Rebuild& rebuild);
+  void apply(const MapRevision& revision, const Rebuild& rebuild);  ///< moves the window to the revision
 
  private:
   /// Another keyframe as a host sees it.

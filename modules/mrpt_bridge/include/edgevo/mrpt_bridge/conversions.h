@@ -19,12 +19,12 @@
 
 namespace edgevo {
 
-mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b);
-SE3 from_mrpt(const mrpt::poses::CPose3D& T_a_b);
+mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b);  ///< The same motion.
+SE3 from_mrpt(const mrpt::poses::CPose3D& T_a_b);  ///< The same motion.
 
 /// Exact for every tick; MRPT counts from 1601 (its "no time" is tick 0 of that epoch).
 mrpt::Clock::time_point to_mrpt(Timestamp t);
-Timestamp from_mrpt(mrpt::Clock::time_point t);
+Timestamp from_mrpt(mrpt::Clock::time_point t);  ///< Exact for every tick.
 
 /// Always with the plumb-bob model, zeros included.
 mrpt::img::TCamera to_mrpt(const Camera& camera);

@@ -4,9 +4,10 @@
 // Images are written, or linked, while the run goes on; the rawlog itself at the end, with the final poses.
 // It is an observations-only rawlog in time order; for each frame
 //   CObservationImage        label CAM0 (or as given), image by reference into playback_Images/, as the
-//   camera took it CObservationRobotPose    label EDGE_VO: pose of the vehicle with its covariance
-//   (playback_pose.h), where there is a pose CObservationOdometry     label EDGE_VO_ODO: the same in the
-//   plane, for RawLogViewer's "map from odometry"
+//                            camera took it
+//   CObservationRobotPose    label EDGE_VO: pose of the vehicle with its covariance (playback_pose.h), where
+//                            there is a pose
+//   CObservationOdometry     label EDGE_VO_ODO: the same in the plane, for RawLogViewer's "map from odometry"
 // and for each keyframe
 //   CObservation3DRangeScan  label EDGE_VO_POINTS: its edge points in the axes of the VEHICLE, sensorPose =
 //   identity. The pose
@@ -29,6 +30,7 @@
 
 namespace edgevo {
 
+/// Writes the playback of one run.
 class PlaybackWriter {
  public:
   /// Makes `folder`/playback_Images. Files of an earlier run are overwritten. `camera`: of the images as they

@@ -15,11 +15,11 @@ namespace edgevo {
 /// Points into the observation that it was made from.
 struct RawlogImage {
   const char* kind = "";  ///< "image", "left image of a stereo pair", "intensity image of a depth camera"
-  std::string label;
-  Timestamp time;
-  bool has_time = false;
-  const mrpt::img::CImage* image = nullptr;
-  const mrpt::img::TCamera* camera = nullptr;
+  std::string label;  ///< of the sensor
+  Timestamp time;  ///< of the observation
+  bool has_time = false;  ///< false: the observation holds no time
+  const mrpt::img::CImage* image = nullptr;  ///< not null
+  const mrpt::img::TCamera* camera = nullptr;  ///< its calibration; not null
   /// Mount; nullopt where the observation holds the identity, which is what nobody has set (it would look
   /// straight up).
   std::optional<SE3> T_vehicle_cam;

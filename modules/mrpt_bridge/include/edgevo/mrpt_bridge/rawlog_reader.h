@@ -21,6 +21,7 @@ namespace edgevo {
 
 class GzInputArchive;
 
+/// Reads one rawlog from its beginning to its end.
 class RawlogReader {
  public:
   /// Throws InputError if the file cannot be opened.

@@ -20,8 +20,9 @@
 
 namespace edgevo {
 
+/// Which images of which rawlog.
 struct RawlogSourceOptions {
-  std::string path;
+  std::string path;  ///< of the rawlog
   std::string sensor_label;      ///< which camera; may be empty if the rawlog has only one
   std::optional<Camera> camera;  ///< calibration to use in place of the observations'
 };

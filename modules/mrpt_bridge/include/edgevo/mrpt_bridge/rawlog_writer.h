@@ -12,6 +12,7 @@ namespace edgevo {
 
 class ObjectFile;
 
+/// Writes one rawlog.
 class RawlogWriter {
  public:
   /// Overwrites `path`. Throws InputError if it cannot be opened.

@@ -12,6 +12,7 @@
 
 namespace edgevo {
 
+/// What the scene shows.
 struct SceneOptions {
   int max_points = 500'000;  ///< a viewer stays fluent; with more, every n-th point is shown
 };

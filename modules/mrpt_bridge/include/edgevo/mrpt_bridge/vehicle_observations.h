@@ -23,6 +23,7 @@ mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const s
 /// `T_world_cam`: the final or the live pose of `frame`, whose time and covariance go with it.
 mrpt::obs::CObservationRobotPose::Ptr make_pose_observation(const Run& run, const FrameRecord& frame,
                                                             const SE3& T_world_cam);
+/// The same pose in the plane.
 mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, const FrameRecord& frame,
                                                                const SE3& T_world_cam);
 

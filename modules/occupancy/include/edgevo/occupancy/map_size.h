@@ -12,6 +12,7 @@
 
 namespace edgevo {
 
+/// An estimate before the map is made.
 struct MapSize {
   double resolution = 0;  ///< edge of a voxel as it will be used, unit of the run
   double voxels = 0;      ///< free and occupied, about

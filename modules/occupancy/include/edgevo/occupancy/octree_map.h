@@ -7,19 +7,17 @@
 // Each keyframe is one batch, as in octomap::OcTree::insertPointCloud(lazy, discretized), where occupied wins
 // over free. What differs from it, because edges are thin and sparse:
 //  - Only certain points carve free space, and their rays stop some sigmas of depth (and a voxel) before the
-//  point. Rays up to
-//    the point let neighbouring rays erase the edge itself: a thin edge covers one voxel of each ray's path,
-//    its depth error several.
-//  - A point carves only where others of its segment lie near it (carve_neighbours). A wrong match leaves a
-//  point metres behind the
-//    surface whose sigma is small, but no others beside it; its ray would free the inside of walls.
+//    point. Rays up to the point let neighbouring rays erase the edge itself: a thin edge covers one voxel of
+//    each ray's path, its depth error several.
+//  - A point carves only where others of its segment lie near it (carve_neighbours). An outlier leaves a
+//    point metres behind the surface whose sigma is small, but no others beside it; its ray would free the
+//    inside of walls.
 //  - The records hold each point once, in its host, although several keyframes saw it. A point with n
-//  observations counts
-//    as seen in its host's batch and the n - 1 after it: there its voxel is hit and not carved. Counted once,
-//    an edge that was matched ten times would be erased by the rays of three keyframes that graze its voxel.
+//    observations counts as seen in its host's batch and the n - 1 after it: there its voxel is hit and not
+//    carved. Counted once, an edge that was matched ten times would be erased by the rays of three keyframes
+//    that graze its voxel.
 //  - Segments are mapped apart and joined by "occupied in any, else free in any": between segments neither
-//  scale nor place is
-//    measured, so that a ray of one proves nothing about the edges of another.
+//    scale nor place is measured, so that a ray of one proves nothing about the edges of another.
 // Between edges lies unknown space. A planner has to choose whether unknown is free; free voxels here are
 // really seen ones.
 //
@@ -44,7 +42,7 @@ namespace edgevo {
 
 /// What went into the map, for summary.yaml.
 struct OctreeStats {
-  PointCounts points;
+  PointCounts points;  ///< which of them were mapped, and why not
   double median_depth = 0;  ///< of the kept points, in their host cameras; 0: no points
   double resolution = 0;    ///< as used
   double max_range = 0;     ///< as used
@@ -59,6 +57,7 @@ struct OctreeStats {
 /// Told with the number of keyframes inserted so far.
 using OnKeyframeMapped = std::function<void(int)>;
 
+/// The octree of one run.
 class OctreeMap {
  public:
   /// Throws InputError for parameters that check() refuses. How large it gets: map_size.h.
@@ -67,8 +66,8 @@ class OctreeMap {
   OctreeMap(OctreeMap&&) noexcept;
   OctreeMap& operator=(OctreeMap&&) noexcept;
 
-  const octomap::OcTree& tree() const { return *tree_; }
-  const OctreeStats& stats() const { return stats_; }
+  const octomap::OcTree& tree() const { return *tree_; }  ///< log-odds; valid while this object lives
+  const OctreeStats& stats() const { return stats_; }  ///< what went into it
 
   /// Occupied or free only, the smallest and most widely read format. Throws InputError when it cannot be
   /// written.

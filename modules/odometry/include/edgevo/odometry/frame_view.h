@@ -8,6 +8,7 @@
 
 namespace edgevo {
 
+/// A map point in view of the newest frame.
 struct SeenPoint {
   Eigen::Vector2f px;      ///< in the undistorted frame, inside the image
   float idepth = 0;        ///< 1/z in the frame's camera, > 0
@@ -15,6 +16,7 @@ struct SeenPoint {
   float residual_px = 0;   ///< along the normal of the nearest edge pixel; NaN where none lies within the search radius
 };
 
+/// The newest frame with the map points that it sees.
 struct FrameView {
   std::shared_ptr<const FramePyramid> pyramid;  ///< undistorted image and its edges; null before the first frame
   std::vector<SeenPoint> points;                ///< empty unless the frame has a pose

@@ -10,7 +10,7 @@ namespace edgevo {
 /// Keyframes that have left the window, in the order in which they did.
 struct SettledKeyframes {
   int revision = 0;  ///< how often the camera was corrected so far; each time ALL keyframes have moved
-  std::vector<KeyframeRecord> keyframes;
+  std::vector<KeyframeRecord> keyframes;  ///< as they left
 };
 
 }  // namespace edgevo

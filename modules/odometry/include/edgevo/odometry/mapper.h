@@ -18,56 +18,62 @@
 
 namespace edgevo {
 
+/// A frame with its pose, handed from tracking to mapping.
 struct TrackedFrame {
-  int frame_index = 0;
-  Timestamp time;
-  std::shared_ptr<const FramePyramid> pyramid;
+  int frame_index = 0;  ///< in the source
+  Timestamp time;  ///< of the frame
+  std::shared_ptr<const FramePyramid> pyramid;  ///< of its image
   ImageMotion motion;    ///< of its image
   int reference_id = 0;  ///< keyframe that T_cam_ref refers to
-  SE3 T_cam_ref;
-  Matrix6d covariance = Matrix6d::Zero();
-  bool make_keyframe = false;
-  std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless asked for
+  SE3 T_cam_ref;  ///< keyframe `reference_id` to this camera
+  Matrix6d covariance = Matrix6d::Zero();  ///< of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w]
+  bool make_keyframe = false;  ///< keyframe_policy.h called for it
+  std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless requested
   int return_to = -1;  ///< keyframe of the window to track against from now on; -1: the present one
 };
 
 /// Milliseconds of CPU time by stage.
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
+/// What mapping made of a frame.
 struct MapUpdate {
   int keyframe_id = -1;  ///< of the keyframe made of this frame; -1 if none
   WindowStats stats;     ///< of the adjustment, if there was one
-  StageTimes times;
+  StageTimes times;  ///< of the stages that ran
 };
 
+/// Window, self-calibration and edge map of a run.
 class Mapper {
  public:
+  /// `gradient_patches`: references get patches of gradients for the photometric cost; `seed`: of the run.
   Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
          bool gradient_patches, uint64_t seed);
 
-  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid anew from its source image,
+  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid again from its source image,
   /// whose motion is given. In a thread of its own the mapping goes on meanwhile, but when it ends, and with
   /// it the result, depends on the machine.
   using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
       const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
+  /// before the first frame
   void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild,
                                bool own_thread);
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
   /// between them. Returns an empty string, or why they make no map.
   [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
-  /// One tracked frame: updates immature depths, and makes it a keyframe if asked for.
+  /// One tracked frame: updates immature depths, and makes it a keyframe if requested.
   MapUpdate process(const TrackedFrame& frame);
   /// Closes the segment: all keyframes retire, the window is empty.
   void close();
 
-  std::shared_ptr<const Reference> reference() const { return reference_; }
-  const Window& window() const { return window_; }
-  int next_id() const { return next_id_; }
+  std::shared_ptr<const Reference> reference() const { return reference_; }  ///< null without a map
+  const Window& window() const { return window_; }  ///< empty without a map
+  int next_id() const { return next_id_; }  ///< of the keyframe that comes next; ascends over the whole run
   /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
   std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }
   /// Keyframes, retired or in the window, that a correction of the camera moved since the last call.
   std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
+  /// what self-calibration found so far
   const CameraRefinement& camera() const { return calibration_.state(); }
   /// Of the segments closed since the last call.
   std::vector<HostedLines> take_lines() { return std::exchange(lines_, {}); }

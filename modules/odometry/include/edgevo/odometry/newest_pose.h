@@ -17,7 +17,7 @@ namespace edgevo {
 struct NewestPose {
   int frame_index = -1;  ///< -1: no frame yet
   Timestamp time;        ///< of the image
-  TrackingState state = TrackingState::kBootstrapping;
+  TrackingState state = TrackingState::kBootstrapping;  ///< the verdict
   std::string note;  ///< why it is not TRACKING; else empty
   int segment = -1;  ///< poses of two segments have no common frame that could be trusted
   std::optional<SE3>

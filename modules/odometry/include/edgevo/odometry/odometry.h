@@ -17,8 +17,9 @@
 
 namespace edgevo {
 
+/// How a run is made; what is estimated and how is in OdometryParams.
 struct OdometryOptions {
-  uint64_t seed = 1;
+  uint64_t seed = 1;  ///< same seed, same bytes (without `realtime`)
   /// Tracking, mapping and self-calibration in threads of their own: faster, and not bit-identical from run to run.
   bool realtime = false;
   /// Realtime: so many frames that call for a keyframe may be tracked while the mapping is still busy with one; then tracking waits for it.
@@ -28,6 +29,7 @@ struct OdometryOptions {
   std::function<void(const std::string&)> log;  ///< one line at each change of state; may be empty
 };
 
+/// A run of one camera. One thread.
 class Odometry {
  public:
   /// Throws InputError for an unusable camera or detector.

@@ -8,23 +8,24 @@
 
 namespace edgevo {
 
+/// What is done after a loss.
 struct RecoveryParams {
-  int max_frames = 10;  ///< that show something: after a loss so many are tried against the old map, beside a new bootstrap
+  int max_frames = 10;  ///< relocalisation in the old map is tried in so many frames after a loss, beside a new bootstrap; those that show nothing do not count
 
-  void visit(ParamVisitor& v);
+  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
 
 /// All parameters of a run, group by group as in params/default.yaml.
 struct OdometryParams {
-  SelfCalibrationParams camera;
-  EdgeParams edges;
-  AlignmentParams alignment;
-  AssociationParams association;
-  MappingParams mapping;
-  RecoveryParams recovery;
-  EdgeMapParams edge_map;
+  SelfCalibrationParams camera;  ///< what the camera file does not say
+  EdgeParams edges;  ///< edge detection
+  AlignmentParams alignment;  ///< tracking
+  AssociationParams association;  ///< matches between keyframes
+  MappingParams mapping;  ///< bootstrap, points, keyframes, window
+  RecoveryParams recovery;  ///< relocalisation
+  EdgeMapParams edge_map;  ///< lines of whole edges
 
-  void visit(ParamVisitor& v);
+  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
 
 }  // namespace edgevo

@@ -11,9 +11,9 @@ namespace edgevo {
 /// What a frame is tracked against: the cloud of a keyframe, the newest unless the camera has come back to an
 /// older one, and where the window's keyframes stand. Immutable once handed out.
 struct Reference {
-  int keyframe_id = 0;
-  SE3 T_ref_world;
-  ReferenceCloud cloud;
+  int keyframe_id = 0;  ///< of the keyframe
+  SE3 T_ref_world;  ///< of the segment's map
+  ReferenceCloud cloud;  ///< its image and points
   int known_points = 0;   ///< of the cloud's points, those of known depth
   double view_share = 1;  ///< of all points of the window, those that lie in its image, matched there or not
   double median_idepth = 1;             ///< of the map where the newest keyframe sees it

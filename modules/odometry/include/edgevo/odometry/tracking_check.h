@@ -7,6 +7,7 @@
 
 namespace edgevo {
 
+/// Running estimate of the factor above.
 class TrackingCheck {
  public:
   /// A keyframe's pose against its reference, as tracked with its covariance, and as adjusted. Poses or

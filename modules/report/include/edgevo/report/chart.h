@@ -16,14 +16,14 @@ struct Series {
 struct TimeChart {
   std::string y_name;     ///< with its unit
   std::vector<double> x;  ///< seconds, ascending
-  std::vector<Series> series;
+  std::vector<Series> series;  ///< the first is drawn first
   bool stacked = false;    ///< areas on top of each other; values >= 0
   bool from_zero = false;  ///< the y axis holds 0
   double y_max = 0;        ///< > 0: what is larger leaves the drawing
 };
 /// For a page.
 std::string draw(const TimeChart& chart);
-/// The drawing alone as one <svg> element, 1000 x 190 units, for files of their own.
+/// The drawing alone as one svg element, 1000 x 190 units, for files of their own.
 std::string draw_svg(const TimeChart& chart);
 
 /// A strip with one colour for each stretch of equal value; drawn above charts of the same `x`.
@@ -31,6 +31,6 @@ struct Ribbon {
   std::vector<double> x;           ///< seconds, ascending
   std::vector<std::string> color;  ///< one for each x
 };
-std::string draw(const Ribbon& ribbon);
+std::string draw(const Ribbon& ribbon);  ///< For a page.
 
 }  // namespace edgevo

@@ -8,6 +8,7 @@
 
 namespace edgevo {
 
+/// A run as the page needs it.
 struct ComparedRun {
   std::string name;          ///< unlike that of the others
   std::string problem;       ///< why it cannot be compared; then only the name counts
@@ -15,7 +16,7 @@ struct ComparedRun {
   std::string link;          ///< its own page, as a URL relative to this one; empty: it has none
   std::string ground_truth;  ///< a trajectory file; empty: not known. One that cannot be read or compared is
                              ///< told in the row
-  int frames = 0, lost = 0, keyframes = 0, segments = 0;
+  int frames = 0, lost = 0, keyframes = 0, segments = 0;  ///< counts of the run
   double cpu_ms = 0;  ///< a frame
   Trajectory
       trajectory;  ///< final poses, T_world_cam; `path` tells where frames.csv lies (find_input_frames)

@@ -14,13 +14,15 @@
 
 namespace edgevo {
 
+/// One keyframe.
 struct EdgePicture {
-  int frame_index = 0;
-  Timestamp time;
+  int frame_index = 0;  ///< in the source
+  Timestamp time;  ///< of the frame
   int points = 0;  ///< drawn
-  std::vector<uint8_t> jpeg;
+  std::vector<uint8_t> jpeg;  ///< bytes of the file
 };
 
+/// The pictures of one run, with one scale of colours.
 struct EdgePictures {
   std::vector<EdgePicture> pictures;       ///< evenly spread over the run
   double idepth_low = 0, idepth_high = 0;  ///< ends of the colours, blue and red, in 1/unit of the run

@@ -11,7 +11,7 @@ namespace edgevo {
 
 /// Milliseconds that half, 95 and 99 % of the frames do not exceed (nearest rank), and the largest.
 struct LatencyFigures {
-  double p50 = 0, p95 = 0, p99 = 0, max = 0;
+  double p50 = 0, p95 = 0, p99 = 0, max = 0;  ///< milliseconds
 };
 /// None of no values.
 std::optional<LatencyFigures> latency_figures(std::vector<double> ms);

@@ -7,8 +7,9 @@
 
 namespace edgevo {
 
+/// What was written, for those who tell it.
 struct MapReport {
-  OctreeStats octree;
+  OctreeStats octree;  ///< of edges.ot
   std::optional<OccupancyGrid> grid;  ///< as written
 };
 

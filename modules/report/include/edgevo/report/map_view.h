@@ -24,15 +24,17 @@ struct MapVertex {
   int keyframe = -1;    ///< index of the host in MapView::keyframes; -1: none
 };
 
+/// A keyframe as a small camera.
 struct MapKeyframe {
   int frame_index = 0;  ///< in the source
   SE3 T_map_cam;        ///< camera x right, y down, z forward
 };
 
+/// What the view shows.
 struct MapView {
   std::string unit;                 ///< of all lengths: "m", "units"
   std::vector<MapVertex> vertices;  ///< more than kMostMapVertices are thinned evenly, and the page says so
-  std::vector<MapKeyframe> keyframes;
+  std::vector<MapKeyframe> keyframes;  ///< in time order
   std::vector<double> seconds;                              ///< of each frame, since the first
   std::vector<std::optional<Eigen::Vector3d>> path, truth;  ///< one for each frame; truth may be empty
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What is told of a run besides its records: by whom it was asked for, on which source, with which
+// What is told of a run besides its records: who requested it, on which source, with which
 // parameters.
 #include <string>
 #include <utility>
@@ -11,8 +11,8 @@ namespace edgevo {
 
 /// What summary.yaml and report.html tell besides the run itself.
 struct RunInfo {
-  std::vector<std::string> command_line;
-  std::string source_kind, source_path;
+  std::vector<std::string> command_line;  ///< program and arguments
+  std::string source_kind, source_path;  ///< ImageSource::kind(), and where it lies
   std::string ground_truth_path;  ///< a trajectory file, for report.html; empty if there is none
   Camera camera;                  ///< as given by the source or --camera
   std::string params_yaml;        ///< of write_params(), not indented

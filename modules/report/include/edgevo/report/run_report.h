@@ -16,17 +16,18 @@
 
 namespace edgevo {
 
+/// All that the page tells. References must outlive it.
 struct ReportInput {
-  const Run& run;
-  const RunInfo& info;
+  const Run& run;  ///< finished
+  const RunInfo& info;  ///< what is told besides
   PointFilter points;  ///< which edge points are drawn
-  EdgePictures pictures;
+  EdgePictures pictures;  ///< may be empty
   std::vector<std::string> not_written;  ///< files of the run that could not be
   MapReport map = {};                    ///< what the map files hold
   std::vector<MapVertex> map_vertices =
       {};  ///< shown in 3D; map frame and unit of the run (map_points, or lines)
 };
 
-std::string report_html(const ReportInput& input);
+std::string report_html(const ReportInput& input);  ///< The page.
 
 }  // namespace edgevo

@@ -2,7 +2,7 @@
 // A run that was cut off (killed, no power) is brought to its end with what it had: `edgevo finish`.
 //
 // Frames keep the poses that they had when they came, moved with the keyframes that have settled since; what
-// the last window of keyframes had not settled yet is left out of the map. A scale that was asked for is
+// the last window of keyframes had not settled yet is left out of the map. A requested scale is
 // measured again.
 #include <string>
 

@@ -11,15 +11,15 @@ namespace edgevo {
 /// A folder with results, and what it tells. Where `problem` is not empty the rest is what could be read
 /// before.
 struct FinishedRun {
-  std::string folder;
+  std::string folder;  ///< where it lies
   std::string problem;       ///< in a line, why it cannot be compared: half written, spoilt
   std::string source;        ///< what was run: path of the source, or sequence of a benchmark
   std::string report;        ///< path of its own page; empty if there is none
   std::string ground_truth;  ///< path of a trajectory file; empty if none is known, or it is there no more
   int frames = 0;            ///< put in
   int lost = 0;              ///< of them, without a pose after the first that has one
-  int keyframes = 0;
-  int segments = 0;
+  int keyframes = 0;  ///< that are frames of the run
+  int segments = 0;  ///< with a pose
   double cpu_ms = 0;      ///< of the odometry, mean over the frames
   Trajectory trajectory;  ///< final poses; none where no frame has one
 };

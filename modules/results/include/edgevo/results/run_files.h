@@ -6,9 +6,10 @@
 
 namespace edgevo {
 
+/// A file of a run.
 struct RunFile {
-  std::string name;
-  std::string content;
+  std::string name;  ///< in the run's folder
+  std::string content;  ///< what it is, a line for people
 };
 
 /// All of them, in the order in which they are written; some only where the run has what they tell.

@@ -11,18 +11,19 @@
 
 namespace edgevo {
 
+/// The folder of one run.
 class RunFolder {
  public:
   /// Makes the folder and those above it. Throws InputError: a file is in the way, or it may not be made.
   explicit RunFolder(std::string path);
 
-  const std::string& path() const { return path_; }
+  const std::string& path() const { return path_; }  ///< as given
   /// Where `file` lies, or will.
   std::string path_of(const std::string& file) const;
 
   /// Does `write(path of the file)`; whatever that throws is noted.
   void attempt(const std::string& file, const std::function<void(const std::string& path)>& write);
-  void note_failure(const std::string& file, const InputError& error);
+  void note_failure(const std::string& file, const InputError& error);  ///< For what attempt() does not do.
 
   /// What could not be written so far.
   const std::vector<std::string>& not_written() const { return not_written_; }

@@ -18,16 +18,17 @@
 
 namespace edgevo {
 
-constexpr const char* kRunJournal = "unfinished_run.bin";
+constexpr const char* kRunJournal = "unfinished_run.bin";  ///< name of the file in the run's folder
 
 /// All that is known before the first frame and needed to write a run's files.
 struct JournalHeader {
-  RunInfo info;
+  RunInfo info;  ///< as for the run's files
   std::string scale = "none";  ///< as --scale gave it
   VehicleTrack track;          ///< that it is measured by; may be empty
-  std::optional<SE3> T_vehicle_cam;
+  std::optional<SE3> T_vehicle_cam;  ///< mount of the camera, if it is known
 };
 
+/// Writes the journal of one run. One thread.
 class RunJournal {
  public:
   /// Begins `folder`/unfinished_run.bin. Throws InputError when it cannot be made.
@@ -41,10 +42,11 @@ class RunJournal {
   /// Keyframes that have left the window: those behind the first settled() of them; after a correction of the
   /// camera (another revision) all.
   void add_keyframes(const SettledKeyframes& keyframes);
+  /// What self-calibration says now; written where it changed.
   void add_camera(const CameraRefinement& camera);
 
-  size_t settled() const;
-  int revision() const;
+  size_t settled() const;  ///< keyframes written since the last revision
+  int revision() const;  ///< SettledKeyframes::revision of these
   /// The journal has ended before the run.
   bool is_broken() const;
   /// The run's files are written: takes the journal away.
@@ -57,10 +59,10 @@ class RunJournal {
 
 /// What a run that was cut off has left.
 struct CutOffRun {
-  JournalHeader header;
+  JournalHeader header;  ///< as it was before the first frame
   Run run;  ///< frames with live poses, keyframes in the same world; no final poses yet
   std::vector<size_t> frames_before_keyframe;  ///< frames that had come when each keyframe left the window
-  bool camera_was_corrected = false;
+  bool camera_was_corrected = false;  ///< self-calibration has changed the camera
 };
 
 /// Reads as far as the file is whole. Throws InputError: no such file, a header that is not whole or of

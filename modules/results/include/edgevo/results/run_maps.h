@@ -11,15 +11,17 @@
 
 namespace edgevo {
 
+/// Parameters of the maps for planners.
 struct MapParams {
-  OccupancyParams occupancy;
-  GridParams grid;
+  OccupancyParams occupancy;  ///< of the octree
+  GridParams grid;  ///< of the 2D grid
 
+  /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v) {
     { const auto g = v.group("occupancy"); occupancy.visit(v); }
     { const auto g = v.group("grid"); grid.visit(v); }
   }
-  void check() const { occupancy.check(), grid.check(); }
+  void check() const { occupancy.check(), grid.check(); }  ///< throws InputError
 };
 
 /// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz into `folder`, which is made if need

@@ -30,11 +30,13 @@
 
 namespace edgevo {
 
+/// What may be chosen about the output folder.
 struct OutputOptions {
   bool force = false;        ///< write into a folder that holds something else, or a run that was cut off
   bool copy_images = false;  ///< images that are on disk already are copied, not linked to
 };
 
+/// The files of one run. One thread.
 class RunOutputs {
  public:
   /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, no room, the

@@ -6,11 +6,13 @@
 
 namespace edgevo {
 
+/// The groups of params/default.yaml.
 struct RunParams {
-  OdometryParams odometry;
-  ScaleParams scale;
-  MapParams map;
+  OdometryParams odometry;  ///< camera to edge_map
+  ScaleParams scale;  ///< the metre
+  MapParams map;  ///< occupancy and grid
 
+  /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v) {
     odometry.visit(v);
     { const auto g = v.group("scale"); scale.visit(v); }

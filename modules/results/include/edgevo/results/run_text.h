@@ -7,6 +7,7 @@
 
 namespace edgevo {
 
+/// Which pose of a frame.
 enum class PoseKind {
   kFinal,  ///< re-expressed from the final keyframe poses
   kLive    ///< as known when the frame came

@@ -19,10 +19,11 @@
 
 namespace edgevo {
 
+/// The height over one point of the ground.
 struct HeightSample {
   double way = 0;     ///< of the path where the point is passed, units of the run
   double height = 0;  ///< of the camera over the point, units of the run, > 0
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< the point, units of the run
 };
 
 /// The points of `keyframe`, whose frame stands in `path`, that are passed within reach of the way. Those the path has not

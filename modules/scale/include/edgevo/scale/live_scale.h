@@ -16,6 +16,7 @@
 
 namespace edgevo {
 
+/// The scale as it becomes known.
 class LiveScale {
  public:
   /// `source` may be any; only estimated ones ever know a scale. `T_vehicle_cam`: the camera's mount, if it is known.

@@ -6,10 +6,11 @@
 
 namespace edgevo {
 
+/// One frame of the path.
 struct PathPose {
-  int frame_index = 0;
-  Timestamp time;
-  SE3 T_world_cam;
+  int frame_index = 0;  ///< in the source
+  Timestamp time;  ///< of the frame
+  SE3 T_world_cam;  ///< units of the run
   double way = 0;  ///< length of the path up to here, units of the run
 };
 

@@ -12,14 +12,15 @@
 
 namespace edgevo {
 
+/// The scale of one run, from its first frame to its end.
 class RunScaling {
  public:
   /// `option` as --scale gives it, checked before `source` is asked for its tracks. Throws InputError: not a
   /// scale source; the source of images recorded no such sensor, or not while its images were taken.
-  RunScaling(const ScaleSource& asked, const ImageSource& source, const ScaleParams& params);
+  RunScaling(const ScaleSource& requested, const ImageSource& source, const ScaleParams& params);
 
   /// The same for a run whose source is gone: what it recorded is given.
-  RunScaling(const ScaleSource& asked, VehicleTrack track, const Pinhole& pinhole,
+  RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
              const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params);
 
   /// After each frame.
@@ -28,12 +29,12 @@ class RunScaling {
   void add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled);
   /// What the sensor recorded that the scale is measured by; empty where it needs none.
   const VehicleTrack& track() const { return track_; }
-  /// Puts the finished run into metres, if that was asked for and can be done; else Run::scale.problem says
+  /// Makes the finished run metric, if that was requested and is possible; else Run::scale.problem says
   /// why not.
   void apply(Run* run) const;
 
  private:
-  ScaleSource asked_;
+  ScaleSource requested_;
   ScaleParams params_;
   VehicleTrack track_;
   LiveScale live_;

@@ -7,9 +7,11 @@
 
 namespace edgevo {
 
+/// What says how long a unit of the run is.
 struct ScaleSource {
+  /// kNone leaves the unit arbitrary.
   enum class Kind { kNone, kFactor, kOdometry, kGps, kRobotPose, kCameraHeight };
-  Kind kind = Kind::kNone;
+  Kind kind = Kind::kNone;  ///< what it is
   double value = 0;           ///< metres per unit (factor), metres over the ground (camera_height); else 0
   std::string text = "none";  ///< as it was given
 

@@ -16,8 +16,8 @@ namespace edgevo {
 
 /// One position of the sensor, and where the run says the camera was at that time.
 struct TrackPair {
-  double way = 0;
-  SE3 T_world_cam;
+  double way = 0;  ///< of the path at that time, units of the run
+  SE3 T_world_cam;  ///< at that time, interpolated, units of the run
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< metres
 };
 

@@ -11,10 +11,10 @@
 //      checkpoint.
 //   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
 //      (Newton on the profile cost). Where one more step with both free makes the shutter look like a rolling
-//      one, the read-out time is sought, too.
+//      one, the read-out time is estimated, too.
 //   3. Is either `significance` standard deviations from what is applied now, it is applied: poses, depths
 //      and matches move to the adjusted ones, anchored at the newest keyframe, whose pose and scale stay what
-//      they are, and the window's prior is formed anew.
+//      they are, and the window's prior is formed again.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
 // is applied. After the last checkpoint nothing is remembered any more: memory and time are bounded. A run
 // that ends earlier is estimated at its end. A run too short, too straight or too still to tell says so and
@@ -32,10 +32,11 @@
 
 namespace edgevo {
 
+/// Parameters of the self-calibration.
 struct SelfCalibrationParams {
   std::string refine = "all";    ///< "none": the camera file is taken as it is; "k1", "readout": only that
   int min_keyframes = 30;        ///< at the first checkpoint; each next one at twice as many
-  int checkpoints = 3;           ///< the last one is the dearest, about a second at 120 keyframes
+  int checkpoints = 3;           ///< the last one is the most expensive, about a second at 120 keyframes
   double prior_sigma = 0.01;     ///< of k1 before anything was seen
   double max_k1 = 0.03;          ///< an estimate at this limit is not believed
   double significance = 3.0;     ///< standard deviations
@@ -43,20 +44,23 @@ struct SelfCalibrationParams {
   double model_sigma = 0.004;
   /// Of a rolling shutter, where it is known: the last row is taken this much later than the first.
   double readout_s = 0;
-  double readout_prior_sigma = 0.03;
+  double readout_prior_sigma = 0.03;  ///< of the read-out time before anything was seen, seconds
   double max_readout_s = 0.1;    ///< an estimate at this limit is not believed
   double readout_model_sigma = 0.0015;  ///< as model_sigma, in seconds
 
   /// Rows may have a time of their own.
   bool knows_rolling() const { return readout_s != 0 || refines_readout(); }
-  bool refines_k1() const { return refine == "k1" || refine == "all"; }
+  bool refines_k1() const { return refine == "k1" || refine == "all"; }  ///< k1 is estimated
+  /// the read-out time is estimated
   bool refines_readout() const { return refine == "readout" || refine == "all"; }
 
-  void visit(ParamVisitor& v);
+  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
 
+/// The self-calibration of one run. One thread calls; an estimate may run in another.
 class SelfCalibration {
  public:
+  /// `pinhole`: of the undistorted images
   SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params);
   SelfCalibration(SelfCalibration&&) noexcept;
   SelfCalibration& operator=(SelfCalibration&&) noexcept;
@@ -74,12 +78,13 @@ class SelfCalibration {
   /// hands it over for the window as it is by then (sooner: waits for it). Cost: the copy, some 20 ms at 120
   /// keyframes.
   void begin(const std::vector<const Keyframe*>& window, const BaOptions& options);
+  /// begin() was called, and estimate() has not handed it over
   bool is_running() const { return job_ != nullptr; }
-  bool is_ready() const;
-  /// Begins anew: a segment has ended. What was found stays.
+  bool is_ready() const;  ///< an estimate that was begun has ended
+  /// Starts over: a segment has ended. What was found stays.
   void forget();
 
-  const CameraRefinement& state() const { return state_; }
+  const CameraRefinement& state() const { return state_; }  ///< what was found so far
 
  private:
   struct Job;

@@ -19,6 +19,7 @@ struct Command {
   bool at_goal = false;  ///< within the law's tolerance
 };
 
+/// One control law with its goal.
 class ControlLaw {
  public:
   virtual ~ControlLaw() = default;

@@ -6,6 +6,7 @@
 
 namespace edgevo {
 
+/// Parameters of the loop.
 struct ServoParams {
   std::string law = "pbvs";         ///< or "ibvs"
   double rate_hz = 20;              ///< of images and commands
@@ -19,7 +20,7 @@ struct ServoParams {
   int points = 20;             ///< fed, and steered by in IBVS
   double gain = 1;             ///< lambda, 1/s
   double limit_s = 25;         ///< the servo loop ends after so long even if it has not converged
-  uint64_t seed = 1;
+  uint64_t seed = 1;  ///< of start, noise and light
 };
 
 }  // namespace edgevo

@@ -15,17 +15,18 @@
 
 namespace edgevo {
 
+/// What is told of a run besides its result.
 struct ServoRunInfo {
-  ServoParams params;
+  ServoParams params;  ///< of the loop
   std::string params_yaml;  ///< of the odometry
-  std::vector<std::string> command_line;
+  std::vector<std::string> command_line;  ///< program and arguments
 };
 
 /// When something could not be written, the rest is still tried, and then the first failure is thrown
 /// (InputError).
 void write_servo_outputs(const ServoResult& result, const ServoRunInfo& info, RunFolder* folder);
 
-std::string servo_csv(const ServoResult& result);
-std::string servo_summary(const ServoResult& result, const ServoRunInfo& info);
+std::string servo_csv(const ServoResult& result);  ///< Text of servo.csv.
+std::string servo_summary(const ServoResult& result, const ServoRunInfo& info);  ///< Text of summary.yaml.
 
 }  // namespace edgevo

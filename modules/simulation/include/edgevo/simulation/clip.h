@@ -9,10 +9,11 @@
 
 namespace edgevo {
 
+/// The frames of a source.
 struct Clip {
-  Camera camera;
-  std::string kind;
-  std::vector<Frame> frames;
+  Camera camera;  ///< of the source
+  std::string kind;  ///< of the source
+  std::vector<Frame> frames;  ///< in time order
 };
 
 /// Reads a source to its end, calling `on_frame` with the number of frames so far; false from it ends the clip there. Memory: the images.
@@ -25,9 +26,10 @@ std::shared_ptr<const Clip> played_backward(const Clip& clip);
 /// The others keep index and time.
 std::shared_ptr<const Clip> with_gaps(const Clip& clip, uint64_t seed);
 
+/// Plays a clip.
 class ClipSource : public ImageSource {
  public:
-  explicit ClipSource(std::shared_ptr<const Clip> clip) : clip_(std::move(clip)) {}
+  explicit ClipSource(std::shared_ptr<const Clip> clip) : clip_(std::move(clip)) {}  ///< not null; shared
 
   const Camera& camera() const override { return clip_->camera; }
   std::optional<int> size() const override { return int(clip_->frames.size()); }

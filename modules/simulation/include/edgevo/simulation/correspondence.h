@@ -18,6 +18,7 @@ namespace edgevo {
 /// Inverse depth (1/m, 0 for sky) of the surface that an edge at `px` belongs to. NaN outside the image.
 double edge_idepth(const ImageView<float>& depth, const Eigen::Vector2d& px);
 
+/// Where a point of one view is in another.
 struct Correspondence {
   double idepth = 0;     ///< of the point, in the first view; 0 for sky
   bool in_view = false;  ///< in front of the second camera and inside its image; px is set only then
@@ -28,8 +29,8 @@ struct Correspondence {
 /// Two views of one scene.
 struct ViewPair {
   Pinhole pinhole;  ///< of both
-  ImageView<float> depth_from, depth_to;
-  SE3 T_to_from;
+  ImageView<float> depth_from, depth_to;  ///< of the two views
+  SE3 T_to_from;  ///< exact motion, metres
 };
 
 /// Where `px` of the first view is seen. Visible if one of the pixels around the position has the expected depth to within

@@ -15,9 +15,10 @@
 
 namespace edgevo {
 
+/// What is written.
 struct FolderExport {
   int begin = 0, end = -1;  ///< frames begin <= index < end; end -1: to the last
-  bool depth = false;
+  bool depth = false;  ///< the depth of each frame, too
   int threads = 2;          ///< the bytes do not depend on it
 };
 

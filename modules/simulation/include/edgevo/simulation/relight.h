@@ -27,6 +27,7 @@ namespace edgevo {
 /// The kinds above, in that order.
 const std::vector<std::string>& relight_kinds();
 
+/// One kind of changed light. Stateless; any thread.
 class Relight {
  public:
   /// Throws InputError for an unknown kind.

@@ -7,8 +7,10 @@
 
 namespace edgevo {
 
+/// A source under changed light.
 class RelitSource : public ImageSource {
  public:
+  /// `source` is not null.
   RelitSource(std::unique_ptr<ImageSource> source, Relight relight) : source_(std::move(source)), relight_(std::move(relight)) {}
 
   const Camera& camera() const override { return source_->camera(); }

@@ -7,6 +7,7 @@
 
 namespace edgevo {
 
+/// Renders each frame when it is wanted.
 class RenderedSource : public ImageSource {
  public:
   /// Frames begin <= index < end of the scene; end -1: to its last. Frame::index counts from the scene's first frame.
@@ -21,7 +22,7 @@ class RenderedSource : public ImageSource {
   std::optional<Frame> next() override;
   bool skip() override;
 
-  const SceneRenderer& renderer() const { return *renderer_; }
+  const SceneRenderer& renderer() const { return *renderer_; }  ///< that renders the frames
 
  private:
   std::shared_ptr<const SceneRenderer> renderer_;

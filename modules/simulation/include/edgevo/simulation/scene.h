@@ -27,18 +27,19 @@ struct Shutter {
   double row_time(int v, int height) const { return rolling_s > 0 && height > 1 ? rolling_s * (double(v) / (height - 1) - 0.5) : 0; }
 };
 
+/// A world with a camera that moves through it.
 struct Scene {
-  std::string name;
-  uint64_t seed = 0;
-  Camera camera;
+  std::string name;  ///< of the file without its suffix
+  uint64_t seed = 0;  ///< of world, textures and noise
+  Camera camera;  ///< lens included
   std::vector<SE3> T_scene_cam;      ///< pose of the camera at each frame; scene axes as in world.h, metres
   std::vector<Timestamp> times;      ///< of each frame, from 0 s on
   std::function<SE3(double)> T_scene_cam_at;  ///< the same motion at any time, seconds; for a shutter that is open for a while
-  Shutter shutter;
+  Shutter shutter;  ///< global and instantaneous by default
   double noise_sigma = 0;            ///< standard deviation of the sensor's noise, gray levels
   std::shared_ptr<const World> world;  ///< shared, since it may hold tens of megabytes
 
-  int size() const { return int(T_scene_cam.size()); }
+  int size() const { return int(T_scene_cam.size()); }  ///< number of frames
 };
 
 /// Reads a scene: the name of one that ships with the program ("street"), or the path of a YAML file. `seed` overrides the

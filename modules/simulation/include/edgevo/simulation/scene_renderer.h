@@ -17,23 +17,25 @@
 
 namespace edgevo {
 
+/// A frame with its ground truth.
 struct RenderedFrame {
-  int index = 0;
-  Timestamp time;
+  int index = 0;  ///< in the scene
+  Timestamp time;  ///< from 0 s on
   GrayImage image;           ///< as the camera takes it: distorted if its lens is, with its shutter and noise
   std::vector<float> depth;  ///< z in metres at the pixel centres of the UNDISTORTED image, row by row; 0: sky
   SE3 T_world_cam;           ///< world: the axes and origin of the scene's first camera. Pose and depth are those at `time`, the
                              ///< middle of the exposure of the middle of the image
 };
 
+/// Renders one scene. Any number of threads.
 class SceneRenderer {
  public:
   /// Throws InputError for a shutter that does not fit the times of the frames.
   explicit SceneRenderer(Scene scene);
 
-  const Camera& camera() const { return scene_.camera; }
-  int size() const { return scene_.size(); }
-  const Scene& scene() const { return scene_; }
+  const Camera& camera() const { return scene_.camera; }  ///< of the scene
+  int size() const { return scene_.size(); }  ///< number of frames
+  const Scene& scene() const { return scene_; }  ///< as given
 
   /// Frame `index`, 0 <= index < size(). The frames do not depend on each other; any order, any thread.
   RenderedFrame render(int index) const;
@@ -43,7 +45,7 @@ class SceneRenderer {
   std::vector<float> render_depth(int index) const;
   /// The same from any pose, for a camera that is steered: a shutter of no duration; `index` is the number that the noise follows.
   GrayImage render_image_from(const SE3& T_scene_cam, int index) const;
-  std::vector<float> render_depth_from(const SE3& T_scene_cam) const;
+  std::vector<float> render_depth_from(const SE3& T_scene_cam) const;  ///< as render_depth()
   /// Ground truth of a frame in the first camera's axes.
   SE3 T_world_cam(int index) const;
 

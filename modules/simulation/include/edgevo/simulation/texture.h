@@ -11,19 +11,20 @@
 
 namespace edgevo {
 
+/// One level of a texture.
 struct TextureLevel {
-  int width = 0, height = 0;
+  int width = 0, height = 0;  ///< texels
   std::vector<uint8_t> gray;   ///< width * height
   std::vector<uint8_t> alpha;  ///< empty (opaque everywhere) or width * height; the surface exists where alpha >= 128
 };
 
 /// Level 0 has power-of-two sides; each further level halves both until one of them is a single texel.
 struct Texture {
-  std::vector<TextureLevel> levels;
+  std::vector<TextureLevel> levels;  ///< the finest first
 
-  int width() const { return levels.front().width; }
-  int height() const { return levels.front().height; }
-  bool is_cut_out() const { return !levels.front().alpha.empty(); }
+  int width() const { return levels.front().width; }  ///< texels of level 0
+  int height() const { return levels.front().height; }  ///< texels of level 0
+  bool is_cut_out() const { return !levels.front().alpha.empty(); }  ///< it has holes
 };
 
 /// Builds the levels. `alpha` is empty or as large as the image. Averages of gray count only texels that exist, so that

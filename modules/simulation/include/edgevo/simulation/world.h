@@ -12,9 +12,9 @@ namespace edgevo {
 
 /// The points origin + a side_u + b side_v, a and b in [0, 1].
 struct Surface {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  Eigen::Vector3d side_u = Eigen::Vector3d::UnitX();
-  Eigen::Vector3d side_v = Eigen::Vector3d::UnitY();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< a corner, metres
+  Eigen::Vector3d side_u = Eigen::Vector3d::UnitX();  ///< the side along which u grows, metres
+  Eigen::Vector3d side_v = Eigen::Vector3d::UnitY();  ///< the side along which v grows, metres
   int texture = 0;                                      ///< index in World::textures
   Eigen::Vector2d uv_origin = {0, 0}, uv_size = {1, 1};  ///< texture repeats at the origin, and across u and v
   float gain = 1;          ///< brightness: the texture's gray is multiplied by this
@@ -31,10 +31,11 @@ struct Sky {
   float haze_per_metre = 0;  ///< a surface at z metres keeps 1 / (1 + haze z) of its own brightness
 };
 
+/// All that a camera can see.
 struct World {
-  std::vector<Texture> textures;
-  std::vector<Surface> surfaces;
-  Sky sky;
+  std::vector<Texture> textures;  ///< shared by the surfaces
+  std::vector<Surface> surfaces;  ///< in no particular order
+  Sky sky;  ///< behind all surfaces
 };
 
 }  // namespace edgevo

@@ -5,9 +5,10 @@
 
 namespace edgevo {
 
+/// A match with what its confidence claims.
 struct RankedMatch {
-  double confidence = 0;
-  bool is_right = false;
+  double confidence = 0;  ///< higher is surer; any unit
+  bool is_right = false;  ///< it lies at the true place
 };
 
 /// A point of a curve: the matches down to some confidence are kept.
@@ -18,11 +19,12 @@ struct CurvePoint {
   double recall = 0;      ///< share of all right ones that is kept
 };
 
+/// How well a confidence ranks.
 struct ConfidenceCurve {
   std::vector<CurvePoint> points;  ///< by falling confidence; equal confidences enter together
   double error_rate = 0;           ///< of all matches
   double roc_area = 0.5;           ///< chance that a right match ranks above a wrong one; 0.5 says nothing
-  double precision_recall_area = 0;
+  double precision_recall_area = 0;  ///< under precision over recall
   double sparsification_area = 0;  ///< under error_rate over density
   double optimal_area = 0;         ///< of the best possible ranking, e + (1 - e) ln(1 - e)
 };

@@ -12,8 +12,9 @@
 
 namespace edgevo {
 
+/// Parameters of the flow.
 struct EpipolarFlowParams {
-  int patch_radius = 3;
+  int patch_radius = 3;  ///< pixels; 2 r + 1 a side
   int coarse_radius = 10;        ///< search on the coarsest level, pixels there
   int support_points = 1200;     ///< edge pixels that help to find the geometry and to spread the flow
   double ransac_px = 1.0;        ///< distance from the epipolar line
@@ -21,9 +22,10 @@ struct EpipolarFlowParams {
   double min_correlation = 0.8;  ///< ZNCC below which there is no match
 };
 
+/// The flow of one point.
 struct FlowMatch {
-  bool found = false;
-  Eigen::Vector2d px;
+  bool found = false;  ///< all else holds only then
+  Eigen::Vector2d px;  ///< in the second image
   double correlation = -1;  ///< ZNCC
 };
 

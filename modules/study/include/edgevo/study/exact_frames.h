@@ -12,18 +12,22 @@
 
 namespace edgevo {
 
+/// A frame with its ground truth.
 struct ExactFrame {
-  int index = 0;
+  int index = 0;  ///< in the sequence
   double seconds = 0;        ///< since the first frame
   GrayImage image;           ///< as the camera took it
   std::vector<float> depth;  ///< z in metres at the pixels of the undistorted image, row by row; 0: sky
   SE3 T_world_cam;           ///< metres
 };
 
+/// A sequence of such frames.
 class ExactFrames {
  public:
   virtual ~ExactFrames() = default;
+  /// of all frames
   virtual const Camera& camera() const = 0;
+  /// number of frames
   virtual int size() const = 0;
   /// What it is, for the report.
   virtual std::string name() const = 0;

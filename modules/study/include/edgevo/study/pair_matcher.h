@@ -11,6 +11,7 @@
 
 namespace edgevo {
 
+/// A method to be compared. Stateless; any thread.
 class PairMatcher {
  public:
   virtual ~PairMatcher() = default;

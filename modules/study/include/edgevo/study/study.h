@@ -15,25 +15,26 @@
 
 namespace edgevo {
 
+/// What is measured; the defaults are those of the published tables.
 struct StudyOptions {
-  int points = 800;
+  int points = 800;  ///< of each host frame
   double noise = 0.05;          ///< of the inverse depth, relative (study_points.h)
   int pairs = 40;               ///< host frames, spread over the sequence
   int distance = 2;             ///< frames between host and target, curves 1 and 2
   int max_distance = 8;         ///< curve 3
   int begin = 0, end = -1;      ///< frames begin <= index < end are used; -1: to the last
   std::string light = "mixed";  ///< kind of simulation/relight.h
-  uint64_t seed = 1;
+  uint64_t seed = 1;  ///< of points, noise and light
   int threads = 2;  ///< the numbers do not depend on it, times excluded
 };
 
 /// One method on one pair.
 struct StudySample {
   double drift_percent = 100;  ///< |t - t_true| / |t_true|, at most 100, which is also what a failure counts
-  double rotation_deg = 0;
+  double rotation_deg = 0;  ///< angle between the solved and the true rotation
   double direction_deg = 0;  ///< angle between t and t_true: what the scale, hence the noise of the depths, has no part in
   bool failed = true;        ///< tracking lost, or too few matches
-  int matches = 0, photometric = 0;
+  int matches = 0, photometric = 0;  ///< that were found; those of them with a 2-D residual
   double wrong_share = 0, median_px = 0;            ///< of the photometric matches (of all, for flow methods)
   double match_ms = 0, solve_ms = 0, track_ms = 0;  ///< CPU
 };
@@ -51,11 +52,12 @@ struct StudyCell {
   std::vector<MatchError> errors;
 };
 
+/// All curves of a study.
 struct StudyResult {
-  StudyOptions options;
-  std::string source;
+  StudyOptions options;  ///< as given
+  std::string source;  ///< ExactFrames::name()
   double median_flow_px_per_frame = 0;  ///< of the points that are visible one frame later
-  std::vector<StudyCell> cells;
+  std::vector<StudyCell> cells;  ///< curve by curve
 };
 
 /// Throws InputError where run_study() cannot begin: too few frames for the distances, a kind of light that is not known.

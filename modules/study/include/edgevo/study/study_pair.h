@@ -9,21 +9,24 @@
 
 namespace edgevo {
 
+/// A host frame with its points.
 struct HostView {
-  std::shared_ptr<const FramePyramid> pyramid;
-  std::vector<StudyPoint> points;
+  std::shared_ptr<const FramePyramid> pyramid;  ///< of the host image
+  std::vector<StudyPoint> points;  ///< to be found
   ReferenceCloud cloud;  ///< of the points with their noise
 };
 
+/// A target frame as the front-end delivers it.
 struct TargetView {
-  std::shared_ptr<const FramePyramid> pyramid;
+  std::shared_ptr<const FramePyramid> pyramid;  ///< of the target image
   SE3 T_target_host;  ///< exact
   TrackResult track;  ///< of the front-end
-  double track_ms = 0;
+  double track_ms = 0;  ///< CPU time of the front-end
   SE3 T_start;                        ///< where adjustments start: the tracked pose, the predicted one where tracking is lost
   std::vector<Correspondence> truth;  ///< of each point of the host
 };
 
+/// With the cloud of its points.
 HostView make_host(std::shared_ptr<const FramePyramid> pyramid, std::vector<StudyPoint> points);
 
 /// Tracks the target as the odometry does. `T_step` is the exact motion of the step before, from which the front-end, running at

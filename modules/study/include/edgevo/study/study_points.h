@@ -15,6 +15,7 @@
 
 namespace edgevo {
 
+/// A point of the study.
 struct StudyPoint {
   Eigen::Vector2d px = Eigen::Vector2d::Zero(), normal = Eigen::Vector2d::UnitX();  ///< in the host image; unit gradient
   double idepth_true = 0;                                                           ///< 1/m

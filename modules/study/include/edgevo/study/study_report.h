@@ -1,10 +1,12 @@
 #pragma once
 // What a study leaves behind: tables, a text that draws the conclusions, and a gnuplot script with its plots.
 //
-//   search_length.csv, patch_size.csv, frame_distance.csv, residuals.csv, variants.csv   one row for each curve, light, method
-//   and setting end_point_error.csv     errors of the single matches;  match_errors.csv their distribution confidence.csv curves
-//   of C_m and C_d;  confidence_areas.csv their areas study.md                the four observations of the paper, held against
-//   these numbers plots.gnuplot           makes the plots (PNG and SVG) from the tables
+//   search_length.csv, patch_size.csv, frame_distance.csv, residuals.csv, variants.csv
+//                           one row for each curve, light, method and setting
+//   end_point_error.csv     errors of the single matches; match_errors.csv: their distribution
+//   confidence.csv          curves of C_m and C_d; confidence_areas.csv: their areas
+//   study.md                the four observations of the paper, held against these numbers
+//   plots.gnuplot           makes the plots (PNG and SVG) from the tables
 // Times stand in the last columns, whose names end in _ms; everything else is the same for the same seed.
 #include <string>
 

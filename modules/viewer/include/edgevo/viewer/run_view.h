@@ -14,6 +14,7 @@
 
 namespace edgevo {
 
+/// The window. One thread calls.
 class RunView {
  public:
   /// Opens the window. Null where there is no display; `*why` then says so.

@@ -49,7 +49,7 @@ Camera to_camera(const vpCameraParameters& camera, int width, int height);
 /// a distortion model: to_camera() takes it along.
 Pinhole to_pinhole(const vpCameraParameters& camera, int width, int height);
 
-vpHomogeneousMatrix to_visp(const SE3& T_a_b);
+vpHomogeneousMatrix to_visp(const SE3& T_a_b);  ///< The same motion, aMb.
 
 /// The rotation is normalised: a vpHomogeneousMatrix may have drifted from one.
 SE3 to_se3(const vpHomogeneousMatrix& aMb);

@@ -22,6 +22,7 @@
 
 namespace edgevo {
 
+/// The odometry, fed by a grabber.
 class ServoOdometry {
  public:
   /// `feed` must outlive this. Throws InputError for an unusable camera or detector.
@@ -36,7 +37,7 @@ class ServoOdometry {
   void push(GrayImage image, Timestamp time);
   /// An image that stays with the caller: copied, or turned gray, once.
   void push(const vpImage<unsigned char>& image, Timestamp time);
-  void push(const vpImage<vpRGBa>& image, Timestamp time);
+  void push(const vpImage<vpRGBa>& image, Timestamp time);  ///< likewise
 
   /// Images whose place a newer one took.
   int replaced() const;

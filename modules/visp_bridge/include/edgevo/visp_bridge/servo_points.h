@@ -23,6 +23,7 @@
 
 namespace edgevo {
 
+/// Which points are chosen.
 struct ServoPointsOptions {
   double max_relative_sigma = 0.05;  ///< of the depth of a point that is chosen
   double border_px = 20;             ///< chosen points keep this distance from the image border
@@ -38,6 +39,7 @@ struct ServoPoint {
   bool in_view = false;  ///< in front of the camera and inside the image
 };
 
+/// The chosen points.
 class ServoPoints {
  public:
   /// `pinhole` of the undistorted images: Run::pinhole, or Camera::pinhole.

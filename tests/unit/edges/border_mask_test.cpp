@@ -1,5 +1,5 @@
-// The black around what the lens lights.
-#include "unlit_surround.h"
+// The mask of the image border that never receives light.
+#include "border_mask.h"
 
 #include <gtest/gtest.h>
 
@@ -37,12 +37,12 @@ double masked_share(const Plane<uint8_t>& mask) {
 
 double share_of_disc_outside() { return 1 - M_PI * kRadius * kRadius / (kWidth * kHeight); }
 
-TEST(UnlitSurround, IsWhatTheLensDoesNotReach) {
+TEST(BorderMask, IsWhatTheLensDoesNotReach) {
   for (const double noise : {0.0, 8.0}) {
-    UnlitSurround surround;
-    for (int k = 0; k < kImages; ++k) surround.add(through_lens(k, 4, noise, uint64_t(k)).view());
-    ASSERT_TRUE(surround.mask()) << "noise " << noise;
-    const Plane<uint8_t>& mask = *surround.mask();
+    BorderMask border;
+    for (int k = 0; k < kImages; ++k) border.add(through_lens(k, 4, noise, uint64_t(k)).view());
+    ASSERT_TRUE(border.mask()) << "noise " << noise;
+    const Plane<uint8_t>& mask = *border.mask();
     EXPECT_NEAR(masked_share(mask), share_of_disc_outside(), 0.09);
     for (int y = 0; y < kHeight; ++y)
       for (int x = 0; x < kWidth; ++x) {
@@ -53,38 +53,38 @@ TEST(UnlitSurround, IsWhatTheLensDoesNotReach) {
   }
 }
 
-TEST(UnlitSurround, ShadowsOfTheSceneAreNone) {
+TEST(BorderMask, ShadowsOfTheSceneAreNone) {
   const auto shadow_at = [](double x0) {
     return test::make_image(kWidth, kHeight, [&](double x, double) { return x > x0 && x < x0 + 60 ? 2.0 : 120.0; });
   };
-  UnlitSurround surround;
+  BorderMask border;
   for (int k = 0; k < kImages; ++k) {
-    EXPECT_FALSE(surround.mask()) << "image " << k << " cannot tell";
-    surround.add(shadow_at(0).view());
+    EXPECT_FALSE(border.mask()) << "image " << k << " cannot tell";
+    border.add(shadow_at(0).view());
   }
-  EXPECT_TRUE(surround.mask()) << "the camera stands still";
-  surround.add(shadow_at(70).view());
-  EXPECT_FALSE(surround.mask());
-  for (int k = 0; k < kImages; ++k) surround.add(shadow_at(0).view());
-  EXPECT_FALSE(surround.mask()) << "light has been there";
+  EXPECT_TRUE(border.mask()) << "the camera stands still";
+  border.add(shadow_at(70).view());
+  EXPECT_FALSE(border.mask());
+  for (int k = 0; k < kImages; ++k) border.add(shadow_at(0).view());
+  EXPECT_FALSE(border.mask()) << "light has been there";
 }
 
-TEST(UnlitSurround, SmallGrayAndEnclosedAreasAreNone) {
+TEST(BorderMask, SmallGrayAndEnclosedAreasAreNone) {
   const auto expect_none = [](const std::function<double(double, double)>& gray) {
-    UnlitSurround surround;
-    for (int k = 0; k < kImages; ++k) surround.add(test::make_image(kWidth, kHeight, gray).view());
-    EXPECT_FALSE(surround.mask());
+    BorderMask border;
+    for (int k = 0; k < kImages; ++k) border.add(test::make_image(kWidth, kHeight, gray).view());
+    EXPECT_FALSE(border.mask());
   };
   expect_none([](double x, double) { return x < 0.03 * kWidth ? 0.0 : 120.0; });
   expect_none([](double x, double) { return x < 100 ? 60.0 : 120.0; });
   expect_none([](double x, double y) { return std::hypot(x - 160, y - 120) < 80 ? 0.0 : 120.0; });
 }
 
-TEST(UnlitSurround, ABlackStartIsForgotten) {
-  UnlitSurround surround;
-  for (int k = 0; k < kImages; ++k) surround.add(test::make_image(kWidth, kHeight, [](double, double) { return 0.0; }).view());
-  surround.add(test::textured_image(kWidth, kHeight, 3).view());
-  EXPECT_FALSE(surround.mask());
+TEST(BorderMask, ABlackStartIsForgotten) {
+  BorderMask border;
+  for (int k = 0; k < kImages; ++k) border.add(test::make_image(kWidth, kHeight, [](double, double) { return 0.0; }).view());
+  border.add(test::textured_image(kWidth, kHeight, 3).view());
+  EXPECT_FALSE(border.mask());
 }
 
 // Edges that lie on the outline of the disc.
@@ -98,7 +98,7 @@ int edges_of_outline(const FramePyramid& pyramid) {
   return count;
 }
 
-TEST(UnlitSurround, GivesNoEdges) {
+TEST(BorderMask, GivesNoEdges) {
   Camera camera;
   camera.pinhole = {250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight};
   const EdgeParams params;

@@ -1,4 +1,4 @@
-#include "unlit_surround.h"
+#include "border_mask.h"
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
@@ -12,11 +12,11 @@ namespace {
 constexpr int kBlurPx = 9;                   // side of the mean: noise of a sensor, blocks of a JPEG
 constexpr double kDarkestShare = 0.001;      // of the pixels, as dark as an image gets
 constexpr int kAboveDarkest = 5;             // gray levels that noise leaves after the blur
-constexpr int kBlackest = 20;                // gray level of black at most: 16 in video, and an offset. A lighter ground is one of the scene.
+constexpr int kBlackest = 20;                // gray level of black at most: 16 in video, and an offset. What is lighter belongs to the scene.
 constexpr double kMinAreaShare = 0.04;       // of the image; smaller ones do little harm
-constexpr double kWorthLooking = 0.01;       // Areas are looked for anew where this share of the dark pixels was lit: noise lights one now and then.
+constexpr double kWorthLooking = 0.01;       // Areas are searched again when this share of the dark pixels was lit: noise lights one now and then.
 constexpr int kMarginPx = kBlurPx / 2 + 6;   // The outline is blurred here, by the lens, by the undistortion and by the gradient's filter.
-constexpr int kImagesNeeded = 20;            // One image cannot tell a black surround from a dark corner of the scene.
+constexpr int kImagesNeeded = 20;            // One image cannot tell a black border from a dark corner of the scene.
 
 // The gray level that `share` of the pixels do not exceed.
 int level_of_share(const cv::Mat& image, double share) {
@@ -34,7 +34,7 @@ bool reaches_border(const cv::Rect& box, const cv::Size& image) {
 
 }  // namespace
 
-void UnlitSurround::add(const ImageView<uint8_t>& image) {
+void BorderMask::add(const ImageView<uint8_t>& image) {
   if (is_gone_) return;
   ++images_;
   cv::Mat smooth;
@@ -51,7 +51,7 @@ void UnlitSurround::add(const ImageView<uint8_t>& image) {
   find_areas();
 }
 
-void UnlitSurround::find_areas() {
+void BorderMask::find_areas() {
   const cv::Mat dark = as_mat(dark_);
   cv::Mat labels, boxes, centres;
   const int count = cv::connectedComponentsWithStats(dark, labels, boxes, centres, 4);
@@ -72,7 +72,7 @@ void UnlitSurround::find_areas() {
   areas_ = std::move(mask);
 }
 
-std::shared_ptr<const Plane<uint8_t>> UnlitSurround::mask() const {
+std::shared_ptr<const Plane<uint8_t>> BorderMask::mask() const {
   return images_ >= kImagesNeeded && areas_ && rule("border mask") ? areas_ : nullptr;
 }
 
