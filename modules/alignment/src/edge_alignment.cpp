@@ -8,6 +8,7 @@
 #include "edge_sums.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
+#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -105,7 +106,7 @@ class EdgeCost {
     const EdgeSums sums = sum_edges(matched_, level_.pinhole, t, miss_cost());
     sums.add_to(&eq.H, &eq.b);
     cost += sums.cost + double(eq.stats.visible - eq.stats.inliers) * miss_cost();
-    cost += double(cloud_.points.size() - eq.stats.visible) * kOutOfView * miss_cost();
+    cost += double(cloud_.points.size() - eq.stats.visible) * out_of_view_ * miss_cost();
     eq.stats.cost = cost / std::max<size_t>(1, cloud_.points.size());
     eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(sums.square / eq.stats.inliers) : 0.0;
     return eq;
@@ -114,7 +115,7 @@ class EdgeCost {
  private:
   // A point out of view speaks for a pose as little as against it: half a miss. Free, points would be pushed
   // out of the view; at the price of a miss, a camera that drives past the last near points is held back.
-  static constexpr double kOutOfView = 0.5;
+  const double out_of_view_ = rule("out of view costs half") ? 0.5 : 0;
 
   double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
   double robust_cost(double r) const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "edgevo/core/rule.h"
+
 namespace edgevo {
 namespace {
 
@@ -24,7 +26,7 @@ SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, c
   const int level = coarsest_edge_level(current);
   const bool misled =
       edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);
-  return misled ? start : T_cur_ref;
+  return misled && rule("patches misled") ? start : T_cur_ref;
 }
 
 SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
@@ -81,7 +83,7 @@ double PoseJudge::score(const PoseCandidate& pose) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   if (!pose.T_cur_ref.is_finite()) return kNever;
   const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
-  if (pose.has_prior && likelihood < 1) return kNever;
+  if (pose.has_prior && likelihood < 1 && rule("left its prior")) return kNever;
   const double by_image = support(pose.evidence, params_);
   return by_image > 0 ? likelihood * by_image : by_image;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "edgevo/core/rule.h"
 #include "opencv_view.h"
 
 namespace edgevo {
@@ -81,7 +82,7 @@ void BorderMask::find_areas() {
 }
 
 std::shared_ptr<const Plane<uint8_t>> BorderMask::mask() const {
-  return images_ >= kImagesNeeded ? areas_ : nullptr;
+  return images_ >= kImagesNeeded && areas_ && rule("border mask") ? areas_ : nullptr;
 }
 
 }  // namespace edgevo

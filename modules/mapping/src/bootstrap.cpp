@@ -8,6 +8,7 @@
 #include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
+#include "edgevo/core/rule.h"
 #include "opencv_pose.h"
 #include "two_view_motion.h"
 
@@ -111,7 +112,8 @@ struct Bootstrap::Impl {
   double median_motion(const Corners& a, const Corners& b) const {
     std::vector<double> motion;
     for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
-    const size_t rank = std::min(std::max(motion.size(), first_corners) / 2, 3 * motion.size() / 4);
+    const bool some_lost = first_corners > motion.size() && rule("lost corners moved");
+    const size_t rank = some_lost ? std::min(first_corners / 2, 3 * motion.size() / 4) : motion.size() / 2;
     return of_rank(std::move(motion), rank);
   }
 
@@ -134,7 +136,7 @@ struct Bootstrap::Impl {
     if (disagree)
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
                                      100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
-    if (is_ambiguous(best, motions))
+    if (is_ambiguous(best, motions) && rule("motions agree"))
       return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
   }
@@ -241,7 +243,7 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
     status.reason = "too little motion for too long; new first view";
   else
     status = impl_->try_two_views();
-  const bool disagreed = impl_->disagreeing >= kMaxDisagreeing;
+  const bool disagreed = impl_->disagreeing >= kMaxDisagreeing && rule("corners disagree");
   if (disagreed) status.reason += "; new first view";
   if (few || long_ago || disagreed) {
     impl_->start(std::move(again), std::move(image_again));

@@ -9,6 +9,7 @@
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
+#include "edgevo/core/rule.h"
 #include "opencv_pose.h"
 
 namespace edgevo {
@@ -69,6 +70,7 @@ bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vecto
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
                         const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
                         cv::Mat* inliers) {
+  if (!rule("all inliers")) return T;
   constexpr int kRounds = 3;  // as measured: share/lab/2026-11-22_bootstrap.md
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Eigen::Vector3d> x, y;

@@ -7,6 +7,7 @@
 #include "edgevo/association/patch_source.h"
 #include "edgevo/association/photometric_residual.h"
 #include "edgevo/association/warp.h"
+#include "edgevo/core/rule.h"
 #include "edgevo/mapping/window.h"
 #include "in_view.h"
 
@@ -147,7 +148,7 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
     for (const Observation& o : p->observations) {
       const double residual_px = result.residual_normal_px[adjustment.match_index[k++]];
       const double sigmas = std::abs(residual_px) * o.match.inv_sigma_normal;
-      if (sigmas < kDropSigmas)
+      if (sigmas < kDropSigmas || !rule("unfit matches"))
         p->observations[kept++] = o;
       else
         ++p->misses;
@@ -156,7 +157,7 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
   }
   for (Keyframe& host : keyframes_) {
     auto gone = std::remove_if(host.points.begin(), host.points.end(), [](const MapPoint& p) {
-      return p.observations.empty() || p.misses > kMaxMisses || !(p.idepth > 0);
+      return p.observations.empty() || (p.misses > kMaxMisses && rule("missed points")) || !(p.idepth > 0);
     });
     host.points.erase(gone, host.points.end());
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "edgevo/mapping/window.h"
 
@@ -42,7 +43,8 @@ void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<Cloud
 std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> points = cloud(reference);
   const size_t enough = std::min(kEnoughCloud, size_t(params_.max_cloud_points));
-  if (points.size() < enough) add_immature(reference, enough - points.size(), &points);
+  if (points.size() < enough && rule("immature points help"))
+    add_immature(reference, enough - points.size(), &points);
   return points;
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/rule.h"
 
 namespace edgevo {
 
@@ -26,7 +27,7 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
   for (size_t i = 1; i + 1 < views.size(); ++i)
     if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);
   std::vector<const BootstrapView*> chosen{&views.front()};
-  const size_t n = std::min(kMaxBetween, between.size());
+  const size_t n = between.empty() || !rule("views between") ? 0 : std::min(kMaxBetween, between.size());
   for (size_t k = 0; k < n; ++k) chosen.push_back(between[(2 * k + 1) * between.size() / (2 * n)]);
   chosen.push_back(&views.back());
   return chosen;
@@ -40,7 +41,9 @@ void find_motions(std::deque<Keyframe>* keyframes) {
   constexpr int kMaxFrames = 2;
   const Keyframe &first = keyframes->front(), &last = keyframes->back();
   const double seconds = seconds_between(first.time, last.time);
-  if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames) return;
+  if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames ||
+      !rule("motion of the first keyframes"))
+    return;
   const Vector6d velocity = relative_pose(last, first).log() / seconds;
   for (Keyframe& k : *keyframes) {
     if (k.points.empty()) continue;

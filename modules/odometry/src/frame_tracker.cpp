@@ -1,5 +1,6 @@
 #include "frame_tracker.h"
 
+#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "steady_motion.h"
 
@@ -15,7 +16,8 @@ Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualS
                             const PoseJudge& judge) {
   return {[&](const PoseCandidate& best) {
             return usual && !task.was_lost && !judge.is_lost(best) && usual->is_unusual(best.T_cur_ref) &&
-                   usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref);
+                   usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref) &&
+                   rule("usual step");
           },
           [&] { return std::vector<PoseHypothesis>{usual->hypothesis()}; }};
 }
@@ -43,14 +45,15 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
                         expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion they go with the frame into the adjustment, whichever pose wins.
-    if (task.keyframes.follows_keyframe()) track->corners = std::move(found->pairs);
+    if (task.keyframes.follows_keyframe() && rule("corners in the adjustment"))
+      track->corners = std::move(found->pairs);
   }
   track->corner_ms = thread_cpu_ms() - start;
   return hypotheses;
 }
 
 Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge, Track* track) {
-  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge); },
+  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge) && rule("corners"); },
           [&task, track] { return corner_hypotheses(task, track); }};
 }
 
@@ -60,7 +63,7 @@ Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge,
 TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist,
                        const PoseJudge& judge) {
   const AlignmentParams& params = task.params.alignment;
-  if (task.rows.is_rolling() && !judge.is_lost(first)) {
+  if (task.rows.is_rolling() && !judge.is_lost(first) && rule("rows once more")) {
     const ReferenceCloud shifted = shift_cloud(
         pinhole_of(task), task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
         measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 
+#include "edgevo/core/rule.h"
 #include "view_change.h"
 
 namespace edgevo {
@@ -16,7 +17,7 @@ namespace {
 double opening(const ViewChange& out, const ViewChange& back) {
   constexpr double kFullyOpening =
       0.15;  // excess of the flow back: 0.1 to 0.4 on a drive backwards, within 0.1 by hand
-  if (!(back.flow_px > out.flow_px)) return 0;
+  if (!(back.flow_px > out.flow_px) || !rule("opening view")) return 0;
   return std::min(1.0, (back.flow_px - out.flow_px) / (kFullyOpening * out.flow_px));
 }
 
@@ -85,7 +86,7 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
 
 const char* fired_rule(const KeyframeView& view, const KeyframeParams& params) {
   const auto* rule = std::find_if(std::begin(kRules), std::end(kRules),
-                                  [&](const Rule& r) { return r.fires(view, params); });
+                                  [&](const Rule& r) { return r.fires(view, params) && rule(r.name); });
   return rule != std::end(kRules) ? rule->name : nullptr;
 }
 
@@ -135,7 +136,8 @@ KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Refere
   best_inlier_share_ = view.fit.best_inlier_share;
   ++frames_;
   postponed_ = rule && is_mapping_busy ? postponed_ + 1 : 0;
-  if (is_back(nearest, reference.keyframe_id, params_)) return {Action::kReturn, "return", nearest.id};
+  if (is_back(nearest, reference.keyframe_id, params_) && rule("return"))
+    return {Action::kReturn, "return", nearest.id};
   if (!rule) return {};
   if (is_mapping_busy) return {Action::kPostpone, rule};
   frames_ = 0;

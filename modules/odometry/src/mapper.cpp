@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/mapping/idepth_prior.h"
 #include "first_keyframes.h"
@@ -72,7 +73,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   const WindowStats stats = window_.adjust();
   if (stats.points < kMinFirstPoints)
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
-  if (stats.cost_per_observation > kMaxFirstCost)
+  if (stats.cost_per_observation > kMaxFirstCost && rule("first map unfit"))
     return "the edges of the first views do not fit one rigid scene";
   // For an estimate of the read-out time; rows that were rectified for one already are not as the camera took
   // them.
@@ -134,7 +135,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     window_.activate(2, params_.window.min_matches);
     // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
     // What the first pass has tried, with two depths, is not tried again.
-    if (window_.is_cloud_thin(window_.newest())) window_.activate(1, 1);
+    if (window_.is_cloud_thin(window_.newest()) && rule("thin map activates more")) window_.activate(1, 1);
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing
@@ -217,6 +218,7 @@ std::shared_ptr<const FramePyramid> Mapper::corrected(const TrackedFrame& tracke
 int Mapper::new_points_wanted() const {
   constexpr int kAtLeast = 300;  // points a keyframe: also a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
+  if (!rule("new points as wanted")) return p.max_new_points;
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
   return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points),
                     p.max_new_points);

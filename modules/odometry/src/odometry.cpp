@@ -2,6 +2,7 @@
 
 #include "bootstrap_placement.h"
 #include "camera_log.h"
+#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "frame_tracker.h"
 #include "keyframe_policy.h"
@@ -139,7 +140,8 @@ struct Odometry::Impl {
     tracked.return_to = decision.return_to;
     tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
     now.record->keyframe_rule = decision.rule;
-    if (tracked.make_keyframe && params.camera.knows_rolling()) rectify_keyframe(now, track.twist, &tracked);
+    if (tracked.make_keyframe && params.camera.knows_rolling() && rule("keyframe rows"))
+      rectify_keyframe(now, track.twist, &tracked);
     return tracked;
   }
 

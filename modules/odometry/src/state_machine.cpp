@@ -1,4 +1,5 @@
 #include "state_machine.h"
+#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -41,7 +42,7 @@ Transition transition(Phase phase, Event event) {
 
 bool OdometryState::tracks(int edges) {
   if (phase_ != Phase::kLost) return has_map();
-  return edges >= kMinEdges && relocalisation_tries_++ < max_relocalisation_tries_;
+  return edges >= kMinEdges && relocalisation_tries_++ < max_relocalisation_tries_ && rule("relocalisation");
 }
 
 Action OdometryState::after(Event event, int frame_index) {

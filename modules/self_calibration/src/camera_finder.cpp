@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "edgevo/core/rule.h"
+
 namespace edgevo {
 namespace {
 
@@ -29,9 +31,11 @@ constexpr double kAtLimit = 0.999;
 // Biased matches: their error of k1 falls with the number of keyframes, that of the read-out time, which
 // needs fewer, with its root.
 double k1_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
+  if (!rule("biased matches: k1")) return formal;
   return std::hypot(formal, p.model_sigma * kModelKeyframes / double(keyframes));
 }
 double readout_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
+  if (!rule("biased matches: readout")) return formal;
   return std::hypot(formal, p.readout_model_sigma * std::sqrt(kModelKeyframes / double(keyframes)));
 }
 
@@ -49,7 +53,7 @@ Finding weigh(State before, double estimate, double by_file, double sigma, doubl
   const bool observed = sigma < max_useful_sigma;
   Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * limit, before};
   const double told_apart = std::abs(estimate - by_file) / sigma;
-  if (before == State::kApplied && (!f.trustworthy || told_apart >= least)) return f;
+  if (before == State::kApplied && (!f.trustworthy || told_apart >= least) && rule("applied stays")) return f;
   f.state = f.trustworthy && told_apart >= significance ? State::kApplied
             : observed && !f.trustworthy                ? State::kAtLimit
             : observed                                  ? State::kInsignificant
@@ -76,7 +80,7 @@ class CameraFinder {
   }
 
   CameraFinding run() {
-    if (knew_more()) return nothing();
+    if (knew_more() && rule("longer segment knows more")) return nothing();
     const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
     const bool estimate_readout =
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
@@ -110,7 +114,8 @@ class CameraFinder {
   // for both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
     const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, params_, keyframes_);
-    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
+    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt &&
+        rule("one step first")) {
       note_readout(one_step, k1_alone.sigma[1]);
       return k1_alone;
     }
@@ -165,8 +170,8 @@ class CameraFinder {
 
   double over_relaxed(double readout_s) const {
     const double before = state_.shutter.readout_s;
-    return std::clamp(before + kOverRelaxation * (readout_s - before), -params_.max_readout_s,
-                      params_.max_readout_s);
+    const double factor = rule("over-relaxation") ? kOverRelaxation : 1;
+    return std::clamp(before + factor * (readout_s - before), -params_.max_readout_s, params_.max_readout_s);
   }
 
   const CameraProblem& problem_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "camera_finder.h"
+#include "edgevo/core/rule.h"
 #include "history.h"
 #include "revision.h"
 
@@ -144,7 +145,8 @@ std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Key
   }
   const ImageCorrection before = state_.correction();
   std::optional<MapRevision> revision;
-  if (found.estimate && !(at_end || changes_much(before, found.estimate->value))) {
+  if (found.estimate && !(at_end || changes_much(before, found.estimate->value)) &&
+      rule("small change waits")) {
     found.state.k1 = before.k1, found.state.shutter.readout_s = before.readout_s;
     found.estimate.reset();
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 
 namespace edgevo {
@@ -40,7 +41,7 @@ class IdepthPrior {
         low = std::min(low, low_[r * grid_.columns + c]);
         high = std::max(high, high_[r * grid_.columns + c]);
       }
-    if (high > 0) return {params_.prior_low * low, params_.prior_high * high};
+    if (high > 0 && rule("depths nearby")) return {params_.prior_low * low, params_.prior_high * high};
     return {params_.far_low * median(), params_.far_high * median(), median()};
   }
 
