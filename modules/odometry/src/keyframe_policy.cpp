@@ -85,9 +85,9 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
 }
 
 const char* fired_rule(const KeyframeView& view, const KeyframeParams& params) {
-  const auto* rule = std::find_if(std::begin(kRules), std::end(kRules),
+  const auto* first = std::find_if(std::begin(kRules), std::end(kRules),
                                   [&](const Rule& r) { return r.fires(view, params) && rule(r.name); });
-  return rule != std::end(kRules) ? rule->name : nullptr;
+  return first != std::end(kRules) ? first->name : nullptr;
 }
 
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference,
@@ -132,16 +132,16 @@ KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Refere
   using Action = KeyframeDecision::Action;
   const KeyframeView view = look(tracked, reference);
   const NearestKeyframe nearest = find_nearest_keyframe(pinhole_, reference, tracked.T_cur_ref, params_);
-  const char* rule = fired_rule(view, params_);
+  const char* fired = fired_rule(view, params_);
   best_inlier_share_ = view.fit.best_inlier_share;
   ++frames_;
-  postponed_ = rule && is_mapping_busy ? postponed_ + 1 : 0;
+  postponed_ = fired && is_mapping_busy ? postponed_ + 1 : 0;
   if (is_back(nearest, reference.keyframe_id, params_) && rule("return"))
     return {Action::kReturn, "return", nearest.id};
-  if (!rule) return {};
-  if (is_mapping_busy) return {Action::kPostpone, rule};
+  if (!fired) return {};
+  if (is_mapping_busy) return {Action::kPostpone, fired};
   frames_ = 0;
-  return {Action::kMake, rule};
+  return {Action::kMake, fired};
 }
 
 }  // namespace edgevo
