@@ -21,7 +21,6 @@
 #include "version.h"
 
 namespace edgevo::app {
-void add_table_command(CLI::App& app, Action* action);
 namespace {
 
 namespace fs = std::filesystem;

@@ -23,6 +23,7 @@ void add_study_command(CLI::App& app, Action* action);
 void add_calibrate_command(CLI::App& app, Action* action);
 void add_map_command(CLI::App& app, Action* action);
 void add_bench_command(CLI::App& app, Action* action);
+void add_table_command(CLI::App& app, Action* action);
 void add_compare_command(CLI::App& app, Action* action);
 /// Becomes the program edgevo-servo, of app/servo.
 void add_servo_command(CLI::App& app, Action* action);

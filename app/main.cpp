@@ -8,9 +8,6 @@
 #include "option_checks.h"
 #include "version.h"
 
-namespace edgevo::app {
-void add_table_command(CLI::App& app, Action* action);
-}
 namespace {
 
 constexpr int kBadInput = 2;

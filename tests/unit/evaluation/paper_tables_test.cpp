@@ -37,8 +37,8 @@ std::string cell(const PrintedTable& table, const std::string& row, const std::s
   throw std::runtime_error("no column " + column);
 }
 
-// The paper's own means check the cells: those of DSO and Canny are to the last digit. Of the others it prints 0.1 to 0.3 m more than its
-// cells give.
+// The paper's own means check the cells: those of DSO and Canny are to the last digit. Of the others it
+// prints 0.1 to 0.3 m more than its cells give.
 TEST(PaperFigures, MeansWithout01AreThoseOfTheCells) {
   const auto& rows = paper_kitti_rows();
   for (size_t method = 0; method < paper_kitti_methods().size(); ++method) {
@@ -47,7 +47,8 @@ TEST(PaperFigures, MeansWithout01AreThoseOfTheCells) {
     for (const PaperKittiRow& row : rows)
       if (row.sequence != "01" && row.sequence.size() == 2) sum += row.ate_m[method], ++count;
     EXPECT_EQ(count, 9);
-    EXPECT_NEAR(sum / count, rows.back().ate_m[method], method == 0 || method == 2 ? 0.005 : 0.25) << paper_kitti_methods()[method];
+    EXPECT_NEAR(sum / count, rows.back().ate_m[method], method == 0 || method == 2 ? 0.005 : 0.25)
+        << paper_kitti_methods()[method];
   }
 }
 
@@ -55,12 +56,15 @@ TEST(PaperFigures, LakeTableHasSixMethodsBelowTheCap) {
   ASSERT_EQ(paper_lake_rows().size(), 6u);
   for (const PaperLakeRow& row : paper_lake_rows())
     for (int s = 0; s < 4; ++s)
-      for (const PaperLakeCell& c : {row.full[s], row.every3[s]}) EXPECT_TRUE(c.rate_percent > 0 && c.drift_cm_per_m > c.rate_percent && c.drift_cm_per_m < 30) << row.method;
+      for (const PaperLakeCell& c : {row.full[s], row.every3[s]})
+        EXPECT_TRUE(c.rate_percent > 0 && c.drift_cm_per_m > c.rate_percent && c.drift_cm_per_m < 30)
+            << row.method;
 }
 
 TEST(LakeTable, PaperAndOursInTheirColumns) {
   const PrintedTable table = lake_table({{"edgevo", "1"}},
-                                        {{"winter", "normal", {trial(0, 2.0), trial(10, 4.0)}, 0}, {"winter", "every3", {trial(50, 9.0)}, 0},
+                                        {{"winter", "normal", {trial(0, 2.0), trial(10, 4.0)}, 0},
+                                         {"winter", "every3", {trial(50, 9.0)}, 0},
                                          {"spring-edge_drawing", "mixed", {trial(1, 1.0)}, 1}},
                                         {"what differs"});
   EXPECT_EQ(table.columns.size(), 18u);
@@ -74,7 +78,8 @@ TEST(LakeTable, PaperAndOursInTheirColumns) {
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "summer cm/m"), "-");
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "track ms"), "8.0 [8.0..8.0]");
   EXPECT_EQ(cell(table, "edgevo, edge_drawing, rendered, light mixed", "spring cm/m"), "1.0 (1 of 2 trials)");
-  EXPECT_THAT(table_markdown(table), AllOf(HasSubstr("\nwhat differs\n"), HasSubstr("- edgevo: 1\n"), HasSubstr("| **edgevo, canny, rendered** |")));
+  EXPECT_THAT(table_markdown(table), AllOf(HasSubstr("\nwhat differs\n"), HasSubstr("- edgevo: 1\n"),
+                                           HasSubstr("| **edgevo, canny, rendered** |")));
 }
 
 // A run without a pose fails throughout: leaving it out would make the table better.
@@ -94,13 +99,17 @@ TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
   EXPECT_EQ(season_of("141207"), "winter");
   EXPECT_EQ(season_of("149907"), "");
   EXPECT_EQ(season_of("pond"), "");
-  const PrintedTable table = lake_table({}, {{"150415", "normal", {trial(0, 2)}, 0}, {"150416", "normal", {trial(0, 4)}, 0}}, {});
-  EXPECT_EQ(cell(table, "edgevo, canny, surveys", "spring cm/m"), "3.0 [2.0..4.0]") << "the mean over the surveys of a season";
+  const PrintedTable table =
+      lake_table({}, {{"150415", "normal", {trial(0, 2)}, 0}, {"150416", "normal", {trial(0, 4)}, 0}}, {});
+  EXPECT_EQ(cell(table, "edgevo, canny, surveys", "spring cm/m"), "3.0 [2.0..4.0]")
+      << "the mean over the surveys of a season";
 }
 
 TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
-  const PrintedTable table =
-      kitti_table({}, {{"kitti00", "normal", {trial(0, 1, 12.5), trial(0, 1, 13.5)}, 0}, {"kitti00_first300", "normal", {trial(0, 1, 0.3)}, 0}}, {"kitti03", "kitti10"}, {});
+  const PrintedTable table = kitti_table({},
+                                         {{"kitti00", "normal", {trial(0, 1, 12.5), trial(0, 1, 13.5)}, 0},
+                                          {"kitti00_first300", "normal", {trial(0, 1, 0.3)}, 0}},
+                                         {"kitti03", "kitti10"}, {});
   EXPECT_EQ(cell(table, "00", "paper: DSO"), "16.83");
   EXPECT_EQ(cell(table, "01", "paper: ORB-SLAM"), "-");
   EXPECT_EQ(cell(table, "00", "edgevo, canny"), "13.00 [12.50..13.50]");
@@ -110,12 +119,14 @@ TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
   EXPECT_EQ(cell(table, "kitti00_first300", "edgevo, canny"), "0.30");
   EXPECT_EQ(cell(table, "kitti00_first300", "paper: DSO"), "-");
   EXPECT_EQ(cell(table, "mean without 01", "paper: its own, HED"), "11.44");
-  EXPECT_EQ(cell(table, "mean without 01", "edgevo, canny"), "-") << "of whole sequences only, and of all of them";
+  EXPECT_EQ(cell(table, "mean without 01", "edgevo, canny"), "-")
+      << "of whole sequences only, and of all of them";
 }
 
 TEST(KittiTable, MeanOfAllWholeSequencesAndFailures) {
   std::vector<BenchRow> rows;
-  for (int i = 0; i < 10; ++i) rows.push_back({"kitti0" + std::to_string(i), "normal", {trial(0, 1, i == 1 ? 100 : 2.0)}, 0});
+  for (int i = 0; i < 10; ++i)
+    rows.push_back({"kitti0" + std::to_string(i), "normal", {trial(0, 1, i == 1 ? 100 : 2.0)}, 0});
   EXPECT_EQ(cell(kitti_table({}, rows, {}, {}), "mean without 01", "edgevo, canny"), "2.00");
   rows[4].trials.push_back(Trial{});
   const PrintedTable table = kitti_table({}, rows, {}, {});
@@ -124,9 +135,18 @@ TEST(KittiTable, MeanOfAllWholeSequencesAndFailures) {
 }
 
 TEST(PrintedTable, CsvAndHtmlHoldTheSameCells) {
-  const PrintedTable table{"T <1>", "name", {{"edgevo", "1"}}, {"a, b", "c"}, {{"x", {{1.25, 1.0, 1.5, ""}, {{}, {}, {}, "not at hand"}}, true}}, {"r & s"}, 2};
-  EXPECT_EQ(table_csv(table), "# edgevo: 1\nname,\"a, b\",\"a, b least\",\"a, b most\",c\nx,1.25,1.00,1.50,not at hand\n");
-  EXPECT_THAT(table_html(table), AllOf(HasSubstr("T &lt;1&gt;"), HasSubstr("<td>1.25 [1.00..1.50]</td><td>not at hand</td>"), HasSubstr("r &amp; s"), Not(HasSubstr("http"))));
+  const PrintedTable table{"T <1>",
+                           "name",
+                           {{"edgevo", "1"}},
+                           {"a, b", "c"},
+                           {{"x", {{1.25, 1.0, 1.5, ""}, {{}, {}, {}, "not at hand"}}, true}},
+                           {"r & s"},
+                           2};
+  EXPECT_EQ(table_csv(table),
+            "# edgevo: 1\nname,\"a, b\",\"a, b least\",\"a, b most\",c\nx,1.25,1.00,1.50,not at hand\n");
+  EXPECT_THAT(table_html(table),
+              AllOf(HasSubstr("T &lt;1&gt;"), HasSubstr("<td>1.25 [1.00..1.50]</td><td>not at hand</td>"),
+                    HasSubstr("r &amp; s"), Not(HasSubstr("http"))));
 }
 
 }  // namespace

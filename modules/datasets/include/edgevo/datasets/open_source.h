@@ -12,6 +12,7 @@
 //                         freiburg1, freiburg2 or freiburg3
 //   folder with mav0/     EuRoC (ASL); sensor_label cam0 (default), cam1
 //   Virtual KITTI         a sequence's folder of either release (virtual_kitti.h); 2.0.3: sensor_label Camera_0 (default), Camera_1
+//   Symphony Lake         a survey's folder (with image_auxilliary.csv), ARCHIVE/SURVEY, or an archive with one survey (source_place.h)
 //   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
 //   any other file        a video, by OpenCV; needs a camera file
 // A camera file given by the user wins over the source's own calibration. Where there is neither, --fov or the focal

@@ -4,9 +4,9 @@
 
 namespace edgevo {
 
-/// Where the files of SOURCE lie: `path` itself, but of ARCHIVE/SURVEY of Symphony Lake, and of an archive with a single survey, the survey's
-/// folder. open_source() and ground_truth_tum() ask by themselves. Throws InputError: an archive with several surveys (it lists them), two of
-/// one name, none of that name.
+/// Where the files of SOURCE lie: `path` itself, but of ARCHIVE/SURVEY of Symphony Lake, and of an archive
+/// with a single survey, the survey's folder. open_source() and ground_truth_tum() ask by themselves. Throws
+/// InputError: an archive with several surveys (it lists them), two of one name, none of that name.
 std::string source_place(const std::string& path);
 
 }  // namespace edgevo

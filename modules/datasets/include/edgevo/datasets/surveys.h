@@ -9,7 +9,8 @@ struct Survey {
   std::string name, folder;
 };
 
-/// All surveys below an archive's folder, by name; none where it is no archive. Cost: a look at each folder of the archive's trees.
+/// All surveys below an archive's folder, by name; none where it is no archive. Cost: a look at each folder
+/// of the archive's trees.
 std::vector<Survey> surveys_in(const std::string& archive);
 
 }  // namespace edgevo

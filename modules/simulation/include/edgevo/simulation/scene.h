@@ -41,7 +41,8 @@ struct Scene {
   int size() const { return int(T_scene_cam.size()); }
 };
 
-/// Reads a scene: the name of one that ships with the program ("street"), or the path of a YAML file. `seed` overrides the
+/// Reads a scene: the name of one that ships with the program ("street"), or the path of a YAML file; behind either a season, where the
+/// world has these ("lakeshore:winter": spring, summer, autumn or winter, instead of the file's own). `seed` overrides the
 /// file's own. Throws InputError: no such scene (the known ones are named), unknown key, unknown kind of texture, value out
 /// of range, no frames, a trajectory through a wall. Cost: about a second, for the textures and the shadows.
 Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed = std::nullopt);
