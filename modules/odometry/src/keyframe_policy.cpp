@@ -86,7 +86,7 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
 
 const char* fired_rule(const KeyframeView& view, const KeyframeParams& params) {
   const auto* first = std::find_if(std::begin(kRules), std::end(kRules),
-                                  [&](const Rule& r) { return r.fires(view, params) && rule(r.name); });
+                                   [&](const Rule& r) { return r.fires(view, params) && rule(r.name); });
   return first != std::end(kRules) ? first->name : nullptr;
 }
 
