@@ -127,8 +127,8 @@ Camera lens_camera() {
   return camera;
 }
 
-// The rows of a rolling shutter are put right, and what no light reaches moves with them.
-TEST(UnlitSurround, MovesWithTheRowsOfARollingShutter) {
+// Rolling-shutter rectification moves the border mask with the rows.
+TEST(BorderMask, MovesWithTheRowsOfARollingShutter) {
   constexpr double kReadoutS = 0.03;
   ImageMotion motion;
   motion.velocity << 5, 0, 0, 0, 0, 0;  // 19 pixels at the first row and the last
@@ -137,7 +137,7 @@ TEST(UnlitSurround, MovesWithTheRowsOfARollingShutter) {
   builder.set_correction({0, kReadoutS});
   for (int k = 0; k < kImages; ++k) builder.build(through_lens(k, 0), motion);
   const auto pyramid = builder.build(through_lens(kImages, 0), motion);
-  ASSERT_TRUE(pyramid->unlit);
+  ASSERT_TRUE(pyramid->border_mask);
   const Pinhole p = lens_camera().pinhole;
   int on_outline = 0, shifted = 0;
   for (const EdgePixel& e : pyramid->finest().edges.pixels) {
