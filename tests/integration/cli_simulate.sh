@@ -34,7 +34,7 @@ check "SOURCE.md says how to make it again" "$(grep -c -e '--rolling-shutter 0.0
 "$edgevo" simulate rotation --frames 20:22 --edges -o relabelled >/dev/null || fail "the same without a shutter"
 check "label images" "$(ls labelled/edges | wc -l)" -eq 2
 same "labels" labelled/edges/000021.png relabelled/edges/000021.png
-"$edgevo" simulate rotation --frames 20:22 -o labelled >/dev/null || fail "simulate into the same folder"
+"$edgevo" simulate rotation --frames 20:22 --force -o labelled >/dev/null || fail "simulate into the same folder"
 [ ! -e labelled/edges ] || fail "labels of an earlier call are left"
 
 # Scenes that cannot be. bad SCENE SED_SCRIPT WORDS

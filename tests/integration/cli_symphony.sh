@@ -56,7 +56,8 @@ check "the frames before it are kept" "$(rows back)" -ge 8
 damaged && rm d/160115/0000/0007.jpg
 complains "0007.jpg: the image is missing" "$edgevo" run d/160115 -o stopped --quiet --on-bad-frame stop
 run_code 0 "$edgevo" run d/160115 -o skipped --quiet
-check "the others are played" "$(rows skipped)" -eq 23
+check "each frame has its row" "$(rows skipped)" -eq 24
+check "the row of the missing one says why" "$(grep -c ',left out: .*missing or cannot be read' skipped/frames.csv)" -eq 1
 cut -d, -f1-2,8-13 $survey/image_auxilliary.csv >$list
 complains "holds no ground truth: none: the rows do not tell where the camera looks" "$edgevo" eval out/trajectory_tum.txt d/160115
 mkdir -p d/Maps/160115 && cp -r maps/160115/optposes.csv d/Maps/160115 && cp $survey/image_auxilliary.csv $list
