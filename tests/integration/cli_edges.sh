@@ -78,7 +78,7 @@ described 's/^size:.*/size: fixed 64x64/'
 short "takes images of 64x64" network other.onnx
 described 's/^size:/szie:/'
 short "szie.*size" network other.onnx
-complains "did you mean 'network'" "$edgevo" run "$sequence" -o x --detector netwrok
+complains "did you mean network" "$edgevo" run "$sequence" -o x --detector netwrok
 
 # ---- images that are none ----
 wrong() { complains "$1" "$edgevo" run "$sequence" -o x --quiet --detector precomputed --edge-folder "$2"; }
