@@ -21,8 +21,8 @@ constexpr double kUnrelatedMeanSquare = 2.0;
 struct PatchTemplate {
   bool usable = false;                    ///< inside the image and not flat
   std::array<float, kPatchPixels> value;  ///< zero mean, unit deviation
-  std::array<float, kPatchPixels> gx,
-      gy;                       ///< d value / d shift of the patch, with the normalisation's share taken out
+  std::array<float, kPatchPixels> gx;  ///< d value / d shift in x, with the normalisation's share taken out
+  std::array<float, kPatchPixels> gy;  ///< the same in y
   Eigen::Matrix2d information;  ///< sum over the patch of (gx, gy)(gx, gy)^T, divided by the number of pixels
 };
 using PatchTemplates = std::vector<PatchTemplate>;  ///< one for each point of a cloud, in its order

@@ -11,10 +11,10 @@ enum class GridCell : uint8_t { kUnknown, kFree, kOccupied };
 
 /// A grid of square cells, seen from above, axes as the world of the map files (x forward, z up).
 struct OccupancyGrid {
-  int width = 0, height = 0;  ///< cells along x and along y
-  double resolution = 0;      ///< edge of a cell, unit of the run
-  double origin_x = 0,
-         origin_y = 0;          ///< of the lower left corner of cell (0, 0), in the world of the map files
+  int width = 0, height = 0;    ///< cells along x and along y
+  double resolution = 0;        ///< edge of a cell, unit of the run
+  double origin_x = 0;          ///< of the lower left corner of cell (0, 0), in the world of the map files
+  double origin_y = 0;          ///< of the same corner
   std::vector<GridCell> cells;  ///< row by row from the least y up: cells[y * width + x]
   std::string statement;        ///< which heights are in it and what its unit is, one line
 

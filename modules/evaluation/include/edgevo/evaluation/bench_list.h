@@ -36,8 +36,11 @@ struct BenchVariant {
 
 /// A sequence of the list.
 struct BenchSequence {
-  std::string name, source, frames, camera,
-      params;                          ///< texts as in the list; all but the first two may be empty
+  std::string name;                    ///< for tables and folders
+  std::string source;                  ///< SOURCE of `edgevo run`, or scene:NAME
+  std::string frames;                  ///< as the list has it; may be empty, as the two that follow
+  std::string camera;                  ///< a file beside the list
+  std::string params;                  ///< a file beside the list
   std::vector<BenchVariant> variants;  ///< each is run with every seed
   std::string where;                   ///< "LIST:LINE" of its source, for messages
 };

@@ -17,9 +17,9 @@ struct Surface {
   Eigen::Vector3d side_u = Eigen::Vector3d::UnitX();  ///< the side along which u grows, metres
   Eigen::Vector3d side_v = Eigen::Vector3d::UnitY();  ///< the side along which v grows, metres
   int texture = 0;                                    ///< index in World::textures
-  Eigen::Vector2d uv_origin = {0, 0},
-                  uv_size = {1, 1};  ///< texture repeats at the origin, and across u and v
-  float gain = 1;                    ///< brightness: the texture's gray is multiplied by this
+  Eigen::Vector2d uv_origin = {0, 0};                 ///< of the texture at the origin, in repetitions
+  Eigen::Vector2d uv_size = {1, 1};                   ///< repetitions of the texture across u and v
+  float gain = 1;            ///< brightness: the texture's gray is multiplied by this
   bool is_tiled = false;     ///< the texture repeats; else its border is continued, so that nothing wraps in
   bool is_triangle = false;  ///< only the half with a + b <= 1
   bool is_two_sided =

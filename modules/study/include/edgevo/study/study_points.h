@@ -19,8 +19,8 @@ namespace edgevo {
 
 /// A point of the study.
 struct StudyPoint {
-  Eigen::Vector2d px = Eigen::Vector2d::Zero(),
-                  normal = Eigen::Vector2d::UnitX();  ///< in the host image; unit gradient
+  Eigen::Vector2d px = Eigen::Vector2d::Zero();       ///< in the host image
+  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< unit gradient there
   double idepth_true = 0;                             ///< 1/m
   double idepth = 0;                                  ///< with noise, at least a tenth of the truth
   double idepth_sigma = 0;                            ///< standard deviation of the noise

@@ -15,11 +15,11 @@ namespace edgevo {
 
 /// What the adjustment found.
 struct TwoViewSolution {
-  bool usable = false;         ///< false: fewer than 12 matches, or nothing finite came out
-  SE3 T_target_host;           ///< metres
-  std::vector<double> idepth;  ///< of each point; of those without a match as it was
-  std::vector<double> residual_normal_px,
-      residual_tangent_px;  ///< of each point's match, along its edge's axes; 0 without
+  bool usable = false;                      ///< false: fewer than 12 matches, or nothing finite came out
+  SE3 T_target_host;                        ///< metres
+  std::vector<double> idepth;               ///< of each point; of those without a match as it was
+  std::vector<double> residual_normal_px;   ///< of each point's match, along its edge's normal; 0 without
+  std::vector<double> residual_tangent_px;  ///< the same along the edge
 };
 
 /// `matches` has one entry a point (kNone where there is no match). A point matched as kEdgeFixed keeps its
