@@ -1,30 +1,31 @@
 #!/usr/bin/python3
 """Which rules of the method carry weight: each is taken out of every run in which it acts.
 
-    share/bench/ablate.py run  -o OUT [--list share/bench/ablation.yaml] [--data DIR] [--jobs N] [--seeds 1,2] [--rules A,B]
+    share/bench/ablate.py run  -o OUT [--list share/bench/ablation.yaml] [--data DIR] [--cores N] [--seeds 1,2] [--rules A,B]
     share/bench/ablate.py run  -o OUT --together A,B,...     the rules named, out all at once
     share/bench/ablate.py table -o OUT                       figures of what has run, as Markdown
 
-Needs a build with -DEDGEVO_ABLATION=ON (--program, default build/ablation/bin/edgevo) and python3-yaml. For each run of the list
-the program first runs as it is and counts how often each rule acted (core/rule.h). A rule that never acted there cannot change
-that run and costs none. A call again goes on where the last one ended.
+Needs a build with -DEDGEVO_ABLATION=ON (--program, default build/ablation/bin/edgevo) and python3-yaml. Each run of the list is
+first made with all rules, and counts how often each rule acted (core/rule.h). A rule that never acted there cannot change that
+run and costs none. A call again goes on where the last one ended.
 
+  OUT/scenes/SCENE/                      rendered once
   OUT/base/SEQUENCE-VARIANT-SEED/        what `edgevo bench` leaves, and rules.csv: name, calls
-  OUT/without/RULE/SEQUENCE-VARIANT-SEED/
+  OUT/without/RULE/                      what `edgevo bench` leaves
 """
 import argparse
-import concurrent.futures
 import csv
 import filecmp
 import os
 import pathlib
+import shutil
 import statistics
 import subprocess
 import sys
 
 import yaml
 
-TOGETHER = "together"
+SCENE = "scene:"
 
 
 class Job:
@@ -37,11 +38,36 @@ class Job:
     def key(self):
         return f"{self.name}-{self.variant}-{self.seed}"
 
-    def result_folder(self, folder):
-        return folder / self.key / self.name / self.variant / f"seed{self.seed}"
+    @property
+    def place(self):
+        return pathlib.Path(self.name) / self.variant / f"seed{self.seed}"
 
-    def one_job_list(self):
-        return yaml.safe_dump({"seeds": str(self.seed), "sequences": {self.name: {**self.sequence, "variants": self.variant}}})
+
+class Corpus:
+    """The list with its seeds, parameter files found, scenes as folders of images."""
+
+    def __init__(self, args):
+        self.args = args
+        self.bench = yaml.safe_load(args.list.read_text())
+        self.seeds = args.seeds or seeds_of(self.bench["seeds"])
+        self.scenes = args.out / "scenes"
+        for sequence in self.bench["sequences"].values():
+            sequence["params"] = str((args.list.parent / sequence["params"]).resolve())
+            scene = sequence["source"].removeprefix(SCENE)
+            folder = self.scenes / scene if scene != sequence["source"] else args.data / scene
+            sequence["source"] = str(folder.resolve())
+
+    def render(self):
+        for sequence in self.bench["sequences"].values():
+            folder = pathlib.Path(sequence["source"])
+            if folder.parent == self.scenes.resolve() and not folder.exists():
+                subprocess.run([self.args.program, "simulate", folder.name, "-o", folder], check=True)
+
+    def jobs(self):
+        return [Job(name, {k: v for k, v in s.items() if k != "variants"}, variant, seed)
+                for seed in self.seeds
+                for name, s in self.bench["sequences"].items()
+                for variant in s.get("variants", self.bench["variants"]).split()]
 
 
 def seeds_of(text):
@@ -49,87 +75,95 @@ def seeds_of(text):
     return list(range(int(first), int(last) + 1)) if last else [int(s) for s in str(text).split()]
 
 
-def jobs_of(path, only_seeds):
-    bench = yaml.safe_load(path.read_text())
-    seeds = only_seeds or seeds_of(bench["seeds"])
-    return [Job(name, {k: v for k, v in s.items() if k != "variants"}, variant, seed)
-            for seed in seeds
-            for name, s in bench["sequences"].items()
-            for variant in s.get("variants", bench["variants"]).split()]
+def bench_list(jobs):
+    """A list of `edgevo bench`, with the runs of `jobs` at least."""
+    sequences = {}
+    for job in jobs:
+        sequence = sequences.setdefault(job.name, {**job.sequence, "variants": []})
+        if job.variant not in sequence["variants"]:
+            sequence["variants"].append(job.variant)
+    seeds = sorted({job.seed for job in jobs})
+    return yaml.safe_dump({"seeds": " ".join(map(str, seeds)),
+                           "sequences": {n: {**s, "variants": " ".join(s["variants"])} for n, s in sequences.items()}})
 
 
-def run(args, job, folder, without):
-    """True where the job has ended, now or before."""
-    place = folder / job.key
-    if (job.result_folder(folder) / "job.yaml").exists():
-        return True
-    place.mkdir(parents=True, exist_ok=True)
-    rules = place / "rules.csv"
-    rules.unlink(missing_ok=True)
-    # Parameter files are sought beside the list.
-    one = args.list.parent / f".ablate-{os.getpid()}-{job.key}-{without.replace(',', '_').replace(' ', '_')}.yaml"
-    one.write_text(job.one_job_list())
-    environment = {**os.environ, "EDGEVO_WITHOUT": without, "EDGEVO_RULES": str(rules)}
-    try:
-        done = subprocess.run([args.program, "bench", one, "-o", place, "--data", args.data], env=environment,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
-    finally:
-        one.unlink()
+def bench(args, jobs, folder, environment):
+    folder.mkdir(parents=True, exist_ok=True)
+    runs = folder / "list.yaml"
+    runs.write_text(bench_list(jobs))
+    done = subprocess.run([args.program, "bench", runs, "-o", folder, "--cores", str(args.cores)],
+                          env={**os.environ, **environment}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                          check=False)
     if done.returncode != 0:
-        print(f"{job.key} without '{without}': {done.stderr.strip().splitlines()[-1:]}", file=sys.stderr)
-    return done.returncode == 0
+        print(f"{folder}: {done.stderr.strip().splitlines()[-1:]}", file=sys.stderr)
 
 
-def calls(folder, job):
-    path = folder / job.key / "rules.csv"
+def run_base(args, jobs):
+    for number, job in enumerate(jobs, 1):
+        folder = args.out / "base" / job.key
+        rules = folder / "rules.csv"
+        if not rules.exists():
+            bench(args, [job], folder, {"EDGEVO_WITHOUT": "", "EDGEVO_RULES": str(rules.resolve())})
+        print(f"\rall rules: {number} of {len(jobs)}", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+
+
+def calls(out, job):
+    path = out / "base" / job.key / "rules.csv"
     if not path.exists():
         return {}
     with path.open() as file:
         return {name: int(count) for name, count in csv.reader(file)}
 
 
-def run_all(args, tasks, what):
-    tasks = list(tasks)
-    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        for done, _ in enumerate(pool.map(lambda t: run(args, *t), tasks), 1):
-            print(f"\r{what}: {done} of {len(tasks)}", end="", file=sys.stderr, flush=True)
-    print(file=sys.stderr)
+def base_result(out, job):
+    return out / "base" / job.key / job.place
+
+
+def run_without(args, jobs, rules, folder):
+    """The runs in which one of `rules` acted, without them; of the sequences in question the others are those with all rules."""
+    acting = [j for j in jobs if set(rules) & calls(args.out, j).keys()]
+    for job in jobs:
+        ended = folder / job.place
+        if job not in acting and base_result(args.out, job).exists() and not ended.exists():
+            shutil.copytree(base_result(args.out, job), ended, copy_function=os.link)
+    if acting:
+        bench(args, acting, folder, {"EDGEVO_WITHOUT": ",".join(rules), "EDGEVO_RULES": ""})
 
 
 def run_command(args):
-    jobs = jobs_of(args.list, args.seeds)
-    base = args.out / "base"
-    run_all(args, ((j, base, "") for j in jobs), "as it is")
+    corpus = Corpus(args)
+    corpus.render()
+    jobs = corpus.jobs()
+    run_base(args, jobs)
     if args.together:
-        rules = set(args.together)
-        acting = [j for j in jobs if rules & calls(base, j).keys()]
-        run_all(args, ((j, args.out / TOGETHER, ",".join(args.together)) for j in acting), "together")
+        run_without(args, jobs, args.together, args.out / "without" / " + ".join(args.together)[:200])
         return
-    names = args.rules or sorted({name for j in jobs for name in calls(base, j)})
-    # Every rule on one seed before any rule on the next: a run that is cut short has looked at all of them.
-    tasks = [(j, args.out / "without" / name, name) for j in jobs for name in names if calls(base, j).get(name)]
-    run_all(args, tasks, "one rule out")
+    names = args.rules or sorted({name for j in jobs for name in calls(args.out, j)})
+    # Every rule on one seed before any rule on the next: a call that is cut short has looked at all of them.
+    for seed in corpus.seeds:
+        for number, name in enumerate(names, 1):
+            run_without(args, [j for j in jobs if j.seed == seed], [name], args.out / "without" / name)
+            print(f"\rseed {seed}, rules: {number} of {len(names)}", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
 
 
-def result(folder, job):
-    path = job.result_folder(folder) / "result.yaml"
+def result(folder):
+    path = folder / "result.yaml"
     return yaml.safe_load(path.read_text()) if path.exists() else None
 
 
-def same_trajectory(job, a, b):
-    return filecmp.cmp(job.result_folder(a) / "trajectory_tum.txt", job.result_folder(b) / "trajectory_tum.txt", shallow=False)
-
-
-def figures(base, other, jobs):
-    """Counts, and ratios of ATE (without over with), of the runs in `other`."""
+def figures(out, folder, jobs, rules):
+    """Counts, and ratios of ATE (without over with), of the runs in `folder` in which a rule acted."""
     acted = changed = lost_poses = 0
     ratios = []
     for job in jobs:
-        with_it, without_it = result(base, job), result(other, job)
-        if not with_it or not without_it:
+        here, there = base_result(out, job), folder / job.place
+        with_it, without_it = result(here), result(there)
+        if not with_it or not without_it or not set(rules) & calls(out, job).keys():
             continue
         acted += 1
-        if same_trajectory(job, base, other):
+        if filecmp.cmp(here / "trajectory_tum.txt", there / "trajectory_tum.txt", shallow=False):
             continue
         changed += 1
         lost_poses += without_it["completion_percent"] < with_it["completion_percent"]
@@ -138,25 +172,25 @@ def figures(base, other, jobs):
     return acted, changed, lost_poses, sorted(ratios)
 
 
-def row(name, base, folder, jobs):
-    acted, changed, lost_poses, ratios = figures(base, folder, jobs)
+def row(args, folder, jobs):
+    acted, changed, lost_poses, ratios = figures(args.out, folder, jobs, folder.name.split(" + "))
+    counts = f"| {folder.name} | {acted} | {changed} | {lost_poses} | "
     if not ratios:
-        return f"| {name} | {acted} | {changed} | {lost_poses} | | | | |"
+        return counts + "| | | | |"
     values = [r for r, _ in ratios]
+    mean = statistics.geometric_mean(values)
     worse, better = sum(v > 1.2 for v in values), sum(v < 1 / 1.2 for v in values)
-    return (f"| {name} | {acted} | {changed} | {lost_poses} | {statistics.median(values):.2f} | {worse} | {better} | "
+    return (counts + f"{statistics.median(values):.3f} | {mean:.3f} | {worse} | {better} | "
             f"{ratios[-1][1]} {ratios[-1][0]:.2f}; {ratios[0][1]} {ratios[0][0]:.2f} |")
 
 
 def table_command(args):
-    jobs = jobs_of(args.list, args.seeds)
-    base = args.out / "base"
+    jobs = Corpus(args).jobs()
     print("Runs in which a rule acted, and of those the ones that end otherwise without it; ATE without over ATE with it.\n")
-    print("| rule out | acted | changed | fewer poses | median ratio | > 1.2 | < 1/1.2 | most, least |")
-    print("|---|---|---|---|---|---|---|---|")
-    for folder in sorted((args.out / "without").glob("*")) + [args.out / TOGETHER]:
-        if folder.exists():
-            print(row(folder.name, base, folder, jobs))
+    print("| rule out | acted | changed | fewer poses | median ratio | mean ratio | > 1.2 | < 1/1.2 | most, least |")
+    print("|---|---|---|---|---|---|---|---|---|")
+    for folder in sorted((args.out / "without").glob("*")):
+        print(row(args, folder, jobs))
 
 
 def main():
@@ -169,7 +203,7 @@ def main():
         command.add_argument("--list", type=pathlib.Path, default=pathlib.Path(__file__).parent / "ablation.yaml")
         command.add_argument("--data", type=pathlib.Path, default=pathlib.Path("."))
         command.add_argument("--program", default="build/ablation/bin/edgevo")
-        command.add_argument("--jobs", type=int, default=1)
+        command.add_argument("--cores", type=int, default=1)
         command.add_argument("--seeds", type=lambda t: [int(s) for s in t.split(",")])
         command.add_argument("--rules", type=lambda t: t.split(","))
         command.add_argument("--together", type=lambda t: t.split(","))
