@@ -1,24 +1,25 @@
 #!/usr/bin/python3
 """Which rules of the method carry weight: each is taken out of every run in which it acts.
 
-    share/bench/ablate.py run  -o OUT [--list share/bench/ablation.yaml] [--data DIR] [--cores N] [--seeds 1,2] [--rules A,B]
+    share/bench/ablate.py run  -o OUT [--list share/bench/ablation.yaml] [--data DIR] [--cores N] [--seeds 1,2] [--rules A,B] [--most N]
     share/bench/ablate.py run  -o OUT --together A,B,...     the rules named, out all at once
     share/bench/ablate.py table -o OUT                       figures of what has run, as Markdown
 
 Needs a build with -DEDGEVO_ABLATION=ON (--program, default build/ablation/bin/edgevo) and python3-yaml. Each run of the list is
 first made with all rules, and counts how often each rule acted (core/rule.h). A rule that never acted there cannot change that
-run and costs none. A call again goes on where the last one ended.
+run and costs none. --most N: each rule is taken out of N runs at most, those in which it acts most, of as many sequences as may be. A call again goes on where
+the last one ended.
 
   OUT/scenes/SCENE/                      rendered once
   OUT/base/SEQUENCE-VARIANT-SEED/        what `edgevo bench` leaves, and rules.csv: name, calls
   OUT/without/RULE/                      what `edgevo bench` leaves
+  OUT/together/NUMBER/                   the same without all of rules.txt there
 """
 import argparse
 import csv
 import filecmp
 import os
 import pathlib
-import shutil
 import statistics
 import subprocess
 import sys
@@ -120,13 +121,18 @@ def base_result(out, job):
     return out / "base" / job.key / job.place
 
 
+def most_telling(args, jobs, rules):
+    """Of the jobs in which `rules` acted args.most: one of each sequence in turn, from where they acted most. None: all."""
+    acted = {j: sum(calls(args.out, j).get(rule, 0) for rule in rules) for j in jobs}
+    turn = {}
+    for job in sorted((j for j in jobs if acted[j]), key=lambda j: -acted[j]):
+        turn[job] = sum(j.name == job.name for j in turn)
+    return sorted(turn, key=lambda j: turn[j])[:args.most]
+
+
 def run_without(args, jobs, rules, folder):
-    """The runs in which one of `rules` acted, without them; of the sequences in question the others are those with all rules."""
-    acting = [j for j in jobs if set(rules) & calls(args.out, j).keys()]
-    for job in jobs:
-        ended = folder / job.place
-        if job not in acting and base_result(args.out, job).exists() and not ended.exists():
-            shutil.copytree(base_result(args.out, job), ended, copy_function=os.link)
+    """The runs in which one of `rules` acted, without them."""
+    acting = most_telling(args, jobs, rules)
     if acting:
         bench(args, acting, folder, {"EDGEVO_WITHOUT": ",".join(rules), "EDGEVO_RULES": ""})
 
@@ -137,7 +143,10 @@ def run_command(args):
     jobs = corpus.jobs()
     run_base(args, jobs)
     if args.together:
-        run_without(args, jobs, args.together, args.out / "without" / " + ".join(args.together)[:200])
+        folder = args.out / "together" / str(len(args.together))
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "rules.txt").write_text("\n".join(args.together) + "\n")
+        run_without(args, jobs, args.together, folder)
         return
     names = args.rules or sorted({name for j in jobs for name in calls(args.out, j)})
     # Every rule on one seed before any rule on the next: a call that is cut short has looked at all of them.
@@ -172,9 +181,9 @@ def figures(out, folder, jobs, rules):
     return acted, changed, lost_poses, sorted(ratios)
 
 
-def row(args, folder, jobs):
-    acted, changed, lost_poses, ratios = figures(args.out, folder, jobs, folder.name.split(" + "))
-    counts = f"| {folder.name} | {acted} | {changed} | {lost_poses} | "
+def row(args, name, folder, jobs, rules):
+    acted, changed, lost_poses, ratios = figures(args.out, folder, jobs, rules)
+    counts = f"| {name} | {acted} | {changed} | {lost_poses} | "
     if not ratios:
         return counts + "| | | | |"
     values = [r for r, _ in ratios]
@@ -190,7 +199,10 @@ def table_command(args):
     print("| rule out | acted | changed | fewer poses | median ratio | mean ratio | > 1.2 | < 1/1.2 | most, least |")
     print("|---|---|---|---|---|---|---|---|---|")
     for folder in sorted((args.out / "without").glob("*")):
-        print(row(args, folder, jobs))
+        print(row(args, folder.name, folder, jobs, [folder.name]))
+    for folder in sorted((args.out / "together").glob("*")):
+        rules = (folder / "rules.txt").read_text().splitlines()
+        print(row(args, f"{len(rules)} together", folder, jobs, rules))
 
 
 def main():
@@ -205,6 +217,7 @@ def main():
         command.add_argument("--program", default="build/ablation/bin/edgevo")
         command.add_argument("--cores", type=int, default=1)
         command.add_argument("--seeds", type=lambda t: [int(s) for s in t.split(",")])
+        command.add_argument("--most", type=int)
         command.add_argument("--rules", type=lambda t: t.split(","))
         command.add_argument("--together", type=lambda t: t.split(","))
     args = parser.parse_args()
