@@ -83,7 +83,7 @@ double PoseJudge::score(const PoseCandidate& pose) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   if (!pose.T_cur_ref.is_finite()) return kNever;
   const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
-  if (pose.has_prior && likelihood < 1 && rule("left its prior")) return kNever;
+  if (pose.has_prior && likelihood < 1 && rule("usual step")) return kNever;
   const double by_image = support(pose.evidence, params_);
   return by_image > 0 ? likelihood * by_image : by_image;
 }

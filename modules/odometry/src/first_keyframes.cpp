@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/rule.h"
 
 namespace edgevo {
@@ -31,27 +30,6 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
   for (size_t k = 0; k < n; ++k) chosen.push_back(between[(2 * k + 1) * between.size() / (2 * n)]);
   chosen.push_back(&views.back());
   return chosen;
-}
-
-// How the images of the first keyframes moved: as between the first and the last of them, with one depth for
-// each. Only where the map came at once, by large motion: over more frames a hand-held camera moves otherwise
-// than on the whole.
-void find_motions(std::deque<Keyframe>* keyframes) {
-  // Between the first view and the last; share/lab/2026-11-22_rolling_shutter.md has the figures.
-  constexpr int kMaxFrames = 2;
-  const Keyframe &first = keyframes->front(), &last = keyframes->back();
-  const double seconds = seconds_between(first.time, last.time);
-  if (!(seconds > 0) || last.frame_index - first.frame_index > kMaxFrames ||
-      !rule("motion of the first keyframes"))
-    return;
-  const Vector6d velocity = relative_pose(last, first).log() / seconds;
-  for (Keyframe& k : *keyframes) {
-    if (k.points.empty()) continue;
-    std::vector<double> idepths;
-    for (const MapPoint& p : k.points) idepths.push_back(p.idepth);
-    k.motion.velocity = velocity;
-    k.motion.idepth.setConstant(median(std::move(idepths)));
-  }
 }
 
 }  // namespace edgevo

@@ -1,6 +1,5 @@
 #pragma once
 // How the views of a bootstrap become the first keyframes of a map.
-#include <deque>
 #include <vector>
 
 #include "edgevo/mapping/bootstrap.h"
@@ -16,8 +15,5 @@ IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last
 
 /// First and last view, and up to three between them. `views` has two or more.
 std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views);
-
-/// Fills Keyframe::motion, where the first and the last keyframe are near enough in time to tell.
-void find_motions(std::deque<Keyframe>* keyframes);
 
 }  // namespace edgevo

@@ -27,8 +27,8 @@ Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualS
 bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, const PoseJudge& judge) {
   if (task.was_lost || !(pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share))
     return false;
-  return judge.is_lost(pose) ||
-         (task.keyframes.follows_keyframe() && task.keyframes.calls_for_keyframe(pose, task.reference));
+  return judge.is_lost(pose) || (task.keyframes.follows_keyframe() &&
+                                 task.keyframes.calls_for_keyframe(pose.T_cur_ref, task.reference));
 }
 
 // A hypothesis from corners (mapping/corner_motion.h), searched from the predicted pose, not from the one
@@ -45,7 +45,7 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
                         expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion they go with the frame into the adjustment, whichever pose wins.
-    if (task.keyframes.follows_keyframe() && rule("corners in the adjustment"))
+    if (task.keyframes.follows_keyframe() && rule("corners"))
       track->corners = std::move(found->pairs);
   }
   track->corner_ms = thread_cpu_ms() - start;
@@ -63,7 +63,7 @@ Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge,
 TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist,
                        const PoseJudge& judge) {
   const AlignmentParams& params = task.params.alignment;
-  if (task.rows.is_rolling() && !judge.is_lost(first) && rule("rows once more")) {
+  if (task.rows.is_rolling() && !judge.is_lost(first) && rule("rolling shutter")) {
     const ReferenceCloud shifted = shift_cloud(
         pinhole_of(task), task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
         measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));

@@ -21,16 +21,6 @@ double opening(const ViewChange& out, const ViewChange& back) {
   return std::min(1.0, (back.flow_px - out.flow_px) / (kFullyOpening * out.flow_px));
 }
 
-// The map explains less and less of what the camera sees: its depths are not good enough for the way gone
-// since. Where points find no edges at all, or the share was never high, it is the light instead, and a
-// keyframe in bad light does harm.
-bool is_stale(const ReferenceFit& fit, const KeyframeParams& params) {
-  constexpr double kGoodMatchedShare = 0.84,
-                   kGoodInlierShare = 0.85;  // shares of points on sequences in even light
-  return fit.matched_share >= kGoodMatchedShare && fit.best_inlier_share >= kGoodInlierShare &&
-         fit.inlier_share < params.min_inlier_ratio * fit.best_inlier_share;
-}
-
 // At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow
 // the rotation.
 bool moves(const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > p.min_flow_px; }
@@ -46,18 +36,12 @@ constexpr Rule kRules[] = {
      [](const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > v.reach * p.flow_px; }},
     {"rotation",
      [](const KeyframeView& v, const KeyframeParams& p) { return v.view_share < p.min_turn_share; }},
-    {"fast motion",
-     [](const KeyframeView& v, const KeyframeParams& p) {
-       return moves(v, p) && v.next_flow_px > v.reach * p.max_flow_px;
-     }},
     {"view leaves",
      [](const KeyframeView& v, const KeyframeParams& p) {
        return moves(v, p) && v.next_view_share < p.min_view_share;
      }},
     {"fast turn", [](const KeyframeView& v,
                      const KeyframeParams& p) { return moves(v, p) && v.view_loss > p.max_view_loss; }},
-    {"stale map",
-     [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && is_stale(v.fit, p); }},
     {"long since",
      [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.frames >= p.max_frames; }},
 };
@@ -65,12 +49,11 @@ constexpr Rule kRules[] = {
 }  // namespace
 
 KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
-                              int frames, const ReferenceFit& fit) {
+                              int frames) {
   constexpr double kReachOfOpeningView =
       0.5;  // share of the usual flow: what comes into view is nearer by half and more
   KeyframeView v;
   v.frames = frames;
-  v.fit = fit;
   const std::optional<ViewChange> out = view_change(pinhole, cloud.points, T_cam_ref);
   if (!out) return v;
   const ViewChange back = view_change(pinhole, cloud.points, T_cam_ref.inverse()).value_or(*out);
@@ -78,7 +61,6 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
   v.view_share = out->view_share;
   v.reach = 1 - (1 - kReachOfOpeningView) * opening(*out, back);
   const double growth = 1.0 + 1.0 / std::max(1, frames);
-  v.next_flow_px = growth * v.flow_px;
   v.next_view_share = 1.0 - growth * (1.0 - v.view_share);
   v.view_loss = (1.0 - v.view_share) / std::max(1, frames);
   return v;
@@ -117,23 +99,20 @@ bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframePar
          nearest.reference_flow_px > params.min_flow_px;
 }
 
-KeyframeView KeyframePolicy::look(const PoseCandidate& pose, const Reference& reference) const {
-  const double share = pose.evidence.inlier_share;
-  return look_at_keyframe(pinhole_, reference.cloud, pose.T_cur_ref, frames_ + 1,
-                          {pose.stats.matched_share(), share, std::max(best_inlier_share_, share)});
+KeyframeView KeyframePolicy::look(const SE3& T_cam_ref, const Reference& reference) const {
+  return look_at_keyframe(pinhole_, reference.cloud, T_cam_ref, frames_ + 1);
 }
 
-bool KeyframePolicy::calls_for_keyframe(const PoseCandidate& pose, const Reference& reference) const {
-  return fired_rule(look(pose, reference), params_) != nullptr;
+bool KeyframePolicy::calls_for_keyframe(const SE3& T_cam_ref, const Reference& reference) const {
+  return fired_rule(look(T_cam_ref, reference), params_) != nullptr;
 }
 
 KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Reference& reference,
                                         bool is_mapping_busy) {
   using Action = KeyframeDecision::Action;
-  const KeyframeView view = look(tracked, reference);
+  const KeyframeView view = look(tracked.T_cur_ref, reference);
   const NearestKeyframe nearest = find_nearest_keyframe(pinhole_, reference, tracked.T_cur_ref, params_);
   const char* fired = fired_rule(view, params_);
-  best_inlier_share_ = view.fit.best_inlier_share;
   ++frames_;
   postponed_ = fired && is_mapping_busy ? postponed_ + 1 : 0;
   if (is_back(nearest, reference.keyframe_id, params_) && rule("return"))

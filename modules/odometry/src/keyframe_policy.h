@@ -12,31 +12,22 @@
 
 namespace edgevo {
 
-/// How well a reference explains the frames tracked against it, shares in [0, 1].
-struct ReferenceFit {
-  double matched_share = 1;      ///< AlignmentStats::matched_share() of this frame
-  double inlier_share = 1;       ///< PoseEvidence::inlier_share of this frame
-  double best_inlier_share = 1;  ///< of all the frames
-};
-
 /// What the rules look at. Flows in pixels at kReferenceWidth (view_change.h).
 struct KeyframeView {
   double flow_px =
       0;  ///< by the motion from the reference to here or by the motion back, whichever is larger
   double view_share = 1;       ///< of the cloud, still in view
-  double next_flow_px = 0;     ///< of the next frame, if the motion goes on
-  double next_view_share = 1;  ///< likewise
+  double next_view_share = 1;  ///< of the next frame, if the motion goes on
   double view_loss = 0;        ///< share of the cloud that has left the view, a frame
   double reach = 1;  ///< share of the usual flow that a keyframe may lie away: 0.5 where the view opens
   int frames = 1;    ///< since the last keyframe, this one included
-  ReferenceFit fit;
 };
 
 /// Going forward near things leave the view; going backward near ones come into it that the cloud does not
 /// know yet: hence the motion both ways. Nothing is needed where no point can be projected. Cost: four
 /// projections a point.
 KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
-                              int frames, const ReferenceFit& fit);
+                              int frames);
 
 /// The name of the first rule that calls for a keyframe; nullptr: none does.
 const char* fired_rule(const KeyframeView& view, const KeyframeParams& params);
@@ -77,25 +68,22 @@ class KeyframePolicy {
   /// Of a frame with a pose. `is_mapping_busy`: another keyframe is not finished yet.
   KeyframeDecision decide(const TrackResult& tracked, const Reference& reference, bool is_mapping_busy);
   /// Would such a pose call for a keyframe? Changes nothing.
-  bool calls_for_keyframe(const PoseCandidate& pose, const Reference& reference) const;
+  bool calls_for_keyframe(const SE3& T_cam_ref, const Reference& reference) const;
 
   /// The frame before was made a keyframe.
   bool follows_keyframe() const { return frames_ == 0; }
   /// Frames in a row, up to now, that would have been keyframes had the mapping not been busy.
   int postponed() const { return postponed_; }
 
-  /// Another keyframe is the reference.
-  void begin_reference() { best_inlier_share_ = 0; }
   /// A new map: its last view is a keyframe.
-  void restart() { frames_ = 0, best_inlier_share_ = 0; }
+  void restart() { frames_ = 0; }
 
  private:
-  KeyframeView look(const PoseCandidate& pose, const Reference& reference) const;
+  KeyframeView look(const SE3& T_cam_ref, const Reference& reference) const;
 
   Pinhole pinhole_;
   KeyframeParams params_;
-  int frames_ = 0;                // with a pose, since the last keyframe
-  double best_inlier_share_ = 0;  // of those tracked against the reference
+  int frames_ = 0;  // with a pose, since the last keyframe
   int postponed_ = 0;
 };
 

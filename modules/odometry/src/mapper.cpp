@@ -14,9 +14,6 @@ namespace {
 
 // Points of the first window: fewer do not hold its poses against outliers.
 constexpr int kMinFirstPoints = 100;
-// Huber cost an observation, in variances, above which the two views do not fit: about a half where residuals
-// have the deviations they are given.
-constexpr double kMaxFirstCost = 1.2;
 
 // Runs `work` and notes its CPU time under `name`.
 template <class Work>
@@ -73,11 +70,6 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   const WindowStats stats = window_.adjust();
   if (stats.points < kMinFirstPoints)
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
-  if (stats.cost_per_observation > kMaxFirstCost && rule("first map unfit"))
-    return "the edges of the first views do not fit one rigid scene";
-  // For an estimate of the read-out time; rows that were rectified for one already are not as the camera took
-  // them.
-  if (calibration_.state().shutter.readout_s == 0) find_motions(&window_.keyframes());
   next_id_ += int(chosen.size());
   publish(window_.newest());
   return {};
@@ -133,9 +125,6 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     for (Keyframe& host : window_.keyframes())
       smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
     window_.activate(2, params_.window.min_matches);
-    // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
-    // What the first pass has tried, with two depths, is not tried again.
-    if (window_.is_cloud_thin(window_.newest()) && rule("thin map activates more")) window_.activate(1, 1);
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 
@@ -16,8 +15,6 @@ std::vector<SE3> MotionModel::starts() const {
   if (frames_since_ <= 1) return motion_hypotheses(T_last_ref_, velocity_);
   const Vector6d drift = velocity_.log() * double(frames_since_);
   const SE3 on = SE3::exp(drift) * T_last_ref_, half = SE3::exp(0.5 * drift) * T_last_ref_;
-  if (frames_since_ > kLongGap && rule("long gap"))
-    return {T_last_ref_, half, on};  // nobody moves on as before for long
   return {on, T_last_ref_, half};
 }
 
@@ -28,10 +25,7 @@ std::optional<Vector6d> MotionModel::expected_twist() const {
 
 Vector6d MotionModel::twist(const SE3& T_cur_ref) const {
   if (!(seconds_since_ > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
-  const Vector6d twist = (T_cur_ref * T_last_ref_.inverse()).log() / seconds_since_;
-  const std::optional<Vector6d> expected = expected_twist();
-  if (frames_since_ > 1 || !expected || !rule("twist goes on")) return twist;
-  return twist + 0.5 * (twist - *expected);
+  return (T_cur_ref * T_last_ref_.inverse()).log() / seconds_since_;
 }
 
 void MotionModel::begin_frame(Timestamp time) {

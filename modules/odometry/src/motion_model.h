@@ -26,8 +26,7 @@ class MotionModel {
   std::vector<SE3> starts() const;
   /// Motion a second of points in the camera frame, as foreseen; nothing where no time is known.
   std::optional<Vector6d> expected_twist() const;
-  /// The same as measured, when the image of a new pose was taken: the motion since the last frame is that of
-  /// half a frame ago, and half of its change comes on top. 0: not known.
+  /// The same as measured, over the time since the last frame with a pose; 0: not known.
   Vector6d twist(const SE3& T_cur_ref) const;
 
   /// Each frame, before anything is asked about it.
@@ -40,9 +39,6 @@ class MotionModel {
   void change_reference(const SE3& T_old_new) { T_last_ref_ = T_last_ref_ * T_old_new; }
 
  private:
-  static constexpr int kLongGap =
-      11;  // frames, a third of a second and more: nobody moves on as before for longer
-
   SE3 T_last_ref_, velocity_;
   SteadyMotion steady_;
   double velocity_s_ = 0;  // that the motion `velocity_` takes; 0: not known

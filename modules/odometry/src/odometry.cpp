@@ -140,7 +140,7 @@ struct Odometry::Impl {
     tracked.return_to = decision.return_to;
     tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
     now.record->keyframe_rule = decision.rule;
-    if (tracked.make_keyframe && params.camera.knows_rolling() && rule("keyframe rows"))
+    if (tracked.make_keyframe && params.camera.knows_rolling() && rule("rolling shutter"))
       rectify_keyframe(now, track.twist, &tracked);
     return tracked;
   }
@@ -167,7 +167,6 @@ struct Odometry::Impl {
       motion.change_reference(T_old_world * newest->T_ref_world.inverse());
     }
     reference = std::move(newest);
-    keyframes.begin_reference();
   }
 
   // Self-calibration has corrected the map: the images that follow are corrected alike.

@@ -43,10 +43,8 @@ std::optional<SteadyMotion::Step> SteadyMotion::usual() const {
 
 void SteadyMotion::follow(const Eigen::Vector3d& translation, bool held) {
   if (steps_.size() == kSteps && !held) {
-    Eigen::Array3d square = (translation - median()).array().square();
-    if (seen_ >= kFrames && rule("one bad step"))
-      square = square.min(9 * square_.array());  // one bad frame is no unsteady camera
-    square_ += (square.matrix() - square_) / std::min(++seen_, kFrames);
+    const Eigen::Vector3d square = (translation - median()).cwiseAbs2();
+    square_ += (square - square_) / std::min(++seen_, kFrames);
   }
   steps_.push_back(translation);
   if (steps_.size() > kSteps) steps_.pop_front();
@@ -65,7 +63,7 @@ std::optional<UsualStep> UsualStep::of(const MotionModel& motion) {
 }
 
 double UsualStep::likelihood(const SE3& T_cur_ref) const {
-  return is_unusual(T_cur_ref) && rule("unusual is unlikely") ? kUnusualLikelihood : 1.0;
+  return is_unusual(T_cur_ref) && rule("usual step") ? kUnusualLikelihood : 1.0;
 }
 
 bool UsualStep::is_unusual(const SE3& T_cur_ref) const {

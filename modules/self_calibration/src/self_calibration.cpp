@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "camera_finder.h"
-#include "edgevo/core/rule.h"
 #include "history.h"
 #include "revision.h"
 
@@ -16,11 +15,6 @@ namespace edgevo {
 namespace {
 
 using State = CameraRefinement::State;
-
-// Of k1, or of the read-out time in seconds: half of what either is known to at 120 keyframes. Smaller
-// changes wait for the end of the run: undistorting the window's images again would cost more than they are
-// worth.
-constexpr double kMinChange = 5e-4;
 
 // A read-out time is known from fewer keyframes than k1 is, and each estimate brings the matches of the next
 // one nearer to the truth.
@@ -30,10 +24,6 @@ int first_checkpoint(const SelfCalibrationParams& p) {
 int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
   return keyframes < p.min_keyframes ? std::min(p.min_keyframes, keyframes + (keyframes + 1) / 2)
                                      : 2 * keyframes;
-}
-
-bool changes_much(const ImageCorrection& before, const ImageCorrection& now) {
-  return std::abs(now.k1 - before.k1) > kMinChange || std::abs(now.readout_s - before.readout_s) > kMinChange;
 }
 
 }  // namespace
@@ -145,11 +135,6 @@ std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Key
   }
   const ImageCorrection before = state_.correction();
   std::optional<MapRevision> revision;
-  if (found.estimate && !(at_end || changes_much(before, found.estimate->value)) &&
-      rule("small change waits")) {
-    found.state.k1 = before.k1, found.state.shutter.readout_s = before.readout_s;
-    found.estimate.reset();
-  }
   state_ = found.state;
   if (found.estimate) {
     revision =

@@ -34,12 +34,11 @@ struct Seen : KeyframeView {
 
 class Decision : public ::testing::Test {
  protected:
-  Seen decide(const SE3& T_cam_ref, int frames = 1, const ReferenceFit& fit = {}) const {
-    return decide(camera, grid_cloud(camera), T_cam_ref, frames, fit);
+  Seen decide(const SE3& T_cam_ref, int frames = 1) const {
+    return decide(camera, grid_cloud(camera), T_cam_ref, frames);
   }
-  Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames,
-              const ReferenceFit& fit) const {
-    Seen seen{look_at_keyframe(pinhole, cloud, T_cam_ref, frames, fit), "", false};
+  Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames) const {
+    Seen seen{look_at_keyframe(pinhole, cloud, T_cam_ref, frames), "", false};
     if (const char* rule = fired_rule(seen, params)) seen.rule = rule, seen.needed = true;
     return seen;
   }
@@ -108,17 +107,6 @@ TEST_F(Decision, BackingAwayMakesOneSooner) {
   EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
 }
 
-// A fast camera: the frame itself is near enough, the next one would not be. Motion that took several frames
-// goes on more slowly.
-TEST_F(Decision, OneBeforeTheNextFrameIsTooFar) {
-  const SE3 fast = move(0.33, 0, 0);
-  const Seen d = decide(fast, 1);
-  ASSERT_LT(d.flow_px, params.flow_px);
-  ASSERT_GT(2 * d.flow_px, params.max_flow_px);
-  EXPECT_EQ(d.rule, "fast motion");
-  EXPECT_FALSE(decide(fast, 3).needed);
-}
-
 TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
   // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
   const ReferenceCloud cloud = grid_cloud(camera);
@@ -165,29 +153,16 @@ TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
   EXPECT_FALSE(decide(turning, 1).needed);
 }
 
-// The map explained the first frames after the keyframe well and explains less and less, though the points
-// find edges.
-TEST_F(Decision, AStaleMapMakesOne) {
-  const SE3 moved = move(0.06, 0, 0);
-  const double stale = 0.99 * params.min_inlier_ratio, fresh = 1.01 * params.min_inlier_ratio;
-  EXPECT_EQ(decide(moved, 5, {0.9, 0.95 * stale, 0.95}).rule, "stale map");
-  EXPECT_FALSE(decide(moved, 5, {0.9, 0.95 * fresh, 0.95}).needed);
-  EXPECT_FALSE(decide(SE3(), 5, {0.9, 0.95 * stale, 0.95}).needed) << "without motion";
-  EXPECT_FALSE(decide(moved, 5, {0.7, 0.95 * stale, 0.95}).needed) << "edges are gone";
-  for (double in_bad_light : {0.3, 0.6, 0.8})
-    EXPECT_FALSE(decide(moved, 5, {0.9, in_bad_light * stale, in_bad_light}).needed) << in_bad_light;
-}
-
 TEST_F(Decision, FollowsTheWidthOfTheImage) {
   const Pinhole half{360, 360, 310, 93.75, 621, 188};
   for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
-    const Seen at_half = decide(half, grid_cloud(half), move(t, 0, 0), 1, {});
+    const Seen at_half = decide(half, grid_cloud(half), move(t, 0, 0), 1);
     EXPECT_EQ(at_half.needed, decide(move(t, 0, 0)).needed) << t;
   }
 }
 
 TEST_F(Decision, NoneWithoutPoints) {
-  EXPECT_FALSE(decide(camera, ReferenceCloud(), move(1, 0, 0), kLong, {}).needed);
+  EXPECT_FALSE(decide(camera, ReferenceCloud(), move(1, 0, 0), kLong).needed);
 }
 
 TEST_F(Decision, NoneWhereEverythingIsBehind) {
@@ -245,12 +220,9 @@ TEST_F(Decision, TheFlowOfTheReferenceIsMeasuredAsThatOfTheNearest) {
 
 // ---- the policy over frames ----
 
-TrackResult tracked_at(const SE3& T_cam_ref, double inlier_share = 0.95) {
+TrackResult tracked_at(const SE3& T_cam_ref) {
   TrackResult r;
   r.T_cur_ref = T_cam_ref;
-  r.stats.visible = 100;
-  r.stats.inliers = 90;
-  r.evidence.inlier_share = inlier_share;
   return r;
 }
 
@@ -282,15 +254,6 @@ TEST_F(Policy, WaitsForTheMappingAndCounts) {
   }
   EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), true).action, Action::kNone);
   EXPECT_EQ(policy.postponed(), 0);
-}
-
-TEST_F(Policy, ComparesWithTheBestOfThisReference) {
-  const SE3 moved = move(0.06, 0, 0);
-  (void)policy.decide(tracked_at(moved, 0.95), reference(), false);
-  EXPECT_TRUE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()));
-  policy.begin_reference();
-  EXPECT_FALSE(policy.calls_for_keyframe(tracked_at(moved, 0.7), reference()))
-      << "another reference starts again";
 }
 
 TEST_F(Policy, ReturnsToAnOlderKeyframe) {
