@@ -111,8 +111,8 @@ TEST(EdgeMapper, TheTraceTellsWhichPixelsBecameVertices) {
     }
   }
   for (const auto& [at, idepth] : idepths_in(lines)) EXPECT_EQ(kept.count(at), 1u);
-  for (const EdgeFate gate : {EdgeFate::kFewViews, EdgeFate::kAlongMotion, EdgeFate::kExplained,
-                              EdgeFate::kReplaced, EdgeFate::kUnconfirmed})
+  for (const EdgeFate gate :
+       {EdgeFate::kFewViews, EdgeFate::kAlongMotion, EdgeFate::kExplained, EdgeFate::kUnconfirmed})
     EXPECT_GT(fates[gate], 0) << to_string(gate);
 }
 
