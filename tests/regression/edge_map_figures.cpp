@@ -1,46 +1,92 @@
 // Completeness and accuracy of the lines of edges against a rendered scene, for tables:
-//   edge_map_figures SCENE SEED [KIND OF LIGHT | -] [frames=N] [GROUP.KEY=VALUE...]
+//   edge_map_figures SCENE SEED [KIND OF LIGHT | -] [frames=N] [why=1] [picture=KEYFRAME:FILE]
+//                    [GROUP.KEY=VALUE...]
+// `why`: the map is made again from the final poses, with the reasons for which true edges are missing;
+// `picture`: of them in one keyframe.
 #include <cstdlib>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "drive.h"
+#include "edge_replay.h"
 #include "edgevo/core/error.h"
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
+#include "missing_edges.h"
 #include "true_edges.h"
 
 namespace edgevo::testing {
 namespace {
 
-int figures(const std::vector<std::string>& args) {
-  if (args.size() < 2) {
-    std::cerr << "usage: edge_map_figures SCENE SEED [LIGHT | -] [frames=N] [GROUP.KEY=VALUE...]\n";
-    return 2;
-  }
-  const uint64_t seed = std::strtoull(args[1].c_str(), nullptr, 10);
-  OdometryParams params;
+constexpr const char* kUsage =
+    "usage: edge_map_figures SCENE SEED [LIGHT | -] [frames=N] [why=1] [picture=KEYFRAME:FILE] "
+    "[GROUP.KEY=VALUE...]";
+
+struct Request {
+  std::string scene, light = "-", picture;
+  uint64_t seed = 1;
   int frames = -1;
-  for (size_t i = 3; i < args.size(); ++i)
-    if (args[i].rfind("frames=", 0) == 0)
-      frames = std::atoi(args[i].c_str() + 7);
+  bool why = false;
+  OdometryParams params;
+};
+
+Request parse(const std::vector<std::string>& args) {
+  if (args.size() < 2) throw InputError("arguments", "too few", kUsage);
+  Request r;
+  r.scene = args[0];
+  r.seed = std::strtoull(args[1].c_str(), nullptr, 10);
+  if (args.size() > 2) r.light = args[2];
+  for (size_t i = 3; i < args.size(); ++i) {
+    const auto is = [&](const std::string& name) { return args[i].rfind(name, 0) == 0; };
+    if (is("frames="))
+      r.frames = std::atoi(args[i].c_str() + 7);
+    else if (is("why="))
+      r.why = args[i] != "why=0";
+    else if (is("picture="))
+      r.picture = args[i].substr(8), r.why = true;
     else
-      set_param(args[i], [&](ParamVisitor& v) { params.visit(v); });
-  const auto renderer = std::make_shared<SceneRenderer>(load_scene(args[0], seed));
-  std::unique_ptr<ImageSource> source = std::make_unique<RenderedSource>(renderer, 0, frames);
-  if (args.size() > 2 && args[2] != "-")
-    source = std::make_unique<RelitSource>(std::move(source), Relight(args[2], seed));
+      set_param(args[i], [&](ParamVisitor& v) { r.params.visit(v); });
+  }
+  return r;
+}
+
+double edge_map_ms(const Run& run) {
+  double ms = 0;
+  for (const FrameRecord& f : run.frames)
+    for (const auto& [stage, cpu_ms] : f.stage_ms) ms += stage == "edge_map" ? cpu_ms : 0;
+  return ms / double(run.frames.size());
+}
+
+void tell_why(const Request& request, const KeepingSource& source, const Run& run, const TrueEdges& truth) {
+  const EdgeReplay replay = replay_edges(source, run, request.params);
+  std::cout << "made again: " << truth.judge(replay.run) << "; " << replay.cpu_ms / double(run.frames.size())
+            << " CPU ms a frame\n";
+  for (const auto& [loss, share] : missing_edges(truth, replay))
+    std::cout << "  " << std::fixed << std::setprecision(1) << std::setw(5) << 100 * share << " %  "
+              << to_string(loss) << '\n';
+  std::cout << std::defaultfloat << std::setprecision(6) << std::flush;
+  const size_t colon = request.picture.find(':');
+  if (colon != std::string::npos)
+    draw_missing_edges(truth, replay, std::atoi(request.picture.c_str()), request.picture.substr(colon + 1));
+}
+
+int figures(const std::vector<std::string>& args) {
+  const Request request = parse(args);
+  const auto renderer = std::make_shared<SceneRenderer>(load_scene(request.scene, request.seed));
+  std::unique_ptr<ImageSource> images = std::make_unique<RenderedSource>(renderer, 0, request.frames);
+  if (request.light != "-")
+    images = std::make_unique<RelitSource>(std::move(images), Relight(request.light, request.seed));
+  KeepingSource source(std::move(images));
   const DriveFigures drive_figures =
-      measure(drive(*source, params, seed), truth_of(renderer->scene(), 0, renderer->size()));
-  const bool is_desk = args[0] == "desk";
-  const TrueEdges truth(*renderer, drive_figures.run, is_desk ? 2 : 20, is_desk ? 0.005 : 0.1);
-  double cpu_ms = 0;
-  for (const FrameRecord& f : drive_figures.run.frames)
-    for (const auto& [stage, ms] : f.stage_ms) cpu_ms += stage == "edge_map" ? ms : 0;
-  std::cout << args[0] << ' ' << seed << ' ' << (args.size() > 2 ? args[2] : "-") << ": "
-            << truth.judge(drive_figures.run) << "; ATE " << drive_figures.evaluation.ate_sim3.rmse
-            << " m, edge map " << cpu_ms / double(drive_figures.run.frames.size()) << " CPU ms a frame"
-            << std::endl;
+      measure(drive(source, request.params, request.seed), truth_of(renderer->scene(), 0, renderer->size()));
+  const Run& run = drive_figures.run;
+  const bool is_desk = request.scene == "desk";
+  const TrueEdges truth(*renderer, run, is_desk ? 2 : 20, is_desk ? 0.005 : 0.1);
+  std::cout << request.scene << ' ' << request.seed << ' ' << request.light << ": " << truth.judge(run)
+            << "; ATE " << drive_figures.evaluation.ate_sim3.rmse << " m, edge map " << edge_map_ms(run)
+            << " CPU ms a frame" << std::endl;
+  if (request.why) tell_why(request, source, run, truth);
   return 0;
 }
 

@@ -7,6 +7,7 @@
 
 #include "edgevo/datasets/open_source.h"
 #include "street_drive.h"
+#include "thin_obstacles.h"
 #include "true_scene.h"
 
 namespace edgevo::testing {
@@ -37,6 +38,15 @@ TEST_F(MetricMap, VoxelsAgainstTheTrueSurfaces) {
   EXPECT_GE(quality.crossing_edges_occupied, 0.95);
   EXPECT_GT(quality.occupied, 1000);
   EXPECT_GT(quality.free, 250000);
+}
+
+// Lamps and posts of signs, 5 to 15 cm thick: a planner needs the whole column.
+TEST_F(MetricMap, PolesAreColumns) {
+  const std::vector<ThinObstacle> obstacles = thin_obstacles(*renderer_->scene().world);
+  const ThinFigures thin = judge_thin(obstacles, *truth_, map_->tree(), 20);
+  std::cout << "[ figures  ] " << thin << std::endl;
+  EXPECT_GE(thin.upright, 5);
+  EXPECT_GE(thin.occupied_length, 0.6 * thin.length);
 }
 
 // KITTI's camera sits 1.65 m over the road.

@@ -58,6 +58,7 @@ std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& q) {
 TrueEdges::TrueEdges(const SceneRenderer& renderer, const Run& run, double range, double tolerance)
     : renderer_(&renderer), range_(range), tolerance_(tolerance) {
   fit_path(renderer.scene(), run, &scale_, &T_scene_run_);
+  pixels_.resize(run.keyframes.size());
   for (size_t k = 0; k < run.keyframes.size(); ++k) add_edges(int(k), run.keyframes[k].frame_index);
 }
 
@@ -80,10 +81,21 @@ void TrueEdges::add_edges(int keyframe, int frame_index) {
     const Eigen::Vector3d p_cam = pinhole.ray(px) / idepth;
     if (p_cam.norm() > range_) continue;
     const Eigen::Vector3d p = T_scene_cam * p_cam;
-    Seen& seen = seen_[cell_of(p)];
+    const Cell cell = cell_of(p);
+    pixels_[size_t(keyframe)].push_back({e.position(), e.normal(), p_cam, cell});
+    Seen& seen = seen_[cell];
     seen.sum += p, ++seen.pixels;
     seen.keyframes += std::exchange(seen.last_keyframe, keyframe) != keyframe;
   }
+}
+
+bool TrueEdges::is_counted(const Cell& cell) const { return seen_.at(cell).keyframes >= kMinKeyframes; }
+
+TrueEdges::Cells TrueEdges::cells_of_lines(const Run& run) const {
+  Cells lines;
+  EdgeMapQuality quality;
+  judge_lines(run, &lines, &quality);
+  return lines;
 }
 
 // Within the tolerance of the mean of a cell; cells are half as long.
@@ -149,7 +161,7 @@ EdgeMapQuality TrueEdges::judge(const Run& run) const {
   judge_lines(run, &lines, &q);
   int64_t by_lines = 0, by_points = 0, by_both = 0;
   for (const auto& [cell, seen] : seen_) {
-    if (seen.keyframes < kMinKeyframes) continue;
+    if (!is_counted(cell)) continue;
     ++q.true_cells;
     const bool on_line = has_near(lines, seen.mean()), on_point = has_near(points, seen.mean());
     by_lines += on_line, by_points += on_point, by_both += on_line || on_point;

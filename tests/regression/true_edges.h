@@ -26,15 +26,30 @@ struct EdgeMapQuality {
 };
 std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& quality);
 
+/// A pixel of an edge of a clean image of a keyframe.
+struct TruePixel {
+  Eigen::Vector2f px, normal;
+  Eigen::Vector3d p_cam;  ///< metres
+  std::array<int, 3> cell;
+};
+
 class TrueEdges {
  public:
+  using Cell = std::array<int, 3>;
+
   /// `range`: metres from the camera; `tolerance`: metres between a reconstructed edge and a true one.
   TrueEdges(const SceneRenderer& renderer, const Run& run, double range, double tolerance);
 
   EdgeMapQuality judge(const Run& run) const;
 
+  double scale() const { return scale_; }          ///< metres per unit of the run
+  double tolerance() const { return tolerance_; }  ///< metres
+  /// Of each keyframe, within range.
+  const std::vector<std::vector<TruePixel>>& pixels() const { return pixels_; }
+  /// Three keyframes saw it.
+  bool is_counted(const Cell& cell) const;
+
  private:
-  using Cell = std::array<int, 3>;
   struct CellHash {
     size_t operator()(const Cell& c) const {
       return size_t(c[0]) * 73856093u ^ size_t(c[1]) * 19349663u ^ size_t(c[2]) * 83492791u;
@@ -47,6 +62,15 @@ class TrueEdges {
   };
   using Cells = std::unordered_map<Cell, Seen, CellHash>;
 
+ public:
+  /// The cells that lines of a run fill, for is_reconstructed().
+  Cells cells_of_lines(const Run& run) const;
+  /// A line passes a true cell within the tolerance.
+  bool is_reconstructed(const Cell& cell, const Cells& lines) const {
+    return has_near(lines, seen_.at(cell).mean());
+  }
+
+ private:
   Cell cell_of(const Eigen::Vector3d& p) const;
   void add_edges(int keyframe, int frame_index);
   bool has_near(const Cells& cells, const Eigen::Vector3d& p) const;
@@ -60,6 +84,7 @@ class TrueEdges {
   double scale_ = 1;  ///< metres per unit of the run
   SE3 T_scene_run_;   ///< after the scale
   Cells seen_;
+  std::vector<std::vector<TruePixel>> pixels_;
 };
 
 }  // namespace edgevo::testing

@@ -56,6 +56,13 @@ Eigen::Vector3d centre(const octomap::OcTree& tree, const octomap::OcTreeKey& ke
   return {double(p.x()), double(p.y()), double(p.z())};
 }
 
+bool is_near_ball(const Surface& s, const Eigen::Vector3d& p, double limit) {
+  const Eigen::Vector3d middle = s.origin + 0.5 * (s.side_u + s.side_v);
+  return (p - middle).norm() <= limit + 0.5 * (s.side_u.norm() + s.side_v.norm());
+}
+
+}  // namespace
+
 // From a point to the parallelogram (or its half) nearest in the plane, by clamping its coordinates: exact
 // for rectangles.
 double distance_to(const Surface& s, const Eigen::Vector3d& p) {
@@ -66,13 +73,6 @@ double distance_to(const Surface& s, const Eigen::Vector3d& p) {
   if (s.is_triangle && ab.sum() > 1) ab /= ab.sum();
   return (s.origin + sides * ab - p).norm();
 }
-
-bool is_near_ball(const Surface& s, const Eigen::Vector3d& p, double limit) {
-  const Eigen::Vector3d middle = s.origin + 0.5 * (s.side_u + s.side_v);
-  return (p - middle).norm() <= limit + 0.5 * (s.side_u.norm() + s.side_v.norm());
-}
-
-}  // namespace
 
 std::ostream& operator<<(std::ostream& out, const MapQuality& q) {
   return out << q.occupied << " occupied voxels, " << 100 * q.occupied_on_surface << " % on a surface; "
@@ -113,6 +113,33 @@ double TrueScene::distance(const Eigen::Vector3d& p_map, double limit) const {
   for (const Surface& s : renderer_->scene().world->surfaces)
     if (is_near_ball(s, p, least)) least = std::min(least, distance_to(s, p));
   return least;
+}
+
+double TrueScene::least_distance(const std::vector<Eigen::Vector3d>& way) const {
+  double least = 10;
+  for (size_t i = 1; i < way.size(); ++i) {
+    const int steps = 1 + int((way[i] - way[i - 1]).norm() / 0.05);
+    for (int s = 0; s <= steps; ++s) {
+      const Eigen::Vector3d p = way[i - 1] + (way[i] - way[i - 1]) * s / steps;
+      least = std::min(least, distance(p, least));
+    }
+  }
+  return least;
+}
+
+int TrueScene::keyframes_that_see(const Eigen::Vector3d& p_scene, double range, double tolerance) const {
+  const Pinhole& pinhole = renderer_->camera().pinhole;
+  int seen = 0;
+  for (const View& view : views_) {
+    const Eigen::Vector3d p = view.T_cam_scene * p_scene;
+    if (p.z() < 0.1 || p.norm() > range) continue;
+    const Eigen::Vector2d px = pinhole.project(p);
+    if (!pinhole.contains(px, 3)) continue;
+    const float depth =
+        view.depth[size_t(std::lround(px.y())) * size_t(pinhole.width) + size_t(std::lround(px.x()))];
+    seen += depth == 0 || double(depth) > p.z() - tolerance;
+  }
+  return seen;
 }
 
 // Some keyframe sees the point, or nothing nearer than it by more than the tolerance.

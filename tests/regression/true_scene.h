@@ -29,6 +29,9 @@ struct MapQuality {
 };
 std::ostream& operator<<(std::ostream& out, const MapQuality& quality);
 
+/// From a point to a surface: exact for rectangles. Metres.
+double distance_to(const Surface& s, const Eigen::Vector3d& p);
+
 struct EdgeCell;
 
 class TrueScene {
@@ -40,6 +43,13 @@ class TrueScene {
 
   /// Distance of a point of the map from the nearest true surface, not looked for beyond `limit`.
   double distance(const Eigen::Vector3d& p_map, double limit) const;
+  /// Of a way, looked at every five centimetres, from the nearest true surface, not looked for beyond 10 m.
+  double least_distance(const std::vector<Eigen::Vector3d>& way_map) const;
+
+  /// From the scene to the map.
+  SE3 T_map_scene() const { return T_scene_map_.inverse(); }
+  /// The keyframes that see a point of the scene, nearer than `range`, with nothing `tolerance` in front.
+  int keyframes_that_see(const Eigen::Vector3d& p_scene, double range, double tolerance) const;
 
  private:
   struct View {

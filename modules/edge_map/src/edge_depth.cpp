@@ -24,8 +24,10 @@ constexpr double kStraightPx = 1;  // across the chord: an edge is found to half
 class DepthSearch {
  public:
   DepthSearch(const Pinhole& pinhole, const FramePyramid& host, const std::vector<EdgeSides>& sides,
-              const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params)
-      : level_(host.finest()), sides_(sides), max_idepth_(max_idepth), params_(params) {
+              const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params,
+              std::vector<TracedPixel>* trace)
+      : level_(host.finest()), sides_(sides), max_idepth_(max_idepth), params_(params), trace_(trace) {
+    if (trace_) trace_->assign(level_.edges.pixels.size(), {});
     for (const EdgeView& v : views) views_.emplace_back(pinhole, v);
   }
 
@@ -43,6 +45,7 @@ class DepthSearch {
       ChainNode node;
       node.edge_pixel = i;
       node.at = i - chain.begin;
+      reached(i, EdgeFate::kNoCrossing);
       if (!nodes.empty()) carry_along(nodes.back(), &node);
       if (i - last_search >= kSearchEveryPx) search(&node), last_search = i;
       keep_best(&node.hypotheses);
@@ -67,6 +70,10 @@ class DepthSearch {
   void try_out(double idepth, Guess guess, ChainNode* node) const {
     const Hypothesis h = weigh(sight_, views_, idepth, guess, max_idepth_, params_);
     if (is_supported(h) && h.informative > 0) node->hypotheses.push_back(h);
+    reached(node->edge_pixel, h.views < params_.min_views ? EdgeFate::kFewViews
+                              : !is_supported(h)          ? EdgeFate::kNoSupport
+                              : h.informative == 0        ? EdgeFate::kNoMotion
+                                                          : EdgeFate::kNotChosen);
   }
 
   void carry_along(const ChainNode& from, ChainNode* to) const {
@@ -154,7 +161,13 @@ class DepthSearch {
       const SmoothValue& s = smooth[i - begin];
       Settled& to = (*settled)[i];
       to.node = {nodes[i].edge_pixel, s.value, s.sigma, h.views, h.is_outline()};
-      to.is_known = s.value > 0 && s.sigma <= params_.max_relative_sigma * s.value;
+      const double limit = params_.max_relative_sigma * s.value;
+      to.is_known = s.value > 0 && s.sigma <= limit;
+      const bool may_help = values[i - begin].common <= limit;
+      told(to.node);
+      reached(to.node.edge_pixel, to.is_known ? EdgeFate::kShort
+                                  : may_help  ? EdgeFate::kUncertain
+                                              : EdgeFate::kAlongMotion);
     }
   }
 
@@ -203,7 +216,10 @@ class DepthSearch {
   void collect(const std::vector<Settled>& settled) {
     EdgePiece piece;
     const auto flush = [&] {
-      if (int(piece.size()) >= params_.min_vertices) pieces_.push_back(piece);
+      if (int(piece.size()) >= params_.min_vertices) {
+        pieces_.push_back(piece);
+        for (const EdgeNode& n : piece) found(n);
+      }
       piece.clear();
     };
     for (const Settled& s : settled) {
@@ -218,10 +234,22 @@ class DepthSearch {
     return params_.sigma_px * std::sqrt(h.information / h.views);
   }
 
+  void reached(int edge_pixel, EdgeFate gate) const {
+    if (trace_) (*trace_)[size_t(edge_pixel)].reach(gate);
+  }
+  void found(const EdgeNode& node) const {
+    reached(node.edge_pixel, EdgeFate::kFound);
+    told(node);
+  }
+  void told(const EdgeNode& node) const {
+    if (trace_) (*trace_)[size_t(node.edge_pixel)].idepth = node.idepth;
+  }
+
   const PyramidLevel& level_;
   const std::vector<EdgeSides>& sides_;
   const double max_idepth_;
   const EdgeMapParams& params_;
+  std::vector<TracedPixel>* trace_;  // may be null
   std::vector<ViewGeometry> views_;
   EdgeSight sight_;  // of the pixel at hand
   std::vector<EdgePiece> pieces_;
@@ -232,8 +260,8 @@ class DepthSearch {
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
-                                        const EdgeMapParams& params) {
-  return DepthSearch(pinhole, host, sides, views, max_idepth, params).run();
+                                        const EdgeMapParams& params, std::vector<TracedPixel>* trace) {
+  return DepthSearch(pinhole, host, sides, views, max_idepth, params, trace).run();
 }
 
 }  // namespace edgevo

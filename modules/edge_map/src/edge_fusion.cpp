@@ -26,7 +26,10 @@ constexpr double kSameSigmas = 3, kSameShare = 0.03;  // two depths of one edge
 struct KnownDepth {
   double idepth = 0;  // 0: none does
   double sigma = 0;
+  double h_z = 0, e_z = 0;  // of the sight line of the vertex that tells it
 };
+
+double weight_of(double idepth, double sigma) { return idepth * idepth / (sigma * sigma); }
 
 bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
   return std::abs(known.idepth - node.idepth) <
@@ -44,7 +47,8 @@ struct EdgeFusion::Explained {
 
 void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
   const std::vector<EdgePiece> pieces =
-      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_);
+      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_,
+                       trace_ ? &(*trace_)[host.id] : nullptr);
   Explained explained;
   explained.known.resize(host.pyramid->finest().edges.pixels.size());
   explained.by.resize(explained.known.size(), nullptr);
@@ -63,7 +67,10 @@ void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
 void EdgeFusion::add_new_stretches(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
                                    std::vector<Line>* lines) const {
   std::vector<bool> is_new(piece.size());
-  for (size_t i = 0; i < piece.size(); ++i) is_new[i] = is_news(piece[i], explained);
+  for (size_t i = 0; i < piece.size(); ++i) {
+    is_new[i] = is_news(piece[i], explained);
+    if (!is_new[i]) trace(host.id, piece[i].edge_pixel, EdgeFate::kExplained);
+  }
   for (size_t begin = 0; begin < piece.size();) {
     size_t end = begin;
     while (end < piece.size() && is_new[end]) ++end;
@@ -87,6 +94,12 @@ bool EdgeFusion::is_news(const EdgeNode& node, Explained* explained) const {
     return true;
   }
   explained->seen.push_back(by);
+  // z' = h_z / rho + e_z, and z' is off by the ratio of the two depths.
+  const double z = (known.h_z / double(by->vertex.idepth) + known.e_z) * known.idepth / node.idepth;
+  if (z > known.e_z) {
+    const double weight = weight_of(node.idepth, node.idepth_sigma);
+    by->told_weight += weight, by->told_sum += weight * known.h_z / (z - known.e_z), ++by->told;
+  }
   if (node.idepth_sigma > kMuchBetter * known.sigma) return false;
   by->is_replaced = true;
   return true;
@@ -129,13 +142,16 @@ void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* 
       continue;
     }
     // z' = z (h + rho e)_z: the inverse depth and its deviation in this keyframe.
-    const KnownDepth here{idepth / depth, double(v.vertex.idepth_sigma) / depth};
+    const KnownDepth here{idepth / depth, double(v.vertex.idepth_sigma) / depth, sight.h.z(), sight.e.z()};
     explain(j, here, &v);
     if (before >= 0 && level.edges.pixels[size_t(before)].chain == e->chain &&
         std::abs(j - before) < kMaxBridge)
       for (int k = std::min(before, j) + 1; k < std::max(before, j); ++k) {
         const double share = double(k - before) / (j - before);
-        explain(k, {last.idepth + share * (here.idepth - last.idepth), std::max(last.sigma, here.sigma)}, &v);
+        explain(k,
+                {last.idepth + share * (here.idepth - last.idepth), std::max(last.sigma, here.sigma),
+                 here.h_z, here.e_z},
+                &v);
       }
     last_pixel = j;
     last = here;
@@ -150,9 +166,19 @@ void EdgeFusion::count(Explained* explained) const {
   };
   distinct(&explained->seen);
   distinct(&explained->missed);
-  for (Vertex* v : explained->seen) ++v->seen;
+  for (Vertex* v : explained->seen) ++v->seen, take_over(v);
   for (Vertex* v : explained->missed)
     v->missed += !std::binary_search(explained->seen.begin(), explained->seen.end(), v);
+}
+
+// The mean of what keyframes tell. They look at some of the same images, so it is not said to be more
+// certain.
+void EdgeFusion::take_over(Vertex* v) {
+  if (v->told == 0) return;
+  const double weight = v->told_weight / v->told, mean = v->told_sum / v->told_weight;
+  v->vertex.idepth = float((v->weight * double(v->vertex.idepth) + weight * mean) / (v->weight + weight));
+  v->weight += weight;
+  v->told = 0, v->told_weight = v->told_sum = 0;
 }
 
 EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode& node,
@@ -161,6 +187,8 @@ EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode&
   const EdgeSides& sides = (*host.sides)[size_t(node.edge_pixel)];
   Vertex v;
   v.vertex = {e.position(), float(node.idepth), float(node.idepth_sigma), sides.dark, sides.bright};
+  v.edge_pixel = node.edge_pixel;
+  v.weight = weight_of(node.idepth, node.idepth_sigma);
   v.normal = e.normal();
   v.views = node.views;
   v.is_outline = node.is_outline;
@@ -171,19 +199,24 @@ EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode&
 
 void EdgeFusion::settle(const OpenHost& host) {
   HostedLines hosted{host.id, {}};
-  for (const Line& line : host.lines) settle_line(line, &hosted.lines);
+  for (const Line& line : host.lines) settle_line(host.id, line, &hosted.lines);
   settled_.push_back(std::move(hosted));
   motions_.push_back(host.motion);
 }
 
-bool EdgeFusion::stays(const Vertex& v) const {
-  if (!params_.is_fused()) return true;
-  const bool is_confirmed = v.seen >= kMinSeen || v.views >= kManyViews;
-  return is_confirmed && !v.is_replaced && v.missed <= v.seen;
+EdgeFate EdgeFusion::fate_of(const Vertex& v) const {
+  if (!params_.is_fused()) return EdgeFate::kKept;
+  if (v.is_replaced) return EdgeFate::kReplaced;
+  if (v.missed > v.seen) return EdgeFate::kMissed;
+  return v.seen >= kMinSeen || v.views >= kManyViews ? EdgeFate::kKept : EdgeFate::kUnconfirmed;
+}
+
+void EdgeFusion::trace(int keyframe, int edge_pixel, EdgeFate fate) const {
+  if (trace_) trace_->at(keyframe)[size_t(edge_pixel)].reach(fate);
 }
 
 // Stretches of vertices that stay.
-void EdgeFusion::settle_line(const Line& line, std::vector<EdgeLine>* lines) const {
+void EdgeFusion::settle_line(int host, const Line& line, std::vector<EdgeLine>* lines) const {
   EdgeLine stretch;
   std::vector<int> keyframes;
   int outline = 0;
@@ -199,7 +232,9 @@ void EdgeFusion::settle_line(const Line& line, std::vector<EdgeLine>* lines) con
     outline = 0;
   };
   for (const Vertex& v : line) {
-    if (!stays(v)) {
+    const EdgeFate fate = fate_of(v);
+    trace(host, v.edge_pixel, fate);
+    if (fate != EdgeFate::kKept) {
       flush();
       continue;
     }

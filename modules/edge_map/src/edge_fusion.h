@@ -20,7 +20,9 @@ struct EdgeHost {
 
 class EdgeFusion {
  public:
-  EdgeFusion(const Pinhole& pinhole, const EdgeMapParams& params) : pinhole_(pinhole), params_(params) {}
+  /// `trace`: may be null
+  EdgeFusion(const Pinhole& pinhole, const EdgeMapParams& params, EdgeTrace* trace)
+      : pinhole_(pinhole), params_(params), trace_(trace) {}
 
   void add(const EdgeHost& host, const std::vector<EdgeView>& views);
   void apply(const MapRevision& revision);
@@ -29,9 +31,13 @@ class EdgeFusion {
  private:
   struct Vertex {
     EdgeVertex vertex;
+    int edge_pixel = -1;  // of its host
     Eigen::Vector2f normal;
-    int seen = 1, missed = 0;  // keyframes
-    int views = 0;             // images that showed it to its host
+    int seen = 1, missed = 0;              // keyframes
+    int views = 0;                         // images that showed it to its host
+    double weight = 0;                     // of what keyframes told of its depth so far
+    double told_weight = 0, told_sum = 0;  // by the keyframe at hand: weights, and weighted inverse depths
+    int told = 0;
     bool is_replaced = false;  // by a nearer keyframe's
     bool is_outline = false;
   };
@@ -50,13 +56,16 @@ class EdgeFusion {
                          std::vector<Line>* lines) const;
   bool is_news(const EdgeNode& node, Explained* explained) const;
   void count(Explained* explained) const;
+  static void take_over(Vertex* v);
   Vertex make_vertex(const EdgeHost& host, const EdgeNode& node, const Explained& explained) const;
-  bool stays(const Vertex& v) const;
+  EdgeFate fate_of(const Vertex& v) const;
+  void trace(int keyframe, int edge_pixel, EdgeFate fate) const;
   void settle(const OpenHost& host);
-  void settle_line(const Line& line, std::vector<EdgeLine>* lines) const;
+  void settle_line(int host, const Line& line, std::vector<EdgeLine>* lines) const;
 
   Pinhole pinhole_;
   EdgeMapParams params_;
+  EdgeTrace* trace_;
   std::deque<OpenHost> open_;         // ascending id
   std::vector<HostedLines> settled_;  // ascending id
   std::vector<ImageMotion> motions_;  // of the settled ones: their pixels move when the camera is corrected

@@ -56,8 +56,8 @@ double max_idepth_of(const Keyframe& host, const std::deque<Keyframe>& younger) 
 }  // namespace
 
 struct EdgeMapper::Impl {
-  Impl(const Pinhole& pinhole, const EdgeMapParams& p, bool own_thread)
-      : params(p), fusion(pinhole, p), worker(own_thread, kMaxWaiting) {}
+  Impl(const Pinhole& pinhole, const EdgeMapParams& p, bool own_thread, EdgeTrace* trace)
+      : params(p), fusion(pinhole, p, trace), worker(own_thread, kMaxWaiting) {}
 
   std::shared_ptr<const std::vector<EdgeSides>> sides_of(const Keyframe& k) {
     auto& known = sides[k.id];
@@ -91,8 +91,8 @@ struct EdgeMapper::Impl {
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
 };
 
-EdgeMapper::EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread)
-    : impl_(std::make_unique<Impl>(pinhole, params, own_thread)) {}
+EdgeMapper::EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread, EdgeTrace* trace)
+    : impl_(std::make_unique<Impl>(pinhole, params, own_thread, trace)) {}
 EdgeMapper::~EdgeMapper() = default;
 
 void EdgeMapper::add(const Keyframe& keyframe, const std::deque<Keyframe>& younger) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include "support/sweep_scene.h"
 
@@ -28,9 +31,9 @@ std::deque<Keyframe> keyframes() {
 }
 
 std::vector<HostedLines> lines_of(const EdgeMapParams& params, bool own_thread,
-                                  const MapRevision* revision = nullptr) {
+                                  const MapRevision* revision = nullptr, EdgeTrace* trace = nullptr) {
   std::deque<Keyframe> window = keyframes();
-  EdgeMapper mapper(Sweep::pinhole(), params, own_thread);
+  EdgeMapper mapper(Sweep::pinhole(), params, own_thread, trace);
   while (!window.empty()) {
     const Keyframe oldest = window.front();
     window.pop_front();
@@ -59,6 +62,58 @@ TEST(EdgeMapper, EachEdgeOnce) {
             << std::endl;
   EXPECT_GT(vertices_in(fused), 1000u);
   EXPECT_LT(vertices_in(fused), vertices_in(apart) / 3);
+}
+
+// By keyframe and place in its image.
+std::map<std::tuple<int, float, float>, double> idepths_in(const std::vector<HostedLines>& hosted) {
+  std::map<std::tuple<int, float, float>, double> idepths;
+  for (const HostedLines& h : hosted)
+    for (const EdgeLine& line : h.lines)
+      for (const EdgeVertex& v : line.vertices)
+        idepths[{h.keyframe_id, v.px.x(), v.px.y()}] = double(v.idepth);
+  return idepths;
+}
+
+TEST(EdgeMapper, AVertexTakesTheMeanOfWhatKeyframesTell) {
+  EdgeMapParams full, each;
+  full.max_relative_sigma = each.max_relative_sigma = 0.02;
+  each.mode = "keyframes";
+  const auto alone = idepths_in(lines_of(each, false));
+  int changed = 0;
+  double error = 0, error_alone = 0;
+  for (const auto& [at, idepth] : idepths_in(lines_of(full, false))) {
+    const auto [id, x, y] = at;
+    const double truth = Sweep::idepth(4 * id, {double(x), double(y)});
+    if (!(truth > 0) || idepth == alone.at(at)) continue;
+    ++changed;
+    error += std::min(0.1, std::abs(idepth / truth - 1));  // a wrong match is one, however wrong
+    error_alone += std::min(0.1, std::abs(alone.at(at) / truth - 1));
+  }
+  std::cout << "[ figures  ] " << changed << " vertices, mean error " << error / changed << ", before "
+            << error_alone / changed << std::endl;
+  EXPECT_GT(changed, 500);
+  EXPECT_LT(error, error_alone);
+}
+
+TEST(EdgeMapper, TheTraceTellsWhichPixelsBecameVertices) {
+  EdgeTrace trace;
+  const std::vector<HostedLines> lines = lines_of(EdgeMapParams(), false, nullptr, &trace);
+  EXPECT_EQ(trace.size(), keyframes().size());
+  std::map<EdgeFate, int> fates;
+  std::set<std::tuple<int, float, float>> kept;
+  for (const auto& [id, pixels] : trace) {
+    const EdgeMap& edges = keyframes()[size_t(id)].pyramid->finest().edges;
+    ASSERT_EQ(pixels.size(), edges.pixels.size());
+    for (size_t i = 0; i < pixels.size(); ++i) {
+      ++fates[pixels[i].fate];
+      EXPECT_TRUE(pixels[i].fate < EdgeFate::kFound || pixels[i].idepth > 0);
+      if (pixels[i].fate == EdgeFate::kKept) kept.insert({id, edges.pixels[i].x, edges.pixels[i].y});
+    }
+  }
+  for (const auto& [at, idepth] : idepths_in(lines)) EXPECT_EQ(kept.count(at), 1u);
+  for (const EdgeFate gate :
+       {EdgeFate::kFewViews, EdgeFate::kAlongMotion, EdgeFate::kExplained, EdgeFate::kUnconfirmed})
+    EXPECT_GT(fates[gate], 0) << to_string(gate);
 }
 
 TEST(EdgeMapper, LinesLieOnTheTrueSurface) {

@@ -22,6 +22,7 @@
 #include "edgevo/core/camera.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edge_map/edge_map_params.h"
+#include "edgevo/edge_map/edge_trace.h"
 #include "edgevo/edges/frame_pyramid.h"
 
 namespace edgevo {
@@ -54,10 +55,12 @@ struct EdgeNode {
 using EdgePiece = std::vector<EdgeNode>;
 
 /// The stretches of the host's edges whose depth the views tell, in the order of its chains. `sides`: of each
-/// edge pixel of the host. `views`: the nearest first. Nothing is nearer than 1 over `max_idepth`.
+/// edge pixel of the host. `views`: the nearest first. Nothing is nearer than 1 over `max_idepth`. `trace`:
+/// of each edge pixel, filled if not null.
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
-                                        const EdgeMapParams& params);
+                                        const EdgeMapParams& params,
+                                        std::vector<TracedPixel>* trace = nullptr);
 
 }  // namespace edgevo

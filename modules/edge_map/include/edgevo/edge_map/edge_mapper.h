@@ -16,6 +16,7 @@
 
 #include "edgevo/core/records.h"
 #include "edgevo/edge_map/edge_map_params.h"
+#include "edgevo/edge_map/edge_trace.h"
 #include "edgevo/mapping/keyframe.h"
 #include "edgevo/mapping/map_revision.h"
 
@@ -30,8 +31,9 @@ struct HostedLines {
 /// Makes the lines of one segment after another.
 class EdgeMapper {
  public:
-  /// `own_thread`: add() returns at once
-  EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread);
+  /// `own_thread`: add() returns at once. `trace`: filled until close() if not null.
+  EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread,
+             EdgeTrace* trace = nullptr);
   ~EdgeMapper();
 
   /// A keyframe that has left the window, in order of id; `younger`: those after it. The images are shared.

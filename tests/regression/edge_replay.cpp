@@ -1,0 +1,85 @@
+#include "edge_replay.h"
+
+#include <ctime>
+#include <deque>
+
+#include "edgevo/edge_map/edge_mapper.h"
+
+namespace edgevo::testing {
+namespace {
+
+constexpr int kWindow = 12;  // keyframes whose brightness is compared
+
+// The points of keyframe `k` with their places in its neighbours, by which brightness is compared.
+std::vector<MapPoint> points_of(const Run& run, size_t k) {
+  const KeyframeRecord& host = run.keyframes[k];
+  std::vector<MapPoint> points;
+  for (const EdgePoint& e : host.points) {
+    MapPoint p;
+    p.px = e.px.cast<double>(), p.normal = e.normal.cast<double>(), p.idepth = double(e.idepth);
+    for (int i = std::max(0, int(k) - kWindow); i <= int(k) + kWindow && i < int(run.keyframes.size()); ++i) {
+      const KeyframeRecord& other = run.keyframes[size_t(i)];
+      if (i == int(k) || other.segment != host.segment) continue;
+      const Eigen::Vector3d there =
+          other.T_world_cam.inverse() * (host.T_world_cam * point_in_camera(run.pinhole, e));
+      if (there.z() <= 0.05) continue;
+      Observation o;
+      o.keyframe_id = i;
+      o.match.px = run.pinhole.project(there), o.match.normal = e.normal.cast<double>();
+      if (run.pinhole.contains(o.match.px, 4)) p.observations.push_back(o);
+    }
+    points.push_back(std::move(p));
+  }
+  return points;
+}
+
+std::deque<Keyframe> keyframes_of(const KeepingSource& source, const Run& run, const EdgeParams& params) {
+  PyramidBuilder builder(source.camera(), params);
+  builder.set_correction(run.camera.correction());
+  std::deque<Keyframe> keyframes;
+  for (size_t k = 0; k < run.keyframes.size(); ++k) {
+    Keyframe keyframe;
+    keyframe.id = int(k);
+    keyframe.pyramid = builder.build(source.image(run.keyframes[k].frame_index));
+    keyframe.T_cam_world = run.keyframes[k].T_world_cam.inverse();
+    keyframe.points = points_of(run, k);
+    keyframes.push_back(std::move(keyframe));
+  }
+  return keyframes;
+}
+
+double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+}  // namespace
+
+std::optional<Frame> KeepingSource::next() {
+  std::optional<Frame> frame = source_->next();
+  if (frame) images_[frame->index] = frame->image;
+  return frame;
+}
+
+EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params) {
+  EdgeReplay replay;
+  replay.run = run;
+  for (KeyframeRecord& k : replay.run.keyframes) k.lines.clear();
+  std::deque<Keyframe> waiting = keyframes_of(source, run, params.edges);
+  for (const Keyframe& k : waiting) replay.pyramids.push_back(k.pyramid);
+  const double begin = cpu_seconds();
+  while (!waiting.empty()) {
+    const int segment = run.keyframes[size_t(waiting.front().id)].segment;
+    EdgeMapper mapper(run.pinhole, params.edge_map, false, &replay.trace);
+    while (!waiting.empty() && run.keyframes[size_t(waiting.front().id)].segment == segment) {
+      const Keyframe keyframe = std::move(waiting.front());
+      waiting.pop_front();
+      std::deque<Keyframe> younger;
+      for (size_t i = 0; i < waiting.size() && i < size_t(params.mapping.window.keyframes) - 1; ++i)
+        if (run.keyframes[size_t(waiting[i].id)].segment == segment) younger.push_back(waiting[i]);
+      mapper.add(keyframe, younger);
+    }
+    for (HostedLines& h : mapper.close()) replay.run.keyframes[size_t(h.keyframe_id)].lines = h.lines;
+  }
+  replay.cpu_ms = 1e3 * (cpu_seconds() - begin);
+  return replay;
+}
+
+}  // namespace edgevo::testing

@@ -1,0 +1,169 @@
+// The octree of a run through a rendered scene as planners need it, with the lines of edges and without:
+//   planner_map_figures SCENE SEED [LIGHT | -] [frames=N] [pairs=N] [radius=M] [GROUP.KEY=VALUE...]
+// Quality of the voxels, thin obstacles, and ways between random places beside the camera's path. A way hits
+// where the middle of the ball comes nearer to a true surface than its radius less a voxel.
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <random>
+
+#include "drive.h"
+#include "edgevo/core/error.h"
+#include "edgevo/occupancy/octree_map.h"
+#include "edgevo/scale/run_scale.h"
+#include "edgevo/simulation/relit_source.h"
+#include "edgevo/simulation/rendered_source.h"
+#include "octree_planner.h"
+#include "support/temp_folder.h"
+#include "thin_obstacles.h"
+#include "true_scene.h"
+
+namespace edgevo::testing {
+namespace {
+
+constexpr double kRange = 20, kVoxel = 0.2;
+constexpr double kReach = 1;      // metres from a wanted place to a free one
+constexpr int kMostSteps = 4000;  // of the planner
+constexpr double kAside = 2;      // metres beside the path, at most
+constexpr double kMinApart = 3;   // metres from start to goal
+
+struct Request {
+  std::string scene, light = "-";
+  uint64_t seed = 1;
+  int frames = -1, pairs = 100;
+  double radius = 0.5;
+  OdometryParams params;
+};
+
+Request parse(const std::vector<std::string>& args) {
+  if (args.size() < 2)
+    throw InputError("arguments", "too few",
+                     "usage: planner_map_figures SCENE SEED [LIGHT | -] [frames=N] [pairs=N] [radius=M] "
+                     "[GROUP.KEY=VALUE...]");
+  Request r;
+  r.scene = args[0];
+  r.seed = std::strtoull(args[1].c_str(), nullptr, 10);
+  if (args.size() > 2) r.light = args[2];
+  for (size_t i = 3; i < args.size(); ++i) {
+    const auto is = [&](const std::string& name) { return args[i].rfind(name, 0) == 0; };
+    if (is("frames="))
+      r.frames = std::atoi(args[i].c_str() + 7);
+    else if (is("pairs="))
+      r.pairs = std::atoi(args[i].c_str() + 6);
+    else if (is("radius="))
+      r.radius = std::atof(args[i].c_str() + 7);
+    else
+      set_param(args[i], [&](ParamVisitor& v) { r.params.visit(v); });
+  }
+  return r;
+}
+
+// In metres by the true positions of the camera.
+Run in_metres(Run run, const Scene& scene) {
+  VehicleTrack track;
+  for (size_t i = 0; i < run.frames.size(); ++i)
+    track.positions.push_back({scene.times[i], scene.T_scene_cam[i].translation()});
+  const ScaleSource source = parse_scale_source("robot_pose");
+  const RunScale scale = estimate_run_scale(run, source, track, ScaleParams());
+  if (!scale.problem.empty()) throw InputError("scale", scale.problem, "drive further");
+  make_metric(scale, {}, source, &run);
+  return run;
+}
+
+Run without_lines(Run run) {
+  for (KeyframeRecord& k : run.keyframes) k.lines.clear();
+  return run;
+}
+
+struct Pair {
+  Eigen::Vector3d start, goal;
+};
+
+// Beside two places of the path, clear of every true surface.
+std::vector<Pair> random_pairs(const Run& run, const TrueScene& truth, const Request& request) {
+  std::vector<Eigen::Vector3d> path;
+  for (const FrameRecord& f : run.frames)
+    if (f.T_world_cam) path.push_back((T_map_world(run) * *f.T_world_cam).translation());
+  std::mt19937 random(unsigned(request.seed));
+  std::uniform_real_distribution<double> aside(-kAside, kAside), along(0, double(path.size()) - 1e-6);
+  const auto place = [&] {
+    for (;;) {
+      const Eigen::Vector3d p =
+          path[size_t(along(random))] + Eigen::Vector3d(aside(random), aside(random), 0);
+      if (truth.distance(p, request.radius) >= request.radius) return p;
+    }
+  };
+  std::vector<Pair> pairs;
+  while (int(pairs.size()) < request.pairs) {
+    const Pair pair{place(), place()};
+    if ((pair.start - pair.goal).norm() >= kMinApart) pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+void tell_ways(const OctreeMap& map, const std::vector<Pair>& pairs, const TrueScene& truth, double radius) {
+  const test::TempFolder folder;
+  map.write_bt(folder / "edges.bt");
+  const BallInOctree ball(folder / "edges.bt", radius);
+  int placed = 0, solved = 0, hit = 0, through = 0;
+  double least_of_all = 10;
+  for (const Pair& pair : pairs) {
+    const auto start = ball.free_place_near(pair.start, kReach),
+               goal = ball.free_place_near(pair.goal, kReach);
+    if (!start || !goal) continue;
+    ++placed;
+    const std::vector<Eigen::Vector3d> way = plan_3d(ball, *start, *goal, kMostSteps);
+    if (way.empty()) continue;
+    const double least = truth.least_distance(way);
+    ++solved, hit += least < radius - kVoxel, through += least < 0.05;
+    least_of_all = std::min(least_of_all, least);
+  }
+  std::cout << "    " << pairs.size() << " pairs: " << placed << " with a free start and goal, " << solved
+            << " solved; " << hit << " ways nearer than " << radius - kVoxel << " m to a true surface, "
+            << through << " through one; nearest " << least_of_all << " m" << std::endl;
+}
+
+void tell_map(const Run& run, const TrueScene& truth, const std::vector<ThinObstacle>& thin,
+              const std::vector<Pair>& pairs, double radius) {
+  OccupancyParams params;
+  params.resolution = "0.2", params.max_range = "20";
+  const OctreeMap map(run, params);
+  std::cout << "    " << truth.judge(map.tree(), run, params) << '\n';
+  const ThinFigures f = judge_thin(thin, truth, map.tree(), kRange);
+  std::cout << "    " << f << std::endl;
+  for (const auto& [bar, share] : f.shares)
+    std::cout << "      " << (bar.end - bar.begin).norm() << " m long, " << 100 * bar.thickness
+              << " cm thick: " << 100 * share << " %\n";
+  tell_ways(map, pairs, truth, radius);
+}
+
+int figures(const std::vector<std::string>& args) {
+  const Request request = parse(args);
+  const auto renderer = std::make_shared<SceneRenderer>(load_scene(request.scene, request.seed));
+  std::unique_ptr<ImageSource> source = std::make_unique<RenderedSource>(renderer, 0, request.frames);
+  if (request.light != "-")
+    source = std::make_unique<RelitSource>(std::move(source), Relight(request.light, request.seed));
+  const Run run = in_metres(drive(*source, request.params, request.seed), renderer->scene());
+  const TrueScene truth(*renderer, run);
+  const std::vector<ThinObstacle> thin = thin_obstacles(*renderer->scene().world);
+  const std::vector<Pair> pairs = random_pairs(run, truth, request);
+  seed_planner(unsigned(request.seed));
+  std::cout << request.scene << ' ' << request.seed << ' ' << request.light << '\n' << "  with lines\n";
+  tell_map(run, truth, thin, pairs, request.radius);
+  std::cout << "  points alone\n";
+  tell_map(without_lines(run), truth, thin, pairs, request.radius);
+  return 0;
+}
+
+}  // namespace
+}  // namespace edgevo::testing
+
+int main(int argc, char** argv) {
+  try {
+    return edgevo::testing::figures({argv + 1, argv + argc});
+  } catch (const edgevo::InputError& e) {
+    std::cerr << "planner_map_figures: " << e.what() << std::endl;
+    return 2;
+  }
+}
