@@ -45,8 +45,7 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
                         expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion they go with the frame into the adjustment, whichever pose wins.
-    if (task.keyframes.follows_keyframe() && rule("corners"))
-      track->corners = std::move(found->pairs);
+    if (task.keyframes.follows_keyframe() && rule("corners")) track->corners = std::move(found->pairs);
   }
   track->corner_ms = thread_cpu_ms() - start;
   return hypotheses;
