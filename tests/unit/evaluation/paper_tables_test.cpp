@@ -91,6 +91,26 @@ TEST(LakeTable, ATrialWithoutAPoseFailsThroughout) {
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "winter cm/m"), "16.0 [2.0..30.0]");
 }
 
+// `detectors: canny network` of a list makes words of the variants; they are no light.
+TEST(LakeTable, ADetectorNamedByTheVariantIsAMethodAndNoLight) {
+  const PrintedTable table =
+      lake_table({},
+                 {{"winter", "normal+combined:network", {trial(0, 2.0)}, 0, "combined:network"},
+                  {"winter", "every3+mixed+combined:network", {trial(0, 3.0)}, 0, "combined:network"}},
+                 {});
+  EXPECT_EQ(cell(table, "edgevo, combined:network, rendered", "winter cm/m"), "2.0");
+  EXPECT_EQ(cell(table, "edgevo, combined:network, rendered, light mixed", "winter, every 3rd cm/m"), "3.0");
+}
+
+TEST(KittiTable, ADetectorNamedByTheVariantHasItsColumn) {
+  const PrintedTable table = kitti_table({},
+                                         {{"kitti03", "normal+canny", {trial(0, 1, 4)}, 0, "canny"},
+                                          {"kitti03", "normal+network", {trial(0, 1, 5)}, 0, "network"}},
+                                         {}, {});
+  EXPECT_EQ(cell(table, "03", "edgevo, canny"), "4.00");
+  EXPECT_EQ(cell(table, "03", "edgevo, network"), "5.00");
+}
+
 TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
   EXPECT_EQ(season_of("150228"), "winter");
   EXPECT_EQ(season_of("150301"), "spring");
