@@ -6,8 +6,8 @@ sequence=$scenes/street
 part="--frames 0:30"
 frames=30
 half="$part --image-scale 0.5" # forests take half a second a frame of full size
-size_for() { case $1 in *structured) echo "$half" ;; *) echo "$part" ;; esac; }
-canny_for() { case $1 in *structured) echo half_canny ;; *) echo run_canny ;; esac; }
+size_for() { case $1 in combined:structured) echo "$half" ;; *) echo "$part" ;; esac; }
+canny_for() { case $1 in combined:structured) echo half_canny ;; *) echo run_canny ;; esac; }
 run_code 0 "$edgevo" run "$sequence" $part -o run_canny --quiet
 run_code 0 "$edgevo" run "$sequence" $half -o half_canny --quiet
 
@@ -21,16 +21,19 @@ for detector in edge_drawing structured network combined:structured combined:net
 done
 
 # ---- the same again, and through files ----
+run_code 0 "$edgevo" run "$sequence" $half -o first_structured --quiet --detector structured
+mv run_network first_network
 for detector in structured network; do
-  size=$(size_for $detector)
+  size=$part
+  [ $detector = structured ] && size=$half
   run_code 0 "$edgevo" run "$sequence" $size -o again_$detector --quiet --detector $detector
-  same "trajectory, $detector again" run_$detector/trajectory_tum.txt again_$detector/trajectory_tum.txt
-  same "points, $detector again" run_$detector/edges.ply again_$detector/edges.ply
+  same "trajectory, $detector again" first_$detector/trajectory_tum.txt again_$detector/trajectory_tum.txt
+  same "points, $detector again" first_$detector/edges.ply again_$detector/edges.ply
   run_code 0 "$edgevo" edges "$sequence" $size -o edges_$detector --detector $detector
   check "images of $detector" "$(ls edges_$detector/*.png | wc -l)" -eq "$frames"
   check "contact sheet of $detector, bytes" "$(wc -c <edges_$detector/contact_sheet.jpg)" -gt 10000
   run_code 0 "$edgevo" run "$sequence" $size -o files_$detector --quiet --detector precomputed --edge-folder edges_$detector
-  same "trajectory from files of $detector" run_$detector/trajectory_tum.txt files_$detector/trajectory_tum.txt
+  same "trajectory from files of $detector" first_$detector/trajectory_tum.txt files_$detector/trajectory_tum.txt
 done
 run_code 0 "$edgevo" run "$sequence" $part -o files_combined --quiet --detector combined:precomputed --set edges.folder=edges_network
 same "trajectory combined with files" run_combined_network/trajectory_tum.txt files_combined/trajectory_tum.txt
