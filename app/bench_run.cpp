@@ -71,7 +71,7 @@ BenchOutcome collect_bench(const BenchList& list, const BenchPlace& place) {
   for (const BenchSequence& sequence : list.sequences) {
     const BenchInput input(sequence, place.data, place.list_path);
     for (const BenchVariant& variant : sequence.variants) {
-      outcome.rows.push_back({sequence.name, variant.name, {}, 0});
+      outcome.rows.push_back({sequence.name, variant.name, {}, 0, variant.detector});
       for (const uint64_t seed : list.seeds)
         add_trial(make_job(input, variant, seed, place.out, version()), &outcome.rows.back(), &outcome);
     }

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -11,6 +10,7 @@
 #include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/edges/quiet_opencv.h"
 #include "rate.h"
 #include "sequence.h"
 #include "text_file.h"
@@ -22,18 +22,6 @@ constexpr double kMostFrames = 1e9;  // of a file's own count: more is no count,
 // Counts are estimates: a video is damaged where more than two frames, and more than one in 50, are missing.
 constexpr int kMissingFrames = 2, kMissingShare = 50;
 constexpr int kLastCamera = 255;  // N of /dev/videoN
-
-// OpenCV's back ends announce on stderr each format that they do not know.
-class QuietOpenCv {
- public:
-  QuietOpenCv() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
-  ~QuietOpenCv() { cv::utils::logging::setLogLevel(before_); }
-  QuietOpenCv(const QuietOpenCv&) = delete;
-  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
-
- private:
-  cv::utils::logging::LogLevel before_;
-};
 
 GrayImage to_gray(const cv::Mat& bgr) {
   GrayImage gray{bgr.cols, bgr.rows, std::vector<uint8_t>(bgr.total())};

@@ -19,21 +19,28 @@ bool is_survey(const std::string& sequence) {
   return !sequence.empty() && std::isdigit(static_cast<unsigned char>(sequence[0]));
 }
 
-// The words of a variant: whether it thins the frames by three, and what else it does.
+// The words of a variant: whether it thins the frames by three, and what else it does to the images.
 struct VariantWords {
   bool every3 = false;
   std::string others;
 
-  explicit VariantWords(const std::string& variant) {
+  explicit VariantWords(const BenchRow& row) {
+    const std::string& variant = row.variant;
     for (size_t begin = 0; begin <= variant.size();) {
       const size_t end = std::min(variant.find('+', begin), variant.size());
       const std::string word = variant.substr(begin, end - begin);
       every3 = every3 || word == "every3";
-      if (word != "every3" && word != "normal") others += (others.empty() ? "" : "+") + word;
+      if (word != "every3" && word != "normal" && word != row.detector)
+        others += (others.empty() ? "" : "+") + word;
       begin = end + 1;
     }
   }
 };
+
+// As the variant names it, else as the sequence does.
+std::string detector_used(const BenchRow& row) {
+  return row.detector.empty() ? detector_of(row.sequence) : row.detector;
+}
 
 struct Summary {
   std::vector<double> values;
@@ -82,8 +89,8 @@ TableRow paper_row(const PaperLakeRow& paper) {
 }
 
 std::string method_of(const BenchRow& row) {
-  const std::string light = VariantWords(row.variant).others;
-  return "edgevo, " + detector_of(row.sequence) + (is_survey(row.sequence) ? ", surveys" : ", rendered") +
+  const std::string light = VariantWords(row).others;
+  return "edgevo, " + detector_used(row) + (is_survey(row.sequence) ? ", surveys" : ", rendered") +
          (light.empty() ? "" : ", light " + light);
 }
 
@@ -103,8 +110,7 @@ TableCell summarised(const Rows& rows, Value value) {
 Rows chosen(const Rows& rows, const std::string& season, bool every3) {
   Rows found;
   for (const BenchRow* row : rows)
-    if (season_of(row->sequence) == season && VariantWords(row->variant).every3 == every3)
-      found.push_back(row);
+    if (season_of(row->sequence) == season && VariantWords(*row).every3 == every3) found.push_back(row);
   return found;
 }
 
@@ -136,7 +142,7 @@ TableCell ate_cell(const std::vector<BenchRow>& rows, const std::string& name, c
   Summary ate;
   size_t lost = 0;
   for (const BenchRow& row : rows) {
-    if (kitti_row_name(row.sequence) != name || detector_of(row.sequence) != detector) continue;
+    if (kitti_row_name(row.sequence) != name || detector_used(row) != detector) continue;
     ate.missing += size_t(row.missing);
     for (const Trial& trial : row.trials) {
       lost += !trial.evaluated;
@@ -247,8 +253,8 @@ PrintedTable kitti_table(const BenchHeader& header, const std::vector<BenchRow>&
   for (const std::string& method : paper_kitti_methods()) table.columns.push_back("paper: " + method);
   std::vector<std::string> detectors;
   for (const BenchRow& row : rows)
-    if (std::find(detectors.begin(), detectors.end(), detector_of(row.sequence)) == detectors.end())
-      detectors.push_back(detector_of(row.sequence));
+    if (std::find(detectors.begin(), detectors.end(), detector_used(row)) == detectors.end())
+      detectors.push_back(detector_used(row));
   if (detectors.empty()) detectors.push_back("canny");
   for (const std::string& detector : detectors) table.columns.push_back("edgevo, " + detector);
   const auto is_missing = [&](const std::string& name) {

@@ -34,7 +34,7 @@ Trial lost_trial() {
 }
 
 TEST(BenchTable, MedianAndWorstOfTheSeeds) {
-  const BenchRow row{"street", "normal", {trial(0.3, 30, 90), trial(0.1, 10), trial(0.2, 20)}, 0};
+  const BenchRow row{"street", "normal", {trial(0.3, 30, 90), trial(0.1, 10), trial(0.2, 20)}, 0, ""};
   const std::string csv = bench_csv({{"edgevo", "1.0 abc"}, {"machine", "a processor"}}, {row});
   EXPECT_EQ(
       csv,
@@ -49,7 +49,7 @@ TEST(BenchTable, MedianAndWorstOfTheSeeds) {
 
 TEST(BenchTable, MarkdownHoldsTheSame) {
   const std::string text =
-      bench_markdown({{"edgevo", "1.0 abc"}}, {{"street", "glare", {trial(0.1), trial(0.3)}, 1}});
+      bench_markdown({{"edgevo", "1.0 abc"}}, {{"street", "glare", {trial(0.1), trial(0.3)}, 1, ""}});
   EXPECT_THAT(text, HasSubstr("- edgevo: 1.0 abc\n"));
   EXPECT_THAT(
       text,
@@ -59,19 +59,19 @@ TEST(BenchTable, MarkdownHoldsTheSame) {
 }
 
 TEST(BenchTable, ALostTrialIsTheWorst) {
-  const std::string one = bench_csv({}, {{"a", "normal", {trial(0.1), lost_trial(), trial(0.2)}, 0}});
+  const std::string one = bench_csv({}, {{"a", "normal", {trial(0.1), lost_trial(), trial(0.2)}, 0, ""}});
   EXPECT_THAT(one, HasSubstr("a,normal,3,0,50.00,0.200,-,0.400,-,"));
   EXPECT_THAT(one, HasSubstr(",100.0,0.0,1,1,20.0,20.0"));
-  const std::string two = bench_csv({}, {{"a", "normal", {lost_trial(), lost_trial(), trial(0.2)}, 0}});
+  const std::string two = bench_csv({}, {{"a", "normal", {lost_trial(), lost_trial(), trial(0.2)}, 0, ""}});
   EXPECT_THAT(two, HasSubstr("a,normal,3,0,50.00,-,-,-,-,"));
-  EXPECT_THAT(bench_csv({}, {{"a", "normal", {}, 5}}), HasSubstr("a,normal,0,5,-,-,-,-,"));
+  EXPECT_THAT(bench_csv({}, {{"a", "normal", {}, 5, ""}}), HasSubstr("a,normal,0,5,-,-,-,-,"));
 }
 
 TEST(BenchTable, SmallErrorsKeepThreeDigits) {
-  EXPECT_THAT(bench_csv({}, {{"desk", "normal", {trial(0.00031234)}, 0}}),
+  EXPECT_THAT(bench_csv({}, {{"desk", "normal", {trial(0.00031234)}, 0, ""}}),
               HasSubstr("50.00,0.000312,0.000312,"));
-  EXPECT_THAT(bench_csv({}, {{"far", "normal", {trial(123.456)}, 0}}), HasSubstr("50.00,123.46,123.46,"));
-  EXPECT_THAT(bench_csv({}, {{"exact", "normal", {trial(0)}, 0}}), HasSubstr("50.00,0.00,0.00,"));
+  EXPECT_THAT(bench_csv({}, {{"far", "normal", {trial(123.456)}, 0, ""}}), HasSubstr("50.00,123.46,123.46,"));
+  EXPECT_THAT(bench_csv({}, {{"exact", "normal", {trial(0)}, 0, ""}}), HasSubstr("50.00,0.00,0.00,"));
 }
 
 TEST(BenchTable, MedianOfValues) {

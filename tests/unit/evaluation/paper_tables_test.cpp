@@ -63,9 +63,9 @@ TEST(PaperFigures, LakeTableHasSixMethodsBelowTheCap) {
 
 TEST(LakeTable, PaperAndOursInTheirColumns) {
   const PrintedTable table = lake_table({{"edgevo", "1"}},
-                                        {{"winter", "normal", {trial(0, 2.0), trial(10, 4.0)}, 0},
-                                         {"winter", "every3", {trial(50, 9.0)}, 0},
-                                         {"spring-edge_drawing", "mixed", {trial(1, 1.0)}, 1}},
+                                        {{"winter", "normal", {trial(0, 2.0), trial(10, 4.0)}, 0, ""},
+                                         {"winter", "every3", {trial(50, 9.0)}, 0, ""},
+                                         {"spring-edge_drawing", "mixed", {trial(1, 1.0)}, 1, ""}},
                                         {"what differs"});
   EXPECT_EQ(table.columns.size(), 18u);
   EXPECT_EQ(cell(table, "paper: DSO", "winter fail %"), "15.9");
@@ -86,9 +86,29 @@ TEST(LakeTable, PaperAndOursInTheirColumns) {
 TEST(LakeTable, ATrialWithoutAPoseFailsThroughout) {
   Trial lost;
   lost.note = "no frame has a pose";
-  const PrintedTable table = lake_table({}, {{"winter", "normal", {trial(0, 2.0), lost}, 0}}, {});
+  const PrintedTable table = lake_table({}, {{"winter", "normal", {trial(0, 2.0), lost}, 0, ""}}, {});
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "winter fail %"), "50.0 [0.0..100.0]");
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "winter cm/m"), "16.0 [2.0..30.0]");
+}
+
+// `detectors: canny network` of a list makes words of the variants; they are no light.
+TEST(LakeTable, ADetectorNamedByTheVariantIsAMethodAndNoLight) {
+  const PrintedTable table =
+      lake_table({},
+                 {{"winter", "normal+combined:network", {trial(0, 2.0)}, 0, "combined:network"},
+                  {"winter", "every3+mixed+combined:network", {trial(0, 3.0)}, 0, "combined:network"}},
+                 {});
+  EXPECT_EQ(cell(table, "edgevo, combined:network, rendered", "winter cm/m"), "2.0");
+  EXPECT_EQ(cell(table, "edgevo, combined:network, rendered, light mixed", "winter, every 3rd cm/m"), "3.0");
+}
+
+TEST(KittiTable, ADetectorNamedByTheVariantHasItsColumn) {
+  const PrintedTable table = kitti_table({},
+                                         {{"kitti03", "normal+canny", {trial(0, 1, 4)}, 0, "canny"},
+                                          {"kitti03", "normal+network", {trial(0, 1, 5)}, 0, "network"}},
+                                         {}, {});
+  EXPECT_EQ(cell(table, "03", "edgevo, canny"), "4.00");
+  EXPECT_EQ(cell(table, "03", "edgevo, network"), "5.00");
 }
 
 TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
@@ -99,17 +119,18 @@ TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
   EXPECT_EQ(season_of("141207"), "winter");
   EXPECT_EQ(season_of("149907"), "");
   EXPECT_EQ(season_of("pond"), "");
-  const PrintedTable table =
-      lake_table({}, {{"150415", "normal", {trial(0, 2)}, 0}, {"150416", "normal", {trial(0, 4)}, 0}}, {});
+  const PrintedTable table = lake_table(
+      {}, {{"150415", "normal", {trial(0, 2)}, 0, ""}, {"150416", "normal", {trial(0, 4)}, 0, ""}}, {});
   EXPECT_EQ(cell(table, "edgevo, canny, surveys", "spring cm/m"), "3.0 [2.0..4.0]")
       << "the mean over the surveys of a season";
 }
 
 TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
-  const PrintedTable table = kitti_table({},
-                                         {{"kitti00", "normal", {trial(0, 1, 12.5), trial(0, 1, 13.5)}, 0},
-                                          {"kitti00_first300", "normal", {trial(0, 1, 0.3)}, 0}},
-                                         {"kitti03", "kitti10"}, {});
+  const PrintedTable table =
+      kitti_table({},
+                  {{"kitti00", "normal", {trial(0, 1, 12.5), trial(0, 1, 13.5)}, 0, ""},
+                   {"kitti00_first300", "normal", {trial(0, 1, 0.3)}, 0, ""}},
+                  {"kitti03", "kitti10"}, {});
   EXPECT_EQ(cell(table, "00", "paper: DSO"), "16.83");
   EXPECT_EQ(cell(table, "01", "paper: ORB-SLAM"), "-");
   EXPECT_EQ(cell(table, "00", "edgevo, canny"), "13.00 [12.50..13.50]");
@@ -126,7 +147,7 @@ TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
 TEST(KittiTable, MeanOfAllWholeSequencesAndFailures) {
   std::vector<BenchRow> rows;
   for (int i = 0; i < 10; ++i)
-    rows.push_back({"kitti0" + std::to_string(i), "normal", {trial(0, 1, i == 1 ? 100 : 2.0)}, 0});
+    rows.push_back({"kitti0" + std::to_string(i), "normal", {trial(0, 1, i == 1 ? 100 : 2.0)}, 0, ""});
   EXPECT_EQ(cell(kitti_table({}, rows, {}, {}), "mean without 01", "edgevo, canny"), "2.00");
   rows[4].trials.push_back(Trial{});
   const PrintedTable table = kitti_table({}, rows, {}, {});

@@ -7,7 +7,8 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
-#include "quiet_opencv.h"
+#include "edgevo/edges/quiet_opencv.h"
+#include "opencv_error.h"
 
 namespace edgevo {
 namespace {

@@ -9,10 +9,11 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/share_folder.h"
+#include "edgevo/edges/quiet_opencv.h"
 #include "file_checksum.h"
 #include "network_description.h"
+#include "opencv_error.h"
 #include "opencv_view.h"
-#include "quiet_opencv.h"
 
 namespace edgevo {
 namespace {

@@ -13,6 +13,12 @@ Plane<uint8_t> canny_at(const Gradient& gradient, const EdgeParams& params) {
   return canny(gradient, float(params.canny_low_ratio * high), float(high));
 }
 
+// As many as Canny would have.
+Plane<uint8_t> chosen(const Plane<uint8_t>& candidates, const EdgeImage& image, const EdgeParams& params) {
+  const int budget = count_linked(canny_at(image.gradient, params), params.min_chain);
+  return most_probable(candidates, image.gradient, image.probability, budget, params.min_chain);
+}
+
 // What an edge is, the probability says alone, as long as there is a gradient to place it by: more than
 // Canny's least low threshold.
 class ProbableDetector : public EdgeDetector {
@@ -21,8 +27,7 @@ class ProbableDetector : public EdgeDetector {
 
   Plane<uint8_t> detect(const EdgeImage& image) override {
     const float floor = float(params_.canny_low_ratio * params_.min_gradient) * kSobelPerGrayLevel;
-    return most_probable(canny(image.gradient, floor, floor), image.gradient, image.probability,
-                         count_marked(canny_at(image.gradient, params_)));
+    return chosen(canny(image.gradient, floor, floor), image, params_);
   }
 
  private:
@@ -37,8 +42,7 @@ class CombinedDetector : public EdgeDetector {
   }
 
   Plane<uint8_t> detect(const EdgeImage& image) override {
-    return most_probable(canny_at(image.gradient, wide_), image.gradient, image.probability,
-                         count_marked(canny_at(image.gradient, params_)));
+    return chosen(canny_at(image.gradient, wide_), image, params_);
   }
 
  private:

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "canny.h"
+#include "edge_links.h"
 #include "edgevo/core/error.h"
 #include "opencv_view.h"
 
@@ -15,6 +14,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kReach = 2;  // pixels: networks that halve the image twice are off by as many
+constexpr uint8_t kMark = 255;
 
 void check_there(const ImageView<uint8_t>& probability) {
   if (probability.data == nullptr)
@@ -31,71 +31,58 @@ Plane<uint16_t> smoothed(const ImageView<uint8_t>& probability) {
   return out;
 }
 
-// Calls visit(x, y) for all marked pixels, row by row.
-template <class Visit>
-void for_each_marked(const Plane<uint8_t>& mask, const Visit& visit) {
-  for (int y = 0; y < mask.height(); ++y) {
-    const uint8_t* row = mask.row(y);
-    for (int x = 0; x < mask.width(); ++x)
-      if (row[x]) visit(x, y);
+// The largest probability across the edge, up to kReach pixels away, kept inside the image.
+int score_at(MaskPixel p, const Gradient& gradient, const Plane<uint16_t>& probability) {
+  const float dx = gradient.dx.at(p.x, p.y), dy = gradient.dy.at(p.x, p.y),
+              length = std::max(std::hypot(dx, dy), 1.0f);
+  int best = 0;
+  for (int t = -kReach; t <= kReach; ++t) {
+    const int x = std::clamp(int(std::lrint(p.x + t * dx / length)), 0, probability.width() - 1);
+    const int y = std::clamp(int(std::lrint(p.y + t * dy / length)), 0, probability.height() - 1);
+    best = std::max<int>(best, probability.at(x, y));
   }
+  return best;
 }
 
-// The pixel `steps` along the gradient from (x, y), kept inside the image.
-struct Across {
-  const Gradient& gradient;
+struct Ranked {
+  double score;  // mean over the chain
+  EdgeChain chain;
+};
 
-  cv::Point at(int x, int y, int steps) const {
-    const float dx = gradient.dx.at(x, y), dy = gradient.dy.at(x, y),
-                length = std::max(std::hypot(dx, dy), 1.0f);
-    return {std::clamp(int(std::lrint(x + steps * dx / length)), 0, gradient.dx.width() - 1),
-            std::clamp(int(std::lrint(y + steps * dy / length)), 0, gradient.dx.height() - 1)};
+// The best first; of equal ones the one that was walked first.
+std::vector<Ranked> ranked(const PixelChains& candidates, const Gradient& gradient,
+                           const Plane<uint16_t>& probability) {
+  std::vector<Ranked> all;
+  for (const EdgeChain& chain : candidates.chains) {
+    int64_t sum = 0;
+    for (int i = chain.begin; i < chain.end; ++i)
+      sum += score_at(candidates.pixels[size_t(i)], gradient, probability);
+    if (sum > 0) all.push_back({double(sum) / chain.length(), chain});
   }
-};
-
-struct Scored {
-  int x, y;
-  uint16_t score;
-};
-
-std::vector<Scored> score_all(const Plane<uint8_t>& candidates, const Gradient& gradient,
-                              const Plane<uint16_t>& probability) {
-  std::vector<Scored> all;
-  const Across across{gradient};
-  for_each_marked(candidates, [&](int x, int y) {
-    uint16_t best = 0;
-    for (int t = -kReach; t <= kReach; ++t) {
-      const cv::Point p = across.at(x, y, t);
-      best = std::max(best, probability.at(p.x, p.y));
-    }
-    if (best > 0) all.push_back({x, y, best});
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
   return all;
-}
-
-// The score of the rank-th best, from 0; beyond the last one the smallest that counts.
-uint16_t score_of_rank(std::vector<uint16_t>* scores, int rank) {
-  if (rank >= int(scores->size())) return 1;
-  std::nth_element(scores->begin(), scores->begin() + rank, scores->end(), std::greater<>());
-  return (*scores)[size_t(rank)];
 }
 
 }  // namespace
 
-int count_marked(const Plane<uint8_t>& mask) { return cv::countNonZero(as_mat(mask)); }
+int count_linked(const Plane<uint8_t>& mask, int min_chain) {
+  return int(link_edges(mask, min_chain).pixels.size());
+}
 
 Plane<uint8_t> most_probable(const Plane<uint8_t>& candidates, const Gradient& gradient,
-                             const ImageView<uint8_t>& probability, int budget) {
+                             const ImageView<uint8_t>& probability, int budget, int min_chain) {
   check_there(probability);
-  const std::vector<Scored> all = score_all(candidates, gradient, smoothed(probability));
-  std::vector<uint16_t> scores;
-  for (const Scored& s : all) scores.push_back(s.score);
-  const uint16_t low = score_of_rank(&scores, budget), high = score_of_rank(&scores, budget / 2);
   Plane<uint8_t> mask(candidates.width(), candidates.height());
   std::memset(mask.row(0), 0, size_t(mask.width()) * mask.height());
-  for (const Scored& s : all)
-    if (s.score >= low) mask.at(s.x, s.y) = s.score >= high ? kStrongMark : kWeakMark;
-  keep_linked(&mask);
+  const PixelChains chains = link_edges(candidates, min_chain);
+  int kept = 0;
+  for (const Ranked& next : ranked(chains, gradient, smoothed(probability))) {
+    if (kept >= budget) break;
+    kept += next.chain.length();
+    for (int i = next.chain.begin; i < next.chain.end; ++i)
+      mask.at(chains.pixels[size_t(i)].x, chains.pixels[size_t(i)].y) = kMark;
+  }
   return mask;
 }
 

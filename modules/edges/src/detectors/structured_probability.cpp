@@ -9,7 +9,6 @@
 #include "file_checksum.h"
 #include "forest_model.h"
 #include "opencv_view.h"
-#include "quiet_opencv.h"
 
 namespace edgevo {
 namespace {

@@ -17,6 +17,7 @@ struct BenchRow {
   std::string sequence, variant;  ///< as the list names them
   std::vector<Trial> trials;      ///< those that ended; one a seed
   int missing = 0;                ///< trials that did not: a broken source, or not run yet
+  std::string detector;           ///< of edges, where a word of the variant names one; else empty
 };
 
 /// What stands above a table, as name and text: version, machine, parameters, ... No date: the same trials

@@ -2,9 +2,10 @@
 // The paper's two tables of whole systems with trials of ours beside its figures.
 //
 // A sequence's name in a list (share/bench/table1.yaml, table2.yaml) says where its trials stand: COLUMN, or
-// COLUMN-DETECTOR where the detector is not the usual one. COLUMN of the lake is a season, or a survey's date
-// YYMMDD, whose month tells the season; of KITTI it is the table's row (kitti00, kitti00_first300). Of a
-// variant `every3` says the half of the lake's table, its light is named with the method.
+// COLUMN-DETECTOR where the detector is not the usual one (or the variant names it). COLUMN of the lake is a
+// season, or a survey's date YYMMDD, whose month tells the season; of KITTI it is the table's row (kitti00,
+// kitti00_first300). Of a variant `every3` says the half of the lake's table, its light is named with the
+// method.
 #include <string>
 #include <vector>
 
