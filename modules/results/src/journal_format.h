@@ -10,7 +10,7 @@
 namespace edgevo {
 
 constexpr std::string_view kJournalFirstLine = "edgevo run journal 1\n";  // another number for another layout
-constexpr const char* kNewWindow = "unfinished_window.bin.new";  // on its way to be kRunWindow
+constexpr const char* kNewWindow = "unfinished_window.bin.new";           // on its way to be kRunWindow
 
 enum class JournalKind : uint8_t {
   kHeader,           ///< once, the first

@@ -94,9 +94,8 @@ TEST(FrameView, SettledAndUnsettledKeyframesAreAllThatWereMade) {
   const edgevo::Run run = odometry.finish();
   size_t points = 0, final_points = 0;
   for (const KeyframeRecord& kf : window.keyframes) {
-    const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(), [&](const KeyframeRecord& k) {
-      return k.frame_index == kf.frame_index;
-    });
+    const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(),
+                                   [&](const KeyframeRecord& k) { return k.frame_index == kf.frame_index; });
     ASSERT_NE(same, run.keyframes.end());
     EXPECT_LT((same->T_world_cam.inverse() * kf.T_world_cam).log().norm(), 1e-9);
     points += kf.points.size(), final_points += same->points.size();

@@ -20,7 +20,7 @@
 namespace edgevo {
 
 constexpr const char* kRunWindow = "unfinished_window.bin";  ///< of the keyframes of the window, beside it
-constexpr const char* kRunJournal = "unfinished_run.bin";  ///< name of the file in the run's folder
+constexpr const char* kRunJournal = "unfinished_run.bin";    ///< name of the file in the run's folder
 
 /// All that is known before the first frame and needed to write a run's files.
 struct JournalHeader {
