@@ -208,6 +208,7 @@ bad "edge_folder" "$edgevo" run "$desk" -o out --quiet --detector precomputed --
 for scale in camera_height=0 camera_height=-1 camera_height=nan factor=0 factor=-2 factor=1e300 camera_height= metres; do
   bad "scale" "$edgevo" run "$desk" -o out --quiet --scale=$scale
 done
+for scale in 1e6 1e-6; do survives "a unit at the end of the range" "$edgevo" run "$desk" -o out --quiet --frames 0:20 --scale=factor=$scale; done
 for seed in 1e99 -3 99999999999999999999; do bad "seed" "$edgevo" run "$desk" -o out --quiet --seed=$seed; done
 for fps in inf nan 1e-300 1e300; do bad "fps" "$edgevo" run "$desk/images" --camera "$desk/camera.txt" -o out --quiet --fps=$fps; done
 for pace in 0 -1 nan 0x 1e999x fast; do bad "pace" "$edgevo" run "$desk" -o out --quiet --realtime --pace=$pace; done
