@@ -16,6 +16,7 @@ sound() {
 bad() {
   pattern=$1
   shift
+  rm -rf out
   complains "$pattern" timeout "$limit" "$@"
   sound
 }
@@ -228,9 +229,9 @@ bad "season" "$edgevo" simulate lakeshore --frames 0:1 --season autum -o out
 bad "3" "$edgevo" table 3 -o out
 bad "trials" "$edgevo" table 2 --trials=-1 --data "$scenes" -o out
 bad "noise" "$edgevo" table 2 --list noise -o out
-bad "no finished run\|holds no" "$edgevo" compare "$desk" -o page.html
+bad "no run has left" "$edgevo" compare "$desk" -o page.html
 bad "page\|folder" sh -c "mkdir -p page_folder && '$edgevo' compare '$result' -o page_folder"
-bad "truth" "$edgevo" compare "$result" --truth noise -o page.html
+bad "noise" "$edgevo" compare "$result" --truth noise -o page.html
 bad "nonsense" "$edgevo" help nonsense
 bad "nowhere" "$edgevo" finish nowhere
 bad "cannot be created\|cannot be written" "$edgevo" simulate desk --frames 0:1 -o /proc/nothing
