@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <cctype>
 #include <cstdint>
 
 namespace edgevo {
@@ -49,12 +50,72 @@ std::string jpeg_damage(std::string_view bytes) {
   return kCutShort;
 }
 
+// The numbers of a PNM's header; a comment goes from # to the end of its line.
+class PnmHeader {
+ public:
+  explicit PnmHeader(std::string_view bytes) : bytes_(bytes) {}
+
+  /// 0: there is none, or it is larger than any image's.
+  uint64_t next() {
+    constexpr uint64_t kMost = 1 << 24;
+    skip_space();
+    uint64_t value = 0;
+    for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9' && value <= kMost; ++at_)
+      value = 10 * value + uint64_t(bytes_[at_] - '0');
+    return value <= kMost ? value : 0;
+  }
+  /// Of the pixels: one white space ends the header.
+  uint64_t bytes_left() const { return at_ < bytes_.size() ? bytes_.size() - at_ - 1 : 0; }
+
+ private:
+  void skip_space() {
+    bool in_comment = false;
+    for (; at_ < bytes_.size(); ++at_) {
+      const char c = bytes_[at_];
+      if (c == '#') in_comment = true;
+      if (c == '\n') in_comment = false;
+      if (!in_comment && !std::isspace(uint8_t(c))) return;
+    }
+  }
+  std::string_view bytes_;
+  size_t at_ = 2;
+};
+
+// P1 to P3 are numbers as text, P4 to P6 bytes; P1 and P4 have bits, and no largest value.
+std::string pnm_damage(std::string_view bytes) {
+  PnmHeader header(bytes);
+  const char kind = bytes[1];
+  const bool has_bits = kind == '1' || kind == '4';
+  const uint64_t width = header.next(), height = header.next(), most = has_bits ? 1 : header.next();
+  if (width == 0 || height == 0 || most == 0 || most > 65535) return "its header is wrong";
+  const uint64_t channels = kind == '3' || kind == '6' ? 3 : 1;
+  uint64_t row = width * channels;  // of text at least a digit each
+  if (kind == '4') row = (width + 7) / 8;
+  if (kind > '4' && most > 255) row *= 2;
+  return header.bytes_left() < row * height ? kCutShort : "";
+}
+
+// The size of the whole file stands behind the two letters.
+std::string bmp_damage(std::string_view bytes) {
+  if (bytes.size() < 26) return kCutShort;
+  uint64_t size = 0;
+  for (int i = 3; i >= 0; --i) size = size << 8 | uint8_t(bytes[size_t(2 + i)]);
+  return size > bytes.size() ? kCutShort : "";
+}
+
+bool is_pnm(std::string_view bytes) {
+  return bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+         std::isspace(uint8_t(bytes[2]));
+}
+
 }  // namespace
 
 std::string image_damage(std::string_view bytes) {
   if (bytes.empty()) return "the file is empty";
   if (bytes.substr(0, 8) == kPngSignature) return png_damage(bytes);
   if (bytes.substr(0, 2) == "\xFF\xD8") return jpeg_damage(bytes);
+  if (bytes.substr(0, 2) == "BM") return bmp_damage(bytes);
+  if (is_pnm(bytes)) return pnm_damage(bytes);
   return {};
 }
 

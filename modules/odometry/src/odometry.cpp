@@ -209,6 +209,7 @@ struct Odometry::Impl {
     mapping.refresh();
     reference = mapping.reference();
     records.begin_segment(state.segment(), views, scale);
+    note_window();
     place_bootstrap_frames(views, *reference, state.segment(), params.alignment, &records);
     newest_pose.T_cam_map = reference->T_ref_world;
     const std::optional<SE3> before = records.pose_before(now.frame.index, state.segment());
@@ -223,6 +224,7 @@ struct Odometry::Impl {
   void close_segment() {
     mapper.close();
     take_settled();
+    note_window();
     reference.reset();
   }
 
@@ -232,6 +234,8 @@ struct Odometry::Impl {
     records.set_lines(mapper.take_lines());
     records.revise(mapper.take_revised());
   }
+
+  void note_window() { records.note_window(mapper.window().keyframes(), state.segment()); }
 
   // ---- state and records ----
 
@@ -256,6 +260,7 @@ struct Odometry::Impl {
   void note_update(const TrackedFrame& frame, const MapUpdate& update) {
     records.note_mapping(frame.frame_index, update);
     take_settled();
+    if (update.keyframe_id >= 0) note_window();
   }
 
   Run finish() {
@@ -305,6 +310,9 @@ Odometry::~Odometry() = default;
 const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
 SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
+std::optional<UnsettledKeyframes> Odometry::unsettled_keyframes(int version) const {
+  return impl_->records.unsettled(version);
+}
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
 const FrameRecord& Odometry::pass_over(const Frame& frame, const std::string& why) {
   return impl_->pass_over(frame, why);

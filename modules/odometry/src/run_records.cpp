@@ -132,6 +132,23 @@ SettledKeyframes RunRecords::settled(size_t skip) const {
   return settled;
 }
 
+void RunRecords::note_window(const std::deque<Keyframe>& keyframes, int segment) {
+  std::vector<KeyframeRecord> records;
+  for (const Keyframe& k : keyframes) records.push_back(to_record(k, segment));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  window_.revision = revision_;
+  ++window_.version;
+  window_.keyframes = std::move(records);
+}
+
+std::optional<UnsettledKeyframes> RunRecords::unsettled(int version) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (window_.version == version) return std::nullopt;
+  UnsettledKeyframes unsettled = window_;
+  for (KeyframeRecord& k : unsettled.keyframes) move_to_world(T_world_map_[size_t(k.segment)], &k);
+  return unsettled;
+}
+
 void RunRecords::revise(std::vector<RevisedKeyframe> keyframes) {
   if (keyframes.empty()) return;
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,7 +1,7 @@
 #pragma once
 // Collects what a run leaves behind. Poses are kept relative to keyframes until the end, so that every frame
-// profits from the final keyframe poses. The mapping thread may call note_mapping, retire and revise;
-// everything else belongs to the tracking thread.
+// profits from the final keyframe poses. The mapping thread may call note_mapping, note_window, retire and
+// revise; everything else belongs to the tracking thread.
 #include <deque>
 #include <map>
 #include <mutex>
@@ -36,7 +36,12 @@ class RunRecords {
   /// What retire() was given so far, but for the first `skip`, in the world.
   SettledKeyframes settled(size_t skip) const;
 
+  /// What note_window() was given last, in the world; none if that was `version`.
+  std::optional<UnsettledKeyframes> unsettled(int version) const;
+
   void note_mapping(int frame_index, const MapUpdate& update);
+  /// The window as it stands; empty: there is none.
+  void note_window(const std::deque<Keyframe>& keyframes, int segment);
   void retire(std::vector<Keyframe> keyframes, int segment);
   /// Of keyframes that have retired.
   void set_lines(std::vector<HostedLines> hosted);
@@ -69,6 +74,7 @@ class RunRecords {
   std::map<int, std::vector<std::pair<int, double>>>
       length_ratio_;                         // by keyframe id: revision, new over old length
   std::map<int, KeyframeRecord> keyframes_;  // by keyframe id; pose and points still in the segment's map
+  UnsettledKeyframes window_;                // pose and points in the segment's map
   std::vector<int> retired_;                 // their ids in the order of retiring
 };
 

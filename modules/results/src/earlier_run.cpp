@@ -43,7 +43,7 @@ EarlierRun::EarlierRun(std::string folder, bool force) : folder_(std::move(folde
 }
 
 std::vector<std::string> EarlierRun::files_of_runs() const {
-  std::vector<std::string> known{kRunJournal}, found;
+  std::vector<std::string> known = journal_files(), found;
   for (const RunFile& file : run_files()) known.push_back(file.name);
   for (const std::string& name : names_in(folder_))
     if (std::find(known.begin(), known.end(), name) != known.end()) found.push_back(name);

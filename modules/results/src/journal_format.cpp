@@ -24,4 +24,15 @@ std::string journal_path(const std::string& folder) {
   return (std::filesystem::path(folder) / kRunJournal).string();
 }
 
+const std::vector<std::string>& journal_files() {
+  static const std::vector<std::string> files{kNewWindow, kRunWindow, kRunJournal};
+  return files;
+}
+
+void remove_journal(const std::string& folder) {
+  std::error_code ignored;
+  for (const std::string& file : journal_files())
+    std::filesystem::remove(std::filesystem::path(folder) / file, ignored);
+}
+
 }  // namespace edgevo

@@ -142,6 +142,10 @@ void write_value(const CameraRefinement& camera, ByteWriter* out) {
   Writing v{out};
   visit_refinement(v, camera);
 }
+void write_value(const std::vector<KeyframeRecord>& keyframes, ByteWriter* out) {
+  Writing v{out};
+  v.list(keyframes, [&](const KeyframeRecord& k) { visit_keyframe(v, k); });
+}
 
 void read_value(ByteReader* in, JournalHeader* header) {
   Reading v{in};
@@ -158,6 +162,10 @@ void read_value(ByteReader* in, KeyframeRecord* keyframe) {
 void read_value(ByteReader* in, CameraRefinement* camera) {
   Reading v{in};
   visit_refinement(v, *camera);
+}
+void read_value(ByteReader* in, std::vector<KeyframeRecord>* keyframes) {
+  Reading v{in};
+  v.list(*keyframes, [&](KeyframeRecord& k) { visit_keyframe(v, k); });
 }
 
 }  // namespace edgevo

@@ -9,10 +9,12 @@ void write_value(const JournalHeader& header, ByteWriter* out);
 void write_value(const FrameRecord& frame, ByteWriter* out);
 void write_value(const KeyframeRecord& keyframe, ByteWriter* out);
 void write_value(const CameraRefinement& camera, ByteWriter* out);
+void write_value(const std::vector<KeyframeRecord>& keyframes, ByteWriter* out);
 
 void read_value(ByteReader* in, JournalHeader* header);
 void read_value(ByteReader* in, FrameRecord* frame);
 void read_value(ByteReader* in, KeyframeRecord* keyframe);
 void read_value(ByteReader* in, CameraRefinement* camera);
+void read_value(ByteReader* in, std::vector<KeyframeRecord>* keyframes);
 
 }  // namespace edgevo

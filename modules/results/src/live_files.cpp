@@ -37,9 +37,11 @@ void LiveFiles::add(const FrameRecord& frame, const Odometry& odometry) {
 }
 
 void LiveFiles::add_settled(const Odometry& odometry) {
+  if (journal_.is_broken()) return;
   SettledKeyframes settled = odometry.settled_keyframes(journal_.settled());
   if (settled.revision != journal_.revision()) settled = odometry.settled_keyframes();
   journal_.add_keyframes(settled);
+  if (const auto window = odometry.unsettled_keyframes(journal_.window())) journal_.add_window(*window);
   if (const auto& reference = odometry.newest_pose().reference) journal_.add_camera(reference->camera);
 }
 

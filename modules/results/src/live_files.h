@@ -14,7 +14,7 @@ class LiveFiles {
   /// Throws InputError when the journal cannot be begun.
   LiveFiles(const std::string& folder, const JournalHeader& header);
 
-  /// One frame, and the keyframes that have settled by then.
+  /// One frame, the keyframes that have settled by then, and those of the window.
   void add(const FrameRecord& frame, const Odometry& odometry);
 
   /// There was no room for the journal any more.

@@ -25,11 +25,13 @@ std::string as_bytes(const T& value) {
 }  // namespace
 
 struct RunJournal::Impl {
-  std::string path;
+  std::string folder, path;
   GrowingFile file;
   bool broken = false;
   size_t settled = 0;
   int revision = 0;
+  uint32_t revisions = 0;  // records of kind kRevised
+  int window = 0;
   std::string newest_camera;
   std::deque<const FrameRecord*> without_pose;  // of late
 
@@ -39,9 +41,17 @@ struct RunJournal::Impl {
     remove();  // the run's own files need the room
   }
   void remove() {
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
+    remove_journal(folder);
     file.close();
+  }
+  // The one before stays until the new one is whole.
+  void replace_window(const std::string& bytes) const {
+    const std::filesystem::path now = std::filesystem::path(folder) / kRunWindow;
+    const std::filesystem::path next = std::filesystem::path(folder) / kNewWindow;
+    std::error_code error;
+    GrowingFile beside;
+    if (beside.open(next.string()) && beside.append(bytes)) std::filesystem::rename(next, now, error);
+    std::filesystem::remove(next, error);
   }
   void add_late_poses() {
     for (const FrameRecord* frame : without_pose)
@@ -52,6 +62,7 @@ struct RunJournal::Impl {
 
 RunJournal::RunJournal(const std::string& folder, const JournalHeader& header)
     : impl_(std::make_unique<Impl>()) {
+  impl_->folder = folder;
   impl_->path = journal_path(folder);
   if (!impl_->file.open(impl_->path))
     throw InputError(impl_->path, "cannot be written", "end other runs into this folder, or give another -o");
@@ -72,9 +83,21 @@ void RunJournal::add_keyframes(const SettledKeyframes& keyframes) {
   const JournalKind kind = is_revised ? JournalKind::kRevisedKeyframe : JournalKind::kKeyframe;
   for (const KeyframeRecord& keyframe : keyframes.keyframes)
     impl_->append(journal_record(kind, as_bytes(keyframe)));
-  if (is_revised) impl_->append(journal_record(JournalKind::kRevised, {}));
+  if (is_revised) {
+    impl_->append(journal_record(JournalKind::kRevised, {}));
+    ++impl_->revisions;
+  }
   impl_->settled = (is_revised ? 0 : impl_->settled) + keyframes.keyframes.size();
   impl_->revision = keyframes.revision;
+}
+
+void RunJournal::add_window(const UnsettledKeyframes& window) {
+  if (impl_->broken || window.revision != impl_->revision) return;
+  ByteWriter out;
+  out.value(impl_->revisions);
+  write_value(window.keyframes, &out);
+  impl_->replace_window(std::string(kJournalFirstLine) + journal_record(JournalKind::kWindow, out.bytes()));
+  impl_->window = window.version;
 }
 
 void RunJournal::add_camera(const CameraRefinement& camera) {
@@ -86,6 +109,7 @@ void RunJournal::add_camera(const CameraRefinement& camera) {
 
 size_t RunJournal::settled() const { return impl_->settled; }
 int RunJournal::revision() const { return impl_->revision; }
+int RunJournal::window() const { return impl_->window; }
 bool RunJournal::is_broken() const { return impl_->broken; }
 void RunJournal::remove() { impl_->remove(); }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -83,7 +84,27 @@ class Rebuilder {
     return in.ok();
   }
 
+  /// Keyframes that had not settled when their file was written; those that have by now are left out. In the
+  /// moment in which a correction of the camera is written they are of before it, and are not taken.
+  void add_window(const JournalRecord& record) {
+    ByteReader in(record.content);
+    const auto revisions = in.value<uint32_t>();
+    std::vector<KeyframeRecord> window;
+    read_value(&in, &window);
+    if (record.kind != JournalKind::kWindow || !in.ok() || revisions != revisions_) return;
+    for (KeyframeRecord& keyframe : window)
+      if (!is_settled(keyframe)) {
+        add_keyframe(std::move(keyframe), true);
+        ++cut_off_.unsettled;
+      }
+  }
+
  private:
+  bool is_settled(const KeyframeRecord& keyframe) const {
+    const auto& settled = cut_off_.run.keyframes;
+    return std::any_of(settled.begin(), settled.end(),
+                       [&](const KeyframeRecord& k) { return k.frame_index == keyframe.frame_index; });
+  }
   template <class T>
   static T read(ByteReader* in) {
     T value;
@@ -110,11 +131,13 @@ class Rebuilder {
     cut_off_.frames_before_keyframe.resize(revised_.size(), cut_off_.run.frames.size());
     cut_off_.run.keyframes = std::move(revised_);
     revised_.clear();
+    ++revisions_;
     cut_off_.camera_was_corrected = true;
   }
 
   CutOffRun& cut_off_;
   std::vector<KeyframeRecord> revised_;
+  uint32_t revisions_ = 0;
 };
 
 void check_is_cut_off(const std::string& folder) {
@@ -139,6 +162,8 @@ CutOffRun read_run_journal(const std::string& folder) {
                      "run the sequence again with --force");
   while (file.next(&record) && rebuilder.take(record)) {
   }
+  RecordFile window((std::filesystem::path(folder) / kRunWindow).string());
+  if (window.next(&record)) rebuilder.add_window(record);
   cut_off.run.T_vehicle_cam = cut_off.header.T_vehicle_cam;
   cut_off.run.pinhole = cut_off.header.info.camera.pinhole;
   return cut_off;

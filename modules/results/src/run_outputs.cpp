@@ -104,8 +104,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   impl_->summary_reserve.release();
   export_files([](FileKind kind) { return kind == FileKind::kSummary; }, &context, &impl_->folder);
   impl_->folder.tell_failures();
-  std::error_code ignored;
-  std::filesystem::remove(journal_path(impl_->folder.path()), ignored);
+  remove_journal(impl_->folder.path());
 }
 
 std::string RunOutputs::earlier_run() const {

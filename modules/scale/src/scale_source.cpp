@@ -57,6 +57,11 @@ double positive(const std::string& option, const std::string& text, const Known&
   if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
     throw InputError("--scale " + option, "'" + text + "' is not a positive number",
                      std::string("give for example ") + known.example);
+  // Beyond it squares of lengths leave the range of float, and cells that of the octree's keys.
+  constexpr double kLeast = 1e-6, kMost = 1e6;
+  if (value < kLeast || value > kMost)
+    throw InputError("--scale " + option, "'" + text + "' is not between 0.000001 and 1000000",
+                     std::string("give for example ") + known.example);
   return value;
 }
 

@@ -1,7 +1,9 @@
 // What displays and live recorders see while a run goes on.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "unit/odometry/rendered_runs.h"
 
@@ -65,6 +67,43 @@ TEST(FrameView, SettledKeyframesAreThoseOfTheFinishedRun) {
     EXPECT_LT((same->T_world_cam.inverse() * keyframe.T_world_cam).log().norm(), 1e-9);
     EXPECT_EQ(same->points.size(), keyframe.points.size());
   }
+}
+
+// What would be left of the map if the program ended now: settled or in the window, every keyframe so far.
+TEST(FrameView, SettledAndUnsettledKeyframesAreAllThatWereMade) {
+  OdometryParams params;
+  params.camera.refine = "none";
+  Odometry odometry(sweep_camera(), params, {});
+  EXPECT_FALSE(odometry.unsettled_keyframes());
+  std::set<int> called;
+  UnsettledKeyframes window;
+  for (int k = 0; k < 110; ++k) {
+    const FrameRecord& record = odometry.process(sweep_frame(k));
+    if (auto changed = odometry.unsettled_keyframes(window.version)) window = std::move(*changed);
+    EXPECT_FALSE(odometry.unsettled_keyframes(window.version)) << "nothing has changed since";
+    if (record.T_world_cam_live && !record.keyframe_rule.empty() && record.keyframe_rule != "return")
+      called.insert(record.index);
+    std::set<int> there;
+    for (const KeyframeRecord& kf : odometry.settled_keyframes().keyframes) there.insert(kf.frame_index);
+    for (const KeyframeRecord& kf : window.keyframes)
+      EXPECT_TRUE(there.insert(kf.frame_index).second) << "both settled and not: " << kf.frame_index;
+    for (const int index : called) ASSERT_TRUE(there.count(index)) << index << " at frame " << k;
+  }
+  ASSERT_GT(called.size(), 8u);
+  EXPECT_EQ(window.keyframes.size(), size_t(params.mapping.window.keyframes));
+  // In the place where they are, near that of the finished run, and with most of their points.
+  const edgevo::Run run = odometry.finish();
+  size_t points = 0, final_points = 0;
+  for (const KeyframeRecord& kf : window.keyframes) {
+    const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(),
+                                   [&](const KeyframeRecord& k) { return k.frame_index == kf.frame_index; });
+    ASSERT_NE(same, run.keyframes.end());
+    EXPECT_LT((same->T_world_cam.inverse() * kf.T_world_cam).log().norm(), 1e-9);
+    points += kf.points.size(), final_points += same->points.size();
+  }
+  EXPECT_GT(points, 300u);
+  EXPECT_EQ(points, final_points) << "the last window is closed as it stands";
+  EXPECT_TRUE(odometry.unsettled_keyframes(window.version)->keyframes.empty());
 }
 
 }  // namespace

@@ -61,6 +61,7 @@ class RunJournalTest : public WrittenRun {
   edgevo::Run so_far() const {
     const test::TempFolder killed;
     write_file(killed / kRunJournal, bytes());
+    if (fs::exists(folder_ / kRunWindow)) write_file(killed / kRunWindow, content(folder_ / kRunWindow));
     return read_run_journal(killed.path()).run;
   }
 };
@@ -149,6 +150,50 @@ TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
   put(bytes().substr(0, bytes().size() - 1));  // the word that all were there
   EXPECT_NE(read().run.keyframes[1].T_world_cam.translation(), Eigen::Vector3d(7, 8, 9));
   EXPECT_EQ(read().run.keyframes.size(), 2u);
+}
+
+TEST_F(RunJournalTest, TheWindowFollowsTheSettledKeyframes) {
+  const auto& made = made_.run.keyframes;
+  RunJournal journal(folder_.string(), header());
+  journal.add_keyframes({0, {made[0], made[1]}});
+  journal.add_window({0, 1, {made[2], made[3]}});
+  EXPECT_EQ(journal.window(), 1);
+  ASSERT_EQ(so_far().keyframes.size(), 4u);
+  EXPECT_EQ(so_far().keyframes[3].frame_index, made[3].frame_index);
+  EXPECT_EQ(so_far().keyframes[3].points.size(), made[3].points.size());
+  // The next one comes, and the oldest settles: a kill between the two files leaves none twice.
+  journal.add_keyframes({0, {made[2]}});
+  ASSERT_EQ(so_far().keyframes.size(), 4u);
+  journal.add_window({0, 2, {made[3], made[4]}});
+  ASSERT_EQ(so_far().keyframes.size(), 5u);
+  EXPECT_EQ(so_far().keyframes[4].frame_index, made[4].frame_index);
+  journal.remove();
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(RunJournalTest, AWindowOfBeforeACorrectionIsNotMixedWithOneOfAfterIt) {
+  const auto& made = made_.run.keyframes;
+  RunJournal journal(folder_.string(), header());
+  journal.add_keyframes({0, {made[0]}});
+  journal.add_window({0, 1, {made[1]}});
+  journal.add_window({1, 2, {made[1], made[2]}});  // the mapping is ahead: its settled ones come first
+  EXPECT_EQ(journal.window(), 1);
+  EXPECT_EQ(so_far().keyframes.size(), 2u);
+  journal.add_keyframes({1, {made[0]}});
+  EXPECT_EQ(so_far().keyframes.size(), 1u);
+  journal.add_window({1, 2, {made[1], made[2]}});
+  EXPECT_EQ(so_far().keyframes.size(), 3u);
+}
+
+TEST_F(RunJournalTest, AWindowThatIsNotWholeCostsTheWindowOnly) {
+  RunJournal journal(folder_.string(), header());
+  journal.add_keyframes({0, {made_.run.keyframes[0]}});
+  journal.add_window({0, 1, {made_.run.keyframes[1]}});
+  const std::string whole = content(folder_ / kRunWindow);
+  for (size_t length = 0; length < whole.size(); length += whole.size() / 40) {
+    write_file((folder_ / kRunWindow).string(), whole.substr(0, length));
+    EXPECT_EQ(so_far().keyframes.size(), 1u) << length;
+  }
 }
 
 TEST_F(RunJournalTest, EndsAnywhereAndIsReadUpToThere) {

@@ -40,8 +40,9 @@ TEST(ScaleSource, RefusesWhatIsNoScaleAndSaysWhatToGive) {
   EXPECT_THAT(complaint("odometer"), HasSubstr("did you mean odometry?"));
   EXPECT_THAT(complaint("camera_height"), HasSubstr("camera_height=1.65"));
   EXPECT_THAT(complaint("gps=3"), HasSubstr("takes no value"));
-  for (const char* bad : {"", "factor", "factor=", "factor=-1", "factor=0", "factor=2x", "factor=inf",
-                          "factor=nan", "camera_height=-1.65", "camera_height=1,65"})
+  for (const char* bad :
+       {"", "factor", "factor=", "factor=-1", "factor=0", "factor=2x", "factor=inf", "factor=nan",
+        "factor=1e300", "factor=1e-300", "camera_height=-1.65", "camera_height=1,65", "camera_height=1e30"})
     EXPECT_THAT(complaint(bad), HasSubstr("; ")) << bad;
 }
 

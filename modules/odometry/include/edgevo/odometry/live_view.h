@@ -14,4 +14,11 @@ struct SettledKeyframes {
   std::vector<KeyframeRecord> keyframes;  ///< as they left
 };
 
+/// Keyframes that are still in the window, as they stand: later keyframes move them and add points.
+struct UnsettledKeyframes {
+  int revision = 0;  ///< as in SettledKeyframes
+  int version = 0;   ///< another one after each change of the window; 0: there was none yet
+  std::vector<KeyframeRecord> keyframes;  ///< the oldest first; empty while there is no map
+};
+
 }  // namespace edgevo

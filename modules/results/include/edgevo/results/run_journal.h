@@ -5,7 +5,8 @@
 // keyframe as it left the window, one record after the other with its checksum, so that the end may be
 // missing anywhere. It goes away when the run's files are written. Its bytes are those of this machine and
 // this version of the program. Cost: a frame about 500 bytes, a keyframe 40 bytes a point; all keyframes once
-// more when the camera is corrected.
+// more when the camera is corrected. Keyframes still in the window lie in `unfinished_window.bin`, which is
+// written anew after each keyframe, beside the old one, and takes its place. Lines of edges are in neither.
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,7 +19,8 @@
 
 namespace edgevo {
 
-constexpr const char* kRunJournal = "unfinished_run.bin";  ///< name of the file in the run's folder
+constexpr const char* kRunWindow = "unfinished_window.bin";  ///< of the keyframes of the window, beside it
+constexpr const char* kRunJournal = "unfinished_run.bin";    ///< name of the file in the run's folder
 
 /// All that is known before the first frame and needed to write a run's files.
 struct JournalHeader {
@@ -42,11 +44,15 @@ class RunJournal {
   /// Keyframes that have left the window: those behind the first settled() of them; after a correction of the
   /// camera (another revision) all.
   void add_keyframes(const SettledKeyframes& keyframes);
+  /// The keyframes of the window as they stand, in place of those before. Left out where they are of another
+  /// revision than the settled ones written so far.
+  void add_window(const UnsettledKeyframes& window);
   /// What self-calibration says now; written where it changed.
   void add_camera(const CameraRefinement& camera);
 
   size_t settled() const;  ///< keyframes written since the last revision
   int revision() const;    ///< SettledKeyframes::revision of these
+  int window() const;      ///< UnsettledKeyframes::version of the window written last; 0: none
   /// The journal has ended before the run.
   bool is_broken() const;
   /// The run's files are written: takes the journal away.
@@ -61,6 +67,7 @@ class RunJournal {
 struct CutOffRun {
   JournalHeader header;  ///< as it was before the first frame
   Run run;               ///< frames with live poses, keyframes in the same world; no final poses yet
+  size_t unsettled = 0;  ///< the last so many keyframes were still in the window
   std::vector<size_t> frames_before_keyframe;  ///< frames that had come when each keyframe left the window
   bool camera_was_corrected = false;           ///< self-calibration has changed the camera
 };
