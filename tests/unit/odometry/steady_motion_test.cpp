@@ -32,13 +32,12 @@ TEST(SteadyMotion, IsKnownAfterSomeFrames) {
   EXPECT_LT(usual->deviation.z(), 0.025);
 }
 
-TEST(SteadyMotion, OneJumpChangesLittle) {
+TEST(SteadyMotion, OneJumpDoesNotMoveTheUsualStep) {
   SteadyMotion m = after(kKnown + 40);
   const SteadyMotion::Step before = *m.usual();
   m.follow({5, 5, 5}, false);
   const SteadyMotion::Step now = *m.usual();
   EXPECT_LT((now.translation - before.translation).norm(), 0.021);
-  EXPECT_LT(now.deviation.z(), 1.3 * before.deviation.z());
 }
 
 // Steps that the expectation itself decided on do not make the camera look ever steadier.
