@@ -55,7 +55,8 @@ void expect_free_way(const edgevo::Run& run, const std::string& scene) {
   GridParams as_the_map_says;
   as_the_map_says.driven_width = 0;
   const OccupancyGrid grid = make_grid(run, map, height, GridParams());
-  const double width = std::min(kWidth, GridParams().driven_width * height);
+  // Over water no ground is found and nothing is cleared: there the map itself must leave the way free.
+  const double width = height > 0 ? std::min(kWidth, GridParams().driven_width * height) : kWidth;
   const int blocked = blocked_poses(run, grid, width);
   std::cout << "[ figures  ] " << scene << ": " << blocked << " of " << run.frames.size()
             << " poses blocked for a vehicle " << width << " m wide, without clearing "
@@ -63,7 +64,7 @@ void expect_free_way(const edgevo::Run& run, const std::string& scene) {
             << blocked_poses(run, make_grid(run, map, height, as_the_map_says), kWidth) << " at " << kWidth
             << " m); cells of " << grid.resolution << " m, camera " << height << " m high" << std::endl;
   EXPECT_EQ(blocked, 0);
-  EXPECT_GT(height, 0) << "the ground is not found: nothing is cleared";
+  EXPECT_EQ(height > 0, scene != "lakeshore") << "the ground is not found: nothing is cleared";
   EXPECT_LE(grid.resolution, 0.2 + 1e-9);
 }
 

@@ -72,7 +72,8 @@ int parse_frame_number(const std::string& text, const std::string& where) {
 void set_frame_range(const std::string& text, SourceOptions* options) {
   const std::string where = "--frames " + quote(text);
   const size_t colon = text.find(':');
-  if (colon == std::string::npos) throw InputError(where, "is not A:B", "give for example --frames 0:300");
+  if (colon == std::string::npos || text == ":")
+    throw InputError(where, "is not A:B", "give for example --frames 0:300");
   const std::string first = text.substr(0, colon), last = text.substr(colon + 1);
   options->first = first.empty() ? 0 : parse_frame_number(first, where);
   options->last = last.empty() ? std::nullopt : std::optional<int>(parse_frame_number(last, where));

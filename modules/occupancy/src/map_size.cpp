@@ -136,6 +136,10 @@ void check_map_size(const Run& run, const OccupancyParams& params, double free_b
                     const std::string& where) {
   const MapLengths lengths = map_lengths(run, params);
   const std::vector<MapRay> rays = rays_of(run, params, lengths.max_range);
+  const double extent = extent_of(rays);
+  if (params.resolution != "auto" && extent > 0 && lengths.resolution > extent)
+    throw InputError(where, "one voxel of that size would hold the whole run",
+                     "give a resolution well below " + length_text(extent));
   const double usable = kUsableShare * free_bytes, reach = kReach * lengths.resolution;
   const bool reaches = outside_share(rays, reach) <= kOutsideShare;
   if (reaches && kBytesPerVoxel * most_voxels(rays, lengths.resolution) <= usable) return;
@@ -143,7 +147,7 @@ void check_map_size(const Run& run, const OccupancyParams& params, double free_b
   const double bytes = kBytesPerVoxel * growth.at(lengths.resolution);
   if (reaches && bytes <= usable) return;
   const double holds = growth.resolution_of(usable / kBytesPerVoxel);
-  const double least = rounded_up(std::max(holds, extent_of(rays) / kReach));
+  const double least = rounded_up(std::max(holds, extent / kReach));
   throw InputError(
       where,
       "voxels of " + length_text(lengths.resolution) +

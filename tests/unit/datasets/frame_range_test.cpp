@@ -49,6 +49,7 @@ TEST(FrameRange, LeavesOutADamagedStretchWithoutReadingIt) {
 TEST(FrameRange, WrongRangesAreTold) {
   SourceOptions o;
   EXPECT_THAT(error_of([&] { set_frame_range("5", &o); }), HasSubstr("--frames '5': is not A:B"));
+  EXPECT_THAT(error_of([&] { set_frame_range(":", &o); }), HasSubstr("--frames ':': is not A:B"));
   EXPECT_THAT(error_of([&] { set_frame_range("5:5", &o); }), HasSubstr("holds no frame"));
   EXPECT_THAT(error_of([&] { set_frame_range("-1:5", &o); }), HasSubstr("not a frame number"));
   EXPECT_THAT(error_of([&] { set_frame_range("1.5:5", &o); }), HasSubstr("not a frame number"));

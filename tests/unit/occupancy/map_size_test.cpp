@@ -53,6 +53,12 @@ TEST(MapSize, WhatReachesOnlyAroundTheOriginIsRefused) {
   EXPECT_THAT(complaint(run, "0.0001", 1e18), HasSubstr("reach only 3.3 from the origin"));
 }
 
+TEST(MapSize, AVoxelThatHoldsTheWholeRunIsRefused) {
+  const edgevo::Run run = testing::pole_and_wall(3, 3).run;
+  EXPECT_THAT(complaint(run, "1000", 1e9), HasSubstr("run: one voxel of that size would hold the whole run"));
+  EXPECT_EQ(complaint(run, "auto", 1e9), "");
+}
+
 TEST(MapSize, AnEmptyRunIsSmall) {
   EXPECT_EQ(estimate_map_size(edgevo::Run(), params_at("0.0001")).voxels, 0);
   EXPECT_EQ(complaint(edgevo::Run(), "0.0001", 1), "");

@@ -25,8 +25,8 @@ struct MapSize {
 MapSize estimate_map_size(const Run& run, const OccupancyParams& params);
 
 /// Throws InputError when the map cannot be held in `free_bytes`, or would leave points outside; the message,
-/// opened by `where`, names the smallest resolution (two digits) that will do. Cost: next to none where the
-/// map is small.
+/// opened by `where`, names the smallest resolution (two digits) that will do. Likewise when a resolution
+/// that was given is coarser than the whole run. Cost: next to none where the map is small.
 void check_map_size(const Run& run, const OccupancyParams& params, double free_bytes,
                     const std::string& where);
 
