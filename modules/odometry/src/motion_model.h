@@ -26,7 +26,8 @@ class MotionModel {
   std::vector<SE3> starts() const;
   /// Motion a second of points in the camera frame, as foreseen; nothing where no time is known.
   std::optional<Vector6d> expected_twist() const;
-  /// The same as measured, over the time since the last frame with a pose; 0: not known.
+  /// The same as measured, when the image of a new pose was taken: the motion since the last frame is that of
+  /// half a frame ago, and half of its change comes on top. 0: not known.
   Vector6d twist(const SE3& T_cur_ref) const;
 
   /// Each frame, before anything is asked about it.

@@ -1,5 +1,6 @@
 #include "camera_finder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr double kMaxUsefulReadoutSigma = 0.005;
 constexpr double kLeastSignificance = 1.5;
 // Keyframes that the parameters' model sigmas refer to: a definition.
 constexpr double kModelKeyframes = 30;
+// Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
+// estimates come out a fifth to a half short and reach the truth step by step
+// (share/lab/2026-11-22_rolling_shutter.md).
+constexpr double kOverRelaxation = 1.3;
 // Share of a limit beyond which an estimate stands at it: the search is clamped there, rounding aside.
 constexpr double kAtLimit = 0.999;
 
@@ -155,12 +160,18 @@ class CameraFinder {
       if (k1 && !f.trustworthy) return nothing();
     }
     if (!k1 && !readout && !given_up) return nothing();
-    if (readout) state_.shutter.readout_s = e.value.readout_s;
+    if (readout) state_.shutter.readout_s = over_relaxed(e.value.readout_s);
     if (given_up) state_.shutter.readout_s = params_.readout_s;
     if (readout || given_up || k1 != k1_free) e = search(k1, false);
     if (!e.usable) return {known_, std::nullopt};
     if (k1) state_.estimate = state_.k1 = e.value.k1;
     return {state_, std::move(e)};
+  }
+
+  double over_relaxed(double readout_s) const {
+    const double before = state_.shutter.readout_s;
+    const double factor = rule("over-relaxation") ? kOverRelaxation : 1;
+    return std::clamp(before + factor * (readout_s - before), -params_.max_readout_s, params_.max_readout_s);
   }
 
   const CameraProblem& problem_;

@@ -43,7 +43,8 @@ FilesByRule rules_of_sources() {
 
 // Rows of the shape: | name | `modules/file.cpp`, `modules/other.h` | ...
 FilesByRule rules_of_page(const std::string& page) {
-  static const std::regex kRow("\\n\\| ([a-z0-9 ]+) \\| (`modules/[^|]+) \\|(?=[^\\n]*)"), kFile("`([^`]+)`");
+  static const std::regex kRow("\\n\\| ([a-z0-9 -]+) \\| (`modules/[^|]+) \\|(?=[^\\n]*)"),
+      kFile("`([^`]+)`");
   FilesByRule found;
   for (std::sregex_iterator row(page.begin(), page.end(), kRow), end; row != end; ++row) {
     const std::string files = (*row)[2];

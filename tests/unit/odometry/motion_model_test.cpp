@@ -72,13 +72,14 @@ TEST(MotionModel, ANewMapAfterAGapTakesTheMeanVelocity) {
   EXPECT_LT((*m.expected_twist() - kStep.log() / 0.1).norm(), 1e-9);
 }
 
-TEST(MotionModel, TwistIsTheMotionOverItsTime) {
+// Steady motion: the measured twist is the expected one. A faster step: half of the change comes on top.
+TEST(MotionModel, TwistOfTheMomentOfTheImage) {
   MotionModel m = after_steps(2);
   const Vector6d steady = kStep.log() / 0.1;
   EXPECT_EQ(m.twist(kStep * m.T_last_ref()), Vector6d::Zero());  // no frame has begun
   m.begin_frame(at(0.3));
   EXPECT_LT((m.twist(kStep * m.T_last_ref()) - steady).norm(), 1e-9);
-  EXPECT_LT((m.twist(SE3::exp(2 * kStep.log()) * m.T_last_ref()) - 2 * steady).norm(), 1e-9);
+  EXPECT_LT((m.twist(SE3::exp(2 * kStep.log()) * m.T_last_ref()) - 2.5 * steady).norm(), 1e-9);
 }
 
 TEST(MotionModel, WithoutTimesNothingIsExpected) {

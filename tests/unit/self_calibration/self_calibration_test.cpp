@@ -123,7 +123,8 @@ TEST(SelfCalibration, FindsARollingShutter) {
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied) << readout_s << " " << k1;
       EXPECT_NEAR(out.state.shutter.estimate, readout_s, 0.001);
-      EXPECT_EQ(out.state.shutter.readout_s, out.state.shutter.estimate);
+      EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013)
+          << "a step further: matches of crooked rows hold on to them";
       EXPECT_EQ(out.state.state,
                 k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.estimate, k1, 0.002);
