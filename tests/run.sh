@@ -39,7 +39,9 @@ esac
 command -v ccache >/dev/null && launcher=ccache without_pch=ON || { launcher='' without_pch=OFF; }
 
 share/install_dependencies.sh --checks --workflow
+# Sources by eights (unity): half the time. That each compiles alone is seen by the preset dev.
 cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks \
-  -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
+  -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_UNITY_BUILD=ON \
+  -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
 cmake --build "$folder" --parallel "${JOBS:-$(nproc)}"
 ctest --test-dir "$folder" --output-on-failure --parallel 2 $label_filter

@@ -4,14 +4,14 @@
 #   tests/tidy.sh [BUILD]              all of modules and app
 #   tests/tidy.sh [BUILD] FILE...      these
 #
-# BUILD (default build/release) was configured by CMake; it need not be built. JOBS=N runs so many at a time (default 1).
+# BUILD (default build/dev: each source by itself) was configured by CMake; it need not be built. JOBS=N runs so many at a time (default 1).
 # Exit codes: 0 nothing found; 1 findings, each a line "FILE:LINE:COLUMN: warning: ..."; 77 clang-tidy is not installed.
 set -eu
 cd "$(dirname "$0")/.."
-build=build/release
+build=build/dev
 [ $# -gt 0 ] && [ -d "$1" ] && { build=$1; shift; }
 command -v clang-tidy >/dev/null || { echo "SKIPPED: clang-tidy is not installed (package clang-tidy)" >&2; exit 77; }
-[ -f "$build/CMakeCache.txt" ] || { echo "tidy.sh: $build is not configured; cmake --preset release" >&2; exit 2; }
+[ -f "$build/CMakeCache.txt" ] || { echo "tidy.sh: $build is not configured; cmake --preset dev" >&2; exit 2; }
 cmake -S . -B "$build" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 [ $# -gt 0 ] || set -- $(find modules app -name '*.cpp' | sort)
 

@@ -15,7 +15,7 @@ share/install_dependencies.sh
 # What does not depend on when it was made: dates are those of the commit.
 export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date +%s)}"
 cmake -S . -B $folder -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DEDGEVO_SANITIZE= \
-  -DEDGEVO_BUILD_TESTS=OFF -DEDGEVO_BUILD_BENCHMARKS=OFF -DEDGEVO_SCENES_OF_SOURCES=OFF \
+  -DEDGEVO_BUILD_TESTS=OFF -DEDGEVO_BUILD_BENCHMARKS=OFF -DEDGEVO_SCENES_OF_SOURCES=OFF -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
 cmake --build $folder --parallel "${JOBS:-$(nproc)}"
 rm -f $folder/*.deb

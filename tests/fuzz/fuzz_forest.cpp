@@ -7,7 +7,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRounds = 10000;
+constexpr int kForestRounds = 10000;
 
 std::vector<int> joined(const std::vector<std::vector<int>>& rows) {
   std::vector<int> all;
@@ -49,7 +49,7 @@ void use(const ForestModel& m) {
 }
 
 TEST(FuzzForest, Text) {
-  test::expect_both(test::fuzz(test::forest_text(test::tiny_forest()), kRounds, 101,
+  test::expect_both(test::fuzz(test::forest_text(test::tiny_forest()), kForestRounds, 101,
                                [](const std::string& text) { use(parse_forest(text, "f")); }));
 }
 
@@ -60,7 +60,7 @@ TEST(FuzzForest, Numbers) {
   const auto some = [&] {
     return random.below(4) == 0 ? int(random.below(1 << 30)) - (1 << 29) : random.below(16) - 2;
   };
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kForestRounds; ++round) {
     ForestModel m = test::tiny_forest();
     std::vector<std::vector<int>>* const lists[] = {&m.childs, &m.featureIds, &m.edgeBoundaries, &m.edgeBins};
     int ForestOptions::*const options[] = {&ForestOptions::stride,
@@ -90,8 +90,8 @@ TEST(FuzzForest, Numbers) {
       ++refused;
     }
   }
-  EXPECT_GT(accepted, kRounds / 50);
-  EXPECT_GT(refused, kRounds / 2);
+  EXPECT_GT(accepted, kForestRounds / 50);
+  EXPECT_GT(refused, kForestRounds / 2);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void fit_path(const Scene& scene, const Run& run, double* scale, SE3* T_scene_ru
   *T_scene_run = SE3(Eigen::Matrix3d(T.topLeftCorner<3, 3>()), Eigen::Vector3d(T.topRightCorner<3, 1>()));
 }
 
-double share(int64_t part, int64_t all) { return double(part) / double(std::max<int64_t>(1, all)); }
+double share_of(int64_t part, int64_t all) { return double(part) / double(std::max<int64_t>(1, all)); }
 
 }  // namespace
 
@@ -130,7 +130,7 @@ void TrueEdges::judge_points(const Run& run, Cells* points, EdgeMapQuality* q) c
       ++kept, good += has_near(seen_, p);
       add(p, points);
     }
-  q->points_accuracy = share(good, kept);
+  q->points_accuracy = share_of(good, kept);
 }
 
 void TrueEdges::judge_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const {
@@ -166,9 +166,9 @@ EdgeMapQuality TrueEdges::judge(const Run& run) const {
     const bool on_line = has_near(lines, seen.mean()), on_point = has_near(points, seen.mean());
     by_lines += on_line, by_points += on_point, by_both += on_line || on_point;
   }
-  q.completeness = share(by_lines, q.true_cells);
-  q.points_completeness = share(by_points, q.true_cells);
-  q.both_completeness = share(by_both, q.true_cells);
+  q.completeness = share_of(by_lines, q.true_cells);
+  q.points_completeness = share_of(by_points, q.true_cells);
+  q.both_completeness = share_of(by_both, q.true_cells);
   return q;
 }
 

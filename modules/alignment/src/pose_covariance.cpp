@@ -9,8 +9,8 @@ namespace {
 
 // px^2: matches without any residual are a coincidence, not a certainty.
 constexpr double kMinResidualVariance = 0.01;
-constexpr double kRidge = 1e-9;       // px^-2, on the information, so that it can be inverted
-constexpr double kPoseFreedom = 6.0;  // unknowns of a pose
+constexpr double kInformationRidge = 1e-9;  // px^-2, on the information, so that it can be inverted
+constexpr double kPoseFreedom = 6.0;        // unknowns of a pose
 
 // Sum of the scores of each edge, one after another in the order of the edges' numbers.
 std::vector<Vector6d> sum_scores(const std::vector<PoseEquation>& equations) {
@@ -31,7 +31,7 @@ std::vector<Vector6d> sum_scores(const std::vector<PoseEquation>& equations) {
 }  // namespace
 
 Matrix6d pose_covariance(const std::vector<PoseEquation>& equations) {
-  Matrix6d A = kRidge * Matrix6d::Identity();
+  Matrix6d A = kInformationRidge * Matrix6d::Identity();
   double square = 0, weight = 0;
   for (const PoseEquation& e : equations) {
     A.noalias() += e.weight * e.jacobian.transpose() * e.jacobian;

@@ -6,9 +6,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStopPx = 0.02;       // a shorter step is the last: a match is good to 0.3 px
-constexpr double kMostStepPx = 1.0;    // what is linear about the patch ends there
-constexpr float kMinDeviation = 1.5f;  // gray levels: below it a patch is noise
+constexpr double kStopPx = 0.02;           // a shorter step is the last: a match is good to 0.3 px
+constexpr double kMostStepPx = 1.0;        // what is linear about the patch ends there
+constexpr float kMinGrayDeviation = 1.5f;  // gray levels: below it a patch is noise
 // Mean square of the slope, deviations a pixel: along the normal the patch does not change.
 constexpr double kLeastSlope = 1e-3;
 
@@ -36,7 +36,7 @@ bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
   }
   const float mean = sum / float(n);
   const float deviation = std::sqrt(std::max(0.0f, square / float(n) - mean * mean));
-  if (!(deviation >= kMinDeviation)) return false;
+  if (!(deviation >= kMinGrayDeviation)) return false;
   out->correlation = correlation / deviation;
   out->gradient = gradient / deviation;
   return true;
@@ -59,7 +59,7 @@ bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d&
       out->slope.value[v * side + u] = 0.5f * (float(normal_target.x()) * (c[1] - c[-1]) +
                                                float(normal_target.y()) * (c[wide_side] - c[-wide_side]));
     }
-  const float deviation = normalise(&out->value, kMinDeviation);
+  const float deviation = normalise(&out->value, kMinGrayDeviation);
   if (deviation == 0) return false;
   const int n = side * side;
   for (int i = 0; i < n; ++i) out->slope.value[i] /= deviation;

@@ -6,10 +6,10 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRadius = 2;              // pixels: the paper's patch of 5x5
-constexpr double kMaxShiftPx = 1.5;     // beyond it the linearisation says nothing
-constexpr double kMaxMeanSquare = 1.0;  // half way to unrelated patches (2)
-constexpr float kMinDeviation = 4.0f;   // Sobel units: half a gray level per pixel
+constexpr int kRadius = 2;                  // pixels: the paper's patch of 5x5
+constexpr double kMaxShiftPx = 1.5;         // beyond it the linearisation says nothing
+constexpr double kMaxMeanSquare = 1.0;      // half way to unrelated patches (2)
+constexpr float kMinSobelDeviation = 4.0f;  // Sobel units: half a gray level per pixel
 // Determinant, px^-4: a patch that is the same along some direction fixes no shift.
 constexpr double kLeastInformation = 1e-8;
 
@@ -22,7 +22,7 @@ PhotometricResidual photometric_residual(const ImageView<float>& host, const Eig
   Patch wide, current;
   if (!sample_warped(host, px_host, A_target_host, kRadius + 1, &wide)) return result;
   if (!sample_patch(target, px_target.x(), px_target.y(), kRadius, &current) ||
-      normalise(&current, kMinDeviation) == 0)
+      normalise(&current, kMinSobelDeviation) == 0)
     return result;
   const int side = 2 * kRadius + 1, wide_side = wide.side();
   Patch value, gx, gy;
@@ -34,7 +34,7 @@ PhotometricResidual photometric_residual(const ImageView<float>& host, const Eig
       gx.value[v * side + u] = 0.5f * (c[1] - c[-1]);
       gy.value[v * side + u] = 0.5f * (c[wide_side] - c[-wide_side]);
     }
-  const float deviation = normalise(&value, kMinDeviation);
+  const float deviation = normalise(&value, kMinSobelDeviation);
   if (deviation == 0) return result;
   const int n = side * side;
   for (int i = 0; i < n; ++i) gx.value[i] /= deviation, gy.value[i] /= deviation;

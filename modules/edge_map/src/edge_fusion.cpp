@@ -8,11 +8,19 @@
 #include "straight_line.h"
 
 namespace edgevo {
+
+/// A depth that an earlier keyframe's line tells of an edge pixel.
+struct KnownDepth {
+  double idepth = 0;  // 0: none does
+  double sigma = 0;
+  double h_z = 0, e_z = 0;  // of the sight line of the vertex that tells it
+};
+
 namespace {
 
-constexpr double kBorderPx = 4;    // a vertex nearer to the border of an image may not be seen there
-constexpr double kAcrossPx = 1.5;  // from a projected vertex to the edge that it is
-constexpr double kAlongPx = 2.5;
+constexpr double kSeenBorderPx = 4;  // a vertex nearer to the border of an image may not be seen there
+constexpr double kAcrossPx = 1.5;    // from a projected vertex to the edge that it is
+constexpr double kSeenAlongPx = 2.5;
 constexpr double kInFront = 1.1;  // times the inverse depth: of two lines at one pixel the nearer is seen
 // A known depth is as good as one found here, unless that is so much more certain.
 constexpr double kMuchBetter = 0.75;
@@ -21,13 +29,6 @@ constexpr double kMuchBetter = 0.75;
 constexpr int kMinSeen = 2, kManyViews = 6;
 constexpr int kMaxBridge = 40;  // pixels of a chain between two neighbours on a line that comes nearer
 constexpr double kSameSigmas = 3, kSameShare = 0.03;  // two depths of one edge
-
-/// A depth that an earlier keyframe's line tells of an edge pixel.
-struct KnownDepth {
-  double idepth = 0;  // 0: none does
-  double sigma = 0;
-  double h_z = 0, e_z = 0;  // of the sight line of the vertex that tells it
-};
 
 double weight_of(double idepth, double sigma) { return idepth * idepth / (sigma * sigma); }
 
@@ -130,12 +131,12 @@ void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* 
     const double idepth = double(v.vertex.idepth), depth = sight.depth(idepth);
     if (!(depth > 0.05)) continue;
     const Eigen::Vector2d p = sight.at(idepth);
-    if (!pinhole_.contains(p, kBorderPx)) continue;
+    if (!pinhole_.contains(p, kSeenBorderPx)) continue;
     const int j = level.field.nearest(float(p.x()), float(p.y()));
     const EdgePixel* e = j >= 0 ? &level.edges.pixels[size_t(j)] : nullptr;
     const Eigen::Vector2d offset = e ? Eigen::Vector2d(e->position().cast<double>() - p) : p;
     const bool is_there = e && std::abs(e->normal().cast<double>().dot(offset)) < kAcrossPx &&
-                          offset.norm() < kAcrossPx + kAlongPx &&
+                          offset.norm() < kAcrossPx + kSeenAlongPx &&
                           is_like_direction(view, v.normal.cast<double>(), *e);
     if (!is_there) {
       explained->missed.push_back(&v);

@@ -11,7 +11,7 @@ constexpr int kMostSteps = 12;
 // At which it has converged: the 1e-12 that are promised, with a margin.
 constexpr double kErrorSquare = 1e-26;
 // Of differences: a hundredth of a pixel, much less than the cells of the motion.
-constexpr double kStep = 1e-5;
+constexpr double kDifference = 1e-5;
 
 }  // namespace
 
@@ -49,10 +49,10 @@ Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correctio
   if (correction.readout_s == 0 || !motion.is_known()) return radial;
   Eigen::Matrix2d rolling;
   for (int axis = 0; axis < 2; ++axis) {
-    const Eigen::Vector2d step = kStep * Eigen::Vector2d::Unit(axis);
+    const Eigen::Vector2d step = kDifference * Eigen::Vector2d::Unit(axis);
     rolling.col(axis) = (add_rolling(c, correction.readout_s, motion, x + step) -
                          add_rolling(c, correction.readout_s, motion, x - step)) /
-                        (2 * kStep);
+                        (2 * kDifference);
   }
   return radial * rolling;
 }

@@ -48,11 +48,11 @@ const Column kColumns[] = {
 
 std::string number(double value, Format format) { return std::isfinite(value) ? format(value) : "-"; }
 
-struct Summary {
+struct MedianAndWorst {
   std::string median, worst;
 };
 
-Summary summarise(const BenchRow& row, const Column& column) {
+MedianAndWorst summarise(const BenchRow& row, const Column& column) {
   std::vector<double> values;
   for (const Trial& trial : row.trials) values.push_back(column.value(trial));
   if (values.empty()) return {"-", "-"};
@@ -92,7 +92,7 @@ std::string bench_csv(const BenchHeader& header, const std::vector<BenchRow>& ro
     text += row.sequence + ',' + row.variant + ',' + std::to_string(row.trials.size()) + ',' +
             std::to_string(row.missing) + ',' + number(path_of(row), three_digits);
     for (const Column& c : kColumns) {
-      const Summary s = summarise(row, c);
+      const MedianAndWorst s = summarise(row, c);
       text += ',' + s.median + ',' + s.worst;
     }
     text += '\n';
@@ -110,7 +110,7 @@ std::string bench_markdown(const BenchHeader& header, const std::vector<BenchRow
     text += "| " + row.sequence + " | " + row.variant + " | " + trials_text(row) + " | " +
             number(path_of(row), one_decimal) + " |";
     for (const Column& c : kColumns) {
-      const Summary s = summarise(row, c);
+      const MedianAndWorst s = summarise(row, c);
       text += ' ' + s.median + " (" + s.worst + ") |";
     }
     text += '\n';

@@ -20,7 +20,7 @@ constexpr int kLevels = 4;      // halvings: corners are found 100 px from where
 constexpr int kLevelsBack = 1;  // on the way back it is known where they began
 // Side of the patch that is compared, OpenCV's own default, as are the two that follow.
 constexpr int kPatchPx = 21;
-constexpr int kMaxSteps = 30;
+constexpr int kMaxIterations = 30;
 constexpr double kLeastStepPx = 0.01;
 
 }  // namespace
@@ -46,7 +46,7 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
   const bool is_foreseen = !to->empty();
   const int flags = is_foreseen ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
   const cv::Size window(kPatchPx, kPatchPx);
-  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxSteps, kLeastStepPx);
+  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxIterations, kLeastStepPx);
   Corners back = from;
   std::vector<uchar> ok, ok_back;
   std::vector<float> error;

@@ -28,7 +28,7 @@ std::vector<double> means(const std::vector<double>& values, size_t per) {
   return result;
 }
 
-TimeChart thinned(const TimeChart& chart) {
+TimeChart thinned_chart(const TimeChart& chart) {
   const size_t per = std::max<size_t>(1, (chart.x.size() + kMaxColumns - 1) / kMaxColumns);
   TimeChart thin = chart;
   thin.x = means(chart.x, per);
@@ -180,7 +180,7 @@ std::string values_of(const TimeChart& thin) {
 }  // namespace
 
 std::string draw(const TimeChart& all) {
-  const TimeChart thin = thinned(all);
+  const TimeChart thin = thinned_chart(all);
   const Plot plot = plot_in(thin, 0, kWidth, 0, kPlotHeight);
   return "<div class=\"chart\" tabindex=\"0\" role=\"figure\" aria-label=\"" + html_escaped(all.y_name) +
          " over time; arrow keys read it\" data-chart=\"" + html_escaped(values_of(thin)) +
@@ -190,7 +190,8 @@ std::string draw(const TimeChart& all) {
 }
 
 std::string draw_svg(const TimeChart& all) {
-  const Plot plot = plot_in(thinned(in_plain_colors(all)), kLeft, kWidth - kRight, kTop, kTop + kPlotHeight);
+  const Plot plot =
+      plot_in(thinned_chart(in_plain_colors(all)), kLeft, kWidth - kRight, kTop, kTop + kPlotHeight);
   return svg_open(kTop + kPlotHeight + kBottom, "chart", false) + time_grid(plot) + labels_within(plot) +
          lines_of(plot) + "</svg>\n";
 }

@@ -10,7 +10,6 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 constexpr double kStep = 0.05;  // metres between the points of a sampled way
-constexpr double kPi = 3.14159265358979323846;
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& d) { return {-d.y(), d.x()}; }
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -177,7 +176,7 @@ std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_fram
   for (int i = 0; i < params.frames; ++i) {
     for (int k = 0; k < steps_per_frame; ++k) {
       PathPoint p = driver.point();
-      if (pauses) p.yaw += m.pause_turn_deg * kPi / 180 * ease(paused / pause_seconds);
+      if (pauses) p.yaw += m.pause_turn_deg * M_PI / 180 * ease(paused / pause_seconds);
       out.push_back(p);
       if (driver.gone() >= stop && paused < pause_seconds)
         paused += dt;

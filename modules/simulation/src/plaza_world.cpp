@@ -9,7 +9,6 @@ namespace edgevo {
 namespace {
 
 constexpr double kMargin = 17;  // from the way to the houses, metres
-constexpr double kPi = 3.14159265358979323846;
 
 void add_bench(WorldBuilder& b, const Place& place) {
   const int wood = b.texture("wood", 1), metal = b.texture("metal", 1);
@@ -66,7 +65,7 @@ void scatter(Site& site, const Box2& box) {
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector2d p(random.uniform(box.low.x() + 3, box.high.x() - 3),
                             random.uniform(box.low.y() + 3, box.high.y() - 3));
-    const double what = random.uniform(), angle = random.uniform(0, 2 * kPi);
+    const double what = random.uniform(), angle = random.uniform(0, 2 * M_PI);
     if (distance_to_way(site.params.way_points, p) < 4.5) continue;
     const Place place = facing({p.x(), p.y(), 0}, angle);
     if (what < 0.4)
@@ -91,10 +90,10 @@ void build_plaza(Site& site) {
   for (double x = box.low.x() - 10; x < box.high.x() + 10; x += 16)
     for (double y = box.low.y() - 10; y < box.high.y() + 10; y += 16)
       b.tile({x, y + 16, 0}, {16, 0, 0}, {0, -16, 0}, b.texture("slabs", 0)).uv_origin = {0, 0};
-  add_row(site, facing({box.low.x(), box.high.y(), 0}, -kPi / 2), w);
-  add_row(site, facing({box.high.x(), box.low.y(), 0}, kPi / 2), w);
+  add_row(site, facing({box.low.x(), box.high.y(), 0}, -M_PI / 2), w);
+  add_row(site, facing({box.high.x(), box.low.y(), 0}, M_PI / 2), w);
   add_row(site, facing({box.low.x(), box.low.y(), 0}, 0), h);
-  add_row(site, facing({box.high.x(), box.high.y(), 0}, kPi), h);
+  add_row(site, facing({box.high.x(), box.high.y(), 0}, M_PI), h);
   const Eigen::Vector2d middle = 0.5 * (box.low + box.high);
   add_monument(b, facing({middle.x() + 5, middle.y() + 9, 0}, 0.4));
   scatter(site, box);

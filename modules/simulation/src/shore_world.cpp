@@ -10,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kBeyond = 90;  // how far the shore goes on on either side, metres
+constexpr double kShoreBeyond = 90;  // how far the shore goes on on either side, metres
 
 class ShoreBuilder {
  public:
@@ -19,8 +19,8 @@ class ShoreBuilder {
         b_(site.build),
         look_(season_look(site.params.world.season)),
         random_(b_.random()),
-        way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kBeyond, kBeyond,
-                        kBeyond)
+        way_(streets_of({site.params.way_points.front(), site.params.way_points.back()}, kShoreBeyond,
+                        kShoreBeyond, kShoreBeyond)
                  .front()),
         shore_{&way_, -1},
         line_(&random_, 0.03),

@@ -10,10 +10,10 @@
 namespace edgevo {
 namespace {
 
-constexpr double kRoad = 5.0;   // half the road, kerb to middle, metres
-constexpr double kWalk = 7.3;   // outer rim of the pavement
-constexpr double kKerb = 0.13;  // height of the kerb
-constexpr double kBeyond = 65;  // how far a street goes on beyond its way points
+constexpr double kRoad = 5.0;         // half the road, kerb to middle, metres
+constexpr double kWalk = 7.3;         // outer rim of the pavement
+constexpr double kKerb = 0.13;        // height of the kerb
+constexpr double kStreetBeyond = 65;  // how far a street goes on beyond its way points
 
 class StreetBuilder {
  public:
@@ -21,7 +21,7 @@ class StreetBuilder {
       : site_(site),
         b_(site.build),
         random_(b_.random()),
-        streets_(streets_of(site.params.way_points, 25, kBeyond, kBeyond)) {}
+        streets_(streets_of(site.params.way_points, 25, kStreetBeyond, kStreetBeyond)) {}
 
   void build() {
     ground();

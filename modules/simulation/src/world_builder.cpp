@@ -8,8 +8,6 @@
 namespace edgevo {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // FNV-1a: a stream of random numbers for each kind of texture.
 uint64_t hash(const std::string& text) {
   uint64_t h = 1469598103934665603ull;
@@ -105,7 +103,7 @@ void WorldBuilder::card(const Place& place, double width, double height, double 
 void WorldBuilder::prism(const Place& place, double radius, double height, int sides, int texture,
                          float gain) {
   for (int i = 0; i < sides; ++i) {
-    const double a = 2 * kPi * i / sides, b = 2 * kPi * (i + 1) / sides;
+    const double a = 2 * M_PI * i / sides, b = 2 * M_PI * (i + 1) / sides;
     const Eigen::Vector3d left = place.point(radius * std::sin(-b), radius * std::cos(b), height);
     const Eigen::Vector3d right = place.point(radius * std::sin(-a), radius * std::cos(a), height);
     Surface& s = fit(left, right - left, Eigen::Vector3d(0, 0, -height), texture);

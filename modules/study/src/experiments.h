@@ -9,6 +9,9 @@
 
 namespace edgevo {
 
+/// Of the second image of a pair.
+inline constexpr const char* kStudyLights[] = {"normal", "changed"};
+
 struct Experiment {
   std::string curve, method, setting;
   int position = 0;                            ///< of the setting on the axis

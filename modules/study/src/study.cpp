@@ -1,4 +1,5 @@
 #include "edgevo/study/study.h"
+#include "edgevo/core/thread_clock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double kMaxDriftPercent = 100;  // of a solution that failed: all of the way
 constexpr double kDegrees = 180 / M_PI;   // of a radian
-const char* const kLights[] = {"normal", "changed"};
 
 // OpenCV on one thread while this lives: times are CPU times of one thread, and hosts are spread over threads
 // already.
@@ -156,7 +156,7 @@ class Study {
         relight_(options.light, options.seed),
         errors_(experiments_.size() * 2 * hosts_.size()),
         flow_(hosts_.size()) {
-    for (const char* light : kLights)
+    for (const char* light : kStudyLights)
       for (const Experiment& e : experiments_)
         cells_.push_back(
             {e.curve, light, e.method, e.setting, e.position, std::vector<StudySample>(hosts_.size()), {}});

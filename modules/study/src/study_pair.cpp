@@ -1,14 +1,8 @@
 #include "edgevo/study/study_pair.h"
 
-#include <time.h>
+#include "edgevo/core/thread_clock.h"
 
 namespace edgevo {
-
-double thread_cpu_ms() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return 1e3 * double(t.tv_sec) + 1e-6 * double(t.tv_nsec);
-}
 
 HostView make_host(std::shared_ptr<const FramePyramid> pyramid, std::vector<StudyPoint> points) {
   const Pinhole& camera = pyramid->finest().pinhole;

@@ -6,12 +6,12 @@
 
 #include "cell_statistics.h"
 #include "edgevo/core/output_file.h"
+#include "experiments.h"
 #include "study_tables.h"
 
 namespace edgevo {
 namespace {
 
-const char* const kLights[] = {"normal", "changed"};
 constexpr double kGoodDriftPercent = 10;  // a pair is matched at a distance when its drift is below
 constexpr double kGoodPairs = 0.9;        // share of pairs that makes a distance one that a method copes with
 
@@ -170,7 +170,7 @@ StudyCell all_distances(const StudyResult& result, const std::string& light, con
 
 std::string motion_is_larger(const StudyResult& result) {
   bool is_always_larger = true, is_ever_larger = false;
-  for (const char* light : kLights)
+  for (const char* light : kStudyLights)
     for (const char* flow : {"lucas_kanade", "epipolar_flow"}) {
       const bool is_larger = reach(result, light, "gradient") > reach(result, light, flow);
       is_always_larger = is_always_larger && is_larger;
@@ -181,8 +181,8 @@ std::string motion_is_larger(const StudyResult& result) {
   for (const char* method :
        {"gradient", "gradient_refined", "edge_matches", "front_end", "lucas_kanade", "epipolar_flow"}) {
     std::vector<std::string> fields{method};
-    for (const char* light : kLights) fields.push_back(std::to_string(reach(result, light, method)));
-    for (const char* light : kLights) {
+    for (const char* light : kStudyLights) fields.push_back(std::to_string(reach(result, light, method)));
+    for (const char* light : kStudyLights) {
       const CellStatistics s = statistics(all_distances(result, light, method));
       fields.push_back(with_error(s.drift_mean, s.drift_error));
     }
@@ -219,7 +219,7 @@ std::string residuals(const StudyResult& result) {
                      "are found, along "
                      "the edge's normal and along the edge (medians of the absolute values; end points of "
                      "2-D matches only).\n\n";
-  for (const char* light : kLights) {
+  for (const char* light : kStudyLights) {
     text += std::string("Light ") + light + ":\n\n";
     text += header(
         {"matches", "mean drift %", "difference", "direction deg", "normal px", "tangential px", "wrong"});
@@ -253,7 +253,7 @@ std::string variants(const StudyResult& result) {
   text += header({"variant", "mean drift %", "drift minus the default's", "direction deg", "matches", "2-D",
                   "wrong", "matching ms"});
   for (const StudyCell& named : result.cells) {
-    if (named.curve != "variants" || named.light != kLights[0]) continue;
+    if (named.curve != "variants" || named.light != kStudyLights[0]) continue;
     const StudyCell cell = pooled(result, "variants", named.method, setting);
     const CellStatistics s = statistics(cell);
     const Difference d = drift_difference(cell, own);

@@ -13,7 +13,7 @@
 namespace edgevo {
 namespace {
 
-std::string error_of(const std::string& path) {
+std::string read_error_of(const std::string& path) {
   try {
     read_file(path, "give another");
   } catch (const InputError& e) {
@@ -34,9 +34,9 @@ TEST(ReadFile, GivesEveryByteBack) {
 }
 
 TEST(ReadFile, TellsWhyItCannot) {
-  EXPECT_EQ(error_of("/nonexistent/x"),
+  EXPECT_EQ(read_error_of("/nonexistent/x"),
             "/nonexistent/x: cannot be read: No such file or directory; give another");
-  EXPECT_THAT(error_of(::testing::TempDir()), ::testing::HasSubstr("cannot be read: Is a directory"));
+  EXPECT_THAT(read_error_of(::testing::TempDir()), ::testing::HasSubstr("cannot be read: Is a directory"));
 }
 
 TEST(ReadFile, ReadsNothingThatMayHaveNoEnd) {
@@ -44,7 +44,8 @@ TEST(ReadFile, ReadsNothingThatMayHaveNoEnd) {
   const std::string pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string& path : {std::string("/dev/zero"), std::string("/dev/null"), pipe})
-    EXPECT_EQ(error_of(path), path + ": cannot be read: it is a device or a pipe, not a file; give another");
+    EXPECT_EQ(read_error_of(path),
+              path + ": cannot be read: it is a device or a pipe, not a file; give another");
 }
 
 TEST(ReadFile, ReadsNothingThatIsTooLarge) {
@@ -52,7 +53,7 @@ TEST(ReadFile, ReadsNothingThatIsTooLarge) {
   const std::string path = folder / "large";
   write_file(path, "");
   std::filesystem::resize_file(path, uintmax_t(5) << 30);  // takes no room
-  EXPECT_THAT(error_of(path), ::testing::HasSubstr("it is larger than 2 GB"));
+  EXPECT_THAT(read_error_of(path), ::testing::HasSubstr("it is larger than 2 GB"));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
 template <class Work>
-std::string error_of(const Work& work) {
+std::string refusal_of(const Work& work) {
   try {
     work();
   } catch (const InputError& e) {
@@ -33,7 +33,7 @@ class OutputPlace : public ::testing::Test {
   }
   std::string in(const std::string& name) const { return folder_ / name; }
   std::string apart(const std::string& source, const std::string& output) const {
-    return error_of([&] { check_apart(in(source), in(output)); });
+    return refusal_of([&] { check_apart(in(source), in(output)); });
   }
   test::TempFolder folder_;
 };
@@ -68,9 +68,9 @@ TEST_F(OutputPlace, WhatIsNoPathIsApart) {
 
 TEST_F(OutputPlace, WhatIsThereIsKeptUnlessForced) {
   fs::create_symlink("/nowhere", in("dangling"));
-  EXPECT_THAT(error_of([&] { check_not_there(in("clip.rawlog"), false); }),
+  EXPECT_THAT(refusal_of([&] { check_not_there(in("clip.rawlog"), false); }),
               HasSubstr("is there already; give"));
-  EXPECT_THAT(error_of([&] { check_not_there(in("dangling"), false); }), HasSubstr("is there already"));
+  EXPECT_THAT(refusal_of([&] { check_not_there(in("dangling"), false); }), HasSubstr("is there already"));
   EXPECT_NO_THROW(check_not_there(in("clip.rawlog"), true));
   EXPECT_NO_THROW(check_not_there(in("new.rawlog"), false));
 }
@@ -81,7 +81,7 @@ TEST_F(OutputPlace, FoldersOfOthersAreLeftAlone) {
   EXPECT_NO_THROW(check_folder_is_ours(in("nowhere"), {}, false));
   EXPECT_NO_THROW(check_folder_is_ours(in("sequence"), {"times.txt", "images"}, false));
   EXPECT_NO_THROW(check_folder_is_ours(in("sequence"), {}, true));
-  EXPECT_THAT(error_of([&] { check_folder_is_ours(in("sequence"), {"study.md"}, false); }),
+  EXPECT_THAT(refusal_of([&] { check_folder_is_ours(in("sequence"), {"study.md"}, false); }),
               HasSubstr("sequence: holds something else already (images); give another -o, or --force"));
 }
 

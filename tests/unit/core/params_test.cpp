@@ -55,7 +55,7 @@ TestParams read(const std::string& yaml) {
   return p;
 }
 
-std::string error_of(const std::string& yaml) {
+std::string params_error_of(const std::string& yaml) {
   try {
     read(yaml);
   } catch (const InputError& e) {
@@ -74,10 +74,10 @@ TEST(Params, OverwritesOnlyWhatIsNamed) {
 
 TEST(Params, OddNumbersAreOdd) {
   EXPECT_EQ(read("mapping:\n  patch: 7\n").patch, 7);
-  EXPECT_THAT(error_of("mapping:\n  patch: 6\n"),
+  EXPECT_THAT(params_error_of("mapping:\n  patch: 6\n"),
               StartsWith("p.yaml:2: mapping.patch: '6' is even; write an odd number"));
-  EXPECT_THAT(error_of("mapping:\n  patch: 13\n"), HasSubstr("between 3 and 11"));
-  EXPECT_THAT(error_of("mapping:\n  patch: 5.5\n"), HasSubstr("not a whole number"));
+  EXPECT_THAT(params_error_of("mapping:\n  patch: 13\n"), HasSubstr("between 3 and 11"));
+  EXPECT_THAT(params_error_of("mapping:\n  patch: 5.5\n"), HasSubstr("not a whole number"));
   TestParams p;
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("patch: 5  # side of a patch; [3, 11], odd\n"));
 }
@@ -90,70 +90,71 @@ TEST(Params, EmptyTextAndEmptyGroupsChangeNothing) {
 }
 
 TEST(Params, AnUnknownKeyOffersTheNearestName) {
-  EXPECT_EQ(error_of("mapping:\n  windw: 9\n"),
+  EXPECT_EQ(params_error_of("mapping:\n  windw: 9\n"),
             "p.yaml:2: unknown parameter 'mapping.windw'; did you mean 'mapping.window'?");
-  EXPECT_THAT(error_of("window: 9\n"), HasSubstr("did you mean 'mapping.window'?"));
-  EXPECT_THAT(error_of("edges:\n  percentile:\n    x: 1\n"),
+  EXPECT_THAT(params_error_of("window: 9\n"), HasSubstr("did you mean 'mapping.window'?"));
+  EXPECT_THAT(params_error_of("edges:\n  percentile:\n    x: 1\n"),
               HasSubstr("p.yaml:2: edges.percentile has no value"));
-  EXPECT_THAT(error_of("nonsense:\n"), HasSubstr("unknown parameter 'nonsense'"));  // even without a value
+  EXPECT_THAT(params_error_of("nonsense:\n"),
+              HasSubstr("unknown parameter 'nonsense'"));  // even without a value
 }
 
 TEST(Params, ARangeIsStatedInASentence) {
-  EXPECT_EQ(error_of("mapping:\n  window: 99\n"),
+  EXPECT_EQ(params_error_of("mapping:\n  window: 99\n"),
             "p.yaml:2: mapping.window: '99' is out of range; it must be between 3 and 20");
-  EXPECT_EQ(error_of("edges:\n  percentile: 0.4\n"),
+  EXPECT_EQ(params_error_of("edges:\n  percentile: 0.4\n"),
             "p.yaml:2: edges.percentile: '0.4' is out of range; it must be between 0.5 and 0.99");
-  EXPECT_THAT(error_of("edges:\n  percentile: .nan\n"), Not(""));
+  EXPECT_THAT(params_error_of("edges:\n  percentile: .nan\n"), Not(""));
   EXPECT_EQ(read("mapping:\n  window: 20\n").window, 20);
   EXPECT_EQ(read("edges:\n  percentile: 0.5\n").edges.percentile, 0.5);
 }
 
 TEST(Params, AWrongTypeIsAnError) {
-  EXPECT_THAT(error_of("mapping:\n  window: many\n"), HasSubstr("'many' is not a number"));
-  EXPECT_THAT(error_of("mapping:\n  window: 7.5\n"), HasSubstr("'7.5' is not a whole number"));
-  EXPECT_THAT(error_of("mapping:\n  window: 7px\n"), HasSubstr("'7px' is not a number"));
-  EXPECT_THAT(error_of("mapping:\n  window: 0x7\n"), HasSubstr("'0x7' is not a number"));
-  EXPECT_THAT(error_of("mapping:\n  deep:\n    realtime: yes\n"),
+  EXPECT_THAT(params_error_of("mapping:\n  window: many\n"), HasSubstr("'many' is not a number"));
+  EXPECT_THAT(params_error_of("mapping:\n  window: 7.5\n"), HasSubstr("'7.5' is not a whole number"));
+  EXPECT_THAT(params_error_of("mapping:\n  window: 7px\n"), HasSubstr("'7px' is not a number"));
+  EXPECT_THAT(params_error_of("mapping:\n  window: 0x7\n"), HasSubstr("'0x7' is not a number"));
+  EXPECT_THAT(params_error_of("mapping:\n  deep:\n    realtime: yes\n"),
               HasSubstr("'yes' is neither true nor false"));
-  EXPECT_THAT(error_of("mapping:\n  window:\n"), HasSubstr("mapping.window has no value"));
-  EXPECT_THAT(error_of("edges: 3\n"), HasSubstr("edges is a group of parameters, not a value"));
-  EXPECT_THAT(error_of("mapping:\n  window: [7, 8]\n"), HasSubstr("p.yaml:2: holds a list"));
-  EXPECT_THAT(error_of("edges:\n  - percentile: 0.6\n"), HasSubstr("p.yaml:2: holds a list"));
+  EXPECT_THAT(params_error_of("mapping:\n  window:\n"), HasSubstr("mapping.window has no value"));
+  EXPECT_THAT(params_error_of("edges: 3\n"), HasSubstr("edges is a group of parameters, not a value"));
+  EXPECT_THAT(params_error_of("mapping:\n  window: [7, 8]\n"), HasSubstr("p.yaml:2: holds a list"));
+  EXPECT_THAT(params_error_of("edges:\n  - percentile: 0.6\n"), HasSubstr("p.yaml:2: holds a list"));
 }
 
 TEST(Params, AChoiceOffersTheNearest) {
-  EXPECT_THAT(error_of("edges:\n  detector: edge_drawin\n"),
+  EXPECT_THAT(params_error_of("edges:\n  detector: edge_drawin\n"),
               AllOf(HasSubstr("'edge_drawin' is not one of canny, edge_drawing, structured"),
                     HasSubstr("did you mean edge_drawing?")));
 }
 
 TEST(Params, WhatIsNoNestedKeyAndValueIsRefused) {
-  EXPECT_THAT(error_of("just some words\n"), StartsWith("p.yaml:1: is not readable as `key: value`"));
-  EXPECT_THAT(error_of("- 1\n- 2\n"), StartsWith("p.yaml:1: holds a list"));
-  EXPECT_THAT(error_of("edges: {percentile: 0.6\n"), HasSubstr("holds a list or a { } map"));
-  EXPECT_THAT(error_of("a: b: c\n"), HasSubstr("holds a second colon"));
-  EXPECT_THAT(error_of("model:x\n"), HasSubstr("is not readable as `key: value`"));
-  EXPECT_THAT(error_of("model: 'x\n"), HasSubstr("a quote is not closed"));
-  EXPECT_THAT(error_of("model: \"x\n"), HasSubstr("a quote is not closed"));
-  EXPECT_THAT(error_of("model: 'x' y\n"), HasSubstr("something follows the closing quote"));
-  EXPECT_THAT(error_of("model: \"\\q\"\n"), HasSubstr("an escape"));
-  EXPECT_THAT(error_of("model: |\n  text\n"), HasSubstr("a value cannot begin with |"));
-  EXPECT_THAT(error_of("model: *alias\n"), HasSubstr("a value cannot begin with *"));
-  EXPECT_THAT(error_of("model: ~\n"), HasSubstr("model has no value"));
-  EXPECT_THAT(error_of("model: a\n---\nmodel: b\n"), HasSubstr("p.yaml:2: begins a second document"));
+  EXPECT_THAT(params_error_of("just some words\n"), StartsWith("p.yaml:1: is not readable as `key: value`"));
+  EXPECT_THAT(params_error_of("- 1\n- 2\n"), StartsWith("p.yaml:1: holds a list"));
+  EXPECT_THAT(params_error_of("edges: {percentile: 0.6\n"), HasSubstr("holds a list or a { } map"));
+  EXPECT_THAT(params_error_of("a: b: c\n"), HasSubstr("holds a second colon"));
+  EXPECT_THAT(params_error_of("model:x\n"), HasSubstr("is not readable as `key: value`"));
+  EXPECT_THAT(params_error_of("model: 'x\n"), HasSubstr("a quote is not closed"));
+  EXPECT_THAT(params_error_of("model: \"x\n"), HasSubstr("a quote is not closed"));
+  EXPECT_THAT(params_error_of("model: 'x' y\n"), HasSubstr("something follows the closing quote"));
+  EXPECT_THAT(params_error_of("model: \"\\q\"\n"), HasSubstr("an escape"));
+  EXPECT_THAT(params_error_of("model: |\n  text\n"), HasSubstr("a value cannot begin with |"));
+  EXPECT_THAT(params_error_of("model: *alias\n"), HasSubstr("a value cannot begin with *"));
+  EXPECT_THAT(params_error_of("model: ~\n"), HasSubstr("model has no value"));
+  EXPECT_THAT(params_error_of("model: a\n---\nmodel: b\n"), HasSubstr("p.yaml:2: begins a second document"));
 }
 
 TEST(Params, IndentationIsChecked) {
-  EXPECT_THAT(error_of("edges:\n\tpercentile: 0.6\n"), HasSubstr("p.yaml:2: is indented with a tab"));
-  EXPECT_THAT(error_of("model: a\n  window: 7\n"),
+  EXPECT_THAT(params_error_of("edges:\n\tpercentile: 0.6\n"), HasSubstr("p.yaml:2: is indented with a tab"));
+  EXPECT_THAT(params_error_of("model: a\n  window: 7\n"),
               HasSubstr("p.yaml:2: is indented more than the line above"));
-  EXPECT_THAT(error_of("mapping:\n    window: 7\n  deep:\n"), HasSubstr("p.yaml:3: does not align"));
+  EXPECT_THAT(params_error_of("mapping:\n    window: 7\n  deep:\n"), HasSubstr("p.yaml:3: does not align"));
   EXPECT_EQ(read("  mapping:\n      window: 9\n  model: a\n").window, 9);  // as write_params indents
 }
 
 TEST(Params, AKeyGivenTwiceIsAnError) {
-  EXPECT_EQ(error_of("model: a\nmodel: b\n"), "p.yaml:2: model was given in line 1 already; keep one");
-  EXPECT_THAT(error_of("edges:\nmodel: a\nedges:\n  percentile: 0.6\n"),
+  EXPECT_EQ(params_error_of("model: a\nmodel: b\n"), "p.yaml:2: model was given in line 1 already; keep one");
+  EXPECT_THAT(params_error_of("edges:\nmodel: a\nedges:\n  percentile: 0.6\n"),
               HasSubstr("edges was given in line 1"));
 }
 
@@ -197,7 +198,7 @@ TEST(Params, SurvivesDamagedFiles) {
 TEST(Params, MessagesAreOneLine) {
   for (const char* yaml :
        {"mapping:\n  window: \"1\\n2\"\n", "\"a\\nb\": 1\n", "edges:\n  detector: \"x\\ny\"\n"}) {
-    const std::string error = error_of(yaml);
+    const std::string error = params_error_of(yaml);
     EXPECT_FALSE(error.empty());
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
   }

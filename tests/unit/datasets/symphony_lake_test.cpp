@@ -24,7 +24,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-SourceOptions source(const std::string& path) {
+SourceOptions lake_source(const std::string& path) {
   SourceOptions options;
   options.path = path;
   return options;
@@ -37,7 +37,7 @@ std::string detail(const ImageSource& source, const std::string& name) {
 }
 
 std::string truth_of(const std::string& path) {
-  const SourceOptions options = source(path);
+  const SourceOptions options = lake_source(path);
   return ground_truth_tum(options, *open_source(options));
 }
 
@@ -74,7 +74,7 @@ TEST(SymphonyLake, BothNamingSchemesAreReadBack) {
     const TempFolder folder;
     const SurveyPlace place = write_survey(folder.path(), "141107", 5, newer);
     EXPECT_TRUE(fs::exists(place.folder() + (newer ? "/0001/01002.jpg" : "/0001/0002.jpg")));
-    const auto s = open_source(source(place.folder()));
+    const auto s = open_source(lake_source(place.folder()));
     EXPECT_EQ(s->kind(), "Symphony Lake");
     EXPECT_EQ(s->camera().pinhole.fy, 21);
     EXPECT_FALSE(s->camera().has_distortion());
@@ -101,7 +101,8 @@ TEST(SymphonyLake, PosesAgreeToThePrecisionOfTheFile) {
 
 TEST(SymphonyLake, MountIsThatOfTheView) {
   const TempFolder folder;
-  const auto mount = open_source(source(write_survey(folder.path(), "141107", 5).folder()))->T_vehicle_cam();
+  const auto mount =
+      open_source(lake_source(write_survey(folder.path(), "141107", 5).folder()))->T_vehicle_cam();
   ASSERT_TRUE(mount.has_value());
   EXPECT_LT((mount->translation() - Eigen::Vector3d(-0.420, 0, 0.255)).norm(), 1e-12);
   EXPECT_LT(mount->R()(1, 2), -0.95) << "looks to the right";
@@ -150,10 +151,10 @@ TEST(SymphonyLake, WithoutMapsGpsAndCompassAreACoarseTruthAndSaidToBe) {
   const TempFolder folder;
   const SurveyPlace place = write_survey(folder.path(), "141107", 5);
   const auto exact = poses_of(place.folder());
-  EXPECT_THAT(detail(*open_source(source(place.folder())), "ground truth"),
+  EXPECT_THAT(detail(*open_source(lake_source(place.folder())), "ground truth"),
               HasSubstr("optposes.csv (poses of the boat"));
   fs::remove_all(folder / "Maps");
-  const auto s = open_source(source(place.folder()));
+  const auto s = open_source(lake_source(place.folder()));
   EXPECT_THAT(detail(*s, "ground truth"),
               AllOf(HasSubstr("coarse, by GPS and compass"), HasSubstr("no Maps/141107/optposes.csv")));
   EXPECT_THAT(truth_of(place.folder()), HasSubstr("coarse"));
@@ -166,7 +167,7 @@ TEST(SymphonyLake, WithoutMapsGpsAndCompassAreACoarseTruthAndSaidToBe) {
 
 TEST(SymphonyLake, GpsIsThereForTheScale) {
   const TempFolder folder;
-  const auto s = open_source(source(write_survey(folder.path(), "141107", 3).folder()));
+  const auto s = open_source(lake_source(write_survey(folder.path(), "141107", 3).folder()));
   const VehicleTrack gps = s->vehicle_track(VehicleSensor::kGps);
   ASSERT_EQ(gps.positions.size(), 3u);
   EXPECT_EQ(gps.positions[2].time, survey_time(2));
@@ -181,7 +182,7 @@ TEST(SymphonyLake, RowsBeforeTheCameraTookItsPlaceAreLeftOut) {
     rows.push_back(std::to_string(10 + i) + ", " + std::to_string(i + 1) + ".0, " + (i < 2 ? before : kView));
   rows[4] = "14, 5.0, " + before;  // it moves again: that is motion, and stays
   write_rows(folder.path(), rows);
-  const auto s = open_source(source(folder.path()));
+  const auto s = open_source(lake_source(folder.path()));
   EXPECT_EQ(s->size(), 5);
   EXPECT_EQ(s->times().front().seconds(), 12);
   EXPECT_THAT(detail(*s, "rows"), HasSubstr("the first 2 are left out"));
@@ -194,7 +195,7 @@ TEST(SymphonyLake, NumbersLeftOutAreTold) {
   std::string text = read_text(place.folder() + "/image_auxilliary.csv");
   const size_t begin = text.find("\n", text.find(", 999.")) + 1, end = text.find("\n", begin) + 1;
   write_text(place.folder() + "/image_auxilliary.csv", text.erase(begin, end - begin));
-  const auto s = open_source(source(place.folder()));
+  const auto s = open_source(lake_source(place.folder()));
   EXPECT_EQ(read_all(*s).size(), 4u);
   EXPECT_EQ(detail(*s, "numbers left out"), "1 images have no row");
 }
@@ -202,13 +203,13 @@ TEST(SymphonyLake, NumbersLeftOutAreTold) {
 TEST(SymphonyLake, OldSurveysWithFewerColumns) {
   const TempFolder folder;
   write_rows(folder.path(), {std::string("10, 1.0, ") + kView, std::string("11, 2.0, ") + kView});
-  EXPECT_THAT(detail(*open_source(source(folder.path())), "rows"),
+  EXPECT_THAT(detail(*open_source(lake_source(folder.path())), "rows"),
               HasSubstr("2 of 13 columns (newer surveys have 16)"));
   write_rows(folder.path(), {"10, 1.0, 5, 6, 0.1, 1.5, 0.2", "11, 2.0, 6, 6, 0.1, 1.5, 0.2"});
-  EXPECT_THAT(error_of([&] { open_source(source(folder.path())); }),
+  EXPECT_THAT(error_of([&] { open_source(lake_source(folder.path())); }),
               HasSubstr("7 columns are fewer than the 13 that tell the camera; give the camera's file"));
   write_text(folder / "camera.txt", "20 21 12 8 0.1 0 0 0 24 16");
-  SourceOptions options = source(folder.path());
+  SourceOptions options = lake_source(folder.path());
   options.camera_file = folder / "camera.txt";
   const auto s = open_source(options);
   EXPECT_EQ(s->camera().distortion.k1, 0.1);
@@ -219,7 +220,7 @@ TEST(SymphonyLake, TwoColumnsPlayWithACameraAndHaveNoTruth) {
   const TempFolder folder;
   write_rows(folder.path(), {"10, 1.0", "11, 2.0"});
   write_text(folder / "camera.txt", "20 21 12 8 0 0 0 0 24 16");
-  SourceOptions options = source(folder.path());
+  SourceOptions options = lake_source(folder.path());
   options.camera_file = folder / "camera.txt";
   const auto s = open_source(options);
   EXPECT_EQ(read_all(*s).size(), 2u);
@@ -231,7 +232,7 @@ TEST(SymphonyLake, ColumnsGoByTheNamesOfTheHeader) {
   const TempFolder folder;
   write_rows(folder.path(), {"1.0, 10, 24, 16, 20, 21, 12, 8"});
   edit(folder / "image_auxilliary.csv", "% an old survey", "% seq, t_sec, width, height, fx, fy, cx, cy");
-  const auto s = open_source(source(folder.path()));
+  const auto s = open_source(lake_source(folder.path()));
   EXPECT_EQ(s->camera().pinhole.fy, 21);
   EXPECT_EQ(read_all(*s).at(0).time.seconds(), 10);
 }
@@ -240,7 +241,7 @@ TEST(SymphonyLake, LensByTheZoom) {
   const TempFolder folder;
   const auto lens = [&](const char* camera) {
     write_rows(folder.path(), {std::string("10, 1.0, 0, 0, 0, 1.5, 0.2, ") + camera});
-    return open_source(source(folder.path()));
+    return open_source(lake_source(folder.path()));
   };
   auto s = lens("760.1, 691.2, 370.9, 250.9, 704, 480");
   EXPECT_EQ(s->camera().distortion.k1, -0.302805);
@@ -258,7 +259,7 @@ TEST(SymphonyLake, AZoomWhileRecordingIsToldWithTheRowsThatCanBePlayed) {
   const TempFolder folder;
   write_rows(folder.path(), {std::string("10, 1.0, ") + kView, std::string("11, 2.0, ") + kView,
                              "12, 3.0, 0, 0, 0, 1.5, 0.2, 40, 42, 12, 8, 24, 16"});
-  SourceOptions options = source(folder.path());
+  SourceOptions options = lake_source(folder.path());
   EXPECT_THAT(error_of([&] { open_source(options); }),
               AllOf(HasSubstr("line 4: the camera is another"), HasSubstr("--frames 0:2")));
   options.last = 2;
@@ -268,15 +269,15 @@ TEST(SymphonyLake, AZoomWhileRecordingIsToldWithTheRowsThatCanBePlayed) {
 TEST(SymphonyArchive, SurveysGoByTheirName) {
   const TempFolder folder;
   write_survey(folder.path(), "141107", 2);
-  EXPECT_EQ(open_source(source(folder.path()))->size(), 2) << "an archive with one survey";
+  EXPECT_EQ(open_source(lake_source(folder.path()))->size(), 2) << "an archive with one survey";
   write_survey(folder.path(), "160808f", 3, true);
-  EXPECT_EQ(open_source(source(folder / "160808f"))->size(), 3);
-  EXPECT_EQ(open_source(source(folder / "141107/"))->size(), 2);
+  EXPECT_EQ(open_source(lake_source(folder / "160808f"))->size(), 3);
+  EXPECT_EQ(open_source(lake_source(folder / "141107/"))->size(), 2);
   EXPECT_EQ(poses_of(folder / "160808f").size(), 3u);
-  EXPECT_THAT(error_of([&] { open_source(source(folder.path())); }),
+  EXPECT_THAT(error_of([&] { open_source(lake_source(folder.path())); }),
               AllOf(HasSubstr("holds 2 surveys: 141107, 160808f"),
                     HasSubstr("name one of them, such as " + (folder / "141107"))));
-  EXPECT_THAT(error_of([&] { open_source(source(folder / "160808")); }),
+  EXPECT_THAT(error_of([&] { open_source(lake_source(folder / "160808")); }),
               HasSubstr("no survey '160808'; did you mean 160808f?"));
 }
 
@@ -285,10 +286,11 @@ TEST(SymphonyArchive, TwoSurveysOfOneName) {
   const SurveyPlace old = write_survey(folder.path(), "141107", 2),
                     copy = write_survey(folder.path(), "141107", 3, true);
   EXPECT_THAT(
-      error_of([&] { open_source(source(folder / "141107")); }),
+      error_of([&] { open_source(lake_source(folder / "141107")); }),
       AllOf(HasSubstr("two surveys named 141107"), HasSubstr(old.folder()), HasSubstr(copy.folder())));
-  EXPECT_THAT(error_of([&] { open_source(source(folder.path())); }), HasSubstr("two surveys named 141107"));
-  EXPECT_EQ(open_source(source(copy.folder()))->size(), 3);
+  EXPECT_THAT(error_of([&] { open_source(lake_source(folder.path())); }),
+              HasSubstr("two surveys named 141107"));
+  EXPECT_EQ(open_source(lake_source(copy.folder()))->size(), 3);
 }
 
 class BadSurvey : public ::testing::Test {
@@ -296,7 +298,7 @@ class BadSurvey : public ::testing::Test {
   std::string list() const { return place_.folder() + "/image_auxilliary.csv"; }
   std::string map() const { return place_.map_folder() + "/optposes.csv"; }
   std::string open_error() const {
-    return error_of([&] { open_source(source(place_.folder())); });
+    return error_of([&] { open_source(lake_source(place_.folder())); });
   }
   std::string truth_error() const {
     return error_of([&] { truth_of(place_.folder()); });
@@ -334,13 +336,14 @@ TEST_F(BadSurvey, Empty) {
 
 TEST_F(BadSurvey, TimesThatGoBackEndItThere) {
   edit(list(), to_string(survey_time(3)), to_string(survey_time(1)));
-  EXPECT_EQ(test::frames_before_error(*open_source(source(place_.folder())), "is not after the frame before"),
-            3);
+  EXPECT_EQ(
+      test::frames_before_error(*open_source(lake_source(place_.folder())), "is not after the frame before"),
+      3);
 }
 
 TEST_F(BadSurvey, AnImageThatIsMissingIsABadFrame) {
   fs::remove(place_.folder() + "/0001/0000.jpg");
-  const auto s = open_source(source(place_.folder()));
+  const auto s = open_source(lake_source(place_.folder()));
   EXPECT_EQ(test::frames_before_error(*s, "0001/0000.jpg: the image is missing"), 2);
   EXPECT_TRUE(s->next().has_value()) << "the one behind it comes";
   fs::remove_all(place_.folder() + "/0000");
@@ -382,7 +385,7 @@ TEST(SurveyWriter, RefusesWhatTheLayoutCannotHold) {
 TEST(SurveyWriter, WritesOverItsOwn) {
   const TempFolder folder;
   write_survey(folder.path(), "141107", 5);
-  EXPECT_EQ(open_source(source(write_survey(folder.path(), "141107", 2).folder()))->size(), 2);
+  EXPECT_EQ(open_source(lake_source(write_survey(folder.path(), "141107", 2).folder()))->size(), 2);
   EXPECT_FALSE(fs::exists(folder / "VBags/141107/0001/0002.jpg"));
 }
 

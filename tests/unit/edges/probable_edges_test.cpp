@@ -24,7 +24,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 template <class Call>
-std::string complaint(const Call& call) {
+std::string complaint_of(const Call& call) {
   try {
     call();
   } catch (const InputError& e) {
@@ -134,7 +134,7 @@ TEST_F(ProbableDetectors, DoNotWorkWithoutOne) {
   const GrayImage image = test::textured_image(120, 80, 3);
   const Gradient gradient = compute_gradient(image.view());
   for (const char* detector : {"network", "combined:network"})
-    EXPECT_THAT(complaint([&] {
+    EXPECT_THAT(complaint_of([&] {
                   make_edge_detector(params(detector))->detect({image.view(), gradient});
                 }),
                 HasSubstr("needs a probability"))
@@ -253,21 +253,21 @@ TEST_F(ProbableDetectors, RefuseAModelThatIsNone) {
   write_file(folder_ / "text.yaml", test::tiny_network_description());
   EdgeParams p = params("network");
   p.model = folder_ / "text.onnx";
-  EXPECT_THAT(complaint([&] { make_edge_probability(p); }), HasSubstr("no network"));
+  EXPECT_THAT(complaint_of([&] { make_edge_probability(p); }), HasSubstr("no network"));
   write_file(p.model, test::tiny_network().substr(0, 150));
-  EXPECT_THAT(complaint([&] { make_edge_probability(p); }), HasSubstr("no network"));
+  EXPECT_THAT(complaint_of([&] { make_edge_probability(p); }), HasSubstr("no network"));
   p.model = folder_ / "missing.onnx";
-  EXPECT_NE(complaint([&] { make_edge_probability(p); }), "");
+  EXPECT_NE(complaint_of([&] { make_edge_probability(p); }), "");
   p = params("structured");
   p.model = folder_ / "tiny.onnx";
-  EXPECT_THAT(complaint([&] { make_edge_probability(p); }), HasSubstr("no structured forest"));
+  EXPECT_THAT(complaint_of([&] { make_edge_probability(p); }), HasSubstr("no structured forest"));
 }
 
 TEST_F(ProbableDetectors, RefuseADescriptionThatDoesNotFit) {
   const GrayImage image = test::textured_image(40, 30, 1);
   const auto with = [&](const std::string& description) {
     write_file(folder_ / "tiny.yaml", description);
-    return complaint([&] { make_edge_probability(params("network"))->estimate(image.view(), ""); });
+    return complaint_of([&] { make_edge_probability(params("network"))->estimate(image.view(), ""); });
   };
   EXPECT_EQ(with(test::tiny_network_description()), "");
   EXPECT_EQ(with("input: image\noutput: edges\nsize: fixed 48x40\n"), "") << "a smaller image is continued";
@@ -290,14 +290,14 @@ TEST_F(ProbableDetectors, RefuseADescriptionThatDoesNotFit) {
 TEST_F(ProbableDetectors, RefuseANetworkThatGivesAnotherSize) {
   write_file(folder_ / "tiny.onnx", test::tiny_network(2));
   const GrayImage image = test::textured_image(40, 32, 1);
-  EXPECT_THAT(complaint([&] { make_edge_probability(params("network"))->estimate(image.view(), ""); }),
+  EXPECT_THAT(complaint_of([&] { make_edge_probability(params("network"))->estimate(image.view(), ""); }),
               HasSubstr("gives 1x1x16x20 for an image of 1x1x32x40"));
 }
 
 TEST_F(ProbableDetectors, RefuseFilesThatDoNotFit) {
   const GrayImage image = test::textured_image(40, 30, 1);
   const auto reading = [&](const std::string& name) {
-    return complaint([&] { make_edge_probability(params("precomputed"))->estimate(image.view(), name); });
+    return complaint_of([&] { make_edge_probability(params("precomputed"))->estimate(image.view(), name); });
   };
   write_probability("good", image);
   EXPECT_EQ(reading("good"), "");
@@ -310,9 +310,9 @@ TEST_F(ProbableDetectors, RefuseFilesThatDoNotFit) {
   EXPECT_THAT(reading("colour"), HasSubstr("one channel"));
   EdgeParams p = params("precomputed");
   p.folder = "";
-  EXPECT_THAT(complaint([&] { make_edge_probability(p); }), HasSubstr("edges.folder"));
+  EXPECT_THAT(complaint_of([&] { make_edge_probability(p); }), HasSubstr("edges.folder"));
   p.folder = folder_ / "nowhere";
-  EXPECT_THAT(complaint([&] { make_edge_probability(p); }), HasSubstr("is no folder"));
+  EXPECT_THAT(complaint_of([&] { make_edge_probability(p); }), HasSubstr("is no folder"));
 }
 
 // Sixteen bits are taken as well.

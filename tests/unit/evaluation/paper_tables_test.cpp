@@ -13,7 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Trial trial(double failure, double drift, double ate200 = 1) {
+Trial paper_trial(double failure, double drift, double ate200 = 1) {
   Trial t;
   t.frames = 100;
   t.evaluated = true;
@@ -62,11 +62,12 @@ TEST(PaperFigures, LakeTableHasSixMethodsBelowTheCap) {
 }
 
 TEST(LakeTable, PaperAndOursInTheirColumns) {
-  const PrintedTable table = lake_table({{"edgevo", "1"}},
-                                        {{"winter", "normal", {trial(0, 2.0), trial(10, 4.0)}, 0, ""},
-                                         {"winter", "every3", {trial(50, 9.0)}, 0, ""},
-                                         {"spring-edge_drawing", "mixed", {trial(1, 1.0)}, 1, ""}},
-                                        {"what differs"});
+  const PrintedTable table =
+      lake_table({{"edgevo", "1"}},
+                 {{"winter", "normal", {paper_trial(0, 2.0), paper_trial(10, 4.0)}, 0, ""},
+                  {"winter", "every3", {paper_trial(50, 9.0)}, 0, ""},
+                  {"spring-edge_drawing", "mixed", {paper_trial(1, 1.0)}, 1, ""}},
+                 {"what differs"});
   EXPECT_EQ(table.columns.size(), 18u);
   EXPECT_EQ(cell(table, "paper: DSO", "winter fail %"), "15.9");
   EXPECT_EQ(cell(table, "paper: DSO", "winter, every 3rd cm/m"), "25.7");
@@ -86,7 +87,7 @@ TEST(LakeTable, PaperAndOursInTheirColumns) {
 TEST(LakeTable, ATrialWithoutAPoseFailsThroughout) {
   Trial lost;
   lost.note = "no frame has a pose";
-  const PrintedTable table = lake_table({}, {{"winter", "normal", {trial(0, 2.0), lost}, 0, ""}}, {});
+  const PrintedTable table = lake_table({}, {{"winter", "normal", {paper_trial(0, 2.0), lost}, 0, ""}}, {});
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "winter fail %"), "50.0 [0.0..100.0]");
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "winter cm/m"), "16.0 [2.0..30.0]");
 }
@@ -95,18 +96,19 @@ TEST(LakeTable, ATrialWithoutAPoseFailsThroughout) {
 TEST(LakeTable, ADetectorNamedByTheVariantIsAMethodAndNoLight) {
   const PrintedTable table =
       lake_table({},
-                 {{"winter", "normal+combined:network", {trial(0, 2.0)}, 0, "combined:network"},
-                  {"winter", "every3+mixed+combined:network", {trial(0, 3.0)}, 0, "combined:network"}},
+                 {{"winter", "normal+combined:network", {paper_trial(0, 2.0)}, 0, "combined:network"},
+                  {"winter", "every3+mixed+combined:network", {paper_trial(0, 3.0)}, 0, "combined:network"}},
                  {});
   EXPECT_EQ(cell(table, "edgevo, combined:network, rendered", "winter cm/m"), "2.0");
   EXPECT_EQ(cell(table, "edgevo, combined:network, rendered, light mixed", "winter, every 3rd cm/m"), "3.0");
 }
 
 TEST(KittiTable, ADetectorNamedByTheVariantHasItsColumn) {
-  const PrintedTable table = kitti_table({},
-                                         {{"kitti03", "normal+canny", {trial(0, 1, 4)}, 0, "canny"},
-                                          {"kitti03", "normal+network", {trial(0, 1, 5)}, 0, "network"}},
-                                         {}, {});
+  const PrintedTable table =
+      kitti_table({},
+                  {{"kitti03", "normal+canny", {paper_trial(0, 1, 4)}, 0, "canny"},
+                   {"kitti03", "normal+network", {paper_trial(0, 1, 5)}, 0, "network"}},
+                  {}, {});
   EXPECT_EQ(cell(table, "03", "edgevo, canny"), "4.00");
   EXPECT_EQ(cell(table, "03", "edgevo, network"), "5.00");
 }
@@ -120,7 +122,9 @@ TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
   EXPECT_EQ(season_of("149907"), "");
   EXPECT_EQ(season_of("pond"), "");
   const PrintedTable table = lake_table(
-      {}, {{"150415", "normal", {trial(0, 2)}, 0, ""}, {"150416", "normal", {trial(0, 4)}, 0, ""}}, {});
+      {},
+      {{"150415", "normal", {paper_trial(0, 2)}, 0, ""}, {"150416", "normal", {paper_trial(0, 4)}, 0, ""}},
+      {});
   EXPECT_EQ(cell(table, "edgevo, canny, surveys", "spring cm/m"), "3.0 [2.0..4.0]")
       << "the mean over the surveys of a season";
 }
@@ -128,8 +132,8 @@ TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
 TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
   const PrintedTable table =
       kitti_table({},
-                  {{"kitti00", "normal", {trial(0, 1, 12.5), trial(0, 1, 13.5)}, 0, ""},
-                   {"kitti00_first300", "normal", {trial(0, 1, 0.3)}, 0, ""}},
+                  {{"kitti00", "normal", {paper_trial(0, 1, 12.5), paper_trial(0, 1, 13.5)}, 0, ""},
+                   {"kitti00_first300", "normal", {paper_trial(0, 1, 0.3)}, 0, ""}},
                   {"kitti03", "kitti10"}, {});
   EXPECT_EQ(cell(table, "00", "paper: DSO"), "16.83");
   EXPECT_EQ(cell(table, "01", "paper: ORB-SLAM"), "-");
@@ -147,7 +151,7 @@ TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
 TEST(KittiTable, MeanOfAllWholeSequencesAndFailures) {
   std::vector<BenchRow> rows;
   for (int i = 0; i < 10; ++i)
-    rows.push_back({"kitti0" + std::to_string(i), "normal", {trial(0, 1, i == 1 ? 100 : 2.0)}, 0, ""});
+    rows.push_back({"kitti0" + std::to_string(i), "normal", {paper_trial(0, 1, i == 1 ? 100 : 2.0)}, 0, ""});
   EXPECT_EQ(cell(kitti_table({}, rows, {}, {}), "mean without 01", "edgevo, canny"), "2.00");
   rows[4].trials.push_back(Trial{});
   const PrintedTable table = kitti_table({}, rows, {}, {});

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "support/plane_scene.h"
 
@@ -12,11 +13,6 @@ namespace edgevo {
 namespace {
 
 using test::PlaneScene;
-
-double median(std::vector<double> v) {
-  std::nth_element(v.begin(), v.begin() + long(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
 
 struct Errors {
   int searched = 0;

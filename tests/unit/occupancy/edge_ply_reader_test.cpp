@@ -10,14 +10,14 @@
 #include "edgevo/occupancy/edge_ply.h"
 #include "edgevo/occupancy/octree_map.h"
 #include "support/temp_folder.h"
+#include "support/text.h"
 #include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
 
+using testing::content;
 using ::testing::HasSubstr;
-
-std::string content(const std::string& path) { return read_file(path, ""); }
 
 edgevo::Run made_run() {
   edgevo::Run run = testing::pole_and_wall(6, 5).run;

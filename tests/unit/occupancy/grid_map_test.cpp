@@ -6,14 +6,14 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "support/temp_folder.h"
+#include "support/text.h"
 #include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
 
+using testing::content;
 using ::testing::HasSubstr;
-
-std::string content(const std::string& path) { return read_file(path, ""); }
 
 struct MadeGrid {
   testing::PoleAndWall scene = testing::pole_and_wall(1, 5);

@@ -10,11 +10,13 @@
 
 #include "edgevo/core/error.h"
 #include "support/temp_folder.h"
+#include "support/text.h"
 #include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
 
+using testing::content;
 using ::testing::HasSubstr;
 using testing::pole_and_wall;
 
@@ -28,13 +30,6 @@ OccupancyParams fixed_size(const char* resolution = "0.1") {
 octomap::point3d in_map(const edgevo::Run& run, const Eigen::Vector3d& p_world) {
   const Eigen::Vector3d p = T_map_world(run) * p_world;
   return {float(p.x()), float(p.y()), float(p.z())};
-}
-
-std::string content(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 enum class Voxel { kUnknown, kFree, kOccupied };

@@ -24,8 +24,6 @@ ReferenceCloud grid_cloud(const Pinhole& camera) {
 
 constexpr int kLong = 1000;  // frames since the last keyframe
 
-using Action = KeyframeDecision::Action;
-
 // What the rules see, and which one fires; flows at the width of these images, which is the reference width.
 struct Seen : KeyframeView {
   std::string rule;
@@ -238,21 +236,22 @@ class Policy : public Decision {
 };
 
 TEST_F(Policy, AnActionHasAReason) {
-  EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), false).action, Action::kNone);
+  EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), false).action, KeyframeDecision::Action::kNone);
   EXPECT_FALSE(policy.follows_keyframe());
   const KeyframeDecision made = policy.decide(tracked_at(move(0, 0, -1.2)), reference(), false);
-  EXPECT_EQ(made.action, Action::kMake);
+  EXPECT_EQ(made.action, KeyframeDecision::Action::kMake);
   EXPECT_EQ(made.rule, "parallax");
   EXPECT_TRUE(policy.follows_keyframe());
 }
 
 TEST_F(Policy, WaitsForTheMappingAndCounts) {
   for (int i = 1; i <= 3; ++i) {
-    EXPECT_EQ(policy.decide(tracked_at(move(0, 0, -1.2)), reference(), true).action, Action::kPostpone);
+    EXPECT_EQ(policy.decide(tracked_at(move(0, 0, -1.2)), reference(), true).action,
+              KeyframeDecision::Action::kPostpone);
     EXPECT_EQ(policy.postponed(), i);
     EXPECT_FALSE(policy.follows_keyframe()) << "none was made";
   }
-  EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), true).action, Action::kNone);
+  EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), true).action, KeyframeDecision::Action::kNone);
   EXPECT_EQ(policy.postponed(), 0);
 }
 
@@ -261,7 +260,7 @@ TEST_F(Policy, ReturnsToAnOlderKeyframe) {
   KeyframePolicy by_share(camera, params);
   Reference row = row_of_keyframes(camera);
   const KeyframeDecision d = by_share.decide(tracked_at(move(2, 0, 0)), row, false);
-  EXPECT_EQ(d.action, Action::kReturn);
+  EXPECT_EQ(d.action, KeyframeDecision::Action::kReturn);
   EXPECT_EQ(d.return_to, 2);
 }
 

@@ -17,10 +17,10 @@ using test::sweep_frame;
 using test::sweep_pose;
 using test::trajectory_error;
 
-constexpr int kFrames = 110;  // about 3.5 of way
+constexpr int kSweepFrames = 110;  // about 3.5 of way
 
 const Run& whole_sweep() {
-  static const auto run = run_sweep(kFrames);
+  static const auto run = run_sweep(kSweepFrames);
   return run;
 }
 
@@ -34,8 +34,8 @@ int count(const Run& run, TrackingState state, int begin = 0, int end = 1 << 30)
 
 TEST(Odometry, EveryFrameHasARecordInOrder) {
   const auto& run = whole_sweep();
-  ASSERT_EQ(run.frames.size(), size_t(kFrames));
-  for (int k = 0; k < kFrames; ++k) {
+  ASSERT_EQ(run.frames.size(), size_t(kSweepFrames));
+  for (int k = 0; k < kSweepFrames; ++k) {
     const FrameRecord& f = run.frames[size_t(k)];
     EXPECT_EQ(f.index, k);
     EXPECT_EQ(f.time, sweep_frame(k).time);
@@ -55,8 +55,8 @@ TEST(Odometry, FollowsTheSweepFromItsFirstFrame) {
     EXPECT_TRUE(f.T_world_cam_live);
   }
   EXPECT_LT(run.frames.front().T_world_cam->log().norm(), 1e-9);
-  const auto e = trajectory_error(run, 0, kFrames, sweep_pose);
-  EXPECT_EQ(e.poses, kFrames);
+  const auto e = trajectory_error(run, 0, kSweepFrames, sweep_pose);
+  EXPECT_EQ(e.poses, kSweepFrames);
   EXPECT_LT(e.rmse, 0.02 * e.length);
 }
 
@@ -71,7 +71,7 @@ TEST(Odometry, KeyframesCarryPointsWithTrueDepth) {
   const auto& run = whole_sweep();
   const test::HollowScene scene;
   ASSERT_GT(run.keyframes.size(), 4u);
-  const double scale = trajectory_error(run, 0, kFrames, sweep_pose).scale;
+  const double scale = trajectory_error(run, 0, kSweepFrames, sweep_pose).scale;
   std::vector<double> error;
   for (size_t i = 0; i < run.keyframes.size(); ++i) {
     const KeyframeRecord& k = run.keyframes[i];
@@ -131,7 +131,7 @@ void expect_equal_runs(const Run& a, const Run& b) {
   }
 }
 
-TEST(Odometry, TwoRunsAreIdentical) { expect_equal_runs(whole_sweep(), run_sweep(kFrames)); }
+TEST(Odometry, TwoRunsAreIdentical) { expect_equal_runs(whole_sweep(), run_sweep(kSweepFrames)); }
 
 // ---- loss ----
 

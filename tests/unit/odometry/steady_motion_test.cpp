@@ -56,7 +56,7 @@ TEST(SteadyMotion, AGapInterrupts) {
   EXPECT_TRUE(m.usual());  // the deviations have stayed
 }
 
-Timestamp at(double seconds) { return Timestamp::from_seconds(seconds); }
+Timestamp time_at(double seconds) { return Timestamp::from_seconds(seconds); }
 
 // A camera that has come towards the plane by 1 cm a frame, give or take 1 mm, and stands at the reference
 // now.
@@ -66,11 +66,11 @@ MotionModel approaching() {
   for (int i = 0; i < kKnown + 10; ++i)
     T.push_back(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.009 : 0.011, 0, 0, 0)) * T.back());
   const SE3 last = T.back().inverse();
-  m.begin_frame(at(0));
+  m.begin_frame(time_at(0));
   m.restart(SE3());
   m.change_reference(T.front() * last);  // the reference is where the last frame is
   for (size_t i = 1; i < T.size(); ++i) {
-    m.begin_frame(at(0.1 * double(i)));
+    m.begin_frame(time_at(0.1 * double(i)));
     m.follow(T[i] * last);
   }
   return m;
@@ -119,7 +119,7 @@ TEST(UsualStep, AJumpThatTheImageShowsStays) {
 // The source left frames out: the usual step is that of one frame.
 TEST(UsualStep, ThereIsNoneOverAGap) {
   MotionModel m = approaching();
-  m.begin_frame(at(100));
+  m.begin_frame(time_at(100));
   EXPECT_FALSE(UsualStep::of(m));
 }
 
@@ -136,7 +136,7 @@ TEST(UsualStep, ThereIsNoneOfAnUnsteadyCamera) {
   MotionModel swaying;
   swaying.restart(SE3());
   for (int i = 0; i < kKnown + 10; ++i) {
-    swaying.begin_frame(at(0.1 * i));
+    swaying.begin_frame(time_at(0.1 * i));
     swaying.follow(SE3::exp(twist(0, 0, i % 2 == 0 ? 0.01 : 0, 0, 0, 0)));
   }
   ASSERT_TRUE(swaying.steady().usual());

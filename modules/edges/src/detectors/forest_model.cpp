@@ -13,11 +13,11 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kRemedy =
+constexpr const char* kForestRemedy =
     "give a model in OpenCV's format for structured forests, such as share/training makes";
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw InputError(where, what, kRemedy);
+  throw InputError(where, what, kForestRemedy);
 }
 
 // An option by its name in the file, and the values with which OpenCV's arithmetic holds and a frame takes
@@ -182,7 +182,7 @@ ForestModel parse_forest(const std::string& text, const std::string& where) {
 }
 
 ForestModel read_forest(const std::string& path) {
-  check_regular_file(path, kRemedy);
+  check_regular_file(path, kForestRemedy);
   const ForestModel model = open_forest(path, cv::FileStorage::READ, path);
   validate_forest(model, path);
   return model;

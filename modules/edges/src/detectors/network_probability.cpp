@@ -18,7 +18,7 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kRemedy =
+constexpr const char* kNetworkRemedy =
     "give a network in ONNX that OpenCV reads, with its description beside it (NAME.onnx, NAME.yaml)";
 
 // NAME.onnx and NAME.yaml, whichever of the two was named.
@@ -27,14 +27,14 @@ std::string beside(const std::string& path, const char* extension) {
 }
 
 cv::dnn::Net load(const std::string& path) try {
-  check_regular_file(path, kRemedy);
+  check_regular_file(path, kNetworkRemedy);
   const QuietOpenCv quiet;
   cv::dnn::Net net = cv::dnn::readNetFromONNX(path);
   net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);  // the same on every machine
   net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
   return net;
 } catch (const cv::Exception& e) {
-  throw InputError(path, "is no network that can be used: " + one_line(e), kRemedy);
+  throw InputError(path, "is no network that can be used: " + one_line(e), kNetworkRemedy);
 }
 
 // 1 x channels x height x width. `image` is continued to `size` by mirroring; its pixels stay where they are.

@@ -12,7 +12,7 @@ namespace edgevo {
 namespace {
 
 constexpr size_t kShown = 200;  // rows; the others wait for a click
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 struct Column {
   const char *name, *unit, *help;
@@ -21,7 +21,7 @@ struct Column {
 };
 
 double if_evaluated(const RunFigures& f, const std::function<double(const TrajectoryEvaluation&)>& value) {
-  return f.evaluation ? value(*f.evaluation) : kNone;
+  return f.evaluation ? value(*f.evaluation) : kNoValue;
 }
 
 const std::vector<Column>& columns() {
@@ -34,7 +34,7 @@ const std::vector<Column>& columns() {
        [](const RunFigures& f) { return f.ate_percent(); }},
       {"drift", "cm/m", "mean over stretches, scale re-corrected every 200 frames", 2,
        [](const RunFigures& f) {
-         return if_evaluated(f, [](const auto& e) { return e.drift ? e.drift->mean_cm_per_m : kNone; });
+         return if_evaluated(f, [](const auto& e) { return e.drift ? e.drift->mean_cm_per_m : kNoValue; });
        }},
       {"scale", "m/unit", "metres that one unit of the run is", 4,
        [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.scale; }); }},

@@ -14,7 +14,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotAligned = std::numeric_limits<double>::quiet_NaN();
 
 std::string color_of(TrackingState state) {
   switch (state) {
@@ -78,7 +78,9 @@ std::string keyframe_rules(const Run& run) {
 std::string tracking_section(const Run& run) {
   Ribbon ribbon{seconds_of(run), {}};
   for (const FrameRecord& f : run.frames) ribbon.color.push_back(color_of(f.state));
-  const auto aligned = [](const FrameRecord& f, double value) { return f.inlier_share > 0 ? value : kNone; };
+  const auto aligned = [](const FrameRecord& f, double value) {
+    return f.inlier_share > 0 ? value : kNotAligned;
+  };
   const TimeChart inliers = chart_of(run, "inlier share", palette::kBlue,
                                      [&](const auto& f) { return aligned(f, f.inlier_share); });
   const TimeChart residual = chart_of(run, "residual, px", palette::kPurple,

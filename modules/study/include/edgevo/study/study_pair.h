@@ -36,7 +36,4 @@ HostView make_host(std::shared_ptr<const FramePyramid> pyramid, std::vector<Stud
 TargetView make_target(const HostView& host, std::shared_ptr<const FramePyramid> pyramid,
                        const ViewPair& views, const SE3& T_step);
 
-/// CPU time of this thread, milliseconds.
-double thread_cpu_ms();
-
 }  // namespace edgevo
