@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "bench_run.h"
 #include "commands.h"
@@ -76,19 +77,29 @@ BenchList at_hand(BenchList list, const std::string& path, const std::string& da
   return list;
 }
 
-BenchVariant every(int n) {
+BenchVariant every(int n, const std::string& detector) {
   BenchVariant variant;
   if (n > 1) variant.name = "every" + std::to_string(n), variant.every = n;
+  if (!detector.empty()) variant.name += "+" + detector, variant.detector = detector;
   return variant;
 }
 
-// Each survey of the user's, whole and every third frame.
+std::set<std::string> detectors_in(const BenchList& list) {
+  std::set<std::string> detectors;
+  for (const BenchSequence& sequence : list.sequences)
+    for (const BenchVariant& variant : sequence.variants) detectors.insert(variant.detector);
+  return detectors.empty() ? std::set<std::string>{""} : detectors;
+}
+
+// Each survey of the user's, whole and every third frame, by each detector of the list.
 void add_surveys(const std::string& data, BenchList* list) {
+  const std::set<std::string> detectors = detectors_in(*list);
   for (const Survey& survey : surveys_in(data)) {
     BenchSequence sequence;
     sequence.name = survey.name;
     sequence.source = fs::absolute(survey.folder).lexically_normal().string();
-    sequence.variants = {every(1), every(3)};
+    for (const std::string& detector : detectors)
+      for (const int n : {1, 3}) sequence.variants.push_back(every(n, detector));
     list->sequences.push_back(sequence);
   }
 }

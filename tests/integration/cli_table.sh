@@ -24,12 +24,13 @@ cp out/table1.md first.md
 run_code 0 "$edgevo" table 1 --list lake.yaml --trials 2 -o out
 same "table of a second call, which runs nothing" first.md out/table1.md
 
-# A user's surveys are added, whole and every third frame; without a map their truth is told to be coarse.
+# A user's surveys are added, whole and every third frame, by the detectors of the list; without a map their truth is told to be coarse.
+sed 's/^variants.*/&\ndetectors: edge_drawing/' lake.yaml >drawn.yaml
 run_code 0 "$edgevo" simulate lakeshore --season spring --frames 0:36 --layout symphony_lake -o archive
 rm -r archive/Maps
-run_code 0 "$edgevo" table 1 --list lake.yaml --seeds 3 --data archive -o surveys
-check "a row of surveys" "$(grep -c '^| \*\*edgevo, canny, surveys\*\* |' surveys/table1.md)" -eq 1
-check "jobs of the survey" "$(ls -d surveys/150415/normal/seed3 surveys/150415/every3/seed3 | wc -l)" -eq 2
+run_code 0 "$edgevo" table 1 --list drawn.yaml --seeds 3 --data archive -o surveys
+check "a row of surveys" "$(grep -c '^| \*\*edgevo, edge_drawing, surveys\*\* |' surveys/table1.md)" -eq 1
+check "jobs of the survey" "$(ls -d surveys/150415/normal+edge_drawing/seed3 surveys/150415/every3+edge_drawing/seed3 | wc -l)" -eq 2
 check "coarse truth is told" "$(grep -c '^Ground truth of 150415 is coarse' surveys/table1.md)" -eq 1
 
 cat >kitti.yaml <<'LIST'

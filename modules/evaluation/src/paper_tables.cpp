@@ -12,8 +12,7 @@ namespace {
 constexpr const char* kSeasons[4] = {"spring", "summer", "autumn", "winter"};
 constexpr double kFailed_cm_per_m = 30;  // the paper's "maximum tracking error"
 constexpr const char* kKitti = "kitti";
-
-std::string before_detector(const std::string& sequence) { return sequence.substr(0, sequence.rfind('-')); }
+constexpr const char* kUsualDetector = "canny";
 
 bool is_survey(const std::string& sequence) {
   return !sequence.empty() && std::isdigit(static_cast<unsigned char>(sequence[0]));
@@ -37,9 +36,8 @@ struct VariantWords {
   }
 };
 
-// As the variant names it, else as the sequence does.
 std::string detector_used(const BenchRow& row) {
-  return row.detector.empty() ? detector_of(row.sequence) : row.detector;
+  return row.detector.empty() ? kUsualDetector : row.detector;
 }
 
 struct Summary {
@@ -131,9 +129,9 @@ TableRow own_row(const std::string& name, const Rows& rows) {
 
 // "00" of "kitti00"; the name itself of anything else, such as a piece.
 std::string kitti_row_name(const std::string& sequence) {
-  const std::string name = before_detector(sequence);
-  const std::string rest = name.rfind(kKitti, 0) == 0 ? name.substr(std::string(kKitti).size()) : name;
-  return rest.size() == 2 ? rest : name;
+  const std::string rest =
+      sequence.rfind(kKitti, 0) == 0 ? sequence.substr(std::string(kKitti).size()) : sequence;
+  return rest.size() == 2 ? rest : sequence;
 }
 
 bool is_whole(const std::string& row_name) { return row_name.size() == 2; }
@@ -205,18 +203,12 @@ double drift_with_failures(const Trial& trial) {
 }
 
 std::string season_of(const std::string& sequence) {
-  const std::string name = before_detector(sequence);
   for (const char* season : kSeasons)
-    if (name == season) return season;
-  if (!is_survey(name) || name.size() < 4) return {};
-  const int month = std::atoi(name.substr(2, 2).c_str());
+    if (sequence == season) return season;
+  if (!is_survey(sequence) || sequence.size() < 4) return {};
+  const int month = std::atoi(sequence.substr(2, 2).c_str());
   if (month < 1 || month > 12) return {};
   return kSeasons[(month + 9) % 12 / 3];  // March begins spring
-}
-
-std::string detector_of(const std::string& sequence) {
-  const size_t dash = sequence.rfind('-');
-  return dash == std::string::npos ? "canny" : sequence.substr(dash + 1);
 }
 
 PrintedTable lake_table(const BenchHeader& header, const std::vector<BenchRow>& rows,
@@ -255,7 +247,7 @@ PrintedTable kitti_table(const BenchHeader& header, const std::vector<BenchRow>&
   for (const BenchRow& row : rows)
     if (std::find(detectors.begin(), detectors.end(), detector_used(row)) == detectors.end())
       detectors.push_back(detector_used(row));
-  if (detectors.empty()) detectors.push_back("canny");
+  if (detectors.empty()) detectors.push_back(kUsualDetector);
   for (const std::string& detector : detectors) table.columns.push_back("edgevo, " + detector);
   const auto is_missing = [&](const std::string& name) {
     return std::any_of(not_at_hand.begin(), not_at_hand.end(),

@@ -66,7 +66,7 @@ TEST(LakeTable, PaperAndOursInTheirColumns) {
       lake_table({{"edgevo", "1"}},
                  {{"winter", "normal", {paper_trial(0, 2.0), paper_trial(10, 4.0)}, 0, ""},
                   {"winter", "every3", {paper_trial(50, 9.0)}, 0, ""},
-                  {"spring-edge_drawing", "mixed", {paper_trial(1, 1.0)}, 1, ""}},
+                  {"spring", "mixed+edge_drawing", {paper_trial(1, 1.0)}, 1, "edge_drawing"}},
                  {"what differs"});
   EXPECT_EQ(table.columns.size(), 18u);
   EXPECT_EQ(cell(table, "paper: DSO", "winter fail %"), "15.9");
@@ -117,7 +117,7 @@ TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
   EXPECT_EQ(season_of("150228"), "winter");
   EXPECT_EQ(season_of("150301"), "spring");
   EXPECT_EQ(season_of("160808f"), "summer");
-  EXPECT_EQ(season_of("141107-edge_drawing"), "autumn");
+  EXPECT_EQ(season_of("141107"), "autumn");
   EXPECT_EQ(season_of("141207"), "winter");
   EXPECT_EQ(season_of("149907"), "");
   EXPECT_EQ(season_of("pond"), "");

@@ -86,7 +86,7 @@ TEST(RunReport, TellsWhichRulesCalledForKeyframes) {
   made.run.frames[5].keyframe_rule = "return";
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
   const std::string keyframes = std::to_string(made.run.keyframes.size());
-  EXPECT_THAT(html, HasSubstr("<td>fast motion</td><td>" + keyframes + "</td><td>0</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>view leaves</td><td>" + keyframes + "</td><td>0</td>"));
   EXPECT_THAT(html, HasSubstr("<td>return</td><td>0</td><td>1</td>"));
 }
 

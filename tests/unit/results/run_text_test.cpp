@@ -29,7 +29,7 @@ TEST_F(RunTextTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
             "needed,,,6.000,2.000,");
   EXPECT_EQ(rows[46 - 3],
-            "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,fast motion,,8.200,2.000,20.000");
+            "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,8.200,2.000,20.000");
   for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 14u) << row;
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 // The paper's two tables of whole systems with trials of ours beside its figures.
 //
-// A sequence's name in a list (share/bench/table1.yaml, table2.yaml) says where its trials stand: COLUMN, or
-// COLUMN-DETECTOR where the detector is not the usual one (or the variant names it). COLUMN of the lake is a
-// season, or a survey's date YYMMDD, whose month tells the season; of KITTI it is the table's row (kitti00,
-// kitti00_first300). Of a variant `every3` says the half of the lake's table, its light is named with the
-// method.
+// A sequence's name in a list (share/bench/table1.yaml, table2.yaml) says where its trials stand: of the lake
+// it is a season, or a survey's date YYMMDD, whose month tells the season; of KITTI it is the table's row
+// (kitti00, kitti00_first300). Of a variant `every3` says the half of the lake's table; its detector and its
+// light are named with the method.
 #include <string>
 #include <vector>
 
@@ -19,10 +18,8 @@ double failure_percent(const Trial& trial);
 double drift_with_failures(
     const Trial& trial);  ///< cm/m; of a trial that could not be compared that of a failure
 
-/// "spring" of "spring-edge_drawing" or "150415"; empty if it is neither a season nor a date.
+/// "spring" of "spring" or "150415"; empty if it is neither a season nor a date.
 std::string season_of(const std::string& sequence);
-/// Behind the last "-" of a sequence's name; "canny" where there is none.
-std::string detector_of(const std::string& sequence);
 
 /// Table I: a row for each method of the paper, then one for each detector and light of ours, rendered scenes
 /// and surveys apart. Means over the trials and sequences of a season [least..most].
