@@ -209,7 +209,7 @@ TEST(Track, PhotometricCostAgreesWithTheTruth) {
 
 // Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges
 // are those of the scene.
-TEST(Track, EdgesOverruleMisledGrayLevels) {
+TEST(Align, EdgesOverruleMisledGrayLevels) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)),
             elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
@@ -224,8 +224,8 @@ TEST(Track, EdgesOverruleMisledGrayLevels) {
   for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
   ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
       << "what comes of following them";
-  const TrackResult r = track(current, cloud, {T_cur_ref}, AlignmentParams());
-  EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
+  const PoseCandidate found = align(current, cloud, {T_cur_ref}, AlignmentParams());
+  EXPECT_LT((found.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
 }
 
 // Points that leave the view must not hold the camera back, nor may a pose win by pushing them out.
