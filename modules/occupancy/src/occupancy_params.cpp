@@ -35,6 +35,8 @@ void OccupancyParams::visit(ParamVisitor& v) {
            "near is within this share of the point's range");
   v.number("prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel that holds a point, per sight");
   v.number("prob_miss", prob_miss, 0.01, 0.49, "occupancy of a voxel that a ray crosses, per keyframe");
+  v.boolean("fill", fill, "walls without texture between straight edges are occupied, as --fill");
+  v.number("fill_prob", fill_prob, 0.51, 0.99, "occupancy of a voxel of such a wall");
   auto group = v.group("points");
   points.visit(v);
 }

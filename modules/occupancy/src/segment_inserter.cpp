@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace edgevo {
 namespace {
@@ -19,11 +20,12 @@ octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), fl
 }  // namespace
 
 SegmentInserter::SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
-                                 OctreeStats* stats)
+                                 OctreeStats* stats, OnSeenThrough on_seen_through)
     : pinhole_(pinhole),
       limits_(limits),
       tree_(tree),
       stats_(stats),
+      on_seen_through_(std::move(on_seen_through)),
       points_(std::max(neighbour_radius(kFarthest * limits.max_range), tree->getResolution())) {}
 
 void SegmentInserter::note_points(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
@@ -108,6 +110,7 @@ void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, 
       std::max(limits_.carve_stop_sigmas * relative_sigma * range, kDiagonal * tree_->getResolution());
   const double length = std::min(range - margin, limits_.max_range);
   if (length <= 0) return;
+  if (on_seen_through_) on_seen_through_(T_map_cam * (p_cam * ((range - margin) / range)));
   const octomap::point3d origin = to_octomap(T_map_cam.translation());
   const octomap::point3d end = to_octomap(T_map_cam * (p_cam * (length / range)));
   octomap::OcTreeKey origin_key, end_key;

@@ -2,6 +2,7 @@
 // Keyframe after keyframe of one segment into an octree, each as one batch.
 #include <octomap/OcTree.h>
 
+#include <functional>
 #include <unordered_map>
 
 #include "edgevo/core/point_filter.h"
@@ -21,11 +22,14 @@ struct InsertionLimits {
   double carve_neighbour_share = 0;
 };
 
+/// Told where the empty space ends that a certain point shows: some sigmas before it, whatever its range.
+using OnSeenThrough = std::function<void(const Eigen::Vector3d& end)>;
+
 class SegmentInserter {
  public:
   /// `tree` and `stats` outlive this.
   SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
-                  OctreeStats* stats);
+                  OctreeStats* stats, OnSeenThrough on_seen_through = {});
 
   /// Notes where the points of a keyframe lie: those of all keyframes tell which of them have neighbours.
   /// Before the first insert().
@@ -49,6 +53,7 @@ class SegmentInserter {
   const InsertionLimits limits_;
   octomap::OcTree* const tree_;
   OctreeStats* const stats_;
+  const OnSeenThrough on_seen_through_;
 
   PointCells points_;  ///< of the whole segment, in the map's world
   int batch_ = 0;      ///< number of the keyframe within the segment

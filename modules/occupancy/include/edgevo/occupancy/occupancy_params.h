@@ -23,6 +23,8 @@ struct OccupancyParams {
   /// Probabilities, per keyframe: of a voxel with a point and of one that a ray crosses.
   double prob_hit = 0.7,
          prob_miss = 0.4;  ///< per keyframe, of a voxel with a point and of one that a ray crosses
+  bool fill = false;       ///< walls without texture, framed by straight edges, are occupied
+  double fill_prob = 0.6;  ///< of their voxels: less than that of a point seen once
   PointFilter points;      ///< which points are mapped
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
