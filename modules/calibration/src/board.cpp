@@ -76,9 +76,10 @@ std::optional<BoardView> find_chessboard(const GrayImage& image, const Board& bo
                                    cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY))
     return std::nullopt;
   BoardView view;
-  for (int i = 0; i < int(corners.size()); ++i)
-    add(&view, i, corners[size_t(i)],
-        float(board.square_m) * Eigen::Vector2f(float(i % board.columns), float(i / board.columns)));
+  for (int i = 0; i < int(corners.size()); ++i) {
+    const int column = i % board.columns, row = i / board.columns;
+    add(&view, i, corners[size_t(i)], float(board.square_m) * Eigen::Vector2f(float(column), float(row)));
+  }
   return view;
 }
 
