@@ -110,7 +110,7 @@ printf 'a: \000\001\377\376: [\n' >binary.yaml
 yaml binary.yaml
 printf 'a:\n\t- b\n' >tab.yaml
 yaml tab.yaml
-scene() { sed "$1" "$(dirname "$0")/../../datasets/scenes/desk.yaml" >scene.yaml && bad "$2" "$edgevo" simulate scene.yaml --frames 0:1 -o scene_out; }
+scene() { sed "$1" "$here/../../datasets/scenes/desk.yaml" >scene.yaml && bad "$2" "$edgevo" simulate scene.yaml --frames 0:1 -o scene_out; }
 scene 's/width: 640/width: 2000000000/' "width"
 scene 's/height: 480/height: -480/' "height"
 scene 's/fx: 517.3/fx: .nan/' "fx"

@@ -2,7 +2,6 @@
 # A street through a lens with k1 = 0.01, of which the camera file knows nothing: the run finds it and its scale does not grow; calibrate,
 # and the corrected file is right and of use to others. At two thirds of the street's image size, to be done sooner.
 . "$(dirname "$0")/cli_common.sh"
-here=$(cd "$(dirname "$0")" && pwd)
 
 sed '/^camera:/,/^motion:/{
   s/width: .*/width: 827/; s/height: .*/height: 251/; s/f\([xy]\): .*/f\1: 479.24/; s/cx: .*/cx: 404.6/; s/cy: .*/cy: 123.3/

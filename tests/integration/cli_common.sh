@@ -4,8 +4,9 @@
 # one line a check and ends with code 0 when all hold, 77 (ctest: skipped) when it could not test here.
 set -u
 export LC_ALL=C
-edgevo=${1:?usage: $0 EDGEVO SCENES}
-scenes=${2:?usage: $0 EDGEVO SCENES}
+edgevo=$(realpath -m "${1:?usage: $0 EDGEVO SCENES}")
+scenes=$(realpath -m "${2:?usage: $0 EDGEVO SCENES}")
+here=$(realpath "$(dirname "$0")")
 work=$(mktemp -d)
 cleanup() { :; }
 trap 'cleanup; rm -rf "$work"' EXIT

@@ -2,7 +2,6 @@
 # kill -9 in the middle of a run: what it had is on disk, `edgevo finish` makes all files of it, the stock tools open them, and
 # nobody writes over it meanwhile.
 . "$(dirname "$0")/cli_common.sh"
-here=$(cd "$(dirname "$0")" && pwd)
 sequence=$scenes/street whole=$scenes/runs/street
 
 # A long sequence that begins as the short one: there and back, so that the run cannot end before the signal.

@@ -32,6 +32,7 @@ fi
 needs edgevo "libopencv-core.*"
 needs edgevo "libmrpt-obs.*"
 needs edgevo-mrpt-plugin "libmrpt-hwdrivers.*"
+check "scripts in Python, which it does not depend on" "$(dpkg-deb -c $(deb edgevo) | grep -c '\.py$')" -eq 0
 # What links ViSP, which is under the GPL, is apart.
 for package in edgevo libedgevo-dev edgevo-mrpt-plugin; do
   check "what $package needs of ViSP" "$(depends $package | grep -c visp)" -eq 0

@@ -1,7 +1,6 @@
 #!/bin/sh
 # A drive through the rendered street: run, eval, every file of the design, and the stock tools on all of it.
 . "$(dirname "$0")/cli_common.sh"
-here=$(cd "$(dirname "$0")" && pwd)
 sequence=$scenes/street
 frames=$(wc -l <"$sequence/times.txt")
 

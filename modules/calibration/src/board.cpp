@@ -1,5 +1,6 @@
 #include "edgevo/calibration/board.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <map>
@@ -38,11 +39,29 @@ cv::Mat pixels_of(const GrayImage& image) {
   return cv::Mat(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
 }
 
-// Where the gradients around a corner meet. OpenCV's own window shrinks with the markers' distance, to
-// nothing.
-void refine(const cv::Mat& pixels, std::vector<cv::Point2f>* corners) {
+using Quads = std::vector<std::vector<cv::Point2f>>;
+
+// How far around a corner only its own edges are seen: the nearest corner of a marker would draw it there,
+// and its blur reaches a pixel farther. OpenCV's own window shrinks to nothing, ours to 5x5.
+int half_window(const cv::Point2f& corner, const Quads& markers) {
+  constexpr float kBlurPx = 1;
+  constexpr int kLeast = 2, kMost = 5;
+  float nearest = kMost + kBlurPx;
+  for (const auto& marker : markers)
+    for (const cv::Point2f& p : marker)
+      nearest = std::min(nearest, std::max(std::abs(p.x - corner.x), std::abs(p.y - corner.y)));
+  return std::max(kLeast, int(nearest - kBlurPx));
+}
+
+// Where the gradients around each corner meet.
+void refine(const cv::Mat& pixels, const Quads& markers, std::vector<cv::Point2f>* corners) {
   const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
-  cv::cornerSubPix(pixels, *corners, {4, 4}, {-1, -1}, until);
+  for (cv::Point2f& corner : *corners) {
+    const int half = half_window(corner, markers);
+    std::vector<cv::Point2f> one{corner};
+    cv::cornerSubPix(pixels, one, {half, half}, {-1, -1}, until);
+    corner = one.front();
+  }
 }
 
 void add(BoardView* view, int id, const cv::Point2f& px, const Eigen::Vector2f& p_board) {
@@ -57,9 +76,10 @@ std::optional<BoardView> find_chessboard(const GrayImage& image, const Board& bo
                                    cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY))
     return std::nullopt;
   BoardView view;
-  for (int i = 0; i < int(corners.size()); ++i)
-    add(&view, i, corners[size_t(i)],
-        float(board.square_m) * Eigen::Vector2f(float(i % board.columns), float(i / board.columns)));
+  for (int i = 0; i < int(corners.size()); ++i) {
+    const int column = i % board.columns, row = i / board.columns;
+    add(&view, i, corners[size_t(i)], float(board.square_m) * Eigen::Vector2f(float(column), float(row)));
+  }
   return view;
 }
 
@@ -75,14 +95,14 @@ struct BoardFinder::Charuco {
                                               dictionary)) {}
 
   std::optional<BoardView> find(const GrayImage& image) const {
-    std::vector<std::vector<cv::Point2f>> markers;
+    Quads markers;
     std::vector<int> marker_ids;
     cv::aruco::detectMarkers(pixels_of(image), dictionary, markers, marker_ids);
     if (marker_ids.empty()) return std::nullopt;
     std::vector<cv::Point2f> corners;
     std::vector<int> ids;
     cv::aruco::interpolateCornersCharuco(markers, marker_ids, pixels_of(image), board, corners, ids);
-    if (!corners.empty()) refine(pixels_of(image), &corners);
+    refine(pixels_of(image), markers, &corners);
     if (int(ids.size()) < kLeastCorners || cv::aruco::testCharucoCornersCollinear(board, ids))
       return std::nullopt;
     BoardView view;

@@ -52,7 +52,7 @@ double sigma(const Solution& s, int i) { return s.sigmas.at<double>(i); }
 // OpenCV's order: fx fy cx cy k1 k2 p1 p2 k3.
 Solution solve(const std::vector<BoardView>& views, const BoardViews& all) {
   constexpr int kK3 = 4, kSigmaOfK3 = 8;
-  const Solution full = solve_with(views, all, 0);
+  Solution full = solve_with(views, all, 0);
   if (std::abs(full.lens.at<double>(kK3)) > kSignificant * sigma(full, kSigmaOfK3)) return full;
   return solve_with(views, all, cv::CALIB_FIX_K3);
 }

@@ -1,7 +1,11 @@
 #!/bin/sh
 # Makes the pictures of the documentation from a rendered street: share/doc/pictures/make.sh [EDGEVO]
-# Needs Xvfb, xdotool and ImageMagick (share/install_dependencies.sh). Some minutes; no display.
-#   run.gif      `edgevo run --view`: path and map from above, the frame with its edges by inverse depth (blue far, red near)
+# Needs Xvfb, xdotool and ImageMagick (share/install_dependencies.sh), and chromium for the report. Some minutes; no display.
+#   run.gif            `edgevo run --view`: path and map from above, the frame with its edges by inverse depth (blue far, red near)
+#   report.png         the upper part of report.html
+#   rawlogviewer.png   RawLogViewer's "map from odometry" of playback.rawlog
+#   sceneviewer.png    SceneViewer3D's first view of scene.3Dscene
+#   servo.png          `edgevo servo`: the view at the start and at the end
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 edgevo=$(realpath "${1:-$here/../../../build/release/bin/edgevo}")
@@ -37,6 +41,33 @@ animate() {
   convert-im6.q16 -delay 15 -loop 0 frame*.png -resize 520x +dither -colors 32 -layers OptimizeTransparency "$here/run.gif"
 }
 
+# small COLOURS NAME: few colours, so that a picture stays below 100 kB.
+small() { convert-im6.q16 - +dither -colors "$1" "PNG8:$here/$2.png"; }
+
+report() {
+  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --virtual-time-budget=8000 --window-size=1300,3400 \
+    --screenshot=report.png "file://$work/run/report.html" 2>/dev/null
+  convert-im6.q16 report.png -crop 1040x3300+130+0 +repage -resize 620x png:- | small 48 report
+}
+
+# The windows of MRPT's programs, as their test leaves them.
+windows() {
+  tests=$here/../../../tests/integration
+  "$tests/cli_render.sh" "$edgevo" scenes
+  mkdir shots
+  "$tests/cli_windows.sh" "$edgevo" scenes shots
+  convert-im6.q16 shots/rawlogviewer_map.png -crop 810x467+28+0 +repage png:- | small 32 rawlogviewer
+  convert-im6.q16 shots/sceneviewer.png -crop 1185x940+84+26 +repage -resize 800x png:- | small 48 sceneviewer
+}
+
+servo() {
+  "$edgevo" servo --latency cpu -o servo --quiet
+  convert-im6.q16 servo/start.png servo/final.png +append -resize 900x png:- | small 48 servo
+}
+
 "$edgevo" simulate street --frames 0:75 -o street
 animate
+report
+windows
+servo
 ls -l "$here"

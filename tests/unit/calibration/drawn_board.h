@@ -1,5 +1,6 @@
 #pragma once
-// Images of a flat board through a known lens: nine rays a pixel into a texture.
+// Images of a flat board through a known lens: nine rays a pixel into a texture, which is interpolated.
+// Without that an edge would move by thirds of a pixel, and the corners with it.
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -56,12 +57,18 @@ class DrawnBoard {
     return {x.x(), x.y(), 1};
   }
   float brightness(const SE3& T_board_cam, const Eigen::Vector3d& ray) const {
-    constexpr float kAround = 110;
     const Eigen::Vector3d from = T_board_cam.translation(), along = T_board_cam.rotation() * ray;
     const Eigen::Vector3d at = px_per_m_ * (from - along * (from.z() / along.z()));
-    const int x = int(std::floor(at.x())), y = int(std::floor(at.y()));
-    return x < 0 || y < 0 || x >= texture_.cols || y >= texture_.rows ? kAround
-                                                                      : float(texture_.at<uint8_t>(y, x));
+    const double left = std::floor(at.x() - 0.5), top = std::floor(at.y() - 0.5);
+    const float u = float(at.x() - 0.5 - left), v = float(at.y() - 0.5 - top);
+    const int x = int(left), y = int(top);
+    return (1 - v) * ((1 - u) * texel(x, y) + u * texel(x + 1, y)) +
+           v * ((1 - u) * texel(x, y + 1) + u * texel(x + 1, y + 1));
+  }
+  float texel(int x, int y) const {
+    constexpr float kAround = 110;
+    const bool inside = x >= 0 && y >= 0 && x < texture_.cols && y < texture_.rows;
+    return inside ? float(texture_.at<uint8_t>(y, x)) : kAround;
   }
 
   Camera camera_;
