@@ -75,18 +75,19 @@ class Bridge {
   const Eigen::Vector2d start_, chord_;
 };
 
-// The certain nodes of all chains, by cells of the image as wide as a corner may be.
+// The nodes of all chains that may lend their depth, by cells of the image as wide as a corner may be.
 class CornerGrid {
  public:
-  CornerGrid(const EdgeMap& edges, const std::vector<SettledChain>& chains)
+  CornerGrid(const EdgeMap& edges, double max_relative_sigma, const std::vector<SettledChain>& chains)
       : edges_(edges), columns_(edges.width / kCornerPx + 1) {
     cells_.resize(size_t(columns_) * size_t(edges.height / kCornerPx + 1));
     for (const SettledChain& chain : chains)
       for (const SettledNode& s : chain)
-        if (s.is_known()) cells_[cell_of(pixel_of(s.node))].push_back(s.node);
+        if (s.is_known() && s.node.idepth_sigma <= max_relative_sigma * s.node.idepth)
+          cells_[cell_of(pixel_of(s.node))].push_back(s.node);
   }
 
-  // The nearest certain node of an edge that this one meets; null: none is near.
+  // The nearest node of an edge that this one meets; null: none is near.
   const EdgeNode* find(const EdgeNode& node) const {
     const EdgePixel& e = pixel_of(node);
     const EdgeNode* best = nullptr;
@@ -132,8 +133,8 @@ void bridge_gaps(const EdgeMap& edges, const IsShown& is_shown, SettledChain* ch
   }
 }
 
-void lend_at_corners(const EdgeMap& edges, std::vector<SettledChain>* chains) {
-  const CornerGrid grid(edges, *chains);
+void lend_at_corners(const EdgeMap& edges, double max_relative_sigma, std::vector<SettledChain>* chains) {
+  const CornerGrid grid(edges, max_relative_sigma, *chains);
   for (SettledChain& chain : *chains)
     for (SettledNode& s : chain) {
       if (s.is_known() || !(s.node.idepth > 0)) continue;

@@ -35,6 +35,7 @@ void bridge_gaps(const EdgeMap& edges, const IsShown& is_shown, SettledChain* ch
 
 /// An edge along the motion (a ledge, a sill) ends at a corner, whose upright edge has a depth: it is lent to
 /// a node whose own, uncertain one agrees. Where the upright edge stands in front it does not.
-void lend_at_corners(const EdgeMap& edges, std::vector<SettledChain>* chains);
+/// A lender's idepth_sigma / idepth is at most `max_relative_sigma`.
+void lend_at_corners(const EdgeMap& edges, double max_relative_sigma, std::vector<SettledChain>* chains);
 
 }  // namespace edgevo

@@ -18,6 +18,8 @@ constexpr double kSameIdepth = 0.03;  // hypotheses within this share are one
 constexpr double kMinSupport = 0.5;   // of the views in which a point lies, that must show it
 // Pixels that all views may be off alike, by the pose or the lens: no number of views averages it out.
 constexpr double kCommonPx = 0.25;
+// Of max_relative_sigma, for a depth that is lent at a corner: a bridge rests on two nodes alone.
+constexpr double kLenderShare = 0.5;
 // Of a depth that views move: it is the same within these deviations and this share.
 constexpr double kShownSigmas = 2, kShownShare = 0.02;
 
@@ -33,7 +35,7 @@ class DepthSearch {
 
   std::vector<EdgePiece> run() {
     for (const EdgeChain& chain : level_.edges.chains) follow(chain);
-    lend_at_corners(level_.edges, &settled_);
+    lend_at_corners(level_.edges, kLenderShare * params_.max_relative_sigma, &settled_);
     for (SettledChain& chain : settled_) bridge(&chain), collect(chain);
     return std::move(pieces_);
   }

@@ -37,8 +37,8 @@ struct Ledge {
               settled(edges.chains[2], kRight, kUprightSigma, Certain::kByViews)};
   }
 
-  int known(bool is_shown = true) {
-    lend_at_corners(edges, &chains);
+  int known(bool is_shown = true, double max_relative_sigma = 0.01) {
+    lend_at_corners(edges, max_relative_sigma, &chains);
     const auto shown = [is_shown](const SettledNode&, double) { return is_shown; };
     bridge_gaps(edges, shown, &chains[0]);
     return int(
@@ -78,6 +78,8 @@ TEST(ChainGaps, AnUprightInFrontLendsNothing) {
   ledge.tell_own(0.1, 0.02);
   EXPECT_EQ(ledge.known(), 0);
 }
+
+TEST(ChainGaps, AnUncertainUprightLendsNothing) { EXPECT_EQ(Ledge().known(true, 0.003), 0); }
 
 TEST(ChainGaps, AParallelEdgeLendsNothing) {
   Ledge ledge;
