@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "chain_gaps.h"
 #include "chain_labels.h"
 #include "chain_smoothing.h"
 #include "epipolar_crossings.h"
@@ -17,9 +18,10 @@ constexpr double kSameIdepth = 0.03;  // hypotheses within this share are one
 constexpr double kMinSupport = 0.5;   // of the views in which a point lies, that must show it
 // Pixels that all views may be off alike, by the pose or the lens: no number of views averages it out.
 constexpr double kCommonPx = 0.25;
-// Between two vertices of known depth: a longer gap, or a steeper one, may be more than one edge.
-constexpr double kMaxBridgePx = 200, kMaxBridgeRatio = 1.5;
-constexpr double kStraightPx = 1;  // across the chord: an edge is found to half a pixel
+// Of max_relative_sigma, for a depth that is lent at a corner: a bridge rests on two nodes alone.
+constexpr double kLenderShare = 0.5;
+// Of a depth that views move: it is the same within these deviations and this share.
+constexpr double kShownSigmas = 2, kShownShare = 0.02;
 
 class DepthSearch {
  public:
@@ -33,6 +35,8 @@ class DepthSearch {
 
   std::vector<EdgePiece> run() {
     for (const EdgeChain& chain : level_.edges.chains) follow(chain);
+    lend_at_corners(level_.edges, kLenderShare * params_.max_relative_sigma, &settled_);
+    for (SettledChain& chain : settled_) bridge(&chain), collect(chain);
     return std::move(pieces_);
   }
 
@@ -122,18 +126,12 @@ class DepthSearch {
     *hypotheses = std::move(best);
   }
 
-  // What is known of each node so far.
-  struct Settled {
-    EdgeNode node;
-    bool is_known = false, breaks = false;  // `breaks`: no connection to the next one
-  };
-
-  // Labels the nodes so far and takes their pieces over.
+  // Labels the nodes and settles their depths.
   void finish(std::vector<ChainNode>* nodes) {
     if (int(nodes->size()) >= params_.min_vertices) {
       carry_back(nodes);
       const ChainLabels labels = label_chain(*nodes);
-      std::vector<Settled> settled(nodes->size());
+      SettledChain settled(nodes->size());
       size_t begin = 0;
       for (size_t i = 0; i < nodes->size(); ++i) {
         settled[i].node.edge_pixel = (*nodes)[i].edge_pixel;
@@ -143,13 +141,13 @@ class DepthSearch {
         begin = i + 1;
       }
       bridge(&settled);
-      collect(settled);
+      settled_.push_back(std::move(settled));
     }
     nodes->clear();
   }
 
   void smooth_piece(const std::vector<ChainNode>& nodes, const std::vector<int>& label, size_t begin,
-                    size_t end, std::vector<Settled>* settled) const {
+                    size_t end, SettledChain* settled) const {
     std::vector<ChainValue> values;
     for (size_t i = begin; i < end; ++i) {
       const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
@@ -159,61 +157,34 @@ class DepthSearch {
     for (size_t i = begin; i < end; ++i) {
       const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
       const SmoothValue& s = smooth[i - begin];
-      Settled& to = (*settled)[i];
+      SettledNode& to = (*settled)[i];
       to.node = {nodes[i].edge_pixel, s.value, s.sigma, h.views, h.is_outline()};
       const double limit = params_.max_relative_sigma * s.value;
-      to.is_known = s.value > 0 && s.sigma <= limit;
+      if (s.value > 0 && s.sigma <= limit) to.certain = Certain::kByViews;
       const bool may_help = values[i - begin].common <= limit;
       told(to.node);
-      reached(to.node.edge_pixel, to.is_known ? EdgeFate::kShort
-                                  : may_help  ? EdgeFate::kUncertain
-                                              : EdgeFate::kAlongMotion);
+      reached(to.node.edge_pixel, to.is_known() ? EdgeFate::kShort
+                                  : may_help    ? EdgeFate::kUncertain
+                                                : EdgeFate::kAlongMotion);
     }
   }
 
-  // A straight stretch between two known ends is one line of space: its inverse depth is linear.
-  void bridge(std::vector<Settled>* settled) const {
-    size_t last = settled->size();
-    for (size_t i = 0; i < settled->size(); ++i) {
-      if (!(*settled)[i].is_known) continue;
-      if (last < i && i - last > 1 && is_straight(*settled, last, i)) interpolate(last, i, settled);
-      last = i;
-    }
+  void bridge(SettledChain* chain) {
+    const auto shown = [this](const SettledNode& s, double idepth) { return is_shown(s.node, idepth); };
+    bridge_gaps(level_.edges, shown, chain);
   }
 
-  Eigen::Vector2d position(const Settled& s) const {
-    return level_.edges.pixels[size_t(s.node.edge_pixel)].position().cast<double>();
+  // Views see an edge there, and do not tell that it is nearer or farther.
+  bool is_shown(const EdgeNode& node, double idepth) {
+    look_from(node.edge_pixel);
+    const Hypothesis h = weigh(sight_, views_, idepth, Guess::kCarriedAlong, max_idepth_, params_);
+    return is_supported(h) &&
+           (node.idepth > 0 ||
+            std::abs(h.idepth - idepth) <
+                kShownSigmas / std::sqrt(std::max(h.information, 1e-12)) + kShownShare * idepth);
   }
 
-  bool is_straight(const std::vector<Settled>& settled, size_t from, size_t to) const {
-    const Eigen::Vector2d a = position(settled[from]), chord = position(settled[to]) - a;
-    const double length = chord.norm();
-    if (!(length > 0) || length > kMaxBridgePx) return false;
-    const EdgeNode &p = settled[from].node, &q = settled[to].node;
-    if (std::max(p.idepth, q.idepth) > kMaxBridgeRatio * std::min(p.idepth, q.idepth)) return false;
-    for (size_t i = from; i < to; ++i) {
-      const Eigen::Vector2d d = position(settled[i]) - a;
-      if (settled[i].breaks || std::abs(chord.x() * d.y() - chord.y() * d.x()) > kStraightPx * length)
-        return false;
-    }
-    return true;
-  }
-
-  void interpolate(size_t from, size_t to, std::vector<Settled>* settled) const {
-    const Eigen::Vector2d a = position((*settled)[from]), chord = position((*settled)[to]) - a;
-    const EdgeNode p = (*settled)[from].node, q = (*settled)[to].node;
-    for (size_t i = from + 1; i < to; ++i) {
-      Settled& s = (*settled)[i];
-      const double share = chord.dot(position(s) - a) / chord.squaredNorm();
-      s.node.idepth = p.idepth + share * (q.idepth - p.idepth);
-      s.node.idepth_sigma = std::max(p.idepth_sigma, q.idepth_sigma);
-      s.node.views = std::min(p.views, q.views);
-      s.node.is_outline = p.is_outline && q.is_outline;
-      s.is_known = true;
-    }
-  }
-
-  void collect(const std::vector<Settled>& settled) {
+  void collect(const SettledChain& settled) {
     EdgePiece piece;
     const auto flush = [&] {
       if (int(piece.size()) >= params_.min_vertices) {
@@ -222,9 +193,9 @@ class DepthSearch {
       }
       piece.clear();
     };
-    for (const Settled& s : settled) {
-      if (s.is_known) piece.push_back(s.node);
-      if (!s.is_known || s.breaks) flush();
+    for (const SettledNode& s : settled) {
+      if (s.is_known()) piece.push_back(s.node);
+      if (!s.is_known() || s.breaks) flush();
     }
     flush();
   }
@@ -252,6 +223,7 @@ class DepthSearch {
   std::vector<TracedPixel>* trace_;  // may be null
   std::vector<ViewGeometry> views_;
   EdgeSight sight_;  // of the pixel at hand
+  std::vector<SettledChain> settled_;
   std::vector<EdgePiece> pieces_;
 };
 

@@ -79,6 +79,7 @@ void EdgeFusion::add_new_stretches(const EdgeHost& host, const EdgePiece& piece,
       const size_t from = begin > 0 ? begin - 1 : begin, to = end < piece.size() ? end + 1 : end;
       Line line;
       for (size_t i = from; i < to; ++i) line.push_back(make_vertex(host, piece[i], *explained));
+      add_pixels_between(host, &line);
       lines->push_back(std::move(line));
     }
     begin = std::max(end, begin + 1);
@@ -198,6 +199,15 @@ EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode&
   return v;
 }
 
+void EdgeFusion::add_pixels_between(const EdgeHost& host, Line* line) const {
+  const EdgeMap& edges = host.pyramid->finest().edges;
+  for (size_t i = 0; i + 1 < line->size(); ++i)
+    for (int k = (*line)[i].edge_pixel + 1; k < (*line)[i + 1].edge_pixel; ++k) {
+      const EdgeSides& sides = (*host.sides)[size_t(k)];
+      (*line)[i].after.push_back({edges.pixels[size_t(k)].position(), 0, 0, sides.dark, sides.bright});
+    }
+}
+
 void EdgeFusion::settle(const OpenHost& host) {
   HostedLines hosted{host.id, {}};
   for (const Line& line : host.lines) settle_line(host.id, line, &hosted.lines);
@@ -216,32 +226,50 @@ void EdgeFusion::trace(int keyframe, int edge_pixel, EdgeFate fate) const {
   if (trace_) trace_->at(keyframe)[size_t(edge_pixel)].reach(fate);
 }
 
+// Between two vertices the inverse depth is linear.
+void EdgeFusion::append_pixels_between(const Vertex& a, const Vertex& b, std::vector<EdgeVertex>* vertices) {
+  const size_t n = a.after.size();
+  for (size_t k = 0; k < n; ++k) {
+    const float share = float(k + 1) / float(n + 1);
+    EdgeVertex v = a.after[k];
+    v.idepth = a.vertex.idepth + share * (b.vertex.idepth - a.vertex.idepth);
+    v.idepth_sigma = std::max(a.vertex.idepth_sigma, b.vertex.idepth_sigma);
+    vertices->push_back(v);
+  }
+}
+
+EdgeLine EdgeFusion::finish(const std::vector<const Vertex*>& stretch) {
+  std::vector<EdgeVertex> found;
+  std::vector<int> keyframes;
+  size_t outline = 0;
+  EdgeLine line;
+  for (size_t i = 0; i < stretch.size(); ++i) {
+    found.push_back(stretch[i]->vertex);
+    keyframes.push_back(stretch[i]->seen);
+    outline += stretch[i]->is_outline;
+    if (i > 0) append_pixels_between(*stretch[i - 1], *stretch[i], &line.vertices);
+    line.vertices.push_back(stretch[i]->vertex);
+  }
+  line.keyframes = median(std::move(keyframes));
+  line.is_straight = is_straight(found);
+  line.is_outline = 2 * outline > stretch.size();
+  return line;
+}
+
 // Stretches of vertices that stay.
 void EdgeFusion::settle_line(int host, const Line& line, std::vector<EdgeLine>* lines) const {
-  EdgeLine stretch;
-  std::vector<int> keyframes;
-  int outline = 0;
+  std::vector<const Vertex*> stretch;
   const auto flush = [&] {
-    if (stretch.vertices.size() >= 2) {
-      stretch.keyframes = median(keyframes);
-      stretch.is_straight = is_straight(stretch.vertices);
-      stretch.is_outline = 2 * outline > int(stretch.vertices.size());
-      lines->push_back(stretch);
-    }
-    stretch.vertices.clear();
-    keyframes.clear();
-    outline = 0;
+    if (stretch.size() >= 2) lines->push_back(finish(stretch));
+    stretch.clear();
   };
   for (const Vertex& v : line) {
     const EdgeFate fate = fate_of(v);
     trace(host, v.edge_pixel, fate);
-    if (fate != EdgeFate::kKept) {
+    if (fate == EdgeFate::kKept)
+      stretch.push_back(&v);
+    else
       flush();
-      continue;
-    }
-    stretch.vertices.push_back(v.vertex);
-    keyframes.push_back(v.seen);
-    outline += v.is_outline;
   }
   flush();
 }
@@ -257,7 +285,10 @@ void EdgeFusion::apply(const MapRevision& revision) {
       if (host.id != r.id) continue;
       host.T_cam_world = r.T_cam_world;
       for (Line& line : host.lines)
-        for (Vertex& v : line) move(host.motion, r.length_ratio, &v.vertex);
+        for (Vertex& v : line) {
+          move(host.motion, r.length_ratio, &v.vertex);
+          for (EdgeVertex& between : v.after) move(host.motion, r.length_ratio, &between);
+        }
     }
     for (size_t i = 0; i < settled_.size(); ++i) {
       if (settled_[i].keyframe_id != r.id) continue;

@@ -31,7 +31,8 @@ class EdgeFusion {
  private:
   struct Vertex {
     EdgeVertex vertex;
-    int edge_pixel = -1;  // of its host
+    std::vector<EdgeVertex> after;  // the edge pixels from it to the next one on its line, without depth
+    int edge_pixel = -1;            // of its host
     Eigen::Vector2f normal;
     int seen = 1, missed = 0;              // keyframes
     int views = 0;                         // images that showed it to its host
@@ -58,9 +59,12 @@ class EdgeFusion {
   void count(Explained* explained) const;
   static void take_over(Vertex* v);
   Vertex make_vertex(const EdgeHost& host, const EdgeNode& node, const Explained& explained) const;
+  void add_pixels_between(const EdgeHost& host, Line* line) const;
   EdgeFate fate_of(const Vertex& v) const;
   void trace(int keyframe, int edge_pixel, EdgeFate fate) const;
   void settle(const OpenHost& host);
+  static void append_pixels_between(const Vertex& a, const Vertex& b, std::vector<EdgeVertex>* vertices);
+  static EdgeLine finish(const std::vector<const Vertex*>& stretch);
   void settle_line(int host, const Line& line, std::vector<EdgeLine>* lines) const;
 
   Pinhole pinhole_;

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Makes the pictures of the documentation from a rendered street: share/doc/pictures/make.sh [EDGEVO]
-# Needs Xvfb, xdotool and ImageMagick (share/install_dependencies.sh), and chromium for the report. Some minutes; no display.
+# Needs Xvfb, xdotool and ImageMagick (share/install_dependencies.sh), and chromium for the report and the map. Some minutes; no display.
 #   run.gif            `edgevo run --view`: path and map from above, the frame with its edges by inverse depth (blue far, red near)
+#   edge_map.png       the finished map of lines in report.html: from above, from behind, from the side
 #   report.png         the upper part of report.html
 #   rawlogviewer.png   RawLogViewer's "map from odometry" of playback.rawlog
 #   sceneviewer.png    SceneViewer3D's first view of scene.3Dscene
@@ -65,9 +66,32 @@ servo() {
   convert-im6.q16 servo/start.png servo/final.png +append -resize 900x png:- | small 48 servo
 }
 
+# map_from AZIMUTH ELEVATION DISTANCE: the map of run/report.html alone, degrees, times the distance at which it begins.
+map_from() {
+  cp run/report.html view.html
+  cat >>view.html <<EOF
+<script>addEventListener('load', () => {
+  const map = document.querySelector('.map3d'), view = map.view, degree = Math.PI / 180;
+  map.style.cssText += ';position:fixed;inset:0;z-index:9;margin:0';
+  setTimeout(() => view.goTo({azimuth: $1 * degree, elevation: $2 * degree, distance: $3 * view.start.distance}), 100);
+});</script>
+EOF
+  chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=900,700 --virtual-time-budget=4000 \
+    --screenshot="view_$2.png" "file://$work/view.html" 2>/dev/null
+}
+
+three_views() {
+  map_from 180 90 0.6
+  map_from 235 30 0.35
+  map_from 90 8 0.3
+  convert-im6.q16 view_90.png view_30.png view_8.png -crop 900x490+0+66 +repage -resize 640x +dither -colors 48 \
+    -append "$here/edge_map.png"
+}
+
 "$edgevo" simulate street --frames 0:75 -o street
 animate
 report
 windows
 servo
+three_views
 ls -l "$here"

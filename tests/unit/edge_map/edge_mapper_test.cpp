@@ -110,10 +110,29 @@ TEST(EdgeMapper, TheTraceTellsWhichPixelsBecameVertices) {
       if (pixels[i].fate == EdgeFate::kKept) kept.insert({id, edges.pixels[i].x, edges.pixels[i].y});
     }
   }
-  for (const auto& [at, idepth] : idepths_in(lines)) EXPECT_EQ(kept.count(at), 1u);
+  for (const HostedLines& h : lines)
+    for (const EdgeLine& line : h.lines)
+      for (const EdgeVertex* end : {&line.vertices.front(), &line.vertices.back()})
+        EXPECT_EQ(kept.count({h.keyframe_id, end->px.x(), end->px.y()}), 1u);
   for (const EdgeFate gate :
        {EdgeFate::kFewViews, EdgeFate::kAlongMotion, EdgeFate::kExplained, EdgeFate::kUnconfirmed})
     EXPECT_GT(fates[gate], 0) << to_string(gate);
+}
+
+TEST(EdgeMapper, ALineHasAVertexForEachEdgePixel) {
+  for (const HostedLines& h : lines_of(EdgeMapParams(), false)) {
+    const EdgeMap& edges = keyframes()[size_t(h.keyframe_id)].pyramid->finest().edges;
+    std::map<std::pair<float, float>, int> pixel_at;
+    for (size_t i = 0; i < edges.pixels.size(); ++i)
+      pixel_at[{edges.pixels[i].x, edges.pixels[i].y}] = int(i);
+    for (const EdgeLine& line : h.lines)
+      for (size_t i = 1; i < line.vertices.size(); ++i) {
+        const auto before = pixel_at.find({line.vertices[i - 1].px.x(), line.vertices[i - 1].px.y()});
+        const auto here = pixel_at.find({line.vertices[i].px.x(), line.vertices[i].px.y()});
+        ASSERT_TRUE(before != pixel_at.end() && here != pixel_at.end());
+        EXPECT_EQ(here->second, before->second + 1);
+      }
+  }
 }
 
 TEST(EdgeMapper, LinesLieOnTheTrueSurface) {

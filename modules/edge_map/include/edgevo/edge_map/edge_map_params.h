@@ -9,7 +9,7 @@ namespace edgevo {
 struct EdgeMapParams {
   std::string mode = "full";          ///< "off", "keyframes": each keyframe's own lines, "full": fused
   int views = 8;                      ///< other images that a keyframe's edges are searched for in
-  int step_px = 3;                    ///< along the edge, from vertex to vertex
+  int step_px = 3;                    ///< along the edge, from one searched pixel to the next
   int min_views = 3;                  ///< that must show an edge where its depth says
   int min_vertices = 4;               ///< of a line
   double sigma_px = 0.4;              ///< position noise of an edge along its normal

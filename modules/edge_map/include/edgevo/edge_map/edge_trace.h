@@ -39,7 +39,7 @@ struct TracedPixel {
   }
 };
 
-/// Of each keyframe by its id, by edge pixel; those between two vertices (step_px) stay as they began.
+/// Of each keyframe by its id, by edge pixel; those between two searched ones (step_px) stay as they began.
 using EdgeTrace = std::map<int, std::vector<TracedPixel>>;
 
 }  // namespace edgevo
