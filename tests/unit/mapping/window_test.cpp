@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/sweep_scene.h"
 
 namespace edgevo {
@@ -288,6 +290,42 @@ TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
     return values;
   };
   EXPECT_EQ(run(), run());
+}
+
+// The point of the first keyframe with the most matches, to spoil.
+MapPoint& best_point(const Window& window) {
+  const std::vector<MapPoint>& points = window.keyframes().front().points;
+  const auto most = std::max_element(points.begin(), points.end(), [](const MapPoint& a, const MapPoint& b) {
+    return a.observations.size() < b.observations.size();
+  });
+  return const_cast<MapPoint&>(*most);
+}
+
+TEST(Window, AMatchFarBeyondItsDeviationIsDropped) {
+  WindowParams params = params_with();
+  params.ba_update_iterations = 0;  // nothing is matched anew
+  Window window = true_window(5, 0.0, params);
+  window.activate(2, 2);
+  MapPoint& point = best_point(window);
+  ASSERT_GE(point.observations.size(), 3u);
+  const Eigen::Vector2d px = point.px;
+  const int spoiled = point.observations.front().keyframe_id;
+  Match& match = point.observations.front().match;
+  match.px += 30.0 * match.normal;
+  window.adjust();
+  const std::vector<MapPoint>& points = window.keyframes().front().points;
+  const auto it = std::find_if(points.begin(), points.end(), [&](const MapPoint& p) { return p.px == px; });
+  ASSERT_NE(it, points.end());
+  EXPECT_FALSE(it->find(spoiled));
+  EXPECT_GE(it->observations.size(), 2u);
+}
+
+TEST(Window, APointThatManyKeyframesMissGoes) {
+  Window window = true_window(5, 0.0);
+  const int points = window.activate(2, 2);
+  best_point(window).misses = 4;
+  window.adjust();
+  EXPECT_EQ(window.active_points(), points - 1);
 }
 
 TEST(Window, TheBootstrapKeepsItsScale) {
