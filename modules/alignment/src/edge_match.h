@@ -18,12 +18,10 @@ struct EdgeMatch {
 /// `point_normal` is the edge normal in the reference image.
 inline EdgeMatch match_edge(const PyramidLevel& level, const Eigen::Vector2d& px,
                             const Eigen::Vector2f& point_normal, const AlignmentParams& params) {
-  const int reach = int(std::max(params.truncation_normal_px, params.truncation_tangent_px));
-  const int n = level.field.nearest_such(float(px.x()), float(px.y()), reach, [&](int i) {
-    return level.edges.pixels[size_t(i)].normal().dot(point_normal) >= params.min_normal_cosine;
-  });
+  const int n = level.field.nearest(float(px.x()), float(px.y()));
   if (n < 0) return {};
   const EdgePixel& edge = level.edges.pixels[n];
+  if (!(edge.normal().dot(point_normal) >= params.min_normal_cosine)) return {};
   const Eigen::Vector2d g = edge.normal().cast<double>();
   const Eigen::Vector2d d = px - edge.position().cast<double>();
   const double r = g.dot(d);  // Eq. (edgeerror)

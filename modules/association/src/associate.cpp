@@ -90,14 +90,11 @@ Eigen::Vector2d position_on_edge(const EdgeMap& edges, const Walk& walk, const T
 // The nearest edge pixel that passes the gates on distance and orientation; -1 if none.
 int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen::Vector2d& predicted_normal,
               const AssociationParams& params) {
-  const int reach = int(kReachPerNormal * params.max_normal_px);
-  const int n = target.field.nearest_such(float(p.x()), float(p.y()), reach, [&](int i) {
-    return target.edges.pixels[size_t(i)].normal().cast<double>().dot(predicted_normal) >=
-           params.min_normal_cosine;
-  });
+  const int n = target.field.nearest(float(p.x()), float(p.y()));
   if (n < 0) return -1;
   const EdgePixel& e = target.edges.pixels[n];
   const Eigen::Vector2d g = e.normal().cast<double>();
+  if (!(g.dot(predicted_normal) >= params.min_normal_cosine)) return -1;
   const Eigen::Vector2d d = e.position().cast<double>() - p;
   return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= kReachPerNormal * params.max_normal_px
              ? n

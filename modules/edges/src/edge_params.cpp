@@ -20,9 +20,6 @@ void EdgeParams::visit(ParamVisitor& v) {
   v.number("min_gradient", min_gradient, 0.5, 50, "floor of the high threshold, gray levels per pixel");
   v.integer("min_chain", min_chain, 2, 100, "shorter edges are dropped, pixels");
   v.integer("field_radius", field_radius, 2, 15, "nearest-neighbour fields reach this far, pixels");
-  v.boolean("oriented_field", oriented_field,
-            "matches look behind a nearest edge of another direction for the nearest one of a compatible "
-            "direction");
 }
 
 }  // namespace edgevo

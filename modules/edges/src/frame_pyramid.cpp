@@ -94,7 +94,7 @@ struct PyramidBuilder::Impl {
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    level->field = NearestField(level->edges, params.field_radius, params.oriented_field);
+    level->field = NearestField(level->edges, params.field_radius);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 

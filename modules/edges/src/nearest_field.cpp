@@ -77,9 +77,8 @@ EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* 
 
 }  // namespace
 
-NearestField::NearestField(const EdgeMap& edges, int radius, bool oriented)
-    : oriented_(oriented),
-      radius_(radius),
+NearestField::NearestField(const EdgeMap& edges, int radius)
+    : radius_(radius),
       none_((radius * radius + 1) << kShift),
       keys_(edges.width, edges.height),
       index_(edges.width, edges.height) {

@@ -60,40 +60,6 @@ TEST_P(NearestFieldTest, EqualsBruteForceEverywhere) {
     }
 }
 
-// Directions by column and row, so that neighbours differ.
-bool is_such(const EdgeMap& map, int i) {
-  return (int(map.pixels[size_t(i)].x) + 3 * int(map.pixels[size_t(i)].y)) % 5 < 2;
-}
-
-TEST_P(NearestFieldTest, AnOrientedOneFindsTheNearestSuch) {
-  const Case c = GetParam();
-  const EdgeMap map = random_edges(c.width, c.height, c.count, 8);
-  EdgeMap such = map;
-  such.pixels.clear();
-  for (size_t i = 0; i < map.pixels.size(); ++i)
-    if (is_such(map, int(i))) such.pixels.push_back(map.pixels[i]);
-  const int reach = std::min(6, c.radius);
-  const NearestField oriented(map, c.radius, true), plain(map, c.radius);
-  const auto accept = [&](int i) { return is_such(map, i); };
-  for (int y = 0; y < c.height; ++y)
-    for (int x = 0; x < c.width; ++x) {
-      // The nearest of all is taken up to the radius of the field.
-      const int n = oriented.nearest_such(float(x), float(y), reach, accept),
-                first = plain.nearest(float(x), float(y));
-      const bool first_is = first >= 0 && is_such(map, first);
-      EXPECT_EQ(plain.nearest_such(float(x), float(y), reach, accept), first_is ? first : -1);
-      const int expected = first_is ? brute_force(map, x, y, c.radius) : brute_force(such, x, y, reach);
-      if (expected < 0) {
-        ASSERT_EQ(n, -1) << x << " " << y;
-        continue;
-      }
-      ASSERT_GE(n, 0) << x << " " << y;
-      ASSERT_TRUE(is_such(map, n));
-      const int dx = int(map.pixels[size_t(n)].x) - x, dy = int(map.pixels[size_t(n)].y) - y;
-      ASSERT_EQ(dx * dx + dy * dy, expected) << x << " " << y;
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Sizes, NearestFieldTest,
                          ::testing::Values(Case{97, 61, 150, 12}, Case{97, 61, 15, 15}, Case{64, 64, 2000, 3},
                                            Case{33, 7, 4, 15}, Case{1, 1, 1, 2}, Case{1, 40, 3, 12},

@@ -17,7 +17,6 @@ struct EdgeParams {
   double min_gradient = 3.0;       ///< floor of the high threshold, gray levels per pixel
   int min_chain = 6;               ///< pixels
   int field_radius = 12;           ///< pixels
-  bool oriented_field = false;     ///< look-ups pass over edges of another direction
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };

@@ -7,7 +7,6 @@
 // side), which compilers vectorise. A key is all that is stored of an offset: squared distance and row give
 // the number of columns. Cost at 1241x376, radius 12: about 1 ms on one core, independent of the number of
 // edges.
-#include <algorithm>
 #include <cmath>
 
 #include "edgevo/core/simd.h"
@@ -25,8 +24,7 @@ class NearestField {
 
   NearestField() = default;
   /// `radius` in pixels, 1..kMaxRadius. Edge positions are rounded to the pixel they lie in.
-  /// `oriented`: nearest_such() looks behind an edge that it may not take.
-  NearestField(const EdgeMap& edges, int radius, bool oriented = false);
+  NearestField(const EdgeMap& edges, int radius);
 
   int radius() const { return radius_; }  ///< pixels
   /// Index into EdgeMap::pixels of the edge pixel nearest to (x, y), rounded to the next pixel; -1 if there
@@ -39,16 +37,6 @@ class NearestField {
   int nearest_at(int x, int y) const {
     const int pixel = nearest_pixel_at(x, y);
     return pixel < 0 ? -1 : edge_at(pixel);
-  }
-  /// The nearest edge pixel that `accept` takes (its index into EdgeMap::pixels): of a compatible direction,
-  /// say. Oriented: within `reach` pixels, beyond the nearest of all if need be, as a field for each
-  /// direction would give it, without the price of eight fields a frame. Else the nearest of all, if it is
-  /// one. -1 if there is none.
-  template <class Accept>
-  int nearest_such(float x, float y, int reach, const Accept& accept) const {
-    const int n = nearest(x, y);
-    if (n < 0 || accept(n)) return n;
-    return oriented_ ? search(int(x + 0.5f), int(y + 0.5f), std::min(reach, radius_), accept) : -1;
   }
   /// Squared distance from (x, y), rounded to the next pixel, to the pixel of the nearest edge; radius^2 + 1
   /// where there is none within the radius or (x, y) lies outside the image.
@@ -83,23 +71,6 @@ class NearestField {
     return (y + down) * keys_.width() + (key & 1 ? x - across : x + across);
   }
 
-  // Row by row from the upper one; of equal distances the first.
-  template <class Accept>
-  int search(int x, int y, int reach, const Accept& accept) const {
-    int found = -1, best = reach * reach + 1;
-    for (int v = std::max(0, y - reach); v <= std::min(keys_.height() - 1, y + reach); ++v) {
-      const int16_t* keys = keys_.row(v);
-      for (int u = std::max(0, x - reach); u <= std::min(keys_.width() - 1, x + reach); ++u) {
-        const int square = (u - x) * (u - x) + (v - y) * (v - y);
-        if (keys[u] >> kShift != 0 || square >= best || !accept(edge_at(v * keys_.width() + u))) continue;
-        best = square;
-        found = edge_at(v * keys_.width() + u);
-      }
-    }
-    return found;
-  }
-
-  bool oriented_ = false;
   int radius_ = 0;
   int none_ = 0;         // keys from here on mean: no edge within the radius
   Plane<int16_t> keys_;  // 64 * squared distance + 2 * (row offset + radius) + 1 if the edge lies to the left
