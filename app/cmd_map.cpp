@@ -102,8 +102,7 @@ void add_map_command(CLI::App& app, Action* action) {
                    "edge of a voxel and of a cell, unit of the run (default: as occupancy.resolution)")
       ->check(positive_number());
   command
-      ->add_option("--max-range", args->max_range,
-                   "nothing farther from its keyframe is mapped, unit of the run")
+      ->add_option("--max-range", args->max_range, "nothing farther from the path is mapped, unit of the run")
       ->check(positive_number());
   command->add_option("--params", args->params_file,
                       "YAML file of parameters; of it, occupancy and grid count");

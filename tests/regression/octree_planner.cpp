@@ -39,6 +39,22 @@ bool BallInOctree::is_free(const Eigen::Vector3d& p) const {
   return fcl::collide(&ball, &impl_->map, request, result) == 0;
 }
 
+double BallInOctree::share_free(const Eigen::Vector3d& p) const {
+  const double voxel = impl_->tree->getResolution(), radius = impl_->ball->radius;
+  const int reach = int(radius / voxel) + 1;
+  int all = 0, free = 0;
+  for (int x = -reach; x <= reach; ++x)
+    for (int y = -reach; y <= reach; ++y)
+      for (int z = -reach; z <= reach; ++z) {
+        const Eigen::Vector3d middle =
+            voxel * ((p / voxel).array().floor().matrix() + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5));
+        if ((middle - p).norm() > radius) continue;
+        const auto* node = impl_->tree->search(middle.x(), middle.y(), middle.z());
+        ++all, free += node && !impl_->tree->isNodeOccupied(node);
+      }
+  return double(free) / double(std::max(1, all));
+}
+
 std::optional<Eigen::Vector3d> BallInOctree::free_place_near(const Eigen::Vector3d& p, double reach) const {
   for (double radius = 0; radius < reach; radius += 0.1)
     for (int i = 0; i < 16; ++i) {

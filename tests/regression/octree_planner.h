@@ -20,6 +20,8 @@ class BallInOctree {
   ~BallInOctree();
 
   bool is_free(const Eigen::Vector3d& p) const;
+  /// Share of the voxels with their middle in the ball that were seen to be free.
+  double share_free(const Eigen::Vector3d& p) const;
   /// The free place nearest to `p` at its height, at most `reach` away: the camera passed there, but a voxel
   /// right at it may not have been crossed by a ray.
   std::optional<Eigen::Vector3d> free_place_near(const Eigen::Vector3d& p, double reach) const;

@@ -103,10 +103,18 @@ std::vector<Pair> random_pairs(const Run& run, const TrueScene& truth, const Req
   return pairs;
 }
 
-void tell_ways(const OctreeMap& map, const std::vector<Pair>& pairs, const TrueScene& truth, double radius) {
-  const test::TempFolder folder;
-  map.write_bt(folder / "edges.bt");
-  const BallInOctree ball(folder / "edges.bt", radius);
+// The true surface that a way comes too near to, and what the ball knew there.
+void tell_hit(const BallInOctree& ball, const TrueScene::Nearest& hit) {
+  const Surface& s = *hit.surface;
+  const Eigen::Vector3d normal = s.side_u.cross(s.side_v).normalized();
+  std::cout << "      " << hit.distance << " m from a surface of " << s.side_u.norm() << " x "
+            << s.side_v.norm() << " m, " << (std::abs(normal.z()) > 0.7 ? "level" : "upright") << ", at "
+            << hit.at.transpose() << "; " << 100 * ball.share_free(hit.at) << " % of the ball seen to be free"
+            << std::endl;
+}
+
+void tell_ways(const BallInOctree& ball, const std::vector<Pair>& pairs, const TrueScene& truth,
+               double radius) {
   int placed = 0, solved = 0, hit = 0, through = 0;
   double least_of_all = 10;
   for (const Pair& pair : pairs) {
@@ -116,9 +124,10 @@ void tell_ways(const OctreeMap& map, const std::vector<Pair>& pairs, const TrueS
     ++placed;
     const std::vector<Eigen::Vector3d> way = plan_3d(ball, *start, *goal, kMostSteps);
     if (way.empty()) continue;
-    const double least = truth.least_distance(way);
-    ++solved, hit += least < radius - kVoxel, through += least < 0.05;
-    least_of_all = std::min(least_of_all, least);
+    const TrueScene::Nearest nearest = truth.nearest(way);
+    if (nearest.distance < radius - kVoxel) tell_hit(ball, nearest), ++hit;
+    ++solved, through += nearest.distance < 0.05;
+    least_of_all = std::min(least_of_all, nearest.distance);
   }
   std::cout << "    " << pairs.size() << " pairs: " << placed << " with a free start and goal, " << solved
             << " solved; " << hit << " ways nearer than " << radius - kVoxel << " m to a true surface, "
@@ -141,7 +150,9 @@ void tell_map(const Run& run, const TrueScene& truth, const std::vector<ThinObst
   for (const auto& [bar, share] : f.shares)
     std::cout << "      " << (bar.end - bar.begin).norm() << " m long, " << 100 * bar.thickness
               << " cm thick: " << 100 * share << " %\n";
-  tell_ways(map, pairs, truth, radius);
+  const test::TempFolder folder;
+  map.write_bt(folder / "edges.bt");
+  tell_ways(BallInOctree(folder / "edges.bt", radius), pairs, truth, radius);
 }
 
 int figures(const std::vector<std::string>& args) {

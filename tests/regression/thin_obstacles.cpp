@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "surface_distance.h"
+
 namespace edgevo::testing {
 namespace {
 
@@ -71,7 +73,7 @@ bool stands_free(const ThinObstacle& o, const World& world) {
   for (const Surface& s : world.surfaces) {
     const std::optional<Strip> strip = strip_of(s);
     const bool is_face = strip && (0.5 * (strip->begin + strip->end) - middle).norm() < kMaxThick;
-    if (!is_face && distance_to(s, middle) < kFree) return false;
+    if (!is_face && distance_to(world, s, middle, kFree) < kFree) return false;
   }
   return true;
 }

@@ -9,6 +9,7 @@
 
 #include "edgevo/core/point_filter.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "surface_distance.h"
 
 namespace edgevo::testing {
 
@@ -56,23 +57,7 @@ Eigen::Vector3d centre(const octomap::OcTree& tree, const octomap::OcTreeKey& ke
   return {double(p.x()), double(p.y()), double(p.z())};
 }
 
-bool is_near_ball(const Surface& s, const Eigen::Vector3d& p, double limit) {
-  const Eigen::Vector3d middle = s.origin + 0.5 * (s.side_u + s.side_v);
-  return (p - middle).norm() <= limit + 0.5 * (s.side_u.norm() + s.side_v.norm());
-}
-
 }  // namespace
-
-// From a point to the parallelogram (or its half) nearest in the plane, by clamping its coordinates: exact
-// for rectangles.
-double distance_to(const Surface& s, const Eigen::Vector3d& p) {
-  Eigen::Matrix<double, 3, 2> sides;
-  sides << s.side_u, s.side_v;
-  Eigen::Vector2d ab = (sides.transpose() * sides).inverse() * (sides.transpose() * (p - s.origin));
-  ab = ab.cwiseMax(0).cwiseMin(1);
-  if (s.is_triangle && ab.sum() > 1) ab /= ab.sum();
-  return (s.origin + sides * ab - p).norm();
-}
 
 std::ostream& operator<<(std::ostream& out, const MapQuality& q) {
   return out << q.occupied << " occupied voxels, " << 100 * q.occupied_on_surface << " % on a surface; "
@@ -117,21 +102,25 @@ TrueScene::TrueScene(const SceneRenderer& renderer, const Run& run) : renderer_(
 double TrueScene::distance(const Eigen::Vector3d& p_map, double limit) const {
   const Eigen::Vector3d p = T_scene_map_ * p_map;
   double least = limit;
-  for (const Surface& s : renderer_->scene().world->surfaces)
-    if (is_near_ball(s, p, least)) least = std::min(least, distance_to(s, p));
+  const World& world = *renderer_->scene().world;
+  for (const Surface& s : world.surfaces) least = std::min(least, distance_to(world, s, p, least));
   return least;
 }
 
-double TrueScene::least_distance(const std::vector<Eigen::Vector3d>& way) const {
-  double least = 10;
+TrueScene::Nearest TrueScene::nearest(const std::vector<Eigen::Vector3d>& way) const {
+  const World& world = *renderer_->scene().world;
+  Nearest nearest;
   for (size_t i = 1; i < way.size(); ++i) {
     const int steps = 1 + int((way[i] - way[i - 1]).norm() / 0.05);
-    for (int s = 0; s <= steps; ++s) {
-      const Eigen::Vector3d p = way[i - 1] + (way[i] - way[i - 1]) * s / steps;
-      least = std::min(least, distance(p, least));
+    for (int k = 0; k <= steps; ++k) {
+      const Eigen::Vector3d p_map = way[i - 1] + (way[i] - way[i - 1]) * k / steps, p = T_scene_map_ * p_map;
+      for (const Surface& s : world.surfaces) {
+        const double d = distance_to(world, s, p, nearest.distance);
+        if (d < nearest.distance) nearest = {d, p_map, &s};
+      }
     }
   }
-  return least;
+  return nearest;
 }
 
 int TrueScene::keyframes_that_see(const Eigen::Vector3d& p_scene, double range, double tolerance) const {

@@ -42,9 +42,6 @@ struct FillQuality {
 };
 std::ostream& operator<<(std::ostream& out, const FillQuality& quality);
 
-/// From a point to a surface: exact for rectangles. Metres.
-double distance_to(const Surface& s, const Eigen::Vector3d& p);
-
 struct EdgeCell;
 
 class TrueScene {
@@ -59,8 +56,13 @@ class TrueScene {
 
   /// Distance of a point of the map from the nearest true surface, not looked for beyond `limit`.
   double distance(const Eigen::Vector3d& p_map, double limit) const;
-  /// Of a way, looked at every five centimetres, from the nearest true surface, not looked for beyond 10 m.
-  double least_distance(const std::vector<Eigen::Vector3d>& way_map) const;
+  /// Where a way comes nearest to a true surface, looked at every five centimetres; not beyond 10 m.
+  struct Nearest {
+    double distance = 10;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< in the map
+    const Surface* surface = nullptr;
+  };
+  Nearest nearest(const std::vector<Eigen::Vector3d>& way_map) const;
 
   /// From the scene to the map.
   SE3 T_map_scene() const { return T_scene_map_.inverse(); }

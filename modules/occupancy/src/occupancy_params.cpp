@@ -22,7 +22,7 @@ void OccupancyParams::visit(ParamVisitor& v) {
   v.text("resolution", resolution, {}, "edge of a voxel in the unit of the run, or auto");
   v.number("resolution_share", resolution_share, 0.001, 1,
            "auto resolution as a share of the median point depth");
-  v.text("max_range", max_range, {}, "nothing farther from its keyframe is mapped, or auto");
+  v.text("max_range", max_range, {}, "nothing farther from the path is mapped, or auto");
   v.number("max_range_share", max_range_share, 0.1, 100,
            "auto range as a multiple of the median point depth");
   v.number("carve_max_relative_sigma", carve_max_relative_sigma, 0, 1,

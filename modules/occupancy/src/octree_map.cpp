@@ -67,8 +67,7 @@ void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionL
   OnSeenThrough on_seen_through;
   if (filler) on_seen_through = [filler](const Eigen::Vector3d& end) { filler->see_through(end); };
   SegmentInserter inserter(run.pinhole, limits, tree, stats, on_seen_through);
-  for (const KeyframeRecord* keyframe : keyframes)
-    inserter.note_points(*keyframe, T_map * keyframe->T_world_cam);
+  for (const KeyframeRecord* keyframe : keyframes) inserter.note(*keyframe, T_map * keyframe->T_world_cam);
   size_t size_after_merging = 0;
   for (const KeyframeRecord* keyframe : keyframes) {
     const double start = thread_cpu_ms();

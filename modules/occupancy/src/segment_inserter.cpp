@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace edgevo {
 namespace {
 
-double relative_sigma(const EdgePoint& p) { return double(p.idepth_sigma) / double(p.idepth); }
+template <class PointOrVertex>
+double relative_sigma(const PointOrVertex& p) {
+  return double(p.idepth_sigma) / double(p.idepth);
+}
 
 // Times the range of the map: points beyond it carve up to it. Those farther than this are asked for
 // neighbours as if they were here.
@@ -26,10 +30,12 @@ SegmentInserter::SegmentInserter(const Pinhole& pinhole, const InsertionLimits& 
       tree_(tree),
       stats_(stats),
       on_seen_through_(std::move(on_seen_through)),
-      points_(std::max(neighbour_radius(kFarthest * limits.max_range), tree->getResolution())) {}
+      points_(std::max(neighbour_radius(kFarthest * limits.max_range), tree->getResolution())),
+      path_(limits.max_range) {}
 
-void SegmentInserter::note_points(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
+void SegmentInserter::note(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
   octomap::OcTreeKey key;
+  if (tree_->coordToKeyChecked(to_octomap(T_map_cam.translation()), key)) path_.add(T_map_cam.translation());
   for (const EdgePoint& p : keyframe.points) {
     if (!limits_.points.keeps(p)) continue;
     const Eigen::Vector3d p_map = T_map_cam * point_in_camera(pinhole_, p);
@@ -43,7 +49,7 @@ void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_ca
   for (const EdgePoint& p : keyframe.points) {
     if (!limits_.points.keeps(p)) continue;
     const Eigen::Vector3d p_cam = point_in_camera(pinhole_, p);
-    mark(p_cam, T_map_cam, p.observations);
+    mark(T_map_cam * p_cam, p_cam.norm(), relative_sigma(p), p.observations);
     if (may_carve(p, p_cam, T_map_cam)) carve(p_cam, T_map_cam, relative_sigma(p));
   }
   for (const EdgeLine& line : keyframe.lines) draw(line, T_map_cam);
@@ -69,17 +75,26 @@ bool SegmentInserter::has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_
          points_.has_within(T_map_cam * p_cam, neighbour_radius(p_cam.norm()), with_itself);
 }
 
-void SegmentInserter::mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations) {
-  if (p_cam.norm() > limits_.max_range) {
-    ++stats_->beyond_range;
-    return;
-  }
+// What a keyframe saw from afar counts where the camera came near it later, if its depth is certain to a
+// voxel: the top of a lamp leaves the view long before the camera is there.
+bool SegmentInserter::is_in_reach(double range, double relative_sigma, const Eigen::Vector3d& p_map) const {
+  return range <= limits_.max_range ||
+         (relative_sigma * range <= tree_->getResolution() && path_.has_within(p_map, limits_.max_range, 1));
+}
+
+bool SegmentInserter::mark(const Eigen::Vector3d& p_map, double range, double relative_sigma,
+                           int observations) {
   octomap::OcTreeKey key;
-  if (!tree_->coordToKeyChecked(to_octomap(T_map_cam * p_cam), key)) {
+  if (!tree_->coordToKeyChecked(to_octomap(p_map), key)) {
     ++stats_->out_of_bounds;
-    return;
+    return false;
+  }
+  if (!is_in_reach(range, relative_sigma, p_map)) {
+    ++stats_->beyond_range;
+    return false;
   }
   note_seen(key, observations);
+  return true;
 }
 
 void SegmentInserter::note_seen(const octomap::OcTreeKey& key, int observations) {
@@ -89,17 +104,15 @@ void SegmentInserter::note_seen(const octomap::OcTreeKey& key, int observations)
 
 // Voxel by voxel from vertex to vertex.
 void SegmentInserter::draw(const EdgeLine& line, const SE3& T_map_cam) {
-  for (size_t i = 0; i < line.vertices.size(); ++i) {
-    const Eigen::Vector3d p_cam = point_in_camera(pinhole_, line.vertices[i]);
-    mark(p_cam, T_map_cam, line.keyframes);
-    if (i == 0 || p_cam.norm() > limits_.max_range) continue;
-    const Eigen::Vector3d before = point_in_camera(pinhole_, line.vertices[i - 1]);
-    octomap::OcTreeKey key;
-    const octomap::point3d from = to_octomap(T_map_cam * before), to = to_octomap(T_map_cam * p_cam);
-    if (before.norm() > limits_.max_range || !tree_->coordToKeyChecked(from, key) ||
-        !tree_->coordToKeyChecked(to, key) || !tree_->computeRayKeys(from, to, ray_))
-      continue;
-    for (const octomap::OcTreeKey& between : ray_) note_seen(between, line.keyframes);
+  std::optional<octomap::point3d> before;
+  for (const EdgeVertex& v : line.vertices) {
+    const Eigen::Vector3d p_cam = point_in_camera(pinhole_, v), p_map = T_map_cam * p_cam;
+    const bool is_marked = mark(p_map, p_cam.norm(), relative_sigma(v), line.keyframes);
+    const octomap::point3d here = to_octomap(p_map);
+    if (is_marked && before && tree_->computeRayKeys(*before, here, ray_))
+      for (const octomap::OcTreeKey& between : ray_) note_seen(between, line.keyframes);
+    before.reset();
+    if (is_marked) before = here;
   }
 }
 

@@ -31,9 +31,9 @@ class SegmentInserter {
   SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
                   OctreeStats* stats, OnSeenThrough on_seen_through = {});
 
-  /// Notes where the points of a keyframe lie: those of all keyframes tell which of them have neighbours.
-  /// Before the first insert().
-  void note_points(const KeyframeRecord& keyframe, const SE3& T_map_cam);
+  /// Notes where a keyframe and its points lie: all keyframes together tell which points have neighbours, and
+  /// which places come near the path. Before the first insert().
+  void note(const KeyframeRecord& keyframe, const SE3& T_map_cam);
 
   /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). Cost: its rays, whatever
   /// the size of the tree. `T_map_cam`: its pose in the map's world.
@@ -43,7 +43,9 @@ class SegmentInserter {
   bool may_carve(const EdgePoint& p, const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const;
   double neighbour_radius(double range) const;
   bool has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const;
-  void mark(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, int observations);
+  bool is_in_reach(double range, double relative_sigma, const Eigen::Vector3d& p_map) const;
+  /// Whether a voxel was marked; `range` from the keyframe.
+  bool mark(const Eigen::Vector3d& p_map, double range, double relative_sigma, int observations);
   void draw(const EdgeLine& line, const SE3& T_map_cam);
   void note_seen(const octomap::OcTreeKey& key, int observations);
   void carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma);
@@ -55,8 +57,8 @@ class SegmentInserter {
   OctreeStats* const stats_;
   const OnSeenThrough on_seen_through_;
 
-  PointCells points_;  ///< of the whole segment, in the map's world
-  int batch_ = 0;      ///< number of the keyframe within the segment
+  PointCells points_, path_;  ///< points and keyframes of the whole segment, in the map's world
+  int batch_ = 0;             ///< number of the keyframe within the segment
   /// Voxels with a point, and the last batch that sees it. Each is updated once a batch, so the order does
   /// not matter.
   std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> seen_until_;

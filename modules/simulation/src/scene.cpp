@@ -48,7 +48,8 @@ fs::path find_scene(const std::string& name_or_path) {
   std::string known;
   for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
   throw InputError("scene " + name_or_path, "is neither a file nor a known scene",
-                   "give the path of a YAML file or one of " + known);
+                   known.empty() ? "give the path of a YAML file: the folder of edgevo's scenes was not found"
+                                 : "give the path of a YAML file or one of " + known);
 }
 
 void set_motion(CameraMotion motion, const SceneParams& params, Scene* scene) {

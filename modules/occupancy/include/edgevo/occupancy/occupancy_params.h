@@ -14,7 +14,7 @@ struct OccupancyParams {
   std::string resolution =
       "auto";  ///< edge of a voxel; "auto": resolution_share of the median depth, at most 0.2 metres
   double resolution_share = 0.02;  ///< of the median depth, > 0
-  std::string max_range = "auto";  ///< nothing farther from its keyframe is mapped; "auto": max_range_share
+  std::string max_range = "auto";  ///< nothing farther from the path is mapped; "auto": max_range_share
   double max_range_share = 2.0;    ///< of the median depth, > 0
   double carve_max_relative_sigma = 0.05;  ///< only points at least this certain carve free space
   double carve_stop_sigmas = 3.0;  ///< rays stop this many sigmas of depth (and a voxel) before the point

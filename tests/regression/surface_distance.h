@@ -1,0 +1,11 @@
+#pragma once
+// How far a place is from what exists of a scene's surfaces: leaves and cars are cut out of theirs.
+#include "edgevo/simulation/world.h"
+
+namespace edgevo::testing {
+
+/// Metres from `p` to the part of a rectangle, or its half, that exists; cut-outs to a texel of 5 cm. `limit`
+/// or more: not looked for beyond it.
+double distance_to(const World& world, const Surface& s, const Eigen::Vector3d& p, double limit);
+
+}  // namespace edgevo::testing
