@@ -121,6 +121,24 @@ TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
     EXPECT_EQ(at(map.tree(), scene.run, {x, 0.05, 5.05}), Voxel::kOccupied) << x;
 }
 
+// Seen by the first keyframe from 18 m, beyond the range of 15.
+Voxel far_bar(double relative_sigma, double forward_later) {
+  auto scene = pole_and_wall(2, 5);
+  const Eigen::Vector3d a(-0.95, 0.05, 18.05), b(0.95, 0.05, 18.05);
+  EdgeLine bar = testing::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
+  for (EdgeVertex& v : bar.vertices) v.idepth_sigma = float(relative_sigma) * v.idepth;
+  scene.run.keyframes[0].lines = {bar};
+  scene.run.keyframes[1].T_world_cam =
+      SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, forward_later));
+  return at(OctreeMap(scene.run, fixed_size()).tree(), scene.run, {0.05, 0.05, 18.05});
+}
+
+TEST(OctreeMap, WhatWasSeenFromAfarCountsWhereTheCameraCameNearLater) {
+  EXPECT_EQ(far_bar(0.005, 5), Voxel::kOccupied);
+  EXPECT_NE(far_bar(0.005, 1), Voxel::kOccupied) << "the camera stayed out of range";
+  EXPECT_NE(far_bar(0.01, 5), Voxel::kOccupied) << "not certain to a voxel";
+}
+
 TEST(OctreeMap, MetricVoxelsAreAtMostAFifthOfAMetre) {
   auto scene = pole_and_wall(2, 5);
   for (KeyframeRecord& k : scene.run.keyframes)  // ten times as large: a median depth of 100
