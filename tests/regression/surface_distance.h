@@ -4,8 +4,8 @@
 
 namespace edgevo::testing {
 
-/// Metres from `p` to the part of a rectangle, or its half, that exists; cut-outs to a texel of 5 cm. `limit`
-/// or more: not looked for beyond it.
+/// Metres from `p` to the part of a rectangle, or its half, that exists; of cut-outs to the middles of
+/// squares of 5 cm. `limit`: not nearer than that.
 double distance_to(const World& world, const Surface& s, const Eigen::Vector3d& p, double limit);
 
 }  // namespace edgevo::testing
