@@ -106,21 +106,11 @@ struct Bootstrap::Impl {
     }
   }
 
-  // Median over all corners of the first view. Under noise and changing light those that move fast are lost
-  // first: the lost ones count as moved further than the median, up to half as many as are left, or the
-  // median of what is left would fall with time.
-  double median_motion(const Corners& a, const Corners& b) const {
-    std::vector<double> motion;
-    for (size_t i = 0; i < a.size(); ++i) motion.push_back(cv::norm(b[i] - a[i]));
-    const bool some_lost = first_corners > motion.size() && rule("lost corners moved");
-    const size_t rank = some_lost ? std::min(first_corners / 2, 3 * motion.size() / 4) : motion.size() / 2;
-    return of_rank(std::move(motion), rank);
-  }
-
   BootstrapStatus try_two_views() {
     const Corners& a = corners_in_view.front();
     const Corners& b = corners_in_view.back();
-    const double disparity = median_motion(a, b), needed = params.min_disparity * pinhole.width;
+    const double disparity = median_motion(first_corners, a, b),
+                 needed = params.min_disparity * pinhole.width;
     if (disparity < needed)
       return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
                                      disparity, needed)};
@@ -136,7 +126,7 @@ struct Bootstrap::Impl {
     if (disagree)
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
                                      100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
-    if (is_ambiguous(best, motions) && rule("motions agree"))
+    if (is_ambiguous(best, motions))
       return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
   }

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
+#include <utility>
+
+#include "edgevo/core/order_statistics.h"
+#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -59,6 +63,14 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
     found[i] = ok[i] && ok_back[i] && inside && cv::norm(back[i] - from[i]) < kMaxForwardBackwardPx;
   }
   return found;
+}
+
+double median_motion(size_t all, const Corners& from, const Corners& to) {
+  std::vector<double> motion;
+  for (size_t i = 0; i < from.size(); ++i) motion.push_back(cv::norm(to[i] - from[i]));
+  const size_t left = motion.size();
+  const bool some_lost = all > left && rule("lost corners moved");
+  return of_rank(std::move(motion), some_lost ? std::min(all / 2, 3 * left / 4) : left / 2);
 }
 
 }  // namespace edgevo

@@ -160,8 +160,8 @@ bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& m
   for (const TwoViewMotion& m : motions) {
     const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();
     const double parallax = std::min(m.parallax_rad, best.parallax_rad);
-    if (m.median_error_px < kFitsToo * best.median_error_px && rotation > kMaxRotationShare * parallax)
-      return true;
+    const bool fits = m.median_error_px < kFitsToo * best.median_error_px;
+    if (fits && rotation > kMaxRotationShare * parallax && rule("motions agree")) return true;
   }
   return false;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "edgevo/core/rule.h"
+#include "finding.h"
 
 namespace edgevo {
 namespace {
@@ -19,47 +20,10 @@ constexpr double kMaxUsefulReadoutSigma = 0.005;
 // Standard deviations below which an applied read-out time is given up: found early in bad light it may turn
 // out to be none. Half of what it takes to be applied, so that it does not come and go.
 constexpr double kLeastSignificance = 1.5;
-// Keyframes that the parameters' model sigmas refer to: a definition.
-constexpr double kModelKeyframes = 30;
 // Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
 // estimates come out a fifth to a half short and reach the truth step by step
 // (share/lab/2026-11-22_rolling_shutter.md).
 constexpr double kOverRelaxation = 1.3;
-// Share of a limit beyond which an estimate stands at it: the search is clamped there, rounding aside.
-constexpr double kAtLimit = 0.999;
-
-// Biased matches: their error of k1 falls with the number of keyframes, that of the read-out time, which
-// needs fewer, with its root.
-double k1_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
-  if (!rule("biased matches")) return formal;
-  return std::hypot(formal, p.model_sigma * kModelKeyframes / double(keyframes));
-}
-double readout_sigma(double formal, const SelfCalibrationParams& p, int keyframes) {
-  if (!rule("biased matches")) return formal;
-  return std::hypot(formal, p.readout_model_sigma * std::sqrt(kModelKeyframes / double(keyframes)));
-}
-
-// What an estimate says about one number of the camera.
-struct Finding {
-  double estimate = 0, sigma = 0;
-  bool trustworthy = false;  // observed, and within the limit
-  State state = State::kNotObservable;
-};
-
-// Four states of knowledge besides "too early": not observed, insignificant, at the limit, applied. What is
-// applied stays so until it is told apart from the file by less than `least` standard deviations.
-Finding weigh(State before, double estimate, double by_file, double sigma, double max_useful_sigma,
-              double limit, double significance, double least) {
-  const bool observed = sigma < max_useful_sigma;
-  Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * limit, before};
-  const double told_apart = std::abs(estimate - by_file) / sigma;
-  if (before == State::kApplied && (!f.trustworthy || told_apart >= least) && rule("applied stays")) return f;
-  f.state = f.trustworthy && told_apart >= significance ? State::kApplied
-            : observed && !f.trustworthy                ? State::kAtLimit
-            : observed                                  ? State::kInsignificant
-                                                        : State::kNotObservable;
-  return f;
-}
 
 class CameraFinder {
  public:
@@ -126,8 +90,8 @@ class CameraFinder {
   }
 
   Finding note_k1(double k1, double formal_sigma) {
-    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), kMaxUsefulSigma,
-                            params_.max_k1, params_.significance, 0);
+    const Standard standard{kMaxUsefulSigma, params_.max_k1, params_.significance, 0};
+    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), standard);
     state_.state = f.state;
     state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
     return f;
@@ -135,9 +99,10 @@ class CameraFinder {
 
   Finding note_readout(double readout_s, double formal_sigma) {
     CameraRefinement::Shutter& s = state_.shutter;
-    const Finding f =
-        weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, params_, keyframes_),
-              kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance, kLeastSignificance);
+    const Standard standard{kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance,
+                            kLeastSignificance};
+    const Finding f = weigh(s.state, readout_s, params_.readout_s,
+                            readout_sigma(formal_sigma, params_, keyframes_), standard);
     s.state = f.state;
     s.estimate = f.estimate, s.sigma = f.sigma, s.keyframes = keyframes_;
     return f;
