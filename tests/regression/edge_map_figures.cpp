@@ -11,8 +11,7 @@
 #include "drive.h"
 #include "edge_replay.h"
 #include "edgevo/core/error.h"
-#include "edgevo/simulation/relit_source.h"
-#include "edgevo/simulation/rendered_source.h"
+#include "figures_request.h"
 #include "missing_edges.h"
 #include "true_edges.h"
 
@@ -20,34 +19,22 @@ namespace edgevo::testing {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: edge_map_figures SCENE SEED [LIGHT | -] [frames=N] [why=1] [picture=KEYFRAME:FILE] "
+    "edge_map_figures SCENE SEED [LIGHT | -] [frames=N] [why=1] [picture=KEYFRAME:FILE] "
     "[GROUP.KEY=VALUE...]";
 
-struct Request {
-  std::string scene, light = "-", picture;
-  uint64_t seed = 1;
-  int frames = -1;
+struct Request : FiguresRequest {
+  std::string picture;
   bool why = false;
-  OdometryParams params;
 };
 
 Request parse(const std::vector<std::string>& args) {
-  if (args.size() < 2) throw InputError("arguments", "too few", kUsage);
   Request r;
-  r.scene = args[0];
-  r.seed = std::strtoull(args[1].c_str(), nullptr, 10);
-  if (args.size() > 2) r.light = args[2];
-  for (size_t i = 3; i < args.size(); ++i) {
-    const auto is = [&](const std::string& name) { return args[i].rfind(name, 0) == 0; };
-    if (is("frames="))
-      r.frames = std::atoi(args[i].c_str() + 7);
-    else if (is("why="))
-      r.why = args[i] != "why=0";
-    else if (is("picture="))
-      r.picture = args[i].substr(8), r.why = true;
-    else
-      set_param(args[i], [&](ParamVisitor& v) { r.params.visit(v); });
-  }
+  const auto own = [&](const std::string& name, const std::string& value) {
+    if (name == "picture") r.picture = value;
+    if (name == "why" || name == "picture") r.why = value != "0";
+    return name == "why" || name == "picture";
+  };
+  static_cast<FiguresRequest&>(r) = parse_figures_request(args, kUsage, own);
   return r;
 }
 
@@ -74,10 +61,7 @@ void tell_why(const Request& request, const KeepingSource& source, const Run& ru
 int figures(const std::vector<std::string>& args) {
   const Request request = parse(args);
   const auto renderer = std::make_shared<SceneRenderer>(load_scene(request.scene, request.seed));
-  std::unique_ptr<ImageSource> images = std::make_unique<RenderedSource>(renderer, 0, request.frames);
-  if (request.light != "-")
-    images = std::make_unique<RelitSource>(std::move(images), Relight(request.light, request.seed));
-  KeepingSource source(std::move(images));
+  KeepingSource source(images_of(request, renderer));
   const DriveFigures drive_figures =
       measure(drive(source, request.params, request.seed), truth_of(renderer->scene(), 0, renderer->size()));
   const Run& run = drive_figures.run;

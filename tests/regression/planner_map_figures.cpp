@@ -13,8 +13,7 @@
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/occupancy/octree_map.h"
 #include "edgevo/scale/run_scale.h"
-#include "edgevo/simulation/relit_source.h"
-#include "edgevo/simulation/rendered_source.h"
+#include "figures_request.h"
 #include "octree_planner.h"
 #include "support/temp_folder.h"
 #include "thin_obstacles.h"
@@ -29,34 +28,21 @@ constexpr int kMostSteps = 4000;  // of the planner
 constexpr double kAside = 2;      // metres beside the path, at most
 constexpr double kMinApart = 3;   // metres from start to goal
 
-struct Request {
-  std::string scene, light = "-";
-  uint64_t seed = 1;
-  int frames = -1, pairs = 100;
+struct Request : FiguresRequest {
+  int pairs = 100;
   double radius = 0.5;
-  OdometryParams params;
 };
 
 Request parse(const std::vector<std::string>& args) {
-  if (args.size() < 2)
-    throw InputError("arguments", "too few",
-                     "usage: planner_map_figures SCENE SEED [LIGHT | -] [frames=N] [pairs=N] [radius=M] "
-                     "[GROUP.KEY=VALUE...]");
   Request r;
-  r.scene = args[0];
-  r.seed = std::strtoull(args[1].c_str(), nullptr, 10);
-  if (args.size() > 2) r.light = args[2];
-  for (size_t i = 3; i < args.size(); ++i) {
-    const auto is = [&](const std::string& name) { return args[i].rfind(name, 0) == 0; };
-    if (is("frames="))
-      r.frames = std::atoi(args[i].c_str() + 7);
-    else if (is("pairs="))
-      r.pairs = std::atoi(args[i].c_str() + 6);
-    else if (is("radius="))
-      r.radius = std::atof(args[i].c_str() + 7);
-    else
-      set_param(args[i], [&](ParamVisitor& v) { r.params.visit(v); });
-  }
+  const auto own = [&](const std::string& name, const std::string& value) {
+    if (name == "pairs") r.pairs = std::atoi(value.c_str());
+    if (name == "radius") r.radius = std::atof(value.c_str());
+    return name == "pairs" || name == "radius";
+  };
+  static_cast<FiguresRequest&>(r) = parse_figures_request(
+      args, "planner_map_figures SCENE SEED [LIGHT | -] [frames=N] [pairs=N] [radius=M] [GROUP.KEY=VALUE...]",
+      own);
   return r;
 }
 
@@ -158,9 +144,7 @@ void tell_map(const Run& run, const TrueScene& truth, const std::vector<ThinObst
 int figures(const std::vector<std::string>& args) {
   const Request request = parse(args);
   const auto renderer = std::make_shared<SceneRenderer>(load_scene(request.scene, request.seed));
-  std::unique_ptr<ImageSource> source = std::make_unique<RenderedSource>(renderer, 0, request.frames);
-  if (request.light != "-")
-    source = std::make_unique<RelitSource>(std::move(source), Relight(request.light, request.seed));
+  const std::unique_ptr<ImageSource> source = images_of(request, renderer);
   const Run run = in_metres(drive(*source, request.params, request.seed), renderer->scene());
   const TrueScene truth(*renderer, run);
   const std::vector<ThinObstacle> thin = thin_obstacles(*renderer->scene().world);

@@ -6,7 +6,6 @@
 namespace edgevo {
 namespace {
 
-constexpr double kBorderPx = 3;     // edges nearer to the image's border may be cut off
 constexpr double kMinDepth = 0.05;  // of a point over its depth in the host: nearer is beside the camera
 // From the projected point to the edge, across it: in the first two looks the depth is not yet exact.
 constexpr double kReachPx[] = {3.0, 2.0, 1.25};
@@ -39,7 +38,7 @@ void project(const EdgeSight& sight, const std::vector<ViewGeometry>& views, dou
     Look look;
     look.view = v;
     look.p = line.at(idepth);
-    if (!views[v].level->pinhole.contains(look.p, kBorderPx)) continue;
+    if (!views[v].level->pinhole.contains(look.p, kEdgeBorderPx)) continue;
     views[v].level->field.prefetch_pixel(float(look.p.x()), float(look.p.y()));
     looks->push_back(look);
   }

@@ -7,6 +7,9 @@
 
 namespace edgevo {
 
+/// Edges nearer to the image's border may be cut off; pixels.
+constexpr double kEdgeBorderPx = 3;
+
 /// An inverse depth with what speaks for it.
 struct Hypothesis {
   double idepth = 0;

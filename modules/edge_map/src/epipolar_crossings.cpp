@@ -6,7 +6,6 @@
 namespace edgevo {
 namespace {
 
-constexpr double kCrossingBorderPx = 3;
 constexpr double kMinLengthPx = 6;    // shorter lines do not tell neighbouring edges apart
 constexpr double kMaxLengthPx = 400;  // beyond, all edges of the image are candidates
 constexpr double kMinDepth = 0.1;     // as in depth_evidence.cpp, with room
@@ -32,14 +31,14 @@ Segment visible_segment(const Pinhole& c, const SightLine& line, double max_idep
   if (length < kMinLengthPx) return s;
   s.direction = span / length;
   double from = 0, to = length;
-  const double last[2] = {c.width - 1 - kCrossingBorderPx, c.height - 1 - kCrossingBorderPx};
+  const double last[2] = {c.width - 1 - kEdgeBorderPx, c.height - 1 - kEdgeBorderPx};
   for (int axis = 0; axis < 2; ++axis) {
     const double p = s.start[axis], d = s.direction[axis];
     if (std::abs(d) < 1e-9) {
-      if (p < kCrossingBorderPx || p > last[axis]) to = -1;
+      if (p < kEdgeBorderPx || p > last[axis]) to = -1;
       continue;
     }
-    const double a = (kCrossingBorderPx - p) / d, b = (last[axis] - p) / d;
+    const double a = (kEdgeBorderPx - p) / d, b = (last[axis] - p) / d;
     from = std::max(from, std::min(a, b));
     to = std::min(to, std::max(a, b));
   }
