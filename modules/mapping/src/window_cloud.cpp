@@ -10,20 +10,18 @@
 namespace edgevo {
 namespace {
 
-// Points of known depth below which the cloud is filled up with immature ones
-// (share/lab/2026-11-22_sparse_maps.md).
+// Points of known depth below which the cloud is filled up with immature ones and the map counts as thin: 300
+// and 400 let runs break, 700 costs accuracy (share/lab/2026-11-22_sparse_maps.md).
 constexpr size_t kEnoughCloud = 500;
+// Points of known depth for each cell of the activation, below which they are few for a small image, too: 402
+// at 640x480.
+constexpr double kThinShare = 0.25;
 
 }  // namespace
 
-int Window::points_in_next_view() const {
-  const SE3 T_next_newest = relative_pose(newest(), keyframes_[keyframes_.size() - 2]);
-  int in_view = 0;
-  for (const CloudPoint& p : cloud(newest())) {
-    const Eigen::Vector3d Y = T_next_newest.R() * p.ray + p.idepth * T_next_newest.translation();
-    in_view += Y.z() > kMinProjectedDepth && pinhole_.contains(pinhole_.project(Y));
-  }
-  return in_view;
+bool Window::is_cloud_thin(const Keyframe& keyframe) const {
+  const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
+  return cloud(keyframe).size() < std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
 }
 
 // Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma:

@@ -12,8 +12,8 @@
 namespace edgevo {
 namespace {
 
-// Points: fewer do not hold poses against outliers, those of the first window or that of the next keyframe.
-constexpr int kMinPoints = 100;
+// Points of the first window: fewer do not hold its poses against outliers.
+constexpr int kMinFirstPoints = 100;
 
 // Runs `work` and notes its CPU time under `name`.
 template <class Work>
@@ -68,7 +68,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   window_.activate(1, 1);
   window_.adjust();
   const WindowStats stats = window_.adjust();
-  if (stats.points < kMinPoints)
+  if (stats.points < kMinFirstPoints)
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
   next_id_ += int(chosen.size());
   publish(window_.newest());
@@ -125,9 +125,9 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     for (Keyframe& host : window_.keyframes())
       smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
     window_.activate(2, params_.window.min_matches);
-    // The map is about to leave the view before points are seen often, as in a fast turn: then one depth and
-    // one match must do. What the first pass has tried, with two depths, is not tried again.
-    if (window_.points_in_next_view() < kMinPoints && rule("thin map activates more")) window_.activate(1, 1);
+    // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
+    // What the first pass has tried, with two depths, is not tried again.
+    if (window_.is_cloud_thin(window_.newest()) && rule("thin map activates more")) window_.activate(1, 1);
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing

@@ -419,24 +419,13 @@ TEST(Window, TheCloudHoldsAtMostItsLimit) {
   EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
-// Those of the newest keyframe that lie in the true next image; a camera that turns away leaves them all.
-TEST(Window, KnowsHowManyPointsTheNextKeyframeWillShow) {
-  Window window = true_window(4, 0.0);
-  EXPECT_EQ(window.points_in_next_view(), 0);
-  ASSERT_GT(window.activate(2, 2), 200);
-  const SE3 T_next_newest = sweep_pose(4 * kFramesApart).inverse() * sweep_pose(3 * kFramesApart);
-  const std::vector<CloudPoint> cloud = window.cloud(window.newest());
-  const auto in_next = std::count_if(cloud.begin(), cloud.end(), [&](const CloudPoint& p) {
-    const Projection at =
-        project(Sweep::pinhole(), T_next_newest.R(), T_next_newest.translation(), p.ray, p.idepth);
-    return at.valid && Sweep::pinhole().contains(at.px);
-  });
-  EXPECT_NEAR(window.points_in_next_view(), double(in_next), 0.02 * double(cloud.size()));
-  Vector6d turn = Vector6d::Zero();
-  turn[4] = 1.5;  // radians between the last two
-  Keyframe& before = window.keyframes()[2];
-  before.T_cam_world = SE3::exp(turn) * before.T_cam_world;
-  EXPECT_EQ(window.points_in_next_view(), 0);
+TEST(Window, TheCloudIsThinBelowOnePointForFourCells) {
+  WindowParams params = params_with();
+  const int cells = CellGrid(320, 240, params.activation_cell_px).size();
+  Window window = true_window(4, 0.0, params);
+  EXPECT_TRUE(window.is_cloud_thin(window.newest()));
+  ASSERT_GT(window.activate(2, 2), cells / 4);
+  EXPECT_FALSE(window.is_cloud_thin(window.newest()));
 }
 
 TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {

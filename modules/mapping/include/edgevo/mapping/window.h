@@ -60,9 +60,9 @@ class Window {
 
   /// The points seen in a keyframe of the window, in its frame.
   std::vector<CloudPoint> cloud(const Keyframe& reference) const;
-  /// How many points of the newest keyframe's cloud the next one will show if the camera moves on as between
-  /// the last two; there must be two.
-  int points_in_next_view() const;
+  /// Few points of known depth are seen in a keyframe: fewer than 500, or in a small image than one for each
+  /// four cells of the activation.
+  bool is_cloud_thin(const Keyframe& keyframe) const;
   /// Share of the window's points that lie in the image of `keyframe`, matched there or not; 0 without
   /// points.
   double view_share(const Keyframe& keyframe) const;
