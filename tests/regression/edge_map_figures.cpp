@@ -30,11 +30,15 @@ struct Request : FiguresRequest {
 Request parse(const std::vector<std::string>& args) {
   Request r;
   const auto own = [&](const std::string& name, const std::string& value) {
-    if (name == "picture") r.picture = value;
-    if (name == "why" || name == "picture") r.why = value != "0";
-    return name == "why" || name == "picture";
+    if (name == "picture")
+      r.picture = value, r.why = true;
+    else if (name == "why")
+      r.why = value != "0";
+    else
+      return false;
+    return true;
   };
-  static_cast<FiguresRequest&>(r) = parse_figures_request(args, kUsage, own);
+  parse_figures_request(args, kUsage, own, &r);
   return r;
 }
 

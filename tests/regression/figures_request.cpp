@@ -10,24 +10,22 @@
 
 namespace edgevo::testing {
 
-FiguresRequest parse_figures_request(
-    const std::vector<std::string>& args, const std::string& usage,
-    const std::function<bool(const std::string& name, const std::string& value)>& own) {
+void parse_figures_request(const std::vector<std::string>& args, const std::string& usage,
+                           const std::function<bool(const std::string& name, const std::string& value)>& own,
+                           FiguresRequest* request) {
   if (args.size() < 2) throw InputError("arguments", "too few", "usage: " + usage);
-  FiguresRequest r;
-  r.scene = args[0];
-  r.seed = std::strtoull(args[1].c_str(), nullptr, 10);
-  if (args.size() > 2) r.light = args[2];
+  request->scene = args[0];
+  request->seed = std::strtoull(args[1].c_str(), nullptr, 10);
+  if (args.size() > 2) request->light = args[2];
   for (size_t i = 3; i < args.size(); ++i) {
     const size_t equals = std::min(args[i].find('='), args[i].size());
     const std::string name = args[i].substr(0, equals),
                       value = args[i].substr(std::min(equals + 1, args[i].size()));
     if (name == "frames")
-      r.frames = std::atoi(value.c_str());
+      request->frames = std::atoi(value.c_str());
     else if (!own(name, value))
-      set_param(args[i], [&](ParamVisitor& v) { r.params.visit(v); });
+      set_param(args[i], [&](ParamVisitor& v) { request->params.visit(v); });
   }
-  return r;
 }
 
 std::unique_ptr<ImageSource> images_of(const FiguresRequest& request,

@@ -20,13 +20,13 @@ struct FiguresRequest {
   OdometryParams params;
 };
 
-/// `own` takes NAME and VALUE of the program's own words NAME=VALUE, and returns false for others. Throws
-/// InputError (`usage`).
-FiguresRequest parse_figures_request(
-    const std::vector<std::string>& args, const std::string& usage,
-    const std::function<bool(const std::string& name, const std::string& value)>& own);
+/// Fills `request`. `own` takes NAME and VALUE of the program's own words NAME=VALUE, and returns false for
+/// others. Throws InputError (`usage`).
+void parse_figures_request(const std::vector<std::string>& args, const std::string& usage,
+                           const std::function<bool(const std::string& name, const std::string& value)>& own,
+                           FiguresRequest* request);
 
-/// The images that are asked for, of the scene as it was rendered.
+/// The frames that are asked for, relit where a light is named.
 std::unique_ptr<ImageSource> images_of(const FiguresRequest& request,
                                        const std::shared_ptr<const SceneRenderer>& renderer);
 

@@ -28,6 +28,9 @@ constexpr int kMostSteps = 4000;  // of the planner
 constexpr double kAside = 2;      // metres beside the path, at most
 constexpr double kMinApart = 3;   // metres from start to goal
 
+constexpr const char* kUsage =
+    "planner_map_figures SCENE SEED [LIGHT | -] [frames=N] [pairs=N] [radius=M] [GROUP.KEY=VALUE...]";
+
 struct Request : FiguresRequest {
   int pairs = 100;
   double radius = 0.5;
@@ -36,13 +39,15 @@ struct Request : FiguresRequest {
 Request parse(const std::vector<std::string>& args) {
   Request r;
   const auto own = [&](const std::string& name, const std::string& value) {
-    if (name == "pairs") r.pairs = std::atoi(value.c_str());
-    if (name == "radius") r.radius = std::atof(value.c_str());
-    return name == "pairs" || name == "radius";
+    if (name == "pairs")
+      r.pairs = std::atoi(value.c_str());
+    else if (name == "radius")
+      r.radius = std::atof(value.c_str());
+    else
+      return false;
+    return true;
   };
-  static_cast<FiguresRequest&>(r) = parse_figures_request(
-      args, "planner_map_figures SCENE SEED [LIGHT | -] [frames=N] [pairs=N] [radius=M] [GROUP.KEY=VALUE...]",
-      own);
+  parse_figures_request(args, kUsage, own, &r);
   return r;
 }
 

@@ -90,8 +90,8 @@ class CameraFinder {
   }
 
   Finding note_k1(double k1, double formal_sigma) {
-    const Standard standard{kMaxUsefulSigma, params_.max_k1, params_.significance, 0};
-    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), standard);
+    const FindingCriteria criteria{kMaxUsefulSigma, params_.max_k1, params_.significance, 0};
+    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), criteria);
     state_.state = f.state;
     state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
     return f;
@@ -99,10 +99,10 @@ class CameraFinder {
 
   Finding note_readout(double readout_s, double formal_sigma) {
     CameraRefinement::Shutter& s = state_.shutter;
-    const Standard standard{kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance,
-                            kLeastSignificance};
+    const FindingCriteria criteria{kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance,
+                                   kLeastSignificance};
     const Finding f = weigh(s.state, readout_s, params_.readout_s,
-                            readout_sigma(formal_sigma, params_, keyframes_), standard);
+                            readout_sigma(formal_sigma, params_, keyframes_), criteria);
     s.state = f.state;
     s.estimate = f.estimate, s.sigma = f.sigma, s.keyframes = keyframes_;
     return f;

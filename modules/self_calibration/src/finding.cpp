@@ -25,14 +25,14 @@ double readout_sigma(double formal, const SelfCalibrationParams& params, int key
 }
 
 Finding weigh(CameraRefinement::State before, double estimate, double by_file, double sigma,
-              const Standard& standard) {
+              const FindingCriteria& criteria) {
   using State = CameraRefinement::State;
-  const bool observed = sigma < standard.max_useful_sigma;
-  Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * standard.limit, before};
+  const bool observed = sigma < criteria.max_useful_sigma;
+  Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * criteria.limit, before};
   const double told_apart = std::abs(estimate - by_file) / sigma;
-  const bool holds = !f.trustworthy || told_apart >= standard.least_significance;
+  const bool holds = !f.trustworthy || told_apart >= criteria.least_significance;
   if (before == State::kApplied && holds && rule("applied stays")) return f;
-  f.state = f.trustworthy && told_apart >= standard.significance ? State::kApplied
+  f.state = f.trustworthy && told_apart >= criteria.significance ? State::kApplied
             : observed && !f.trustworthy                         ? State::kAtLimit
             : observed                                           ? State::kInsignificant
                                                                  : State::kNotObservable;

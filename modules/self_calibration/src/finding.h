@@ -12,7 +12,7 @@ struct Finding {
 };
 
 /// What it takes to believe an estimate, and to go on believing it.
-struct Standard {
+struct FindingCriteria {
   double max_useful_sigma = 0;    ///< known no better than this a number is not observed
   double limit = 0;               ///< of the number's size: the search is clamped there
   double significance = 0;        ///< standard deviations from the file's number that it takes to be applied
@@ -29,6 +29,6 @@ double readout_sigma(double formal, const SelfCalibrationParams& params, int key
 /// applied stays so until an estimate that can be trusted tells it apart from the file's number by less than
 /// `least_significance`: it does not come and go. `before`: the state so far; `sigma` > 0.
 Finding weigh(CameraRefinement::State before, double estimate, double by_file, double sigma,
-              const Standard& standard);
+              const FindingCriteria& criteria);
 
 }  // namespace edgevo

@@ -8,10 +8,10 @@ namespace {
 
 using State = CameraRefinement::State;
 
-constexpr Standard kStandard{0.004, 0.03, 3, 1.5};
+constexpr FindingCriteria kCriteria{0.004, 0.03, 3, 1.5};
 
 State state_after(State before, double estimate, double sigma) {
-  return weigh(before, estimate, 0, sigma, kStandard).state;
+  return weigh(before, estimate, 0, sigma, kCriteria).state;
 }
 
 TEST(Weigh, TellsFourStatesApart) {
@@ -27,12 +27,12 @@ TEST(Weigh, WhatIsAppliedStays) {
             State::kApplied);                                             // 2 sigma: not enough to begin with
   EXPECT_EQ(state_after(State::kApplied, 0.02, 0.005), State::kApplied);  // not observed this time
   EXPECT_EQ(state_after(State::kApplied, 0.03, 0.001), State::kApplied);  // at the limit
-  EXPECT_FALSE(weigh(State::kApplied, 0.03, 0, 0.001, kStandard).trustworthy);
+  EXPECT_FALSE(weigh(State::kApplied, 0.03, 0, 0.001, kCriteria).trustworthy);
   EXPECT_EQ(state_after(State::kApplied, 0.001, 0.001), State::kInsignificant);
 }
 
 TEST(Weigh, AsksHowFarTheFilesNumberIs) {
-  EXPECT_EQ(weigh(State::kTooEarly, 0.02, 0.019, 0.001, kStandard).state, State::kInsignificant);
+  EXPECT_EQ(weigh(State::kTooEarly, 0.02, 0.019, 0.001, kCriteria).state, State::kInsignificant);
 }
 
 // Matches are biased alike however many there are of them: a formal deviation of next to nothing is not

@@ -2,7 +2,7 @@
 // The rules of the method that are not in the paper, each under a name at the place where it decides. An
 // ablation takes them out one at a time: share/bench/ablate.py.
 //
-//   if (is_ambiguous(motion) && rule("motions agree")) return wait();
+//   if (fits && rotation > limit && rule("motions agree")) return true;
 //
 // A rule is asked last, where it is about to act: the number of calls is how often it acted.
 namespace edgevo {

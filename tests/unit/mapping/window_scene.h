@@ -1,0 +1,43 @@
+#pragma once
+// A window of keyframes of the sweep, for the tests of the window.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "edgevo/mapping/window.h"
+#include "support/sweep_scene.h"
+
+namespace edgevo::test {
+
+constexpr int kFramesApart = 4;  // frames of the sweep from keyframe to keyframe
+
+inline WindowParams params_with(const std::string& gauge = "fixed") {
+  WindowParams p;
+  p.gauge = gauge;
+  p.keyframes = 7;
+  return p;
+}
+
+inline Matrix6d tracking_covariance() { return 1e-5 * Matrix6d::Identity(); }
+
+/// `n` keyframes at their true poses, points not yet activated.
+inline Window true_window(int n, double depth_noise, const WindowParams& params = params_with()) {
+  Window window(Sweep::pinhole(), params, AssociationParams());
+  Random random(17);
+  for (int k = 0; k < n; ++k) window.add(true_keyframe(k, kFramesApart * k, depth_noise, &random));
+  return window;
+}
+
+/// Median error of the active points, relative.
+inline double idepth_error(const Window& window) {
+  std::vector<double> relative;
+  for (const Keyframe& k : window.keyframes())
+    for (const MapPoint& p : k.points)
+      relative.push_back(std::abs(p.idepth / Sweep::idepth(k.frame_index, p.px) - 1));
+  return median(relative);
+}
+
+/// Identity where the pose is true.
+inline SE3 pose_error(const Keyframe& k) { return k.T_cam_world * sweep_pose(k.frame_index); }
+
+}  // namespace edgevo::test
