@@ -111,7 +111,7 @@ std::vector<Contestant> contestants(const std::string& network, const std::strin
 }
 
 void judge(const std::string& network, const std::string& forest, int frames) {
-  Plan plan = test_plan();
+  Plan plan = plan_named("test");
   if (frames > 0) plan.frames = frames;
   std::vector<Contestant> all = contestants(network, forest);
   const std::vector<Sample> samples = make_samples(plan);

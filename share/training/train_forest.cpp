@@ -1,6 +1,6 @@
-// edgevo_train_forest OUT.yml.gz [SEED] [FRAMES]: renders its training set and grows a structured forest from
-// it. Method: Dollar and Zitnick, "Fast Edge Detection Using Structured Forests" (PAMI 2015). The same seed
-// gives the same file.
+// edgevo_train_forest OUT.yml.gz [SEED] [FRAMES] [train|lasting]: renders its training set and grows a
+// structured forest from it; FRAMES 0: as many as the plan has. The same seed gives the same file. Method:
+// Dollar and Zitnick, "Fast Edge Detection Using Structured Forests" (PAMI 2015).
 #include <cstdio>
 #include <cstdlib>
 #include <deque>
@@ -57,8 +57,8 @@ std::vector<const Example*> half_of(const std::deque<Example>& examples, Random&
   return chosen;
 }
 
-void train(const std::string& out, uint64_t seed, int frames) {
-  Plan plan = training_plan();
+void train(const std::string& out, uint64_t seed, int frames, const std::string& set) {
+  Plan plan = plan_named(set);
   plan.seed = seed;
   if (frames > 0) plan.frames = frames;
   const ForestShape shape;
@@ -87,9 +87,9 @@ void train(const std::string& out, uint64_t seed, int frames) {
 int main(int argc, char** argv) try {
   if (argc < 2)
     throw edgevo::InputError("edgevo_train_forest", "names no file to write",
-                             "write edgevo_train_forest OUT.yml.gz [SEED] [FRAMES]");
+                             "write edgevo_train_forest OUT.yml.gz [SEED] [FRAMES] [train|lasting]");
   edgevo::training::train(argv[1], argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1,
-                          argc > 3 ? std::atoi(argv[3]) : 0);
+                          argc > 3 ? std::atoi(argv[3]) : 0, argc > 4 ? argv[4] : "train");
   return 0;
 } catch (const edgevo::InputError& e) {
   std::fprintf(stderr, "edgevo_train_forest: %s\n", e.what());

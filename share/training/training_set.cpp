@@ -3,11 +3,13 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/random.h"
 #include "edgevo/simulation/relight.h"
 #include "edgevo/simulation/run_parallel.h"
 #include "edgevo/simulation/true_edge_labels.h"
+#include "lasting_edges.h"
 
 namespace edgevo::training {
 namespace {
@@ -47,6 +49,37 @@ cv::Mat visible_edges(const cv::Mat& labels, const cv::Mat& clean) {
   cv::Mat visible = labels.clone();
   visible.setTo(0, steepness(clean) < kLearnedSlope);
   return visible;
+}
+
+// ---- labels ----
+
+// The place of the i-th of `wanted` at equal steps among `size`.
+int at_equal_steps(int i, int wanted, size_t size) { return int((i + 0.5) * double(size) / wanted); }
+
+std::vector<LabelledFrame> with_true_edges(const SceneRenderer& renderer, int frames) {
+  std::vector<LabelledFrame> labelled(static_cast<size_t>(frames));
+  run_parallel(0, frames, 2, [&](int i) {
+    const int index = at_equal_steps(i, frames, size_t(renderer.size()));
+    const cv::Mat clean = as_mat(renderer.render_image(index));
+    labelled[size_t(i)] = {index, visible_edges(as_mat(true_edge_labels(renderer, index)), clean)};
+  });
+  return labelled;
+}
+
+std::vector<LabelledFrame> with_lasting_edges(const Scene& scene, int frames, uint64_t seed) {
+  const std::vector<LabelledFrame> keyframes = lasting_edges(scene, seed);
+  if (keyframes.empty())
+    throw InputError("scene " + scene.name, "its run made no keyframe, so that nothing lasts in it",
+                     "take another seed of the world");
+  std::vector<LabelledFrame> chosen;
+  for (int i = 0; i < frames; ++i)
+    chosen.push_back(keyframes[size_t(at_equal_steps(i, frames, keyframes.size()))]);
+  return chosen;
+}
+
+std::vector<LabelledFrame> labelled_frames(const SceneRenderer& renderer, const Plan& plan) {
+  return plan.label == Label::kTrue ? with_true_edges(renderer, plan.frames)
+                                    : with_lasting_edges(renderer.scene(), plan.frames, plan.seed);
 }
 
 // ---- light and camera ----
@@ -96,10 +129,10 @@ cv::Rect any_piece(const Plan& plan, cv::Size image, Random& random) {
   return {u, v, width, height};
 }
 
-std::vector<Sample> samples_of_frame(const SceneRenderer& renderer, int index, const Plan& plan,
-                                     Random random) {
+std::vector<Sample> samples_of_frame(const SceneRenderer& renderer, const LabelledFrame& labelled,
+                                     const Plan& plan, Random random) {
+  const auto& [index, label] = labelled;
   const cv::Mat clean = as_mat(renderer.render_image(index));
-  const cv::Mat label = visible_edges(as_mat(true_edge_labels(renderer, index)), clean);
   std::vector<Sample> samples;
   for (const std::string& light : plan.lights) {
     const cv::Rect piece = any_piece(plan, clean.size(), random);
@@ -114,13 +147,17 @@ std::vector<Sample> samples_of_frame(const SceneRenderer& renderer, int index, c
   return samples;
 }
 
-}  // namespace
-
 Plan training_plan() {
   Plan plan;
   plan.worlds = {{"street", 11},    {"desk", 11},      {"lakeshore", 11}, {"street", 12},
                  {"desk", 12},      {"lakeshore", 12}, {"street", 13},    {"desk", 13},
                  {"lakeshore", 13}, {"street", 14},    {"rotation", 11}};
+  return plan;
+}
+
+Plan lasting_plan() {
+  Plan plan = training_plan();
+  plan.label = Label::kLasting;
   return plan;
 }
 
@@ -134,15 +171,24 @@ Plan test_plan() {
   return plan;
 }
 
+}  // namespace
+
+Plan plan_named(const std::string& name) {
+  if (name == "train") return training_plan();
+  if (name == "lasting") return lasting_plan();
+  if (name == "test") return test_plan();
+  throw InputError("training set", "there is none named `" + name + "`", "name train, lasting or test");
+}
+
 std::vector<Sample> make_samples(const Plan& plan) {
   std::vector<Sample> all;
   for (size_t w = 0; w < plan.worlds.size(); ++w) {
     const SceneRenderer renderer(clean_scene(plan.worlds[w]));
+    const std::vector<LabelledFrame> frames = labelled_frames(renderer, plan);
     std::vector<std::vector<Sample>> by_frame(size_t(plan.frames));
     run_parallel(0, plan.frames, 2, [&](int i) {
-      const int index = int((i + 0.5) * renderer.size() / plan.frames);
       by_frame[size_t(i)] =
-          samples_of_frame(renderer, index, plan, Random::derive(plan.seed, w * 1000 + uint64_t(i)));
+          samples_of_frame(renderer, frames[size_t(i)], plan, Random::derive(plan.seed, w * 1000 + uint64_t(i)));
     });
     for (auto& samples : by_frame) all.insert(all.end(), samples.begin(), samples.end());
   }

@@ -1,5 +1,6 @@
-// edgevo_training_set OUT [train|test] [SEED] [FRAMES]: pieces of rendered frames with their true edges in
-// one file. train: the worlds to train on, in any light; test: those that are kept, in each light in turn.
+// edgevo_training_set OUT [train|lasting|test] [SEED] [FRAMES]: pieces of rendered frames with their edges in
+// one file. train: the worlds to train on, in any light, with true edges; lasting: the same with the edges
+// that a run found again; test: the worlds that are kept, in each light in turn.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -8,12 +9,10 @@
 #include "training_set.h"
 
 int main(int argc, char** argv) try {
-  const std::string which = argc > 2 ? argv[2] : "train";
-  if (argc < 2 || (which != "train" && which != "test"))
-    throw edgevo::InputError("edgevo_training_set", "needs a file to write, and train or test",
-                             "write edgevo_training_set OUT [train|test] [SEED] [FRAMES]");
-  edgevo::training::Plan plan =
-      which == "train" ? edgevo::training::training_plan() : edgevo::training::test_plan();
+  if (argc < 2)
+    throw edgevo::InputError("edgevo_training_set", "names no file to write",
+                             "write edgevo_training_set OUT [train|lasting|test] [SEED] [FRAMES]");
+  edgevo::training::Plan plan = edgevo::training::plan_named(argc > 2 ? argv[2] : "train");
   if (argc > 3) plan.seed = std::strtoull(argv[3], nullptr, 10);
   if (argc > 4) plan.frames = std::max(1, std::atoi(argv[4]));
   const auto samples = edgevo::training::make_samples(plan);
