@@ -1,6 +1,6 @@
-// edgevo_judge_places [FRAMES] [SEED]: how well detectors place edges on rendered frames, and whether they
-// find them again, by light, as a table. Street and desk of a seed that no model was trained on; the models
-// are those that come with edgevo.
+// edgevo_judge_places [FRAMES] [SEED] [NETWORK.onnx FOREST.yml.gz]: how well detectors place edges on rendered
+// frames, and whether they find them again, by light, as a table. Street and desk of a seed that no model was
+// trained on; without names the models are those that come with edgevo.
 //
 // Offset: from a found edge pixel, along its normal (dark to bright), to the true line of a depth step or
 // crease within 1.5 px; the line is known to an eighth of a pixel from labels of four times the resolution.
@@ -153,14 +153,19 @@ void judge_pair(const Pair& pair, const Camera& camera, const std::string& light
   places->add_repeats(from->finest().edges, to->finest(), views);
 }
 
-void judge(const char* name, int frames, uint64_t seed, const std::vector<std::string>& detectors) {
+struct Contestant {
+  std::string detector, model;  // model: a file; empty: the one that comes with edgevo, or none
+};
+
+void judge(const char* name, int frames, uint64_t seed, const std::vector<Contestant>& contestants) {
   const Scene scene = plain_scene(name, seed);
   const std::vector<Pair> pairs = make_pairs(scene, frames);
   for (const char* light : {"none", "blur", "noise", "shadows", "glare", "mixed"}) {
     std::printf("| %s | %s |", name, light);
-    for (const std::string& detector : detectors) {
+    for (const Contestant& c : contestants) {
       EdgeParams params;
-      params.detector = detector;
+      params.detector = c.detector;
+      params.model = c.model;
       Places places;
       for (const Pair& pair : pairs) judge_pair(pair, scene.camera, light, params, &places);
       const Figures f = figures_of(places);
@@ -171,13 +176,16 @@ void judge(const char* name, int frames, uint64_t seed, const std::vector<std::s
   }
 }
 
-void judge_all(int frames, uint64_t seed) {
-  const std::vector<std::string> detectors{"canny", "edge_drawing", "structured", "network",
-                                           "combined:network"};
+void judge_all(int frames, uint64_t seed, const std::string& network, const std::string& forest) {
+  const std::vector<Contestant> contestants{{"canny", ""},
+                                            {"edge_drawing", ""},
+                                            {"structured", forest},
+                                            {"network", network},
+                                            {"combined:network", network}};
   std::printf("Bias and sigma, px; repeated, %%; edge pixels a frame.\n\n| scene | light |");
-  for (const std::string& d : detectors) std::printf(" %s |", d.c_str());
+  for (const Contestant& c : contestants) std::printf(" %s |", c.detector.c_str());
   std::printf("\n|---|---|---|---|---|---|---|\n");
-  for (const char* name : {"street", "desk"}) judge(name, frames, seed, detectors);
+  for (const char* name : {"street", "desk"}) judge(name, frames, seed, contestants);
 }
 
 }  // namespace
@@ -185,7 +193,8 @@ void judge_all(int frames, uint64_t seed) {
 
 int main(int argc, char** argv) try {
   edgevo::training::judge_all(argc > 1 ? std::max(1, std::atoi(argv[1])) : 2,
-                              argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 91);
+                              argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 91, argc > 4 ? argv[3] : "",
+                              argc > 4 ? argv[4] : "");
   return 0;
 } catch (const std::exception& e) {
   std::fprintf(stderr, "edgevo_judge_places: %s\n", e.what());
