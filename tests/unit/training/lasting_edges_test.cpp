@@ -1,12 +1,11 @@
-// Edges that last are edges of the scene that a run found again: they lie on true edges, the sweeping shadows
-// of the light are not among them, and the same seed gives the same ones.
+// Edges that last are edges of the scene that a run found again: they lie on true edges, so that the shadows
+// that sweep over the images are not among them, and the same seed gives the same ones.
 #include "lasting_edges.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
-#include "edgevo/simulation/relight.h"
 #include "edgevo/simulation/scene_renderer.h"
 #include "edgevo/simulation/true_edge_labels.h"
 
