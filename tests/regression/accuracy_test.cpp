@@ -67,7 +67,7 @@ TEST(RenderedAccuracy, StreetDrive) {
 // (share/lab/2026-11-23_backward_motion.md).
 TEST(RenderedAccuracy, StreetDriveBackwards) {
   expect_drive_within(backward(part_of(street_drive(), 0, 80)),
-                      {0.0085, 0.0017});  // seed 1: 0.0043 %, 0.00087
+                      {0.0225, 0.0035});  // seeds 1 to 5: up to 0.0112 %, 0.00175
 }
 
 TEST(RenderedAccuracy, HandHeldOverADesk) {
@@ -148,8 +148,8 @@ std::shared_ptr<const Clip> through_round_lens(Clip clip) {
 
 // The outline of the border mask is no edge of the scene (edges/src/border_mask.h).
 TEST(RenderedAccuracy, AStreetThroughARoundLens) {
-  // Seed 1: 0.016 %, 0.0023.
-  expect_drive_within({through_round_lens(*street_drive().clip), street_drive().truth}, {0.031, 0.0045});
+  // Seeds 1 to 5: up to 0.041 %, 0.0027.
+  expect_drive_within({through_round_lens(*street_drive().clip), street_drive().truth}, {0.082, 0.0054});
 }
 
 // Through a bend of 26 degrees between two frames. Edges alone lose it (two to three segments, ATE 5 % of the

@@ -1,6 +1,7 @@
 #include "edgevo/mapping/window.h"
 
 #include <algorithm>
+#include <set>
 
 #include "edgevo/association/look_ahead.h"
 #include "edgevo/association/uncertainty.h"
@@ -104,7 +105,7 @@ bool Window::try_activate(const ImmaturePoint& candidate, const std::vector<Sigh
   return true;
 }
 
-int Window::activate(int min_good, int min_matches) {
+int Window::activate(int min_good, int min_matches, int at_most) {
   const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
   std::vector<int> count(grid.size(), 0);
   int active = 0;
@@ -126,8 +127,8 @@ int Window::activate(int min_good, int min_matches) {
       const SE3 T = relative_pose(newest(), *host);
       const std::vector<View> views = views_from(*host);
       for (ImmaturePoint& p : host->immature) {
-        if (active >= params_.max_points) return activated;
-        if (p.dead || p.good < min_good) continue;
+        if (active >= params_.max_points || activated >= at_most) return activated;
+        if (p.dead || p.lent || p.good < min_good) continue;
         if (!in_view(pinhole_, T, p.px, p.idepth, &px)) continue;
         int& here = count[grid.index(px.x(), px.y())];
         if (here >= per_cell) continue;
@@ -139,12 +140,33 @@ int Window::activate(int min_good, int min_matches) {
         const std::vector<Sight> sights = in_sight(p, views);
         // New in view, as the border is when the camera backs away: it waits.
         if (int(sights.size()) < min_matches && rule("wait for views")) continue;
-        p.dead = true;  // tried once: it becomes active or is gone
+        const bool as_loan = p.good < 2;  // nothing has checked it
+        p.dead = !as_loan;                // tried once: it becomes active or is gone
         if (!try_activate(p, sights, min_matches, &*host)) continue;
+        p.lent = host->points.back().lent = as_loan;
         ++here, ++active, ++activated;
       }
     }
   return activated;
+}
+
+// A lent point that is not there any more did not fit: its immature point goes, too.
+void Window::take_back() {
+  for (Keyframe& host : keyframes_) {
+    std::set<int> unconfirmed;
+    for (MapPoint& p : host.points) {
+      p.lent &= p.observations.size() < 2;
+      if (p.lent) unconfirmed.insert(p.edge_pixel);
+    }
+    host.points.erase(
+        std::remove_if(host.points.begin(), host.points.end(), [](const MapPoint& p) { return p.lent; }),
+        host.points.end());
+    for (ImmaturePoint& p : host.immature) {
+      if (!p.lent) continue;
+      p.dead |= unconfirmed.count(p.edge_pixel) == 0;
+      p.lent = false;
+    }
+  }
 }
 
 void Window::hold_bootstrap_scale() {

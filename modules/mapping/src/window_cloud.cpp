@@ -10,8 +10,8 @@
 namespace edgevo {
 namespace {
 
-// Points of known depth below which the cloud is filled up with immature ones and the map counts as thin: 300
-// and 400 let runs break, 700 costs accuracy (share/lab/2026-11-22_sparse_maps.md).
+// Points of known depth below which the cloud is filled up with immature ones, and below which some are lent
+// to the map: 300 and 400 let runs break, 700 costs accuracy (share/lab/2026-11-22_sparse_maps.md).
 constexpr size_t kEnoughCloud = 500;
 // Points of known depth for each cell of the activation, below which they are few for a small image, too: 402
 // at 640x480.
@@ -19,9 +19,10 @@ constexpr double kThinShare = 0.25;
 
 }  // namespace
 
-bool Window::is_cloud_thin(const Keyframe& keyframe) const {
+int Window::points_lacking() const {
   const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
-  return cloud(keyframe).size() < std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
+  const size_t enough = std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
+  return std::max(0, int(enough) - int(cloud(newest()).size()));
 }
 
 // Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma:

@@ -124,10 +124,11 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   timed("activation", &update->times, [&] {
     for (Keyframe& host : window_.keyframes())
       smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
+    window_.take_back();
     window_.activate(2, params_.window.min_matches);
     // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
     // What the first pass has tried, with two depths, is not tried again.
-    if (window_.is_cloud_thin(window_.newest()) && rule("thin map activates more")) window_.activate(1, 1);
+    if (rule("lent points")) window_.activate(1, 1, window_.points_lacking());
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing

@@ -46,15 +46,6 @@ TEST(Window, TheCloudHoldsAtMostItsLimit) {
   EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
-TEST(Window, TheCloudIsThinBelowOnePointForFourCells) {
-  WindowParams params = params_with();
-  const int cells = CellGrid(320, 240, params.activation_cell_px).size();
-  Window window = true_window(4, 0.0, params);
-  EXPECT_TRUE(window.is_cloud_thin(window.newest()));
-  ASSERT_GT(window.activate(2, 2), cells / 4);
-  EXPECT_FALSE(window.is_cloud_thin(window.newest()));
-}
-
 TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
   Window window = true_window(3, 0.0);  // no point is active
   const Keyframe& newest = window.newest();

@@ -84,6 +84,89 @@ TEST(Window, ActivationStopsAtTheLimit) {
   EXPECT_EQ(window.activate(2, 2), 0);
 }
 
+// ---- loans ----
+
+constexpr int kLoans = 100;
+
+// Two keyframes: each point has one match at most.
+Window window_of_two() {
+  Window window = true_window(2, 0.02);
+  for (Keyframe& k : window.keyframes())
+    for (ImmaturePoint& p : k.immature) p.good = 1;
+  return window;
+}
+
+void add_third(Window* window) {
+  Random random(17);
+  window->add(test::true_keyframe(2, 2 * kFramesApart, 0.02, &random));
+  window->newest().immature.clear();
+}
+
+template <typename Test>
+int count_immature(const Window& window, const Test& test) {
+  int n = 0;
+  for (const Keyframe& k : window.keyframes())
+    n += int(std::count_if(k.immature.begin(), k.immature.end(), test));
+  return n;
+}
+
+// At 320x240 a quarter of the cells of 14 pixels is less than 500.
+TEST(Window, LendsAsManyPointsAsTrackingLacks) {
+  Window window = window_of_two();
+  const int cells = CellGrid(320, 240, params_with().activation_cell_px).size();
+  EXPECT_EQ(window.points_lacking(), cells / 4) << "there is none";
+  EXPECT_EQ(window.activate(1, 1, window.points_lacking()), cells / 4);
+  EXPECT_EQ(window.active_points(), cells / 4);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.lent && !p.dead; }), cells / 4);
+  EXPECT_EQ(window.points_lacking(), 0);
+}
+
+TEST(Window, ALentPointStaysWhereTheNextKeyframeMatchesIt) {
+  Window window = window_of_two();
+  const int lent = window.activate(1, 1, kLoans);
+  add_third(&window);
+  window.associate_newest(tracking_covariance());
+  window.take_back();
+  const int stayed = window.active_points();
+  EXPECT_GT(stayed, lent / 2);
+  for (const Keyframe& k : window.keyframes())
+    for (const MapPoint& p : k.points) {
+      EXPECT_FALSE(p.lent);
+      EXPECT_GE(p.observations.size(), 2u);
+    }
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), stayed);
+}
+
+TEST(Window, ALentPointThatNothingConfirmsGoesBackAndIsNotLost) {
+  Window window = window_of_two(), never_lent = window_of_two();
+  ASSERT_GT(window.activate(1, 1, kLoans), 50);
+  add_third(&window);
+  add_third(&never_lent);
+  window.take_back();  // nothing was matched in the third
+  EXPECT_EQ(window.active_points(), 0);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.lent || p.dead; }), 0);
+  EXPECT_EQ(window.activate(1, 2), never_lent.activate(1, 2));
+}
+
+TEST(Window, APointOfTwoDepthsIsNotLent) {
+  Window window = true_window(2, 0.02);
+  for (Keyframe& k : window.keyframes())
+    for (ImmaturePoint& p : k.immature) p.good = 2;
+  ASSERT_EQ(window.activate(1, 1, kLoans), kLoans);
+  add_third(&window);
+  window.take_back();  // nothing was matched in the third
+  EXPECT_EQ(window.active_points(), kLoans);
+}
+
+TEST(Window, ALentPointThatTheAdjustmentDroppedIsGone) {
+  Window window = window_of_two();
+  const int lent = window.activate(1, 1, kLoans);
+  for (Keyframe& k : window.keyframes()) k.points.clear();
+  window.take_back();
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), lent);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.lent; }), 0);
+}
+
 // ---- association ----
 
 TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {

@@ -111,9 +111,9 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
-// No point can be matched in as many keyframes as asked for: what keeps the map alive is that one match does
-// where it thins out.
-TEST(Mapper, AMapThatThinsOutTakesPointsWithOneMatch) {
+// No point can be matched in as many keyframes as asked for: what keeps the map alive are points that are
+// lent to it.
+TEST(Mapper, AMapThatThinsOutIsLentPoints) {
   MappingParams params = params_with("prior");
   params.window.min_matches = 10;
   SweepDriver driver(params);

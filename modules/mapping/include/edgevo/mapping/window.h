@@ -3,6 +3,7 @@
 // bundle adjustment with match updates, removal of the oldest keyframe.
 #include <deque>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -45,8 +46,16 @@ class Window {
   int associate_newest(const Matrix6d& pose_covariance);
 
   /// Turns immature points into active ones where they are certain enough (at least `min_good` depth
-  /// observations, `min_matches` keyframes that match), spread over the newest image. Returns how many.
-  int activate(int min_good, int min_matches);
+  /// observations, `min_matches` keyframes that match), spread over the newest image, `at_most` of them. Two
+  /// depths are of two images; one and a match may be of the same, so that nothing has checked it: a point
+  /// with one depth is only lent, until take_back(), and its immature point lives on. Returns how many.
+  int activate(int min_good, int min_matches, int at_most = std::numeric_limits<int>::max());
+  /// Ends the loans of before the newest keyframe: a point that a second keyframe matches, too, stays; the
+  /// others go back to being immature, but for those that the adjustment has dropped, which are gone.
+  void take_back();
+  /// Points of known depth that the newest keyframe lacks for tracking: it should see 500, in a small image
+  /// one for each four cells of the activation.
+  int points_lacking() const;
 
   /// Adjusts poses and depths, updates matches that moved, adjusts again, drops what does not fit.
   WindowStats adjust();
@@ -60,9 +69,6 @@ class Window {
 
   /// The points seen in a keyframe of the window, in its frame.
   std::vector<CloudPoint> cloud(const Keyframe& reference) const;
-  /// Few points of known depth are seen in a keyframe: fewer than 500, or in a small image than one for each
-  /// four cells of the activation.
-  bool is_cloud_thin(const Keyframe& keyframe) const;
   /// Share of the window's points that lie in the image of `keyframe`, matched there or not; 0 without
   /// points.
   double view_share(const Keyframe& keyframe) const;
