@@ -158,6 +158,17 @@ TEST(Window, APointOfTwoDepthsIsNotLent) {
   EXPECT_EQ(window.active_points(), kLoans);
 }
 
+TEST(Window, AnImmaturePointGivenUpWhileItsPointWasLentStaysGivenUp) {
+  Window window = window_of_two();
+  const int lent = window.activate(1, 1, kLoans);
+  for (Keyframe& k : window.keyframes())
+    for (ImmaturePoint& p : k.immature) p.dead = p.lent;  // as the depth filter does
+  add_third(&window);
+  window.take_back();
+  EXPECT_EQ(window.active_points(), 0);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), lent);
+}
+
 TEST(Window, ALentPointThatTheAdjustmentDroppedIsGone) {
   Window window = window_of_two();
   const int lent = window.activate(1, 1, kLoans);

@@ -121,6 +121,13 @@ TEST(Mapper, AMapThatThinsOutIsLentPoints) {
   for (int step = 1; step <= 15; ++step)
     driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
   EXPECT_GT(driver.mapper.reference()->known_points, 60);
+  // Of the last keyframe alone: earlier loans have been kept or given back.
+  const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, params.window.activation_cell_px);
+  int lent = 0;
+  for (const Keyframe& k : driver.mapper.window().keyframes())
+    for (const MapPoint& p : k.points) lent += p.lent;
+  EXPECT_GT(lent, 0);
+  EXPECT_LE(lent, grid.size() / 4);
 }
 
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
