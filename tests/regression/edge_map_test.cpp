@@ -1,5 +1,5 @@
 // The lines of edges of a drive through the rendered street against its true edges. Bounds leave room to what
-// was measured (share/lab/2026-11-24_edge_map.md).
+// was measured (share/lab/archive/2026-11-24_edge_map.md).
 #include <gtest/gtest.h>
 
 #include "street_drive.h"

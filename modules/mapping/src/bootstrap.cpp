@@ -21,10 +21,10 @@ constexpr size_t kMaxKeptViews = 14;
 // Corners: three fix a pose, and a view between the two is worth nothing with a wrong one.
 constexpr int kMinPnpCorners = 20;
 // RANSAC runs that have to agree on the rotation: one alone was wrong in two of five seeds
-// (share/lab/2026-11-22_bootstrap.md).
+// (share/lab/archive/2026-11-22_bootstrap.md).
 constexpr int kMotionTrials = 5;
 // Frames in a row whose corners do not agree on one motion: the first view was taken in bad light
-// (share/lab/2026-11-22_bootstrap.md).
+// (share/lab/archive/2026-11-22_bootstrap.md).
 constexpr int kMaxDisagreeing = 8;
 // Depth in the unit of the baseline below which a triangulated corner counts as behind the camera.
 constexpr double kMinCornerDepth = 1e-6;

@@ -21,7 +21,7 @@ constexpr int kMaxMisses = 3;
 constexpr double kDropSigmas = 4.0;
 // Share of the cost whose decrease ends an adjustment: what is left after it is below the noise of the
 // matches. A fifth of the time less than with 1e-4, at the same errors
-// (share/lab/2026-11-21_end_of_adjustment.md).
+// (share/lab/archive/2026-11-21_end_of_adjustment.md).
 constexpr double kEnoughDecrease = 1e-3;
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 // Weight of the newest keyframe in the mean: the last three to five count.
 constexpr double kNewestShare = 1.0 / 3;
 // Shares of the variance that tracking told, measured on rendered scenes
-// (share/lab/2026-11-22_pose_covariance.md).
+// (share/lab/archive/2026-11-22_pose_covariance.md).
 constexpr double kMost = 4;        // more than that is an outlier of one keyframe
 constexpr double kLeast = 0.7;     // agreement beyond that is chance, or one error in both
 constexpr double kNotSeen = 1.15;  // truth over what the move shows: the adjusted pose errs as well

@@ -22,7 +22,7 @@ constexpr double kMaxUsefulReadoutSigma = 0.005;
 constexpr double kLeastSignificance = 1.5;
 // Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
 // estimates come out a fifth to a half short and reach the truth step by step
-// (share/lab/2026-11-22_rolling_shutter.md).
+// (share/lab/archive/2026-11-22_rolling_shutter.md).
 constexpr double kOverRelaxation = 1.3;
 
 class CameraFinder {

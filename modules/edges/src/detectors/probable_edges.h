@@ -9,7 +9,7 @@
 // the scores counts: as many pixels are kept as there would be of Canny's.
 //
 // Whole chains are kept or not, by their mean score: chosen pixel by pixel, lines break where a score lies
-// next to the threshold, in each frame elsewhere (share/lab/2026-11-24_whole_chains.md).
+// next to the threshold, in each frame elsewhere (share/lab/archive/2026-11-24_whole_chains.md).
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/edges/gradient.h"
 

@@ -21,12 +21,12 @@
 //  - OccupancyParams::fill: what lies between straight edges that frame a wall without texture is occupied,
 //    where it is unknown, with a lower probability. A patch needs two parallel lines that three keyframes saw
 //    together and a third that closes one of its open sides; a certain point that is seen through it, or the
-//    way of the camera, opens it. Off by default: share/lab/2026-11-25_walls_without_texture.md.
+//    way of the camera, opens it. Off by default: share/lab/archive/2026-11-25_walls_without_texture.md.
 // Between edges lies unknown space. A planner has to choose whether unknown is free; free voxels here are
 // really seen ones.
 //
 // Cost: about as many voxel visits as rays times range over resolution; see
-// share/lab/2026-11-21_octomap_insertion.md. Not thread-safe; no
+// share/lab/archive/2026-11-21_octomap_insertion.md. Not thread-safe; no
 // OpenMP, whose number of threads octomap's own insertion would reset. A run without points gives an empty,
 // valid map.
 #include <cstdint>
