@@ -1,7 +1,7 @@
 #pragma once
 // Collects what a run leaves behind. Poses are kept relative to keyframes until the end, so that every frame
-// profits from the final keyframe poses. The mapping thread may call note_mapping, note_window, retire and
-// revise; everything else belongs to the tracking thread.
+// profits from the final keyframe poses. The mapping thread may call note_mapping, note_window, retire,
+// set_lines and revise; everything else belongs to the tracking thread.
 #include <deque>
 #include <map>
 #include <mutex>
