@@ -88,7 +88,7 @@ set(libraries libeigen3-dev libopencv-dev libceres-dev liboctomap-dev libmrpt-ma
 list(JOIN libraries ", " libraries)
 edgevo_package(devel libedgevo-dev "edge visual odometry: libraries for C++"
   "Static libraries, headers, a CMake package (find_package(edgevo), targets
-edgevo::odometry, edgevo::datasets and others) and two examples, in
+edgevo::odometry, edgevo::datasets and others) and examples, in
 /usr/share/edgevo/examples."
   SECTION libdevel DEPENDS "${libraries}" SUGGESTS "libedgevo-visp-dev")
 edgevo_package(doc edgevo-doc "edge visual odometry: documentation"
