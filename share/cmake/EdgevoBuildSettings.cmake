@@ -2,7 +2,6 @@
 option(EDGEVO_BUILD_TESTS "Build the unit and integration tests" ON)
 option(EDGEVO_BUILD_BENCHMARKS "Build the Google Benchmark programs" ON)
 option(EDGEVO_WARNINGS_AS_ERRORS "Warnings are errors (our own CI)" OFF)
-option(EDGEVO_ABLATION "The environment can take rules of the method out (core/rule.h); for measurements only" OFF)
 option(EDGEVO_WITH_VISP "Build visp_bridge; what links ViSP is distributed under the GPL" ON)
 set(EDGEVO_SANITIZE "" CACHE STRING "Sanitizers, comma separated: address,undefined or thread")
 

@@ -15,7 +15,7 @@ install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edg
 install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel)
 
 set(EDGEVO_DATA_DIR ${CMAKE_INSTALL_DATADIR}/edgevo)
-# Scripts in Python stay in the source tree: they need a build of their own kind (share/bench/ablate.py), and the package no Python.
+# Scripts in Python stay in the source tree: the package needs no Python.
 install(DIRECTORY params datasets share/bench share/workflow DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program USE_SOURCE_PERMISSIONS
   PATTERN *.py EXCLUDE)
 install(PROGRAMS share/install_dependencies.sh DESTINATION ${EDGEVO_DATA_DIR} COMPONENT devel)

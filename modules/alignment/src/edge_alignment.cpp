@@ -8,7 +8,6 @@
 #include "edge_sums.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -27,6 +26,10 @@ constexpr double kLeastTurnPx = 1e-3;  // a refused step that turns the image by
 // A step of the coarse start that moves points by less is the last: the edges follow.
 constexpr double kPatchStepPx = 0.02;
 constexpr double kEdgeStepPx = 0.005;  // the same of edges, on each level; edges repeat to some 0.05 px
+// Cost of a point out of view, in misses: it speaks for a pose as little as against it. Free, points would be
+// pushed out of the view; at the price of a miss, a camera that drives past the last near points is held back
+// (share/lab/archive/2026-11-21_edges_along_the_motion.md).
+constexpr double kOutOfViewShare = 0.5;
 
 // Normal equations of one Gauss-Newton step, with the cost at their linearisation point.
 struct NormalEquations {
@@ -106,17 +109,13 @@ class EdgeCost {
     const EdgeSums sums = sum_edges(matched_, level_.pinhole, t, miss_cost());
     sums.add_to(&eq.H, &eq.b);
     cost += sums.cost + double(eq.stats.visible - eq.stats.inliers) * miss_cost();
-    cost += double(cloud_.points.size() - eq.stats.visible) * out_of_view_ * miss_cost();
+    cost += double(cloud_.points.size() - eq.stats.visible) * kOutOfViewShare * miss_cost();
     eq.stats.cost = cost / std::max<size_t>(1, cloud_.points.size());
     eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(sums.square / eq.stats.inliers) : 0.0;
     return eq;
   }
 
  private:
-  // A point out of view speaks for a pose as little as against it: half a miss. Free, points would be pushed
-  // out of the view; at the price of a miss, a camera that drives past the last near points is held back.
-  const double out_of_view_ = rule("out of view costs half") ? 0.5 : 0;
-
   double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
   double robust_cost(double r) const {
     return huber_ ? huber_cost(r, params_.huber_px) : student_t_cost(r, params_.huber_px);
@@ -249,6 +248,10 @@ void AlignmentParams::visit(ParamVisitor& v) {
   v.integer("min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
   v.number("weak_sigma", weak_sigma, 1e-5, 1,
            "a direction with a larger standard deviation (share of depth, rad) is weak");
+  v.boolean("verify_patch_start", verify_patch_start,
+            "the edges start from the predicted pose where it fits them better than that of the patches");
+  v.boolean("use_median_motion_prior", use_median_motion_prior,
+            "a step unlike the median of the last ones needs more support, while the camera moves steadily");
 }
 
 EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray,

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 namespace {
 
@@ -16,17 +14,19 @@ int coarsest_edge_level(const FramePyramid& pyramid) {
   return std::min(levels, 2) - 1;
 }
 
-// Glare and shadows mislead gray levels where the edges of the scene run along the motion: the edges
-// choose where to go on from.
+// Glare and shadows mislead gray levels where the edges of the scene run along the motion. So the edges
+// choose where to go on from: the pose that the patches found, or the start itself
+// (share/lab/archive/2026-11-21_edges_along_the_motion.md).
 SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                      const AlignmentParams& params) {
   const int coarsest = int(current.levels.size()) - 1;
   SE3 T_cur_ref = start;
   align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &T_cur_ref);
+  if (!params.verify_patch_start) return T_cur_ref;
   const int level = coarsest_edge_level(current);
   const bool misled =
       edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);
-  return misled && rule("patches misled") ? start : T_cur_ref;
+  return misled ? start : T_cur_ref;
 }
 
 SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
@@ -83,7 +83,7 @@ double PoseJudge::score(const PoseCandidate& pose) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   if (!pose.T_cur_ref.is_finite()) return kNever;
   const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
-  if (pose.has_prior && likelihood < 1 && rule("usual step")) return kNever;
+  if (pose.has_prior && likelihood < 1) return kNever;
   const double by_image = support(pose.evidence, params_);
   return by_image > 0 ? likelihood * by_image : by_image;
 }

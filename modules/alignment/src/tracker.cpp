@@ -6,7 +6,6 @@
 
 #include "edgevo/alignment/rotation_search.h"
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -48,7 +47,7 @@ void give_verdict(const AlignmentParams& params, TrackResult* r) {
   } else if (share < params.degraded_share) {
     r->verdict = TrackingState::kDegraded;
     r->reason = format("inlier share %.2f is below %.2f", share, params.degraded_share);
-  } else if (!r->weak_directions.empty() && rule("weak directions")) {
+  } else if (!r->weak_directions.empty()) {
     r->verdict = TrackingState::kDegraded;
     r->reason = format("%.0f poorly observed direction(s)%.0s", double(r->weak_directions.size()), 0.0);
   } else {
@@ -84,13 +83,13 @@ std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_befo
 }
 
 Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("other motions"); },
+  return {[&judge](const PoseCandidate& best) { return !judge.fits(best); },
           [starts = std::move(starts)] { return as_hypotheses(starts); }};
 }
 
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
                            const PoseJudge& judge, const AlignmentParams& params) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("rotation search"); },
+  return {[&judge](const PoseCandidate& best) { return !judge.fits(best); },
           [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted, params)); }};
 }
 

@@ -8,7 +8,6 @@
 #include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
-#include "edgevo/core/rule.h"
 #include "opencv_pose.h"
 #include "two_view_motion.h"
 
@@ -109,7 +108,7 @@ struct Bootstrap::Impl {
   BootstrapStatus try_two_views() {
     const Corners& a = corners_in_view.front();
     const Corners& b = corners_in_view.back();
-    const double disparity = median_motion(first_corners, a, b),
+    const double disparity = median_motion(params.count_lost_corners ? first_corners : a.size(), a, b),
                  needed = params.min_disparity * pinhole.width;
     if (disparity < needed)
       return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
@@ -233,7 +232,7 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
     status.reason = "too little motion for too long; new first view";
   else
     status = impl_->try_two_views();
-  const bool disagreed = impl_->disagreeing >= kMaxDisagreeing && rule("corners disagree");
+  const bool disagreed = impl_->disagreeing >= kMaxDisagreeing;
   if (disagreed) status.reason += "; new first view";
   if (few || long_ago || disagreed) {
     impl_->start(std::move(again), std::move(image_again));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 namespace {
 
@@ -57,7 +55,7 @@ void update_depths(const FramePyramid& target, const SE3& T_target_host, const D
 
 void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
                         std::vector<ImmaturePoint>* points) {
-  if (params.smoothing_weight <= 0 || !rule("smooth along edges")) return;
+  if (params.smoothing_weight <= 0) return;
   const auto neighbours = [&](const ImmaturePoint& a, const ImmaturePoint& b) {
     if (a.dead || b.dead || a.good == 0 || b.good == 0) return false;
     if (edges.pixels[a.edge_pixel].chain != edges.pixels[b.edge_pixel].chain) return false;

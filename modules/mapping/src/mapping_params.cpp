@@ -14,6 +14,8 @@ void BootstrapParams::visit(ParamVisitor& v) {
            "of the corners, that must agree with the essential matrix");
   v.integer("max_frames", max_frames, 2, 10000, "after so many frames a new first view is taken");
   v.number("median_depth", median_depth, 1e-3, 1e6, "of the first map: sets the arbitrary unit of length");
+  v.boolean("count_lost_corners", count_lost_corners,
+            "corners that were lost count as moved further than the median");
 }
 
 void DepthFilterParams::visit(ParamVisitor& v) {
@@ -40,6 +42,8 @@ void DepthFilterParams::visit(ParamVisitor& v) {
            "pull of the neighbours along the edge on an inverse depth");
   v.number("smoothing_reach_px", smoothing_reach_px, 0, 100,
            "neighbours further along the edge do not count, pixels");
+  v.boolean("use_neighbour_depths", use_neighbour_depths,
+            "a new point is searched around the depths known nearby; false: around the median");
 }
 
 void KeyframeParams::visit(ParamVisitor& v) {
@@ -52,6 +56,10 @@ void KeyframeParams::visit(ParamVisitor& v) {
   v.number("min_turn_share", min_turn_share, 0, 1,
            "keyframe below this share in view even without translation");
   v.integer("max_frames", max_frames, 1, 10000, "keyframe after so many frames, if there was motion");
+  v.boolean("shorten_in_opening_view", shorten_in_opening_view,
+            "keyframes at down to half of flow_px where the camera backs away");
+  v.boolean("return_to_keyframes", return_to_keyframes,
+            "track against an older keyframe of the window where the camera is back at it");
 }
 
 void WindowParams::visit(ParamVisitor& v) {
@@ -74,6 +82,16 @@ void WindowParams::visit(ParamVisitor& v) {
   v.number("corner_sigma_px", corner_sigma_px, 0.05, 20,
            "standard deviation of a corner (group corners) in the bundle adjustment, pixels");
   v.integer("max_cloud_points", max_cloud_points, 50, 20000, "points that a frame is tracked against");
+  v.boolean("use_tentative_points", use_tentative_points,
+            "where few points are seen, one depth and one match activate a point until the next keyframe");
+  v.boolean("track_immature_points", track_immature_points,
+            "track against immature points, too, where few points of known depth are in view");
+  v.boolean("drop_outlier_matches", drop_outlier_matches,
+            "drop matches many standard deviations off after the adjustment");
+  v.boolean("drop_missed_points", drop_missed_points,
+            "drop points that several keyframes should have seen and did not");
+  v.boolean("adjust_corners", adjust_corners,
+            "pairs of corners (group corners) are residuals of the bundle adjustment");
 }
 
 void CornerParams::visit(ParamVisitor& v) {

@@ -7,7 +7,6 @@
 #include "edgevo/association/uncertainty.h"
 #include "edgevo/bundle_adjustment/gauge.h"
 #include "edgevo/bundle_adjustment/problem_index.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "in_view.h"
 
@@ -139,7 +138,7 @@ int Window::activate(int min_good, int min_matches, int at_most) {
         if (motion.sigma_mu_px > params_.max_projected_sigma_px) continue;
         const std::vector<Sight> sights = in_sight(p, views);
         // New in view, as the border is when the camera backs away: it waits.
-        if (int(sights.size()) < min_matches && rule("wait for views")) continue;
+        if (int(sights.size()) < min_matches) continue;
         const bool as_loan = p.good < 2;  // nothing has checked it
         p.dead = !as_loan;                // tried once: it becomes active or is gone
         if (!try_activate(p, sights, min_matches, &*host)) continue;
@@ -171,7 +170,6 @@ void Window::take_back() {
 
 void Window::hold_bootstrap_scale() {
   if (keyframes_.size() < 2) return;
-  if (!rule("first baseline held")) return;
   prior_ = ba::hold_baseline(keyframes_.front().T_cam_world, newest().T_cam_world, newest().id);
   bootstrap_gauge_ = true;
 }

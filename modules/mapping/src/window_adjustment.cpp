@@ -7,7 +7,6 @@
 #include "edgevo/association/patch_source.h"
 #include "edgevo/association/photometric_residual.h"
 #include "edgevo/association/warp.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/window.h"
 #include "in_view.h"
 
@@ -62,6 +61,7 @@ Window::Adjustment Window::build_adjustment() {
 }
 
 void Window::add_corners(BaProblem* problem) const {
+  if (!params_.adjust_corners) return;
   for (size_t to = 0; to < keyframes_.size(); ++to) {
     const auto from =
         std::find(problem->pose_ids.begin(), problem->pose_ids.end(), keyframes_[to].corners_from);
@@ -148,7 +148,7 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
     for (const Observation& o : p->observations) {
       const double residual_px = result.residual_normal_px[adjustment.match_index[k++]];
       const double sigmas = std::abs(residual_px) * o.match.inv_sigma_normal;
-      if (sigmas < kDropSigmas || !rule("unfit matches"))
+      if (sigmas < kDropSigmas || !params_.drop_outlier_matches)
         p->observations[kept++] = o;
       else
         ++p->misses;
@@ -156,8 +156,9 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
     p->observations.resize(kept);
   }
   for (Keyframe& host : keyframes_) {
-    auto gone = std::remove_if(host.points.begin(), host.points.end(), [](const MapPoint& p) {
-      return p.observations.empty() || (p.misses > kMaxMisses && rule("missed points")) || !(p.idepth > 0);
+    auto gone = std::remove_if(host.points.begin(), host.points.end(), [&](const MapPoint& p) {
+      const bool is_missed = params_.drop_missed_points && p.misses > kMaxMisses;
+      return p.observations.empty() || is_missed || !(p.idepth > 0);
     });
     host.points.erase(gone, host.points.end());
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "edgevo/mapping/window.h"
 
@@ -26,7 +25,8 @@ int Window::points_lacking() const {
 }
 
 // Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma:
-// under a pure rotation, where depth does not matter, they count fully.
+// under a pure rotation, where depth does not matter, they count fully
+// (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
 void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
   std::vector<const ImmaturePoint*> alive;
   for (const ImmaturePoint& p : host.immature)
@@ -44,7 +44,7 @@ void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<Cloud
 std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> points = cloud(reference);
   const size_t enough = std::min(kEnoughCloud, size_t(params_.max_cloud_points));
-  if (points.size() < enough && rule("immature points help"))
+  if (points.size() < enough && params_.track_immature_points)
     add_immature(reference, enough - points.size(), &points);
   return points;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 
 IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px,
@@ -26,7 +24,7 @@ std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<Bootst
   for (size_t i = 1; i + 1 < views.size(); ++i)
     if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);
   std::vector<const BootstrapView*> chosen{&views.front()};
-  const size_t n = between.empty() || !rule("views between") ? 0 : std::min(kMaxBetween, between.size());
+  const size_t n = std::min(kMaxBetween, between.size());
   for (size_t k = 0; k < n; ++k) chosen.push_back(between[(2 * k + 1) * between.size() / (2 * n)]);
   chosen.push_back(&views.back());
   return chosen;

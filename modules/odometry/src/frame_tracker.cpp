@@ -1,6 +1,5 @@
 #include "frame_tracker.h"
 
-#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "steady_motion.h"
 
@@ -16,8 +15,7 @@ Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualS
                             const PoseJudge& judge) {
   return {[&](const PoseCandidate& best) {
             return usual && !task.was_lost && !judge.is_lost(best) && usual->is_unusual(best.T_cur_ref) &&
-                   usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref) &&
-                   rule("usual step");
+                   usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref);
           },
           [&] { return std::vector<PoseHypothesis>{usual->hypothesis()}; }};
 }
@@ -45,14 +43,14 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
                         expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion they go with the frame into the adjustment, whichever pose wins.
-    if (task.keyframes.follows_keyframe() && rule("corners")) track->corners = std::move(found->pairs);
+    if (task.keyframes.follows_keyframe()) track->corners = std::move(found->pairs);
   }
   track->corner_ms = thread_cpu_ms() - start;
   return hypotheses;
 }
 
 Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge, Track* track) {
-  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge) && rule("corners"); },
+  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge); },
           [&task, track] { return corner_hypotheses(task, track); }};
 }
 
@@ -62,7 +60,7 @@ Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge,
 TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist,
                        const PoseJudge& judge) {
   const AlignmentParams& params = task.params.alignment;
-  if (task.rows.is_rolling() && !judge.is_lost(first) && rule("rolling shutter")) {
+  if (task.rows.is_rolling() && !judge.is_lost(first)) {
     const ReferenceCloud shifted = shift_cloud(
         pinhole_of(task), task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
         measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
@@ -86,7 +84,8 @@ Track track_frame(const TrackingTask& task) {
   const AlignmentParams& params = task.params.alignment;
   const ReferenceCloud& cloud = task.reference.cloud;
   const std::vector<SE3> starts = task.motion.starts();
-  const std::optional<UsualStep> usual = UsualStep::of(task.motion);
+  const std::optional<UsualStep> usual =
+      params.use_median_motion_prior ? UsualStep::of(task.motion) : std::nullopt;
   const PoseJudge judge(params,
                         [&](const SE3& T_cur_ref) { return usual ? usual->likelihood(T_cur_ref) : 1.0; });
   enum { kStarts, kRotations, kUsualStep, kCorners };  // in this order

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/mapping/idepth_prior.h"
 #include "first_keyframes.h"
@@ -128,7 +127,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     window_.activate(2, params_.window.min_matches);
     // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
     // What the first pass has tried, with two depths, is not tried again.
-    if (rule("lent points")) window_.activate(1, 1, window_.points_lacking());
+    if (params_.window.use_tentative_points) window_.activate(1, 1, window_.points_lacking());
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing
@@ -211,7 +210,6 @@ std::shared_ptr<const FramePyramid> Mapper::corrected(const TrackedFrame& tracke
 int Mapper::new_points_wanted() const {
   constexpr int kAtLeast = 300;  // points a keyframe: also a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
-  if (!rule("new points as wanted")) return p.max_new_points;
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
   return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points),
                     p.max_new_points);

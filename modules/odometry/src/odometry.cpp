@@ -2,7 +2,6 @@
 
 #include "bootstrap_placement.h"
 #include "camera_log.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "frame_tracker.h"
 #include "keyframe_policy.h"
@@ -139,9 +138,8 @@ struct Odometry::Impl {
     tracked.corners = std::move(track.corners);
     tracked.return_to = decision.return_to;
     tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
-    now.record->keyframe_rule = decision.rule;
-    if (tracked.make_keyframe && params.camera.knows_rolling() && rule("rolling shutter"))
-      rectify_keyframe(now, track.twist, &tracked);
+    now.record->keyframe_reason = decision.reason;
+    if (tracked.make_keyframe && params.camera.knows_rolling()) rectify_keyframe(now, track.twist, &tracked);
     return tracked;
   }
 
@@ -297,7 +295,7 @@ struct Odometry::Impl {
 
   MotionModel motion;
   KeyframePolicy keyframes;
-  MapCoverage coverage;
+  MapCoverage coverage{params.recovery};
   std::shared_ptr<const Reference> reference;
   std::shared_ptr<const FramePyramid> newest_pyramid;
   NewestPose newest_pose;

@@ -6,6 +6,8 @@ void RecoveryParams::visit(ParamVisitor& v) {
   v.integer("max_frames", max_frames, 0, 1000,
             "relocalisation in the old map is tried in so many frames after a loss; those that show nothing "
             "do not count");
+  v.boolean("bootstrap_out_of_view", bootstrap_out_of_view,
+            "bootstrap a new map while the old one is out of view and does not explain the images");
 }
 
 void OdometryParams::visit(ParamVisitor& v) {

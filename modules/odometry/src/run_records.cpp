@@ -185,7 +185,7 @@ void RunRecords::hang_on_itself(int keyframe_id, const KeyframeRecord& keyframe)
   FrameRecord* frame = find(keyframe.frame_index);
   if (!frame) return;
   frame->is_keyframe = true;
-  if (frame->keyframe_rule.empty()) frame->keyframe_rule = "bootstrap";
+  if (frame->keyframe_reason == KeyframeReason::kNone) frame->keyframe_reason = KeyframeReason::kBootstrap;
   const auto hook = hooks_.find(keyframe.frame_index);
   if (hook == hooks_.end() || frame->segment != keyframe.segment) return;
   hook->second.keyframe_id = keyframe_id;

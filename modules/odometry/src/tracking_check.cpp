@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "edgevo/alignment/pose_covariance.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -26,9 +25,6 @@ void TrackingCheck::add(const SE3& T_cam_ref_tracked, const SE3& T_cam_ref_adjus
   if (std::isfinite(ratio)) mean_ += kNewestShare * (std::min(ratio, kMost) - mean_);
 }
 
-double TrackingCheck::error_factor() const {
-  if (!rule("covariance checked")) return 1;
-  return kNotSeen * std::max(kLeast, mean_);
-}
+double TrackingCheck::error_factor() const { return kNotSeen * std::max(kLeast, mean_); }
 
 }  // namespace edgevo

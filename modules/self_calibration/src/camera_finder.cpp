@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "edgevo/core/rule.h"
 #include "finding.h"
 
 namespace edgevo {
@@ -44,7 +43,7 @@ class CameraFinder {
   }
 
   CameraFinding run() {
-    if (knew_more() && rule("longer segment knows more")) return nothing();
+    if (knew_more()) return nothing();
     const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
     const bool estimate_readout =
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
@@ -78,8 +77,7 @@ class CameraFinder {
   // for both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
     const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, params_, keyframes_);
-    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt &&
-        rule("one step first")) {
+    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
       note_readout(one_step, k1_alone.sigma[1]);
       return k1_alone;
     }
@@ -135,7 +133,7 @@ class CameraFinder {
 
   double over_relaxed(double readout_s) const {
     const double before = state_.shutter.readout_s;
-    const double factor = rule("over-relaxation") ? kOverRelaxation : 1;
+    const double factor = params_.over_relax_readout ? kOverRelaxation : 1;
     return std::clamp(before + factor * (readout_s - before), -params_.max_readout_s, params_.max_readout_s);
   }
 

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 namespace {
 
@@ -15,12 +13,10 @@ constexpr double kAtLimit = 0.999;
 }  // namespace
 
 double k1_sigma(double formal, const SelfCalibrationParams& params, int keyframes) {
-  if (!rule("biased matches")) return formal;
   return std::hypot(formal, params.model_sigma * kModelKeyframes / double(keyframes));
 }
 
 double readout_sigma(double formal, const SelfCalibrationParams& params, int keyframes) {
-  if (!rule("biased matches")) return formal;
   return std::hypot(formal, params.readout_model_sigma * std::sqrt(kModelKeyframes / double(keyframes)));
 }
 
@@ -31,7 +27,7 @@ Finding weigh(CameraRefinement::State before, double estimate, double by_file, d
   Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * criteria.limit, before};
   const double told_apart = std::abs(estimate - by_file) / sigma;
   const bool holds = !f.trustworthy || told_apart >= criteria.least_significance;
-  if (before == State::kApplied && holds && rule("applied stays")) return f;
+  if (before == State::kApplied && holds) return f;
   f.state = f.trustworthy && told_apart >= criteria.significance ? State::kApplied
             : observed && !f.trustworthy                         ? State::kAtLimit
             : observed                                           ? State::kInsignificant

@@ -56,6 +56,8 @@ void SelfCalibrationParams::visit(ParamVisitor& v) {
   v.number("readout_model_sigma", readout_model_sigma, 0, 0.1,
            "error of the read-out time by biased matches after 30 keyframes; falls as the root of their "
            "number grows");
+  v.boolean("over_relax_readout", over_relax_readout,
+            "apply a third more than the estimated change of the read-out time: estimates come out short");
 }
 
 SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params)

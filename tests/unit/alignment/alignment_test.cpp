@@ -224,8 +224,14 @@ TEST(Align, EdgesOverruleMisledGrayLevels) {
   for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
   ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
       << "what comes of following them";
-  const PoseCandidate found = align(current, cloud, {T_cur_ref}, AlignmentParams());
-  EXPECT_LT((found.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
+  const auto error = [&](const AlignmentParams& params) {
+    return (align(current, cloud, {T_cur_ref}, params).T_cur_ref.translation() - T_cur_ref.translation())
+        .norm();
+  };
+  AlignmentParams unverified;
+  unverified.verify_patch_start = false;
+  EXPECT_LT(error(AlignmentParams()), 0.01);
+  EXPECT_GT(error(unverified), 0.1);
 }
 
 // Points that leave the view must not hold the camera back, nor may a pose win by pushing them out.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "support/sweep_scene.h"
 
@@ -249,6 +250,25 @@ TEST_F(BootstrapTest, GivesUpAFirstViewThatDisagreesWithAllOthers) {
   EXPECT_THAT(given_up, HasSubstr("of the corners agree on one motion"));
   ASSERT_TRUE(status.result);
   EXPECT_GT(status.result->views.front().frame_index, 0);
+}
+
+// The nearest third of the image goes dark: what is left there to be followed has moved less than the median.
+TEST_F(BootstrapTest, LostCornersCountAsMovedFurther) {
+  params.min_disparity = 0.4;  // never enough: the reason tells the median motion
+  const auto median_motion = [&](bool count_lost_corners) {
+    params.count_lost_corners = count_lost_corners;
+    Bootstrap bootstrap = make();
+    (void)add(&bootstrap, 0);
+    GrayImage dark = scene.render(sweep_pose(4));
+    for (int y = 0; y < dark.height; ++y)
+      std::fill_n(dark.pixels.begin() + ptrdiff_t(y) * dark.width, dark.width / 3, uint8_t(0));
+    const BootstrapStatus status =
+        bootstrap.add(4, time_of(4), PyramidBuilder(scene.camera, EdgeParams()).build(dark));
+    double px = 0;
+    EXPECT_EQ(std::sscanf(status.reason.c_str(), "median motion %lf px", &px), 1) << status.reason;
+    return px;
+  };
+  EXPECT_GT(median_motion(true), median_motion(false));
 }
 
 TEST_F(BootstrapTest, KeepsMemoryBounded) {

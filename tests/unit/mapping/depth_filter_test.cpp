@@ -316,6 +316,16 @@ TEST(IdepthPrior, SearchesAroundTheDepthsNearbyAndElsewhereAroundTheMedian) {
   EXPECT_GT(elsewhere.high, 2 * near.high);
 }
 
+TEST(IdepthPrior, WithoutNeighboursItSearchesAroundTheMedianEverywhere) {
+  const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
+  DepthFilterParams params;
+  params.use_neighbour_depths = false;
+  IdepthPrior prior(camera, params, 9.0);
+  for (const double idepth : {0.2, 0.3, 0.1}) prior.add({50, 50}, idepth);
+  EXPECT_DOUBLE_EQ(prior.range({55, 55}).low, params.far_low * 0.2);
+  EXPECT_DOUBLE_EQ(prior.range({55, 55}).high, params.far_high * 0.2);
+}
+
 TEST(IdepthPrior, WhereNothingIsKnownTheEarlierMedianServes) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;

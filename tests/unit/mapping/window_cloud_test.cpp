@@ -59,6 +59,13 @@ TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
   }
 }
 
+TEST(Window, WithoutImmaturePointsTheTrackerGetsOnlyThoseOfKnownDepth) {
+  WindowParams params = params_with();
+  params.track_immature_points = false;
+  Window window = true_window(3, 0.0, params);  // no point is active
+  EXPECT_TRUE(window.tracking_cloud(window.newest()).empty());
+}
+
 TEST(Window, TheCloudOfAnOlderKeyframeIsWhatThatOneSees) {
   Window window = true_window(5, 0.0);
   window.activate(2, 2);

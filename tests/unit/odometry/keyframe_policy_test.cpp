@@ -24,9 +24,10 @@ ReferenceCloud grid_cloud(const Pinhole& camera) {
 
 constexpr int kLong = 1000;  // frames since the last keyframe
 
-// What the rules see, and which one fires; flows at the width of these images, which is the reference width.
+// What the criteria see, and which one calls; flows at the width of these images, which is the reference
+// width.
 struct Seen : KeyframeView {
-  std::string rule;
+  std::string reason;
   bool needed = false;
 };
 
@@ -37,7 +38,8 @@ class Decision : public ::testing::Test {
   }
   Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames) const {
     Seen seen{look_at_keyframe(pinhole, cloud, T_cam_ref, frames), "", false};
-    if (const char* rule = fired_rule(seen, params)) seen.rule = rule, seen.needed = true;
+    seen.reason = to_string(reason_for_keyframe(seen, params));
+    seen.needed = !seen.reason.empty();
     return seen;
   }
   static SE3 move(double x, double y, double z, double turn = 0) {
@@ -58,7 +60,7 @@ TEST_F(Decision, NoneAtAStandstill) {
 TEST_F(Decision, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
   for (double turn : {0.02, 0.1, 0.3, 0.5, 0.8, 2.0}) {
     const Seen d = decide(move(0, 0, 0, turn), kLong);
-    EXPECT_EQ(d.rule, d.view_share < params.min_turn_share ? "rotation" : "") << turn;
+    EXPECT_EQ(d.reason, d.view_share < params.min_turn_share ? "rotation" : "") << turn;
     EXPECT_EQ(d.flow_px, 0);
   }
   EXPECT_GT(decide(move(0, 0, 0, 0.1)).view_share, params.min_turn_share);
@@ -76,7 +78,7 @@ TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
   EXPECT_FALSE(decide(move(0, 0, -0.2)).needed);
   const Seen d = decide(move(0, 0, -1.2));
   EXPECT_GT(d.flow_px, params.flow_px);
-  EXPECT_EQ(d.rule, "parallax");
+  EXPECT_EQ(d.reason, "parallax");
 }
 
 // Driving in, near things leave the view; backing away, as much comes into it that the cloud does not know.
@@ -103,6 +105,8 @@ TEST_F(Decision, BackingAwayMakesOneSooner) {
   EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitX()), params.flow_px, 4);
   EXPECT_LT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.8 * params.flow_px);
   EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
+  params.shorten_in_opening_view = false;
+  EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitZ()), params.flow_px, 2);
 }
 
 TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
@@ -117,7 +121,7 @@ TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
 TEST_F(Decision, SlowMotionMakesOneAfterSomeFrames) {
   const SE3 slow = move(0.06, 0, 0);
   EXPECT_FALSE(decide(slow, params.max_frames - 1).needed);
-  EXPECT_EQ(decide(slow, params.max_frames).rule, "long since");
+  EXPECT_EQ(decide(slow, params.max_frames).reason, "long since");
 }
 
 TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
@@ -134,7 +138,7 @@ TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   const Seen d = decide(turning, 1);
   ASSERT_GT(d.view_share, params.min_view_share);
   ASSERT_LT(1 - 2 * (1 - d.view_share), params.min_view_share);
-  EXPECT_EQ(d.rule, "view leaves");
+  EXPECT_EQ(d.reason, "view leaves");
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
@@ -145,7 +149,7 @@ TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
   const Seen d = decide(turning, 1);
   ASSERT_GT(1 - 2 * (1 - d.view_share), params.min_view_share) << "the next frame would see enough";
   ASSERT_GT(1 - d.view_share, params.max_view_loss);
-  EXPECT_EQ(d.rule, "fast turn");
+  EXPECT_EQ(d.reason, "fast turn");
   EXPECT_FALSE(decide(turning, 2).needed) << "half as fast";
   params.max_view_loss = 1;
   EXPECT_FALSE(decide(turning, 1).needed);
@@ -240,7 +244,7 @@ TEST_F(Policy, AnActionHasAReason) {
   EXPECT_FALSE(policy.follows_keyframe());
   const KeyframeDecision made = policy.decide(tracked_at(move(0, 0, -1.2)), reference(), false);
   EXPECT_EQ(made.action, KeyframeDecision::Action::kMake);
-  EXPECT_EQ(made.rule, "parallax");
+  EXPECT_EQ(made.reason, KeyframeReason::kParallax);
   EXPECT_TRUE(policy.follows_keyframe());
 }
 
@@ -261,7 +265,11 @@ TEST_F(Policy, ReturnsToAnOlderKeyframe) {
   Reference row = row_of_keyframes(camera);
   const KeyframeDecision d = by_share.decide(tracked_at(move(2, 0, 0)), row, false);
   EXPECT_EQ(d.action, KeyframeDecision::Action::kReturn);
+  EXPECT_EQ(d.reason, KeyframeReason::kReturn);
   EXPECT_EQ(d.return_to, 2);
+  params.return_to_keyframes = false;
+  KeyframePolicy never(camera, params);
+  EXPECT_NE(never.decide(tracked_at(move(2, 0, 0)), row, false).action, KeyframeDecision::Action::kReturn);
 }
 
 }  // namespace

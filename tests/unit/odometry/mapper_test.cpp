@@ -113,9 +113,14 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
 
 // No point can be matched in as many keyframes as asked for: what keeps the map alive are points that are
 // lent to it.
-TEST(Mapper, AMapThatThinsOutIsLentPoints) {
+MappingParams params_of_a_thin_map() {
   MappingParams params = params_with("prior");
   params.window.min_matches = 10;
+  return params;
+}
+
+TEST(Mapper, AMapThatThinsOutIsLentPoints) {
+  const MappingParams params = params_of_a_thin_map();
   SweepDriver driver(params);
   ASSERT_EQ(driver.start(), "");
   for (int step = 1; step <= 15; ++step)
@@ -128,6 +133,18 @@ TEST(Mapper, AMapThatThinsOutIsLentPoints) {
     for (const MapPoint& p : k.points) lent += p.lent;
   EXPECT_GT(lent, 0);
   EXPECT_LE(lent, grid.size() / 4);
+}
+
+TEST(Mapper, WithoutTentativePointsSuchAMapGetsNone) {
+  MappingParams params = params_of_a_thin_map();
+  params.window.use_tentative_points = false;
+  SweepDriver driver(params);
+  ASSERT_EQ(driver.start(), "");
+  const int before = driver.mapper.window().active_points();
+  driver.process(11, true);
+  EXPECT_LE(driver.mapper.window().active_points(), before);
+  for (const Keyframe& k : driver.mapper.window().keyframes())
+    for (const MapPoint& p : k.points) EXPECT_FALSE(p.lent);
 }
 
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {

@@ -81,9 +81,9 @@ TEST(RunReport, LinksToItsSections) {
   }
 }
 
-TEST(RunReport, TellsWhichRulesCalledForKeyframes) {
+TEST(RunReport, TellsWhatCalledForKeyframes) {
   testing::SyntheticRun made = testing::synthetic_run();
-  made.run.frames[5].keyframe_rule = "return";
+  made.run.frames[5].keyframe_reason = KeyframeReason::kReturn;
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
   const std::string keyframes = std::to_string(made.run.keyframes.size());
   EXPECT_THAT(html, HasSubstr("<td>view leaves</td><td>" + keyframes + "</td><td>0</td>"));

@@ -133,6 +133,14 @@ TEST(SelfCalibration, FindsARollingShutter) {
     }
 }
 
+TEST(SelfCalibration, WithoutOverRelaxationTheEstimateIsApplied) {
+  DriveOptions o;
+  o.readout_s = 0.02;
+  SelfCalibrationParams params;
+  params.over_relax_readout = false;
+  EXPECT_NEAR(calibrate(o, params).state.shutter.readout_s, 0.02, 0.001);
+}
+
 // From few keyframes, long before k1 is looked for.
 TEST(SelfCalibration, ARollingShutterShowsEarly) {
   DriveOptions o;

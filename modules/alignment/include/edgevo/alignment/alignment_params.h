@@ -25,6 +25,11 @@ struct AlignmentParams {
   int min_visible = 60;         ///< points in view; with fewer the frame is lost
   double weak_sigma =
       0.01;  ///< a direction is poorly observed beyond this (share of the median depth, radians)
+  // Heuristics.
+  /// Edge alignment starts from the predicted pose where that fits the edges better than the patches' pose.
+  bool verify_patch_start = true;
+  /// A pose far from the median motion of the last frames needs more support (odometry/src/steady_motion.h).
+  bool use_median_motion_prior = true;
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };

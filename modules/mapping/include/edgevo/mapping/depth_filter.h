@@ -38,7 +38,8 @@ void update_depths(const FramePyramid& target, const SE3& T_target_host, const D
 /// points with more outliers than 2 + agreements.
 void fuse(const EpipolarMatch& measurement, ImmaturePoint* point);
 
-/// Pulls inverse depths towards those of their neighbours on the same edge that agree with them.
+/// Pulls inverse depths towards those of their neighbours on the same edge that agree with them: depth is
+/// smooth along an edge but for jumps. A weight of 0 does nothing.
 void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
                         std::vector<ImmaturePoint>* points);
 

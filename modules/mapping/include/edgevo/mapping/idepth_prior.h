@@ -1,11 +1,12 @@
 #pragma once
-// What the window already knows about depth in an image: smallest and largest inverse depth near a pixel.
+// What the window already knows about depth in an image: smallest and largest inverse depth near a pixel. A
+// new point is searched around these: its neighbours mostly lie on the same surface, and a short search has
+// fewer wrong matches than one around the median of the image.
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 
 namespace edgevo {
@@ -41,7 +42,7 @@ class IdepthPrior {
         low = std::min(low, low_[r * grid_.columns + c]);
         high = std::max(high, high_[r * grid_.columns + c]);
       }
-    if (high > 0 && rule("depths nearby")) return {params_.prior_low * low, params_.prior_high * high};
+    if (high > 0 && params_.use_neighbour_depths) return {params_.prior_low * low, params_.prior_high * high};
     return {params_.far_low * median(), params_.far_high * median(), median()};
   }
 

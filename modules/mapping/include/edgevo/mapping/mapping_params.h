@@ -15,6 +15,8 @@ struct BootstrapParams {
   double min_inlier_share = 0.6;  ///< of the corners, that must agree with the essential matrix
   int max_frames = 90;            ///< then a new first view is taken
   double median_depth = 10.0;     ///< of the first map; this sets the arbitrary unit
+  /// Corners that were lost count as moved further than the median (median_motion in src/corner_tracking.h).
+  bool count_lost_corners = true;
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
@@ -38,6 +40,8 @@ struct DepthFilterParams {
   int max_age_keyframes = 4;       ///< immature points older than this are dropped
   double smoothing_weight = 0.3;   ///< pull of the neighbours along the edge, [0, 1]
   double smoothing_reach_px = 14;  ///< neighbours further along the edge do not count
+  /// A new point is searched around the depths known nearby, not around the median (idepth_prior.h).
+  bool use_neighbour_depths = true;
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
@@ -53,6 +57,10 @@ struct KeyframeParams {
   double min_turn_share =
       0.55;  ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
   int max_frames = 200;  ///< a keyframe after so many, if there was motion
+  /// Where the camera backs away, keyframes are made at down to half of flow_px.
+  bool shorten_in_opening_view = true;
+  /// A camera that is back at an older keyframe of the window is tracked against that one.
+  bool return_to_keyframes = true;
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };
@@ -73,6 +81,16 @@ struct WindowParams {
   double photometric_sigma = 0.5;       ///< of a normalised patch difference, in deviations
   double corner_sigma_px = 0.5;         ///< one standard deviation of a corner
   int max_cloud_points = 1500;          ///< that a frame is tracked against
+  /// Where few points are seen, one depth and one match activate a point until the next keyframe.
+  bool use_tentative_points = true;
+  /// A frame is tracked against immature points, too, where few points of known depth are in view.
+  bool track_immature_points = true;
+  /// Matches many standard deviations off are dropped after the adjustment.
+  bool drop_outlier_matches = true;
+  /// Points that several keyframes should have seen and did not are dropped.
+  bool drop_missed_points = true;
+  /// Pairs of corners (group corners) are residuals of the adjustment.
+  bool adjust_corners = true;
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };

@@ -8,10 +8,13 @@
 
 namespace edgevo {
 
-/// What is done after a loss.
+/// What is done after a loss, and where one is near.
 struct RecoveryParams {
   int max_frames = 10;  ///< relocalisation in the old map is tried in so many frames after a loss, beside a
                         ///< new bootstrap; those that show nothing do not count
+  /// A bootstrap begins next to a map that is still tracked where that one is out of view and does not
+  /// explain the images (src/map_coverage.h).
+  bool bootstrap_out_of_view = true;
 
   void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
 };

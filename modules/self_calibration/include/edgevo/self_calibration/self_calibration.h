@@ -47,6 +47,8 @@ struct SelfCalibrationParams {
   double readout_prior_sigma = 0.03;    ///< of the read-out time before anything was seen, seconds
   double max_readout_s = 0.1;           ///< an estimate at this limit is not believed
   double readout_model_sigma = 0.0015;  ///< as model_sigma, in seconds
+  /// A change of the read-out time is applied with a third more: matches of crooked rows hold on to them.
+  bool over_relax_readout = true;
 
   /// Rows may have a time of their own.
   bool knows_rolling() const { return readout_s != 0 || refines_readout(); }
