@@ -84,6 +84,7 @@ BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, c
   });
   if (rendered && !camera_text_.empty())
     throw InputError(where, "a scene has its own camera", "leave `camera` out");
+  for (const BenchVariant& variant : sequence.variants) (void)with_settings(variant);
 }
 
 void BenchInput::check_output(const std::string& out) const {
@@ -152,9 +153,19 @@ std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint6
   return std::make_unique<RelitSource>(std::move(source), Relight(variant.light, seed));
 }
 
+RunParams BenchInput::with_settings(const BenchVariant& variant) const {
+  RunParams params = params_;
+  const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
+  for (const BenchSetting& setting : variant.settings)
+    at(setting.where, [&] {
+      for (const std::string& assignment : setting.assignments) set_param(assignment, visit);
+    });
+  return params;
+}
+
 RunParams BenchInput::params(const BenchVariant& variant, const std::string& edges) const {
   constexpr std::string_view kPrecomputed = "precomputed:";
-  RunParams params = params_;
+  RunParams params = with_settings(variant);
   if (variant.detector.empty()) return params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
   const bool precomputed = variant.detector.compare(0, kPrecomputed.size(), kPrecomputed) == 0;
@@ -163,15 +174,18 @@ RunParams BenchInput::params(const BenchVariant& variant, const std::string& edg
   return params;
 }
 
-const std::string& BenchInput::description() const {
-  if (!description_.empty()) return description_;
-  const auto visit = [this](ParamVisitor& v) { RunParams(params_).visit(v); };
+std::string BenchInput::description(const BenchVariant& variant) const {
+  const bool is_plain = variant.settings.empty();
+  if (is_plain && !description_.empty()) return description_;
+  RunParams params = with_settings(variant);
+  const auto visit = [&](ParamVisitor& v) { params.visit(v); };
   const std::string camera = camera_text_.empty() ? "" : "camera: |\n" + indented(camera_text_);
-  description_ = "sequence: " + yaml_scalar(sequence_.name) +
-                 "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScene) + scene_) +
-                 "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" +
-                 write_params(visit, 2);
-  return description_;
+  const std::string text =
+      "sequence: " + yaml_scalar(sequence_.name) +
+      "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScene) + scene_) +
+      "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" + write_params(visit, 2);
+  if (is_plain) description_ = text;
+  return text;
 }
 
 }  // namespace edgevo::app

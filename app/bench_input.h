@@ -16,8 +16,8 @@ namespace edgevo::app {
 /// beside.
 class BenchInput {
  public:
-  /// Reads parameters and camera file and looks whether the source is there, not more. Throws InputError that
-  /// opens with the list's line.
+  /// Reads parameters and camera file, tries the settings of the variants, and looks whether the source is
+  /// there, not more. Throws InputError that opens with the list's line.
   BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list);
 
   /// The sequence under a variant; light changes and gaps follow `seed`. A scene is rendered once, and kept
@@ -26,12 +26,12 @@ class BenchInput {
   /// Text of a TUM file; empty if there is none. After open().
   const std::string& ground_truth() const { return ground_truth_; }
 
-  /// With the variant's detector. `edges`: the folder of those that were computed before; empty where there
-  /// are none.
+  /// With the variant's detector and settings. `edges`: the folder of those that were computed before; empty
+  /// where there are none.
   RunParams params(const BenchVariant& variant, const std::string& edges) const;
   const BenchSequence& sequence() const { return sequence_; }
-  /// All that a job's result depends on but its variant and seed, as YAML.
-  const std::string& description() const;
+  /// All that a job's result depends on but its variant and seed, as YAML; with the variant's settings.
+  std::string description(const BenchVariant& variant) const;
   /// What `edgevo edges` is given; empty for a scene.
   const std::string& source_path() const { return source_.path; }
   const std::string& camera_path() const { return source_.camera_file; }
@@ -47,6 +47,7 @@ class BenchInput {
   void release() { clip_.reset(); }
 
  private:
+  RunParams with_settings(const BenchVariant& variant) const;
   std::unique_ptr<ImageSource> open_scene();
   std::unique_ptr<ImageSource> edited(ImageSource& source, const BenchVariant& variant, uint64_t seed);
   void render();
@@ -60,8 +61,9 @@ class BenchInput {
   std::string ground_truth_;
   std::shared_ptr<const Clip> clip_;  ///< the scene, and its truth
   std::string scene_truth_;
-  std::string kept_scene_;           ///< folder; empty: none
-  mutable std::string description_;  ///< once it was asked for
+  std::string kept_scene_;  ///< folder; empty: none
+  /// Once it was asked for: of a variant without settings, as most are.
+  mutable std::string description_;
 };
 
 }  // namespace edgevo::app

@@ -102,7 +102,7 @@ BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t
   BenchJob job{input.sequence().name, variant, seed, {}, {}, {}};
   job.folder = (fs::path(out) / job.sequence / variant.name / ("seed" + std::to_string(seed))).string();
   job.description = "edgevo: \"" + version + "\"\nvariant: " + variant.name +
-                    "\nseed: " + std::to_string(seed) + '\n' + input.description();
+                    "\nseed: " + std::to_string(seed) + '\n' + input.description(variant);
   return job;
 }
 

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "bench_run.h"
@@ -32,14 +33,31 @@ std::string parameter_files(const BenchList& list) {
   return "the defaults" + text + "; in full in each job.yaml";
 }
 
+// What the names of settings in the table stand for: "no_corners: KEY=VALUE; ..."; empty without any.
+std::string settings_text(const BenchList& list) {
+  std::map<std::string, std::vector<std::string>> settings;
+  for (const BenchSequence& s : list.sequences)
+    for (const BenchVariant& variant : s.variants)
+      for (const BenchSetting& setting : variant.settings) settings[setting.name] = setting.assignments;
+  std::string text;
+  for (const auto& [name, assignments] : settings) {
+    text += (text.empty() ? "" : "; ") + name + ":";
+    for (const std::string& assignment : assignments) text += " " + assignment;
+  }
+  return text;
+}
+
 BenchHeader make_header(const BenchList& list) {
   std::string seeds;
   for (const uint64_t seed : list.seeds) seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
-  return {{"edgevo", version()},
-          {"machine", processor_name() + ", one thread a job"},
-          {"trials", std::to_string(list.seeds.size()) + " of each, seeds " + seeds},
-          {"parameters", parameter_files(list)},
-          {"CPU", "of the odometry alone; images are read or rendered beforehand"}};
+  BenchHeader header{{"edgevo", version()},
+                     {"machine", processor_name() + ", one thread a job"},
+                     {"trials", std::to_string(list.seeds.size()) + " of each, seeds " + seeds},
+                     {"parameters", parameter_files(list)},
+                     {"CPU", "of the odometry alone; images are read or rendered beforehand"}};
+  if (const std::string settings = settings_text(list); !settings.empty())
+    header.emplace_back("settings", settings);
+  return header;
 }
 
 void throw_if_incomplete(const BenchOutcome& outcome, int jobs, const std::string& out) {

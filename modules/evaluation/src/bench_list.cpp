@@ -14,13 +14,15 @@ namespace edgevo {
 namespace {
 
 constexpr const char* kGroup = "sequences.";
+constexpr const char* kSetGroup = "set.";
 
 // The texts of the file, strictly read, and the place of each key.
 struct RawList {
   std::string seeds = "1..5", variants = "normal", detectors;
   std::vector<BenchSequence> sequences;
-  std::vector<std::string> sequence_variants;  // of each sequence; empty: those of all
-  std::map<std::string, std::string> places;   // dotted key -> "file:line"
+  std::vector<std::string> sequence_variants;                 // of each sequence; empty: those of all
+  std::vector<std::pair<std::string, std::string>> settings;  // name and its assignments
+  std::map<std::string, std::string> places;                  // dotted key -> "file:line"
   std::string file;
 
   std::string place(const std::string& key) const {
@@ -66,7 +68,14 @@ void add_seeds(const std::string& word, const std::string& where, std::vector<ui
 // What the words of a variant may be, besides those that are always known.
 struct KnownWords {
   std::vector<std::string> lights, detectors;
+  std::vector<BenchSetting> settings;
 };
+
+const BenchSetting* find_setting(const std::string& name, const std::vector<BenchSetting>& settings) {
+  const auto it =
+      std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.name == name; });
+  return it != settings.end() ? &*it : nullptr;
+}
 
 bool holds(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -82,6 +91,7 @@ bool is_detector(const std::string& word, const KnownWords& known) {
   std::vector<std::string> all = known.lights;
   all.insert(all.end(), known.detectors.begin(), known.detectors.end());
   all.insert(all.end(), {"normal", "every3", "backward", "gaps"});
+  for (const BenchSetting& setting : known.settings) all.push_back(setting.name);
   throw InputError(where, "unknown variant '" + word + "'",
                    "did you mean '" + nearest_name(word, all) + "'?");
 }
@@ -92,14 +102,22 @@ void set_once(std::string* field, const std::string& word, const std::string& wh
   *field = word;
 }
 
-void add_effect(const std::string& word, const std::string& where, const KnownWords& known,
-                BenchVariant* variant) {
+// The order of the frames, and which are left: false for another word.
+bool changes_order(const std::string& word, BenchVariant* variant) {
   constexpr std::string_view kEvery = "every";
   const bool thins = word.compare(0, kEvery.size(), kEvery) == 0;
-  if (thins && whole(word.substr(kEvery.size()), &variant->every) && variant->every >= 1) return;
-  if (word == "normal") return;
-  if (word == "backward" || word == "gaps") {
-    (word == "gaps" ? variant->gaps : variant->backward) = true;
+  if (thins && whole(word.substr(kEvery.size()), &variant->every) && variant->every >= 1) return true;
+  if (word == "backward" || word == "gaps") (word == "gaps" ? variant->gaps : variant->backward) = true;
+  return word == "normal" || word == "backward" || word == "gaps";
+}
+
+void add_effect(const std::string& word, const std::string& where, const KnownWords& known,
+                BenchVariant* variant) {
+  if (changes_order(word, variant)) return;
+  if (const BenchSetting* setting = find_setting(word, known.settings)) {
+    if (find_setting(word, variant->settings))
+      throw InputError(where, "'" + variant->name + "' names the setting '" + word + "' twice", "keep one");
+    variant->settings.push_back(*setting);
     return;
   }
   if (is_detector(word, known))
@@ -136,6 +154,39 @@ std::string crossed(const std::string& variants, const std::string& detectors) {
   return all.empty() ? variants : all;
 }
 
+// Each variant as it is, and with each of the settings; as they are where one names a setting itself.
+std::string with_settings(const std::string& variants, const KnownWords& known) {
+  std::string all;
+  for (const std::string& variant : words(variants, " \t,")) {
+    all += variant + " ";
+    for (const BenchSetting& setting : known.settings) all += variant + "+" + setting.name + " ";
+  }
+  return all;
+}
+
+bool name_settings(const std::string& variants, const KnownWords& known) {
+  const std::vector<std::string> all = words(variants, " \t,+");
+  return std::any_of(all.begin(), all.end(),
+                     [&](const std::string& word) { return find_setting(word, known.settings); });
+}
+
+bool name_settings(const RawList& raw, const KnownWords& known) {
+  return name_settings(raw.variants, known) ||
+         std::any_of(raw.sequence_variants.begin(), raw.sequence_variants.end(),
+                     [&](const std::string& own) { return name_settings(own, known); });
+}
+
+// Settings have names of the user's choosing, too.
+void find_settings(const std::vector<YamlEntry>& entries, RawList* list) {
+  const auto is_set = [](const YamlEntry& entry) { return entry.key == "set"; };
+  for (const YamlEntry& entry : entries)
+    if (entry.key.rfind(kSetGroup, 0) == 0)
+      list->settings.emplace_back(entry.key.substr(std::string_view(kSetGroup).size()), "");
+  if (list->settings.empty() && std::any_of(entries.begin(), entries.end(), is_set))
+    throw InputError(list->place("set"), "names no setting",
+                     "write `NAME: GROUP.KEY=VALUE` indented below it");
+}
+
 // Sequences have names of the user's choosing: a first look finds them, so that the strict reader knows all
 // keys.
 void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
@@ -164,6 +215,10 @@ void visit(ParamVisitor& v, RawList* list) {
   v.text("seeds", list->seeds, {}, "");
   v.text("variants", list->variants, {}, "");
   v.text("detectors", list->detectors, {}, "");
+  if (!list->settings.empty()) {
+    const auto set = v.group("set");
+    for (auto& [name, assignments] : list->settings) v.text(name.c_str(), assignments, {}, "");
+  }
   const auto all = v.group("sequences");
   for (size_t i = 0; i < list->sequences.size(); ++i) {
     BenchSequence& s = list->sequences[i];
@@ -179,10 +234,32 @@ void visit(ParamVisitor& v, RawList* list) {
 RawList read_raw(const std::string& text, const std::string& where) {
   RawList list;
   list.file = where;
-  find_sequences(parse_block_yaml(text, where), &list);
+  const std::vector<YamlEntry> entries = parse_block_yaml(text, where);
+  find_sequences(entries, &list);
+  find_settings(entries, &list);
   read_params(text, where, [&](ParamVisitor& v) { visit(v, &list); });
   if (list.sequences.empty()) throw InputError(where, "names no sequence", "see share/bench/rendered.yaml");
   return list;
+}
+
+bool is_known(const std::string& word, const KnownWords& known) {
+  BenchVariant ignored;
+  return changes_order(word, &ignored) || holds(known.lights, word) || is_detector(word, known);
+}
+
+// What stands below `set`; its keys are looked up when the runs are planned.
+std::vector<BenchSetting> parse_settings(const RawList& raw, const KnownWords& known) {
+  std::vector<BenchSetting> settings;
+  for (const auto& [name, assignments] : raw.settings) {
+    const std::string where = raw.place(kSetGroup + name);
+    if (words(name, "+, \t.") != std::vector<std::string>{name} || is_known(name, known))
+      throw InputError(where, "'" + name + "' cannot be the name of a setting",
+                       "use letters, digits, - and _, and no word that variants have already");
+    settings.push_back({name, words(assignments, " \t"), where});
+    if (settings.back().assignments.empty())
+      throw InputError(where, "the setting '" + name + "' is empty", "write GROUP.KEY=VALUE");
+  }
+  return settings;
 }
 
 void check_detectors(const RawList& raw, const KnownWords& known) {
@@ -190,6 +267,17 @@ void check_detectors(const RawList& raw, const KnownWords& known) {
     if (!is_detector(word, known))
       throw InputError(raw.place("detectors"), "unknown detector '" + word + "'",
                        "did you mean '" + nearest_name(word, known.detectors) + "'?");
+}
+
+// Those of the variant that the list does not have yet.
+void add_settings(const BenchVariant& variant, RawList* raw) {
+  for (const BenchSetting& setting : variant.settings) {
+    const auto is_it = [&](const auto& there) { return there.first == setting.name; };
+    if (std::any_of(raw->settings.begin(), raw->settings.end(), is_it)) continue;
+    std::string text;
+    for (const std::string& assignment : setting.assignments) text += (text.empty() ? "" : " ") + assignment;
+    raw->settings.emplace_back(setting.name, text);
+  }
 }
 
 }  // namespace
@@ -210,9 +298,11 @@ std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& wh
 BenchList parse_bench_list(const std::string& text, const std::string& where,
                            const std::vector<std::string>& lights,
                            const std::vector<std::string>& detectors) {
-  const KnownWords known{lights, detectors};
+  KnownWords known{lights, detectors, {}};
   RawList raw = read_raw(text, where);
   check_detectors(raw, known);
+  known.settings = parse_settings(raw, known);
+  const bool as_named = name_settings(raw, known);
   BenchList list;
   list.seeds = parse_seeds(raw.seeds, raw.place("seeds"));
   for (size_t i = 0; i < raw.sequences.size(); ++i) {
@@ -223,7 +313,8 @@ BenchList parse_bench_list(const std::string& text, const std::string& where,
     const std::string group = kGroup + s.name, own = raw.sequence_variants[i];
     s.where = raw.place(group + ".source");
     const std::string place = raw.place(own.empty() ? "variants" : group + ".variants");
-    s.variants = parse_variants(crossed(own.empty() ? raw.variants : own, raw.detectors), place, known);
+    const std::string variants = crossed(own.empty() ? raw.variants : own, raw.detectors);
+    s.variants = parse_variants(as_named ? variants : with_settings(variants, known), place, known);
     list.sequences.push_back(s);
   }
   return list;
@@ -238,6 +329,7 @@ std::string bench_list_yaml(const BenchList& list) {
     std::string names;
     for (const BenchVariant& variant : s.variants) names += (names.empty() ? "" : " ") + variant.name;
     raw.sequence_variants.push_back(names);
+    for (const BenchVariant& variant : s.variants) add_settings(variant, &raw);
   }
   return write_params([&](ParamVisitor& v) { visit(v, &raw); });
 }

@@ -114,10 +114,61 @@ TEST(BenchList, WhatIsWrongIsToldWithItsLine) {
   EXPECT_THAT(error_of(one + "variants: ','\n"), HasSubstr("list:4: names no variant"));
 }
 
+// ---- settings ----
+
+const std::string kSettings = "set:\n  few: mapping.window.max_points=500\n  both: a.b=1 c=two\n";
+
+std::vector<std::string> names_of(const BenchSequence& sequence) {
+  std::vector<std::string> names;
+  for (const BenchVariant& variant : sequence.variants) names.push_back(variant.name);
+  return names;
+}
+
+TEST(BenchList, EachVariantIsRunAsItIsAndWithEachSetting) {
+  const BenchSequence a = parse("variants: normal every3\n" + kSettings + kOne).sequences[0];
+  EXPECT_THAT(names_of(a),
+              ElementsAre("normal", "normal+few", "normal+both", "every3", "every3+few", "every3+both"));
+  EXPECT_TRUE(a.variants[0].settings.empty());
+  ASSERT_EQ(a.variants[5].settings.size(), 1u);
+  EXPECT_EQ(a.variants[5].every, 3);
+  EXPECT_EQ(a.variants[5].settings[0].name, "both");
+  EXPECT_EQ(a.variants[5].settings[0].where, "list:4");
+  EXPECT_THAT(a.variants[5].settings[0].assignments, ElementsAre("a.b=1", "c=two"));
+}
+
+TEST(BenchList, VariantsThatNameASettingAreRunAsTheyStand) {
+  const BenchSequence a = parse("variants: normal every3+few+both\n" + kSettings + kOne).sequences[0];
+  EXPECT_THAT(names_of(a), ElementsAre("normal", "every3+few+both"));
+  EXPECT_EQ(a.variants[1].settings.size(), 2u);
+}
+
+TEST(BenchList, SettingsAreWrittenAndReadBackTheSame) {
+  const BenchList list = parse("variants: normal mixed\n" + kSettings + kOne);
+  const std::string text = bench_list_yaml(list);
+  const BenchList again = parse(text);
+  EXPECT_EQ(bench_list_yaml(again), text);
+  EXPECT_EQ(names_of(again.sequences[0]), names_of(list.sequences[0]));
+  EXPECT_THAT(again.sequences[0].variants[2].settings[0].assignments, ElementsAre("a.b=1", "c=two"));
+}
+
+TEST(BenchList, ABadSettingIsToldWithItsLine) {
+  const std::string one = kOne;
+  EXPECT_THAT(error_of("set:\n" + one), HasSubstr("list:1: names no setting"));
+  EXPECT_THAT(error_of("set:\n  a:\n" + one), HasSubstr("list:2: set.a has no value"));
+  EXPECT_THAT(error_of("set:\n  a: ''\n" + one), HasSubstr("list:2: the setting 'a' is empty"));
+  for (const char* name : {"a.b", "glare", "normal", "every7", "gaps"})
+    EXPECT_THAT(error_of(std::string("set:\n  ") + name + ": k=1\n" + one),
+                HasSubstr(std::string("list:2: '") + name + "' cannot be the name of a setting"));
+  EXPECT_THAT(error_of("variants: normal+fw\n" + kSettings + one), HasSubstr("did you mean 'few'?"));
+  EXPECT_THAT(error_of("variants: few+few\n" + kSettings + one),
+              HasSubstr("list:1: 'few+few' names the setting 'few' twice"));
+}
+
 TEST(BenchList, ThoseThatShipAreRead) {
   const std::vector<std::string> lights{"drift",   "jumps", "gamma", "vignette", "glare", "eaten",
                                         "shadows", "blur",  "noise", "dropped",  "mixed"};
-  for (const auto& [name, jobs] : {std::pair("rendered", 100), {"real", 170}, {"lights", 300}}) {
+  for (const auto& [name, jobs] :
+       {std::pair("rendered", 100), {"real", 170}, {"lights", 300}, {"ablation", 2052}}) {
     const std::string path = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/" + name + ".yaml";
     EXPECT_EQ(parse_bench_list(read_file(path, ""), path, lights).jobs(), jobs);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 
 #include "edgevo/core/block_yaml.h"
 #include "edgevo/core/error.h"
@@ -43,6 +44,21 @@ TEST(ParamsFiles, APresetSetsNoDefault) {
       EXPECT_NE(written(params), written(RunParams())) << file << ": " << entry.key << " is the default";
     }
   }
+}
+
+TEST(ParamsFiles, EachSettingOfTheAblationChangesAParameter) {
+  const std::string file = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/ablation.yaml";
+  int settings = 0;
+  for (const YamlEntry& entry : parse_block_yaml(read_file(file, ""), file)) {
+    if (entry.key.rfind("set.", 0) != 0) continue;
+    RunParams params;
+    std::istringstream assignments(entry.value);
+    for (std::string assignment; assignments >> assignment;)
+      set_param(assignment, [&](ParamVisitor& v) { params.visit(v); });
+    EXPECT_NE(written(params), written(RunParams())) << entry.key;
+    ++settings;
+  }
+  EXPECT_GT(settings, 12);
 }
 
 TEST(ParamsFiles, TheReadmeTellsOfEach) {

@@ -6,6 +6,9 @@
 //   variants: normal every3 mixed   # of every sequence that names none itself; words joined by + act
 //                                   together: every3+glare
 //   detectors: canny edge_drawing   # every variant by each of these; left out: as the parameters say
+//   set:                            # every variant as it is, and once more with each of these
+//     few_points: mapping.window.max_points=500
+//     no_corners: mapping.corners.max_inlier_share=0 mapping.window.adjust_corners=false
 //   sequences:
 //     street:                       # a name for tables and folders
 //       source: scene:street        # a scene of the simulator, or any SOURCE of `edgevo run`
@@ -18,13 +21,27 @@
 // first), `gaps` (frames missing here and there, drawn by the seed), the name of a change of light and that
 // of a detector of edges: `detectors: canny edge_drawing` makes `normal+canny` and `normal+edge_drawing` of
 // `normal`. `precomputed:D` are the edges of detector D, found once for all seeds.
+//
+// A name below `set` stands for parameters (GROUP.KEY=VALUE, separated by blanks) over those of the sequence.
+// It is a word of variants, too: `every3+no_corners`. Where the list has such a word in its variants, it runs
+// those that it names and no others.
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace edgevo {
 
-/// How a sequence is changed before it is run.
+/// Parameters under a name, over those of a sequence: one line below `set`.
+struct BenchSetting {
+  /// A word of variants.
+  std::string name;
+  /// GROUP.KEY=VALUE each.
+  std::vector<std::string> assignments;
+  /// "LIST:LINE", for messages.
+  std::string where;
+};
+
+/// How a sequence is changed before it is run, and with which parameters it is.
 struct BenchVariant {
   std::string name = "normal";  ///< as the list gives it
   int every = 1;                ///< only each every-th frame
@@ -32,6 +49,8 @@ struct BenchVariant {
   bool gaps = false;            ///< frames are missing here and there
   std::string light;            ///< kind of `edgevo relight`; empty: as it is
   std::string detector;         ///< of edges; empty: as the parameters say
+  /// Applied in this order, over the parameters of the sequence.
+  std::vector<BenchSetting> settings;
 };
 
 /// A sequence of the list.
