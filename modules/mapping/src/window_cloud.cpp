@@ -10,8 +10,8 @@
 namespace edgevo {
 namespace {
 
-// Points of known depth below which the cloud is filled up with immature ones, and below which some are lent
-// to the map: 300 and 400 let runs break, 700 costs accuracy (share/lab/2026-11-22_sparse_maps.md).
+// Points of known depth below which the cloud is filled up with immature ones, and below which tentative ones
+// are added to the map: 300 and 400 let runs break, 700 costs accuracy (share/lab/2026-11-22_sparse_maps.md).
 constexpr size_t kEnoughCloud = 500;
 // Points of known depth for each cell of the activation, below which they are few for a small image, too: 402
 // at 640x480.

@@ -65,7 +65,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   for (Keyframe& k : window_.keyframes())
     smooth_along_edges(k.pyramid->finest().edges, params_.depth_filter, &k.immature);
   window_.hold_bootstrap_scale();
-  window_.activate(1, 1);
+  window_.activate({1, 1});
   window_.adjust();
   const WindowStats stats = window_.adjust();
   if (stats.points < kMinFirstPoints)
@@ -124,11 +124,11 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   timed("activation", &update->times, [&] {
     for (Keyframe& host : window_.keyframes())
       smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
-    window_.take_back();
-    window_.activate(2, params_.window.min_matches);
+    window_.demote_unconfirmed();
+    window_.activate({2, params_.window.min_matches});
     // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
     // What the first pass has tried, with two depths, is not tried again.
-    if (rule("lent points")) window_.activate(1, 1, window_.points_lacking());
+    if (rule("lent points")) window_.activate({1, 1, window_.points_lacking()});
   });
   timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
   if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing

@@ -18,7 +18,7 @@ using test::true_window;
 
 TEST(Window, RecoversDepths) {
   Window window = true_window(5, 0.04);
-  window.activate(2, 2);
+  window.activate({2, 2});
   const double before = idepth_error(window);
   const WindowStats stats = window.adjust();
   EXPECT_GT(stats.points, 200);
@@ -29,7 +29,7 @@ TEST(Window, RecoversDepths) {
 
 TEST(Window, RecoversPosesAndDepths) {
   Window window = true_window(6, 0.02);
-  window.activate(2, 2);
+  window.activate({2, 2});
   Random random(8);
   // Keyframes 0 and 1 hold the gauge. A hundredth of the depth is about 0.3 px at this focal length.
   for (size_t k = 2; k < window.keyframes().size(); ++k) {
@@ -51,7 +51,7 @@ TEST(Window, RecoversPosesAndDepths) {
 // turned.
 Window window_that_lost_its_newest(bool with_corners) {
   Window window = true_window(4, 0.02);
-  window.activate(2, 2);
+  window.activate({2, 2});
   Keyframe& newest = window.newest();
   for (Keyframe& k : window.keyframes())
     for (MapPoint& p : k.points)
@@ -113,7 +113,7 @@ TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
 // anew with it.
 TEST(Window, ACorrectionBringsItsOwnPrior) {
   Window window = true_window(5, 0.02, params_with("prior"));
-  window.activate(2, 2);
+  window.activate({2, 2});
   window.adjust();
   MapRevision revision;
   const int kept = int(window.keyframes().size());
@@ -145,7 +145,7 @@ TEST(Window, ACorrectionBringsItsOwnPrior) {
 TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
   const auto run = [] {
     Window window = true_window(5, 0.04);
-    window.activate(2, 2);
+    window.activate({2, 2});
     window.adjust();
     std::vector<double> values;
     for (const Keyframe& k : window.keyframes()) {
@@ -170,7 +170,7 @@ TEST(Window, AMatchFarBeyondItsDeviationIsDropped) {
   WindowParams params = params_with();
   params.ba_update_iterations = 0;  // nothing is matched anew
   Window window = true_window(5, 0.0, params);
-  window.activate(2, 2);
+  window.activate({2, 2});
   MapPoint& point = best_point(window);
   ASSERT_GE(point.observations.size(), 3u);
   const Eigen::Vector2d px = point.px;
@@ -187,7 +187,7 @@ TEST(Window, AMatchFarBeyondItsDeviationIsDropped) {
 
 TEST(Window, APointThatManyKeyframesMissGoes) {
   Window window = true_window(5, 0.0);
-  const int points = window.activate(2, 2);
+  const int points = window.activate({2, 2});
   best_point(window).misses = 4;
   window.adjust();
   EXPECT_EQ(window.active_points(), points - 1);
@@ -200,7 +200,7 @@ TEST(Window, TheBootstrapKeepsItsScale) {
     for (ImmaturePoint& p : k.immature) p.idepth *= 1.08;
   const double before = relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm();
   window.hold_bootstrap_scale();
-  window.activate(2, 1);
+  window.activate({2, 1});
   window.adjust();
   EXPECT_NEAR(relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm(), before,
               0.01 * before);

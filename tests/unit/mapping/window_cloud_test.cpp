@@ -15,7 +15,7 @@ using test::true_window;
 
 TEST(Window, TheCloudLiesInTheNewestFrame) {
   Window window = true_window(5, 0.0);
-  window.activate(2, 2);
+  window.activate({2, 2});
   const auto cloud = window.cloud(window.newest());
   ASSERT_GT(cloud.size(), 150u);
   std::vector<double> relative, off_edge;
@@ -42,7 +42,7 @@ TEST(Window, TheCloudHoldsAtMostItsLimit) {
   WindowParams params = params_with();
   params.max_cloud_points = 90;
   Window window = true_window(5, 0.0, params);
-  window.activate(2, 2);
+  window.activate({2, 2});
   EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
@@ -61,7 +61,7 @@ TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
 
 TEST(Window, TheCloudOfAnOlderKeyframeIsWhatThatOneSees) {
   Window window = true_window(5, 0.0);
-  window.activate(2, 2);
+  window.activate({2, 2});
   const Keyframe& older = window.keyframes()[1];
   const std::vector<CloudPoint> cloud = window.cloud(older);
   EXPECT_GT(cloud.size(), 50u);

@@ -111,9 +111,8 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
-// No point can be matched in as many keyframes as asked for: what keeps the map alive are points that are
-// lent to it.
-TEST(Mapper, AMapThatThinsOutIsLentPoints) {
+// No point can be matched in as many keyframes as asked for: tentative points keep the map alive.
+TEST(Mapper, ASparseMapGetsTentativePoints) {
   MappingParams params = params_with("prior");
   params.window.min_matches = 10;
   SweepDriver driver(params);
@@ -121,13 +120,13 @@ TEST(Mapper, AMapThatThinsOutIsLentPoints) {
   for (int step = 1; step <= 15; ++step)
     driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
   EXPECT_GT(driver.mapper.reference()->known_points, 60);
-  // Of the last keyframe alone: earlier loans have been kept or given back.
+  // Of the last keyframe alone: earlier ones have been kept or demoted.
   const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, params.window.activation_cell_px);
-  int lent = 0;
+  int tentative = 0;
   for (const Keyframe& k : driver.mapper.window().keyframes())
-    for (const MapPoint& p : k.points) lent += p.lent;
-  EXPECT_GT(lent, 0);
-  EXPECT_LE(lent, grid.size() / 4);
+    for (const MapPoint& p : k.points) tentative += p.tentative;
+  EXPECT_GT(tentative, 0);
+  EXPECT_LE(tentative, grid.size() / 4);
 }
 
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
