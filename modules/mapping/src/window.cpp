@@ -79,33 +79,38 @@ void Window::hold_bootstrap_scale() {
 }
 
 Keyframe Window::remove_oldest() {
-  const int id = keyframes_.front().id;
-  if (params_.gauge == "prior") {
-    // Only the points it hosts go into the prior with it. Points of other hosts lose their observation here
-    // and live on: their other observations stay in the window and must not be counted twice.
-    const BaProblem all = build_adjustment().problem;
-    BaProblem leaving = ba::problem_of_host(all, ba::index_problem(all), 0, int(all.poses.size()));
-    leaving.prior = prior_;
-    BaOptions options;
-    options.huber_width = params_.ba_huber;
-    std::vector<bool> drop;
-    prior_ = marginalize(leaving, id, options, &drop);
-  } else {
+  if (params_.gauge == "prior")
+    prior_ = marginalise_oldest();
+  else
     prior_.reset();
-  }
   bootstrap_gauge_ = false;
   Keyframe oldest = std::move(keyframes_.front());
   keyframes_.pop_front();
-  for (Keyframe& host : keyframes_) {
-    for (MapPoint& p : host.points)
-      p.observations.erase(std::remove_if(p.observations.begin(), p.observations.end(),
-                                          [&](const Observation& o) { return o.keyframe_id == id; }),
-                           p.observations.end());
-    host.points.erase(std::remove_if(host.points.begin(), host.points.end(),
-                                     [](const MapPoint& p) { return p.observations.empty(); }),
-                      host.points.end());
-  }
+  for (Keyframe& host : keyframes_) drop_matches_in(oldest.id, &host);
   return oldest;
+}
+
+// Only the points that the oldest keyframe hosts go into the prior with it. Points of other hosts lose their
+// observation there and live on: their other observations stay in the window and must not be counted twice.
+BaPrior Window::marginalise_oldest() {
+  const BaProblem all = build_adjustment().problem;
+  BaProblem leaving = ba::problem_of_host(all, ba::index_problem(all), 0, int(all.poses.size()));
+  leaving.prior = prior_;
+  BaOptions options;
+  options.huber_width = params_.ba_huber;
+  std::vector<bool> drop;
+  return marginalize(leaving, keyframes_.front().id, options, &drop);
+}
+
+// Points that were matched nowhere else go, too.
+void Window::drop_matches_in(int keyframe_id, Keyframe* host) {
+  for (MapPoint& p : host->points)
+    p.observations.erase(std::remove_if(p.observations.begin(), p.observations.end(),
+                                        [&](const Observation& o) { return o.keyframe_id == keyframe_id; }),
+                         p.observations.end());
+  host->points.erase(std::remove_if(host->points.begin(), host->points.end(),
+                                    [](const MapPoint& p) { return p.observations.empty(); }),
+                     host->points.end());
 }
 
 }  // namespace edgevo

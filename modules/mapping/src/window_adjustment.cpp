@@ -28,37 +28,38 @@ constexpr double kEnoughDecrease = 1e-3;
 
 Window::Adjustment Window::build_adjustment() {
   Adjustment a;
-  BaProblem& problem = a.problem;
-  problem.pinhole = pinhole_;
-  for (const Keyframe& k : keyframes_) {
-    problem.poses.push_back({k.T_cam_world, false});
-    problem.pose_ids.push_back(k.id);
-  }
-  const auto pose_index = [&](int id) {
-    const auto it = std::lower_bound(problem.pose_ids.begin(), problem.pose_ids.end(), id);
-    return int(it - problem.pose_ids.begin());
-  };
+  a.problem.pinhole = pinhole_;
   size_t matches = 0;
-  for (const Keyframe& k : keyframes_)
+  for (const Keyframe& k : keyframes_) {
+    a.problem.poses.push_back({k.T_cam_world, false});
+    a.problem.pose_ids.push_back(k.id);
     for (const MapPoint& p : k.points) matches += p.observations.size();
-  problem.observations.reserve(matches), a.match_index.reserve(matches);
-  problem.points.reserve(active_points()), a.points.reserve(active_points());
-  for (size_t h = 0; h < keyframes_.size(); ++h)
-    for (MapPoint& p : keyframes_[h].points) {
-      if (p.observations.empty()) continue;
-      for (const Observation& o : p.observations) {
-        const int target = pose_index(o.keyframe_id);
-        a.match_index.push_back(int(problem.observations.size()));
-        problem.observations.push_back({int(problem.points.size()), target, o.match.px, o.match.normal,
-                                        o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
-        if (params_.photometric) add_photometric(keyframes_[h], p, target, &problem);
-      }
-      problem.points.push_back({int(h), pinhole_.ray(p.px), p.idepth, is_depth_held(p)});
-      a.points.push_back(&p);
-    }
-  add_corners(&problem);
-  apply_gauge(&problem);
+  }
+  a.problem.observations.reserve(matches);
+  a.match_index.reserve(matches);
+  a.problem.points.reserve(active_points());
+  a.points.reserve(active_points());
+  for (size_t host = 0; host < keyframes_.size(); ++host)
+    for (MapPoint& p : keyframes_[host].points)
+      if (!p.observations.empty()) add_point(int(host), &p, &a);
+  add_corners(&a.problem);
+  apply_gauge(&a.problem);
   return a;
+}
+
+void Window::add_point(int host, MapPoint* point, Adjustment* a) const {
+  BaProblem& problem = a->problem;
+  const std::vector<int>& ids = problem.pose_ids;
+  const int index = int(problem.points.size());
+  for (const Observation& o : point->observations) {
+    const int target = int(std::lower_bound(ids.begin(), ids.end(), o.keyframe_id) - ids.begin());
+    a->match_index.push_back(int(problem.observations.size()));
+    problem.observations.push_back(
+        {index, target, o.match.px, o.match.normal, o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
+    if (params_.photometric) add_photometric(keyframes_[size_t(host)], *point, target, &problem);
+  }
+  problem.points.push_back({host, pinhole_.ray(point->px), point->idepth, is_depth_held(*point)});
+  a->points.push_back(point);
 }
 
 void Window::add_corners(BaProblem* problem) const {
@@ -116,29 +117,30 @@ void Window::take_result(const BaResult& result, const Adjustment& a) {
 }
 
 void Window::update_matches(const BaResult& result, const Adjustment& adjustment) {
+  std::vector<std::vector<View>> views;
+  for (const Keyframe& host : keyframes_) views.push_back(views_from(host));
   size_t k = 0;  // matches stand in the order of build_adjustment
-  const std::vector<MapPoint*>& points = adjustment.points;
-  size_t next = 0;
-  for (Keyframe& host : keyframes_) {
-    const std::vector<View> views = views_from(host);
-    for (MapPoint& p : host.points) {
-      if (next >= points.size() || points[next] != &p) continue;
-      ++next;
-      size_t kept = 0;
-      for (Observation& o : p.observations) {
-        const int index = adjustment.match_index[k++];
-        const double normal_px = result.residual_normal_px[index],
-                     tangent_px = result.residual_tangent_px[index];
-        if (needs_update(o.match, normal_px, tangent_px, association_)) {
-          const auto view = std::find_if(views.begin(), views.end(),
-                                         [&](const View& v) { return v.target->id == o.keyframe_id; });
-          o.match = associate(query(host, p, *view), association_);
-        }
-        if (o.match.kind != MatchKind::kNone) p.observations[kept++] = o;
-      }
-      p.observations.resize(kept);
+  for (size_t i = 0; i < adjustment.points.size(); ++i) {
+    MapPoint& p = *adjustment.points[i];
+    const size_t host = size_t(adjustment.problem.points[i].host);
+    size_t kept = 0;
+    for (Observation& o : p.observations) {
+      const int index = adjustment.match_index[k++];
+      if (needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index],
+                       association_))
+        o.match = match_again(keyframes_[host], p, o.keyframe_id, views[host]);
+      if (o.match.kind != MatchKind::kNone) p.observations[kept++] = o;
     }
+    p.observations.resize(kept);
   }
+}
+
+// `keyframe_id` is that of one of the views.
+Match Window::match_again(const Keyframe& host, const MapPoint& point, int keyframe_id,
+                          const std::vector<View>& views) const {
+  const auto view =
+      std::find_if(views.begin(), views.end(), [&](const View& v) { return v.target->id == keyframe_id; });
+  return associate(query(host, point, *view), association_);
 }
 
 void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {

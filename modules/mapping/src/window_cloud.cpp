@@ -17,6 +17,14 @@ constexpr size_t kEnoughCloud = 500;
 // at 640x480.
 constexpr double kThinShare = 0.25;
 
+// `wanted` of the evenly ordered points.
+std::vector<CloudPoint> every_nth(const std::vector<CloudPoint>& points, size_t wanted) {
+  std::vector<CloudPoint> thinned;
+  thinned.reserve(wanted);
+  for (size_t i = 0; i < wanted; ++i) thinned.push_back(points[i * points.size() / wanted]);
+  return thinned;
+}
+
 }  // namespace
 
 int Window::points_lacking() const {
@@ -52,36 +60,38 @@ std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const 
 std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> cloud;
   for (const Keyframe& host : keyframes_) {
-    const SE3 T = relative_pose(reference, host);
+    const SE3 T_reference_host = relative_pose(reference, host);
     for (const MapPoint& p : host.points) {
-      CloudPoint c;
-      if (host.id == reference.id) {
-        c = {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
-      } else {
-        const Observation* seen = p.find(reference.id);
-        if (!seen) continue;
-        const Eigen::Vector3d Y = T.R() * pinhole_.ray(p.px) + p.idepth * T.translation();
-        if (!(Y.z() > kMinProjectedDepth)) continue;
-        const Eigen::Vector2d px = pinhole_.project(Y);
-        if (!pinhole_.contains(px)) continue;
-        // rho' = rho / Y_z, and so does its sigma to first order.
-        c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(),
-             seen->match.normal.cast<float>()};
-      }
-      c.host_keyframe = host.id;
-      c.host_pixel = p.edge_pixel;
-      cloud.push_back(c);
+      std::optional<CloudPoint> c =
+          host.id == reference.id ? own_point(p) : seen_point(reference, T_reference_host, p);
+      if (!c) continue;
+      c->host_keyframe = host.id;
+      c->host_pixel = p.edge_pixel;
+      cloud.push_back(*c);
     }
   }
-  // Where there are more than needed, every k-th of the evenly ordered points stays.
   const size_t limit = size_t(params_.max_cloud_points);
-  if (cloud.size() > limit) {
-    std::vector<CloudPoint> thinned;
-    thinned.reserve(limit);
-    for (size_t i = 0; i < limit; ++i) thinned.push_back(cloud[i * cloud.size() / limit]);
-    cloud.swap(thinned);
-  }
-  return cloud;
+  return cloud.size() > limit ? every_nth(cloud, limit) : cloud;
+}
+
+// A point that the reference hosts.
+CloudPoint Window::own_point(const MapPoint& p) const {
+  return {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
+}
+
+// A point of another host in the frame of the reference; nothing where that does not see it.
+std::optional<CloudPoint> Window::seen_point(const Keyframe& reference, const SE3& T_reference_host,
+                                             const MapPoint& p) const {
+  const Observation* seen = p.find(reference.id);
+  if (!seen) return std::nullopt;
+  const Eigen::Vector3d Y =
+      T_reference_host.R() * pinhole_.ray(p.px) + p.idepth * T_reference_host.translation();
+  if (!(Y.z() > kMinProjectedDepth)) return std::nullopt;
+  const Eigen::Vector2d px = pinhole_.project(Y);
+  if (!pinhole_.contains(px)) return std::nullopt;
+  // rho' = rho / Y_z, and so does its sigma to first order.
+  return CloudPoint{Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(),
+                    seen->match.normal.cast<float>()};
 }
 
 double Window::view_share(const Keyframe& keyframe) const {

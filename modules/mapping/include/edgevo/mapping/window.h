@@ -131,13 +131,21 @@ class Window {
     std::vector<int> match_index;   ///< of each match, point by point: its place in problem.observations
   };
   Adjustment build_adjustment();
+  void add_point(int host, MapPoint* point, Adjustment* adjustment) const;
   void add_corners(BaProblem* problem) const;
   void add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
                        BaProblem* problem) const;
   void take_result(const BaResult& result, const Adjustment& adjustment);
   void update_matches(const BaResult& result, const Adjustment& adjustment);
+  Match match_again(const Keyframe& host, const MapPoint& point, int keyframe_id,
+                    const std::vector<View>& views) const;
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
+  BaPrior marginalise_oldest();
+  static void drop_matches_in(int keyframe_id, Keyframe* host);
+  CloudPoint own_point(const MapPoint& point) const;
+  std::optional<CloudPoint> seen_point(const Keyframe& reference, const SE3& T_reference_host,
+                                       const MapPoint& point) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
 
   Pinhole pinhole_;
