@@ -70,14 +70,19 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, co
   return found;
 }
 
-bool PoseJudge::fits(const PoseCandidate& pose) const {
-  return pose.stats.visible >= params_.min_visible && pose.evidence.inlier_share >= params_.degraded_share;
+TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params) {
+  if (!pose.T_cur_ref.is_finite()) return TrackingQuality::kDiverged;
+  if (pose.stats.visible < params.min_visible) return TrackingQuality::kFewPoints;
+  if (pose.evidence.inlier_share < params.lost_share) return TrackingQuality::kUnsupported;
+  if (pose.evidence.inlier_share < params.degraded_share) return TrackingQuality::kWeak;
+  return TrackingQuality::kGood;
 }
 
-bool PoseJudge::is_lost(const PoseCandidate& pose) const {
-  return !pose.T_cur_ref.is_finite() || pose.stats.visible < params_.min_visible ||
-         pose.evidence.inlier_share < params_.lost_share;
+bool PoseJudge::fits(const PoseCandidate& pose) const {
+  return classify(pose, params_) == TrackingQuality::kGood;
 }
+
+bool PoseJudge::is_lost(const PoseCandidate& pose) const { return edgevo::is_lost(classify(pose, params_)); }
 
 double PoseJudge::score(const PoseCandidate& pose) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();

@@ -36,23 +36,36 @@ std::string format(const char* pattern, double a, double b) {
   return text;
 }
 
+// Why a frame of this quality has no pose or a weak one; empty where it is good.
+std::string reason_of(TrackingQuality quality, const PoseCandidate& pose, const AlignmentParams& params) {
+  const double share = pose.evidence.inlier_share;
+  switch (quality) {
+    case TrackingQuality::kDiverged:
+      return "alignment diverged";
+    case TrackingQuality::kFewPoints:
+      return format("only %.0f map points in view, %.0f are needed", pose.stats.visible, params.min_visible);
+    case TrackingQuality::kUnsupported:
+      return format("inlier share %.2f is below %.2f", share, params.lost_share);
+    case TrackingQuality::kWeak:
+      return format("inlier share %.2f is below %.2f", share, params.degraded_share);
+    case TrackingQuality::kGood:
+      break;
+  }
+  return {};
+}
+
+TrackingState state_of(TrackingQuality quality) {
+  if (is_lost(quality)) return TrackingState::kLost;
+  return quality == TrackingQuality::kGood ? TrackingState::kTracking : TrackingState::kDegraded;
+}
+
 void give_verdict(const AlignmentParams& params, TrackResult* r) {
-  const double share = r->evidence.inlier_share;
-  r->verdict = TrackingState::kLost;
-  if (!r->T_cur_ref.is_finite()) {
-    r->reason = "alignment diverged";
-  } else if (r->stats.visible < params.min_visible) {
-    r->reason = format("only %.0f map points in view, %.0f are needed", r->stats.visible, params.min_visible);
-  } else if (share < params.lost_share) {
-    r->reason = format("inlier share %.2f is below %.2f", share, params.lost_share);
-  } else if (share < params.degraded_share) {
-    r->verdict = TrackingState::kDegraded;
-    r->reason = format("inlier share %.2f is below %.2f", share, params.degraded_share);
-  } else if (!r->weak_directions.empty() && rule("weak directions")) {
+  const TrackingQuality quality = classify(*r, params);
+  r->verdict = state_of(quality);
+  r->reason = reason_of(quality, *r, params);
+  if (quality == TrackingQuality::kGood && !r->weak_directions.empty() && rule("weak directions")) {
     r->verdict = TrackingState::kDegraded;
     r->reason = format("%.0f poorly observed direction(s)%.0s", double(r->weak_directions.size()), 0.0);
-  } else {
-    r->verdict = TrackingState::kTracking;
   }
 }
 

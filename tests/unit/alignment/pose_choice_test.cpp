@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/plane_scene.h"
 #include "support/twist.h"
 
@@ -18,6 +20,30 @@ PoseCandidate candidate(double share, const SE3& T_cur_ref = SE3(), double weigh
   c.stats.visible = 1000;
   c.evidence = {weight, share};
   return c;
+}
+
+TEST(Classify, NamesTheFirstThingThatIsMissing) {
+  const AlignmentParams params;
+  const auto quality = [&](const PoseCandidate& pose) { return classify(pose, params); };
+  EXPECT_EQ(quality(candidate(params.degraded_share)), TrackingQuality::kGood);
+  EXPECT_EQ(quality(candidate(0.99 * params.degraded_share)), TrackingQuality::kWeak);
+  EXPECT_EQ(quality(candidate(params.lost_share)), TrackingQuality::kWeak);
+  EXPECT_EQ(quality(candidate(0.99 * params.lost_share)), TrackingQuality::kUnsupported);
+  PoseCandidate pose = candidate(0.9);
+  pose.stats.visible = params.min_visible;
+  EXPECT_EQ(quality(pose), TrackingQuality::kGood);
+  pose.stats.visible = params.min_visible - 1;
+  EXPECT_EQ(quality(pose), TrackingQuality::kFewPoints);
+  pose.T_cur_ref = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));
+  EXPECT_EQ(quality(pose), TrackingQuality::kDiverged);
+}
+
+TEST(Classify, OnlyAWeakPoseOrAGoodOneIsNotLost) {
+  EXPECT_TRUE(is_lost(TrackingQuality::kDiverged));
+  EXPECT_TRUE(is_lost(TrackingQuality::kFewPoints));
+  EXPECT_TRUE(is_lost(TrackingQuality::kUnsupported));
+  EXPECT_FALSE(is_lost(TrackingQuality::kWeak));
+  EXPECT_FALSE(is_lost(TrackingQuality::kGood));
 }
 
 TEST(PoseJudge, TheBetterSupportedPoseWins) {

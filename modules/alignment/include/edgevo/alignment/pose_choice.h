@@ -45,6 +45,24 @@ struct PoseCandidate {
 PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
+/// How well the image supports a pose, the worst first.
+enum class TrackingQuality {
+  /// The pose is not finite.
+  kDiverged,
+  /// Fewer than AlignmentParams::min_visible map points lie in view.
+  kFewPoints,
+  /// The inlier share is below AlignmentParams::lost_share.
+  kUnsupported,
+  /// The inlier share is below AlignmentParams::degraded_share.
+  kWeak,
+  kGood,
+};
+/// The quality decides whether a frame has a pose, whether more hypotheses are tried, and the state of the
+/// frame.
+TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params);
+/// Is there no pose?
+inline bool is_lost(TrackingQuality quality) { return quality < TrackingQuality::kWeak; }
+
 /// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the
 /// motion is. A pose that left the prior it was held to is a compromise that neither image nor motion asks
 /// for, and never wins: on a drive that speeds up evenly it would hold the camera back a little in frame
@@ -58,9 +76,9 @@ class PoseJudge {
   explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {})
       : params_(params), likelihood_(std::move(likelihood)) {}
 
-  /// Explains the image well enough to look no further, as far as the image goes.
+  /// The pose is good enough to look no further, as far as the image goes.
   bool fits(const PoseCandidate& pose) const;
-  /// Explains so little that there is no pose.
+  /// The image supports it so little that there is no pose.
   bool is_lost(const PoseCandidate& pose) const;
   /// Higher is better; below 0: lost.
   double score(const PoseCandidate& pose) const;
