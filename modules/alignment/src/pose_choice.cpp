@@ -99,14 +99,14 @@ PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& cu
   const auto is_called_for = [&](const Proposer& p) {
     return best.hypotheses_tried == 0 || p.is_called_for(best.pose);
   };
-  for (size_t i = 0; i < proposers.size(); ++i) {
-    if (!is_called_for(proposers[i])) continue;
-    for (const PoseHypothesis& hypothesis : proposers[i].hypotheses()) {
-      if (!is_called_for(proposers[i])) break;
+  for (const Proposer& proposer : proposers) {
+    if (!is_called_for(proposer)) continue;
+    for (const PoseHypothesis& hypothesis : proposer.hypotheses()) {
+      if (!is_called_for(proposer)) break;
       PoseCandidate candidate = align(current, cloud, hypothesis, params);
       if (++best.hypotheses_tried > 1 && !(judge.score(candidate) > judge.score(best.pose))) continue;
       best.pose = std::move(candidate);
-      best.proposer = int(i);
+      best.kind = proposer.kind;
     }
   }
   return best;

@@ -97,13 +97,15 @@ std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_befo
 }
 
 Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("other motions"); },
+  return {ProposerKind::kStarts,
+          [&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("other motions"); },
           [starts = std::move(starts)] { return as_hypotheses(starts); }};
 }
 
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
                            const PoseJudge& judge, const AlignmentParams& params) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("rotation search"); },
+  return {ProposerKind::kRotations,
+          [&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("rotation search"); },
           [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted, params)); }};
 }
 

@@ -14,7 +14,8 @@ const Pinhole& pinhole_of(const TrackingTask& task) { return task.pyramid.finest
 // The step of a camera that is under way evenly, where what was found is another one.
 Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualStep>& usual,
                             const PoseJudge& judge) {
-  return {[&](const PoseCandidate& best) {
+  return {ProposerKind::kMedianMotion,
+          [&](const PoseCandidate& best) {
             return usual && !task.was_lost && !judge.is_lost(best) && usual->is_unusual(best.T_cur_ref) &&
                    usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref) &&
                    rule("usual step");
@@ -52,7 +53,8 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
 }
 
 Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge, Track* track) {
-  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge) && rule("corners"); },
+  return {ProposerKind::kCorners,
+          [&](const PoseCandidate& best) { return calls_for_corners(task, best, judge) && rule("corners"); },
           [&task, track] { return corner_hypotheses(task, track); }};
 }
 
@@ -89,7 +91,6 @@ Track track_frame(const TrackingTask& task) {
   const std::optional<UsualStep> usual = UsualStep::of(task.motion);
   const PoseJudge judge(params,
                         [&](const SE3& T_cur_ref) { return usual ? usual->likelihood(T_cur_ref) : 1.0; });
-  enum { kStarts, kRotations, kUsualStep, kCorners };  // in this order
   const std::vector<Proposer> proposers{
       propose_starts(starts, judge),
       propose_rotations(task.pyramid, cloud, starts.front(), judge, params),
@@ -97,7 +98,7 @@ Track track_frame(const TrackingTask& task) {
       propose_corner_motion(task, judge, &track),
   };
   const PoseChoice choice = choose(proposers, task.pyramid, cloud, judge, params);
-  track.took_usual_step = choice.proposer == kUsualStep;
+  track.took_usual_step = choice.kind == ProposerKind::kMedianMotion;
   track.twist = task.motion.twist(choice.pose.T_cur_ref);
   track.result = track_rows(task, choice.pose, track.twist, judge);
   return track;

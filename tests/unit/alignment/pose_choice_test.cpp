@@ -87,8 +87,8 @@ TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
 // Proposers that count how often they are called.
 class Choice : public ::testing::Test {
  protected:
-  Proposer proposer(const std::vector<SE3>& starts, bool called, int* made) {
-    return {[called](const PoseCandidate&) { return called; },
+  Proposer proposer(ProposerKind kind, const std::vector<SE3>& starts, bool called, int* made) {
+    return {kind, [called](const PoseCandidate&) { return called; },
             [starts, made] {
               ++*made;
               std::vector<PoseHypothesis> hypotheses;
@@ -107,25 +107,28 @@ class Choice : public ::testing::Test {
 };
 
 TEST_F(Choice, WhoIsNotCalledForIsNotCalled) {
-  const PoseChoice c = among({proposer({SE3(), kWrong}, false, &first), proposer({kWrong}, false, &second)});
+  const PoseChoice c = among({proposer(ProposerKind::kStarts, {SE3(), kWrong}, false, &first),
+                              proposer(ProposerKind::kCorners, {kWrong}, false, &second)});
   EXPECT_EQ(c.hypotheses_tried, 1);
   EXPECT_EQ(first, 1);
   EXPECT_EQ(second, 0);
-  EXPECT_EQ(c.proposer, 0);
+  EXPECT_EQ(c.kind, ProposerKind::kStarts);
   EXPECT_TRUE(judge.fits(c.pose));
 }
 
 TEST_F(Choice, ABetterHypothesisWins) {
-  const PoseChoice c = among({proposer({kWrong}, true, &first), proposer({kWrong, SE3()}, true, &second)});
+  const PoseChoice c = among({proposer(ProposerKind::kStarts, {kWrong}, true, &first),
+                              proposer(ProposerKind::kCorners, {kWrong, SE3()}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 3);
-  EXPECT_EQ(c.proposer, 1);
+  EXPECT_EQ(c.kind, ProposerKind::kCorners);
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
 }
 
 TEST_F(Choice, AWorseOneDoesNot) {
-  const PoseChoice c = among({proposer({SE3()}, true, &first), proposer({kWrong}, true, &second)});
+  const PoseChoice c = among({proposer(ProposerKind::kStarts, {SE3()}, true, &first),
+                              proposer(ProposerKind::kCorners, {kWrong}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 2);
-  EXPECT_EQ(c.proposer, 0);
+  EXPECT_EQ(c.kind, ProposerKind::kStarts);
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
 }
 

@@ -88,8 +88,22 @@ class PoseJudge {
   Likelihood likelihood_;
 };
 
+/// What a hypothesis rests on.
+enum class ProposerKind {
+  /// Motions that continue the last ones (motion_hypotheses()).
+  kStarts,
+  /// Rotations around the predicted pose (rotation_search.h).
+  kRotations,
+  /// The median motion of a camera that moves evenly.
+  kMedianMotion,
+  /// Corners, followed from the reference.
+  kCorners,
+};
+
 /// One who knows where the camera may be.
 struct Proposer {
+  /// Told with the pose that won (PoseChoice).
+  ProposerKind kind;
   /// Asked before each of its hypotheses but the first of all: is it called for, after what was found so far?
   std::function<bool(const PoseCandidate& best)> is_called_for;
   /// Its hypotheses, likeliest first; made when the first of them is called for.
@@ -98,9 +112,9 @@ struct Proposer {
 
 /// The pose that won, and what it took to find it.
 struct PoseChoice {
-  PoseCandidate pose;        ///< the winner
-  int proposer = -1;         ///< index of the one whose hypothesis won
-  int hypotheses_tried = 0;  ///< 1: the first was good
+  PoseCandidate pose;                         ///< the winner
+  ProposerKind kind = ProposerKind::kStarts;  ///< of the proposer whose hypothesis won
+  int hypotheses_tried = 0;                   ///< 1: the first was good
 };
 
 /// The best of all that is called for; of equals the first. The first proposer has a hypothesis.
