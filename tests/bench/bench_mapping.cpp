@@ -66,7 +66,10 @@ void update_depths_once(benchmark::State& state) {
 void process_keyframe(benchmark::State& state) {
   constexpr int kFramesApart = 3;
   Bootstrap bootstrap(bench::pinhole(), BootstrapParams(), 1);
-  Mapper mapper(bench::pinhole(), MappingParams(), AssociationParams(), false, 1);
+  OdometryParams params;
+  params.camera.refine = "none";
+  params.edge_map.mode = "off";
+  Mapper mapper(bench::pinhole(), params, {});
   int frame = 0;
   for (bool ready = false; !ready; ++frame) {
     const BootstrapStatus status =

@@ -21,22 +21,20 @@ struct Odometry::Impl {
         builder(camera, p.edges),
         bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
         random(Random::derive(o.seed, 3)),
-        mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
-        records(camera.pinhole),
         rebuilder(PyramidBuilder::for_rebuilding(camera, p.edges)),
+        mapper(camera.pinhole, p,
+               {o.seed,
+                // In realtime the mapping must not stand still for long.
+                o.realtime,
+                [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
+                  rebuilder.set_correction(now);
+                  return rebuilder.rebuild(old, motion);
+                }}),
+        records(camera.pinhole),
         state(p.recovery.max_frames),
         mapping(&mapper, o.realtime,
                 [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
         keyframes(camera.pinhole, p.mapping.keyframe) {
-    // In realtime the mapping must not stand still for long.
-    mapper.enable_self_calibration(
-        p.camera,
-        [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
-          rebuilder.set_correction(now);
-          return rebuilder.rebuild(old, motion);
-        },
-        o.realtime);
-    mapper.enable_edge_map(p.edge_map, o.realtime);
     builder.set_correction(mapper.camera().correction());
   }
 
@@ -289,9 +287,9 @@ struct Odometry::Impl {
   PyramidBuilder builder;
   Bootstrap bootstrap;
   Random random;  // of corners
+  PyramidBuilder rebuilder;  // the mapping side's own
   Mapper mapper;
   RunRecords records;
-  PyramidBuilder rebuilder;  // the mapping side's own
   OdometryState state;
   MappingThread mapping;  // after all that its thread uses
 

@@ -49,7 +49,7 @@ TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
   BootstrapResult bootstrap = test::true_bootstrap(0, 8);
   for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
     bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
-  Mapper mapper(Sweep::pinhole(), params_with("fixed"), AssociationParams(), false, 1);
+  Mapper mapper(Sweep::pinhole(), test::window_only(params_with("fixed")), {});
   EXPECT_NE(mapper.initialise(bootstrap), "");
   EXPECT_EQ(mapper.next_id(), 0);
   EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // and is none the worse for it
