@@ -206,7 +206,9 @@ struct Odometry::Impl {
   void begin_segment(const Arrival& now, const BootstrapResult& views, std::optional<double> scale) {
     mapping.refresh();
     reference = mapping.reference();
-    records.begin_segment(state.segment(), views, scale);
+    const std::vector<TimedPose> previous =
+        records.last_poses(state.segment() - 1, views.views.front().frame_index, kJoinPoses);
+    records.begin_segment(state.segment(), join_segment(previous, views, scale).T_world_map);
     note_window();
     place_bootstrap_frames(views, *reference, state.segment(), params.alignment, &records);
     newest_pose.T_cam_map = reference->T_ref_world;

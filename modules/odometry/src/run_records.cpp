@@ -8,9 +8,6 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kVelocityFrames =
-    6;  // the join of two segments takes the mean velocity over so many: one bad step matters less
-
 KeyframeRecord to_record(const Keyframe& k, int segment) {
   KeyframeRecord record;
   record.frame_index = k.frame_index;
@@ -56,30 +53,18 @@ FrameRecord* RunRecords::find(int frame_index) {
   return it == position_.end() ? nullptr : &frames_[it->second];
 }
 
-void RunRecords::begin_segment(int segment, const BootstrapResult& bootstrap, std::optional<double> scale) {
-  Sim3 T_world_map;
-  std::vector<const FrameRecord*> last;  // newest first
-  for (auto f = frames_.rbegin(); f != frames_.rend() && last.size() < kVelocityFrames; ++f)
-    if (f->T_world_cam_live && f->segment == segment - 1 && f->index <= bootstrap.views.front().frame_index)
-      last.push_back(&*f);
-  const BootstrapView& first_view = bootstrap.views.front();
-  const BootstrapView& last_view = bootstrap.views.back();
-  if (last.size() >= 2) {
-    const FrameRecord &newest = *last.front(), &oldest = *last.back();
-    const Eigen::Vector3d here = newest.T_world_cam_live->translation();
-    const double span = seconds_between(oldest.time, newest.time);
-    const Eigen::Vector3d velocity = (here - oldest.T_world_cam_live->translation()) / span;
-    const double new_speed = last_view.T_cam_first.inverse().translation().norm() /
-                             seconds_between(first_view.time, last_view.time);
-    if (scale)
-      T_world_map.scale = *scale;
-    else if (velocity.norm() > 1e-9 && new_speed > 1e-9)
-      T_world_map.scale = velocity.norm() / new_speed;
-    const double gap = seconds_between(newest.time, first_view.time);
-    T_world_map.rigid = SE3(newest.T_world_cam_live->rotation(), here + gap * velocity);
-  }
-  T_world_map_.resize(segment + 1);
-  T_world_map_[segment] = T_world_map;
+std::vector<TimedPose> RunRecords::last_poses(int segment, int last_frame, size_t at_most) const {
+  std::vector<TimedPose> poses;
+  for (auto f = frames_.rbegin(); f != frames_.rend() && poses.size() < at_most; ++f)
+    if (f->T_world_cam_live && f->segment == segment && f->index <= last_frame)
+      poses.push_back({f->time, *f->T_world_cam_live});
+  std::reverse(poses.begin(), poses.end());
+  return poses;
+}
+
+void RunRecords::begin_segment(int segment, const Sim3& T_world_map) {
+  T_world_map_.resize(size_t(segment) + 1);
+  T_world_map_[size_t(segment)] = T_world_map;
 }
 
 void RunRecords::place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref,

@@ -12,6 +12,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/odometry/live_view.h"
 #include "edgevo/odometry/mapper.h"
+#include "segment_join.h"
 
 namespace edgevo {
 
@@ -22,10 +23,10 @@ class RunRecords {
   FrameRecord& begin_frame(const Frame& frame);
   FrameRecord* find(int frame_index);
 
-  /// Fixes where a segment's map lies in the world: the first at the origin, a later one by constant velocity
-  /// from the last pose up to the bootstrap's first view. `scale`, world over map, where it is known better
-  /// than by equal speed.
-  void begin_segment(int segment, const BootstrapResult& bootstrap, std::optional<double> scale);
+  /// The live poses of a segment up to `last_frame`, `at_most` of them, the oldest first.
+  std::vector<TimedPose> last_poses(int segment, int last_frame, size_t at_most) const;
+  /// Fixes where a segment's map lies in the world (segment_join.h).
+  void begin_segment(int segment, const Sim3& T_world_map);
   /// Hangs a frame on a keyframe and notes its live pose.
   void place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref, const SE3& T_ref_map);
   /// T_cam_map of the last placed frame of `segment` before `frame_index`.

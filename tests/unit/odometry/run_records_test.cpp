@@ -13,7 +13,7 @@ namespace {
 // of length, not its own inverse depth.
 TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   RunRecords records(test::Sweep::pinhole());
-  records.begin_segment(0, test::true_bootstrap(0, 4), std::nullopt);
+  records.begin_segment(0, Sim3());
   Keyframe keyframe;
   keyframe.pyramid = test::Sweep::pyramid(0);
   MapPoint point;
@@ -40,7 +40,7 @@ TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
   constexpr int kKeyframe = 7;
   const SE3 T_cam_ref(Eigen::Quaterniond::Identity(), {0, 0, -1});
   RunRecords records(test::Sweep::pinhole());
-  records.begin_segment(0, test::true_bootstrap(0, 4), std::nullopt);
+  records.begin_segment(0, Sim3());
   const auto track = [&](int index) {
     Frame frame;
     frame.index = index;
