@@ -21,11 +21,11 @@ TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   point.normal = {1, 0};
   point.idepth = 1e-3, point.idepth_sigma = 1e-4;
   keyframe.points = {point};
-  records.retire({keyframe}, 0);
+  records.map().retire({keyframe}, 0);
   RevisedKeyframe revised;
   revised.length_ratio = 2;
   revised.points = {{{100, 100}, 1e-6}};
-  records.revise({revised});
+  records.map().revise({revised});
   const edgevo::Run run = records.finish();
   ASSERT_EQ(run.keyframes.size(), 1u);
   const EdgePoint& moved = run.keyframes[0].points.at(0);
@@ -52,12 +52,12 @@ TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
   RevisedKeyframe revised;
   revised.id = kKeyframe;
   revised.length_ratio = 2;
-  records.revise({revised});
+  records.map().revise({revised});
   track(1);
   Keyframe keyframe;
   keyframe.id = kKeyframe, keyframe.frame_index = 100;
   keyframe.pyramid = test::Sweep::pyramid(0);
-  records.retire({keyframe}, 0);
+  records.map().retire({keyframe}, 0);
   const edgevo::Run run = records.finish();
   ASSERT_EQ(run.frames.size(), 2u);
   for (const int i : {0, 1}) {
