@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edgevo/alignment/edge_alignment.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
 
@@ -101,6 +102,62 @@ TEST_F(Choice, AWorseOneDoesNot) {
   EXPECT_EQ(c.hypotheses_tried, 2);
   EXPECT_EQ(c.proposer, 0);
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
+}
+
+// A tight prior keeps the translation where it is expected, a wide one leaves it to the image.
+TEST(Align, NearAnExpectedPlace) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)),
+            T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto pyramid = scene.pyramid(T_cur_ref.inverse());
+  const auto error = [&](double sigma, const SE3& T) {
+    const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges,
+                              Eigen::Vector3d::Constant(sigma)};
+    const PoseCandidate r = align(*pyramid, cloud, near, AlignmentParams());
+    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
+    return (r.T_cur_ref.translation() - T.translation()).norm();
+  };
+  EXPECT_LT(error(1e-5, T_expected), 0.003);
+  EXPECT_LT(error(10, T_cur_ref), 0.01);
+}
+
+// Rotation and direction known, the length wrong by half: the edges find it.
+TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.25, 0.05, 0.3, 0.02, -0.03, 0.01));
+  for (const double length : {0.55, 1.0, 1.9}) {
+    const SE3 guess(T_cur_ref.rotation(), length * T_cur_ref.translation());
+    const PoseHypothesis along{guess, PoseHypothesis::Refinement::kLengthThenEdges};
+    const PoseCandidate r =
+        align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
+    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
+    EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(),
+              0.02 * T_cur_ref.translation().norm())
+        << length;
+    EXPECT_LT((r.T_cur_ref * T_cur_ref.inverse()).angle(), 0.1 * M_PI / 180);
+  }
+}
+
+// Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges
+// are those of the scene.
+TEST(Align, EdgesOverruleMisledGrayLevels) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)),
+            elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
+  const auto frame = std::const_pointer_cast<FramePyramid>(scene.pyramid(T_cur_ref.inverse()));
+  const auto misled = std::const_pointer_cast<FramePyramid>(scene.pyramid(elsewhere.inverse()));
+  for (size_t level = 1; level < frame->levels.size(); ++level)
+    std::swap(frame->levels[level].gray, misled->levels[level].gray);
+  const FramePyramid& current = *frame;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  SE3 by_patches = T_cur_ref;
+  align_patches(current, cloud, int(current.levels.size()) - 1, 1, AlignmentParams(), &by_patches);
+  for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
+  ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
+      << "what comes of following them";
+  const PoseCandidate found = align(current, cloud, {T_cur_ref}, AlignmentParams());
+  EXPECT_LT((found.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
 }
 
 }  // namespace
