@@ -2,7 +2,8 @@
 # Installs the distribution packages that edgevo is built from (Debian 12 names). Quiet and quick when all is there.
 #
 #   share/install_dependencies.sh            install what is missing (as root, or through sudo)
-#   share/install_dependencies.sh --checks   the same, and what checks and documents the sources (doxygen, clang-format)
+#   share/install_dependencies.sh --checks   the same, and what checks and documents the sources (doxygen, clang-format, gcovr)
+#   share/install_dependencies.sh --tidy     the same, and clang-tidy with the compiler that it needs (tests/tidy.sh; 230 MB)
 #   share/install_dependencies.sh --workflow  the same, and the engine of `edgevo bench` (share/workflow)
 #   share/install_dependencies.sh --list     print the package names, one a line, and do nothing
 #
@@ -22,10 +23,11 @@ gnuplot-nox
 xvfb xdotool imagemagick
 help2man file
 "
-# The site of the documentation | the form of the sources (tests/format.sh)
+# The site of the documentation | the form of the sources (tests/format.sh) | what the tests execute (tests/coverage.sh)
 CHECK_PACKAGES="
 doxygen graphviz
 clang-format-14
+gcovr
 "
 
 fail() {
@@ -75,6 +77,7 @@ apt() {
 while :; do
   case "${1:-}" in
     --checks) PACKAGES="$PACKAGES$CHECK_PACKAGES" ;;
+    --tidy) PACKAGES="$PACKAGES clang-tidy-14" ;;
     --workflow) PACKAGES="$PACKAGES snakemake" ;;
     *) break ;;
   esac
