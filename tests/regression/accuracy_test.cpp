@@ -14,7 +14,7 @@
 #include "edgevo/simulation/rendered_source.h"
 #include "rendered_clips.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -227,4 +227,4 @@ TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

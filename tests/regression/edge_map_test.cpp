@@ -5,7 +5,7 @@
 #include "street_drive.h"
 #include "true_edges.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 class EdgeMap : public StreetDrive {};
@@ -32,4 +32,4 @@ TEST_F(EdgeMap, EveryLineIsWhole) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -10,7 +10,7 @@
 #include "thin_obstacles.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 class MetricMap : public StreetDrive {};
@@ -76,4 +76,4 @@ TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -19,7 +19,7 @@
 #include "thin_obstacles.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr double kRange = 20, kVoxel = 0.2;
@@ -165,11 +165,11 @@ int figures(const std::vector<std::string>& args) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test
 
 int main(int argc, char** argv) {
   try {
-    return edgevo::testing::figures({argv + 1, argv + argc});
+    return edgevo::test::figures({argv + 1, argv + argc});
   } catch (const edgevo::InputError& e) {
     std::cerr << "planner_map_figures: " << e.what() << std::endl;
     return 2;

@@ -11,7 +11,7 @@
 #include "edgevo/edges/frame_pyramid.h"
 #include "surface_distance.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// The edge pixels whose true place lies in one voxel.
 struct EdgeCell {
@@ -302,4 +302,4 @@ void TrueScene::add_edges(const std::vector<EdgePixel>& edges, size_t k, double 
   }
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

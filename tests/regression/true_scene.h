@@ -13,7 +13,7 @@
 #include "edgevo/occupancy/occupancy_params.h"
 #include "edgevo/simulation/scene_renderer.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct MapQuality {
   int64_t occupied = 0, free = 0;  ///< voxels that were looked at
@@ -93,4 +93,4 @@ class TrueScene {
   std::vector<View> views_;  ///< of the keyframes
 };
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

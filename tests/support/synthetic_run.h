@@ -8,7 +8,7 @@
 #include "edgevo/core/random.h"
 #include "edgevo/core/records.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct SyntheticRun {
   Run run;
@@ -101,4 +101,4 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
   return made;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

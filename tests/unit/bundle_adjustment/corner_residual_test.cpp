@@ -9,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-using namespace ba_scene;
+using namespace test;
 
 SceneOptions with_corners() {
   SceneOptions o;
@@ -66,8 +66,8 @@ TEST(BundleAdjustmentCorners, DerivativesAreTheNumericOnes) {
   }
 }
 
-class CornerAdjusters : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Both, CornerAdjusters, testing::Values("schur", "ceres"),
+class CornerAdjusters : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Both, CornerAdjusters, ::testing::Values("schur", "ceres"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(CornerAdjusters, CornersAloneTellRotationAndDirection) {

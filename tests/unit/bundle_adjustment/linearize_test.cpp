@@ -9,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-using namespace ba_scene;
+using namespace test;
 
 // Central differences with one Richardson step: error O(h^4).
 Eigen::Vector2d derivative(const std::function<Eigen::Vector2d(double)>& f, double h) {

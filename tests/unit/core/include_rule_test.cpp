@@ -8,7 +8,7 @@
 #include "edgevo/core/input_file.h"
 #include "include_rules.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -128,4 +128,4 @@ TEST(IncludeRules, TheProjectKeepsThem) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

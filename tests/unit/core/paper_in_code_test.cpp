@@ -10,7 +10,7 @@
 
 #include "edgevo/core/input_file.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 using ::testing::Contains;
@@ -148,4 +148,4 @@ TEST_F(ThePage, HasEveryEquationOfThePaper) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -10,7 +10,7 @@
 
 #include "edgevo/core/input_file.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST(RulesPage, HasEachRuleOfTheCodeAndNoOther) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -24,11 +24,11 @@
 namespace edgevo {
 namespace {
 
+using test::small_run;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::small_run;
 
-class PlaybackWriterTest : public testing::FolderTest {
+class PlaybackWriterTest : public test::FolderTest {
  protected:
   static Frame frame(int index) {
     Frame f;
@@ -124,11 +124,11 @@ TEST_F(PlaybackWriterTest, PointsLandInPlaceInMrptsMaps) {
     mrpt::maps::CSimplePointsMap points;
     points.insertionOptions.minDistBetweenLaserPoints = 0;
     points.insertObservation(*obs, vehicle);
-    ASSERT_EQ(points.size(), testing::world_points().size());
+    ASSERT_EQ(points.size(), test::world_points().size());
     mrpt::maps::COctoMap octomap(0.1);
     octomap.insertObservation(*obs, vehicle);
     for (size_t i = 0; i < points.size(); ++i) {
-      const Eigen::Vector3d expected = T_map_world(run) * testing::world_points()[i];
+      const Eigen::Vector3d expected = T_map_world(run) * test::world_points()[i];
       float x, y, z;
       points.getPoint(i, x, y, z);
       EXPECT_LT((Eigen::Vector3d(x, y, z) - expected).norm(), 1e-3);

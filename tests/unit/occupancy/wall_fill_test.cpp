@@ -10,8 +10,8 @@
 #include "edgevo/occupancy/edge_ply.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/occupancy/octree_map.h"
+#include "pole_and_wall.h"
 #include "support/temp_folder.h"
-#include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
@@ -23,7 +23,7 @@ const Eigen::Vector3d kMiddle(0.05, 0.05, 5.05);
 // Six cameras side by side, all of which see a square frame of four lines.
 edgevo::Run framed_wall(double ahead = kMiddle.z()) {
   edgevo::Run run;
-  run.pinhole = testing::test_pinhole();
+  run.pinhole = test::test_pinhole();
   for (int k = 0; k < 6; ++k) {
     KeyframeRecord keyframe;
     keyframe.frame_index = k;
@@ -35,7 +35,7 @@ edgevo::Run framed_wall(double ahead = kMiddle.z()) {
   };
   const Eigen::Vector3d corners[] = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
   for (int i = 0; i < 4; ++i) {
-    EdgeLine line = testing::edge_line(run.pinhole, SE3(), corners[i], corners[(i + 1) % 4], 5);
+    EdgeLine line = test::edge_line(run.pinhole, SE3(), corners[i], corners[(i + 1) % 4], 5);
     line.keyframes = 6;
     run.keyframes[0].lines.push_back(line);
   }
@@ -67,7 +67,7 @@ void see_points(const Eigen::Vector3d& at_frame, double ahead, edgevo::Run* run)
   for (int i = 0; i < 4; ++i) {
     const Eigen::Vector3d through = at_frame + Eigen::Vector3d(0, 0.01 * i, 0);
     const Eigen::Vector3d p = eye + (through - eye) * ahead / (through - eye).z();
-    keyframe.points.push_back(testing::edge_point(run->pinhole, keyframe.T_world_cam, p, 0.005, 5));
+    keyframe.points.push_back(test::edge_point(run->pinhole, keyframe.T_world_cam, p, 0.005, 5));
   }
 }
 

@@ -17,9 +17,9 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::content;
+using test::content;
+using test::lines_of;
 using ::testing::HasSubstr;
-using testing::lines_of;
 
 SE3 at(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
 
@@ -85,7 +85,7 @@ class CutOffRunTest : public WrittenRun {
     RunJournal journal(folder_.string(), header);
     PlaybackWriter playback(folder_.string(), made_.camera);
     for (int i = 0; i < 40; ++i) {
-      playback.add_frame(testing::synthetic_frame(made_.camera, made_.run.frames[size_t(i)]));
+      playback.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[size_t(i)]));
       journal.add_frame(made_.run.frames[size_t(i)]);
     }
     SettledKeyframes settled;

@@ -13,7 +13,7 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::content;
+using test::content;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -16,9 +16,9 @@
 namespace edgevo {
 namespace {
 
-using testing::cells_of;
-using testing::content;
-using testing::lines_of;
+using test::cells_of;
+using test::content;
+using test::lines_of;
 
 // Words of the page in backquotes; a table's row may name several in one pair.
 std::set<std::string> named_words(const std::string& page) {

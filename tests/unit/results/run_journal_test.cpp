@@ -14,7 +14,7 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::content;
+using test::content;
 using ::testing::HasSubstr;
 
 constexpr int kSettleLater = 6;  // keyframes that are still in the window

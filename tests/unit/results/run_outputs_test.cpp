@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using mrpt::containers::yaml;
-using testing::content;
+using test::content;
+using test::lines_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::lines_of;
 
 using RunOutputsTest = WrittenRun;
 
@@ -84,7 +84,7 @@ TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
 TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
   RunOutputs outputs(folder_.string(), made_.camera, {});
   for (const FrameRecord& frame : made_.run.frames)
-    ASSERT_TRUE(outputs.add_frame(testing::synthetic_frame(made_.camera, frame)));
+    ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, frame)));
   fs::create_symlink("/dev/full", folder_ / "frames.csv");
   EXPECT_EQ(message_of([&] { outputs.finish(made_.run, {}); }),
             (folder_ / "frames.csv").string() +
@@ -101,11 +101,11 @@ TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
 
 TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
   RunOutputs outputs(folder_.string(), made_.camera, {});
-  ASSERT_TRUE(outputs.add_frame(testing::synthetic_frame(made_.camera, made_.run.frames[0])));
+  ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[0])));
   fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
   int added = 0;
   for (const FrameRecord& frame : made_.run.frames) {
-    if (!outputs.add_frame(testing::synthetic_frame(made_.camera, frame))) break;
+    if (!outputs.add_frame(test::synthetic_frame(made_.camera, frame))) break;
     ++added;
   }
   EXPECT_EQ(added, 3);

@@ -9,13 +9,13 @@
 namespace edgevo {
 namespace {
 
-using testing::cells_of;
-using testing::lines_of;
+using test::cells_of;
+using test::lines_of;
 using ::testing::StartsWith;
 
 class RunTextTest : public ::testing::Test {
  protected:
-  const testing::SyntheticRun made_ = testing::synthetic_run();
+  const test::SyntheticRun made_ = test::synthetic_run();
 };
 
 TEST_F(RunTextTest, FramesCsvHasARowForEveryFrameAndTimesLast) {

@@ -12,10 +12,10 @@ namespace edgevo {
 namespace {
 
 using mrpt::containers::yaml;
-using testing::cells_of;
-using testing::content;
+using test::cells_of;
+using test::content;
+using test::lines_of;
 using ::testing::HasSubstr;
-using testing::lines_of;
 
 using SummaryTest = WrittenRun;
 

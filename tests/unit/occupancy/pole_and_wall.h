@@ -2,7 +2,7 @@
 // A run with a known scene: a camera that moves sideways past a thin pole in front of a wall of points.
 #include "edgevo/core/records.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 inline Pinhole test_pinhole() { return {300, 300, 320, 240, 640, 480}; }
 
@@ -62,4 +62,4 @@ inline PoleAndWall pole_and_wall(int keyframes, int pole_observations) {
   return scene;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test
