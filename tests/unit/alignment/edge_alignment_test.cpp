@@ -1,13 +1,17 @@
 #include "edgevo/alignment/edge_alignment.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "support/numerical_jacobian.h"
 #include "support/plane_scene.h"
+#include "support/pose_matchers.h"
 #include "support/twist.h"
 
 namespace edgevo {
 namespace {
 
+using test::JacobianNear;
+using test::numerical_jacobian;
 using test::twist;
 
 TEST(EdgeAlignment, ResidualJacobian) {
@@ -16,14 +20,10 @@ TEST(EdgeAlignment, ResidualJacobian) {
   const Eigen::Vector3d ray(0.2, -0.1, 1);
   const Eigen::Vector2d match(400, 200), normal = Eigen::Vector2d(0.6, -0.8);
   const EdgeResidual at = edge_residual(camera, T, ray, 0.4, match, normal);
-  for (int k = 0; k < 6; ++k) {
-    Vector6d d = Vector6d::Zero();
-    d[k] = 1e-6;
-    const double numeric = (edge_residual(camera, SE3::exp(d) * T, ray, 0.4, match, normal).value -
-                            edge_residual(camera, SE3::exp(-d) * T, ray, 0.4, match, normal).value) /
-                           2e-6;
-    EXPECT_NEAR(at.jacobian[k], numeric, 1e-5 * (1 + std::abs(numeric)));
-  }
+  const auto residual = [&](const Vector6d& d) {
+    return edge_residual(camera, SE3::exp(d) * T, ray, 0.4, match, normal).value;
+  };
+  EXPECT_THAT(at.jacobian, JacobianNear(numerical_jacobian<6>(residual), 1e-6));
 }
 
 // Points that leave the view must not hold the camera back, nor may a pose win by pushing them out.

@@ -1,9 +1,10 @@
 #include "edgevo/alignment/pose_choice.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "edgevo/alignment/edge_alignment.h"
 #include "support/plane_scene.h"
+#include "support/pose_matchers.h"
 #include "support/twist.h"
 
 namespace edgevo {
@@ -132,10 +133,9 @@ TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
     const PoseCandidate r =
         align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
     EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
-    EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(),
-              0.02 * T_cur_ref.translation().norm())
+    EXPECT_THAT(r.T_cur_ref,
+                test::SE3Near(T_cur_ref, 0.02 * T_cur_ref.translation().norm(), 0.1 * M_PI / 180))
         << length;
-    EXPECT_LT((r.T_cur_ref * T_cur_ref.inverse()).angle(), 0.1 * M_PI / 180);
   }
 }
 

@@ -1,11 +1,16 @@
 #include "edgevo/alignment/projection.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "edgevo/core/random.h"
+#include "support/numerical_jacobian.h"
+#include "support/pose_matchers.h"
 
 namespace edgevo {
 namespace {
+
+using test::JacobianNear;
+using test::numerical_jacobian;
 
 TEST(Projection, PoseJacobianIsThatOfTheLeftPerturbation) {
   const Pinhole camera{520, 510, 320, 240, 640, 480};
@@ -19,28 +24,19 @@ TEST(Projection, PoseJacobianIsThatOfTheLeftPerturbation) {
     const Projection at = project(camera, T.R(), T.translation(), ray, idepth);
     if (!at.valid || at.Y.z() < 0.2) continue;
     const Eigen::Matrix<double, 2, 6> J = pose_jacobian(camera, at.Y, idepth);
-    constexpr double kStep = 1e-6;
-    for (int k = 0; k < 6; ++k) {
-      Vector6d d = Vector6d::Zero();
-      d[k] = kStep;
-      const SE3 plus = SE3::exp(d) * T, minus = SE3::exp(-d) * T;
-      const Eigen::Vector2d numeric = (project(camera, plus.R(), plus.translation(), ray, idepth).px -
-                                       project(camera, minus.R(), minus.translation(), ray, idepth).px) /
-                                      (2 * kStep);
-      EXPECT_LT((J.col(k) - numeric).norm(), 1e-6 * (1 + numeric.norm())) << k;
-    }
+    const auto pixel = [&](const Vector6d& d) {
+      const SE3 moved = SE3::exp(d) * T;
+      return project(camera, moved.R(), moved.translation(), ray, idepth).px;
+    };
+    EXPECT_THAT(J, JacobianNear(numerical_jacobian<6>(pixel), 1e-6));
   }
 }
 
 TEST(Projection, JacobianOfTheProjection) {
   const Pinhole camera{520, 510, 320, 240, 640, 480};
   const Eigen::Vector3d Y(0.3, -0.2, 1.4);
-  const auto J = projection_jacobian(camera, Y);
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d d = 1e-6 * Eigen::Vector3d::Unit(k);
-    const Eigen::Vector2d numeric = (camera.project(Y + d) - camera.project(Y - d)) / 2e-6;
-    EXPECT_LT((J.col(k) - numeric).norm(), 1e-5);
-  }
+  const auto pixel = [&](const Eigen::Vector3d& d) -> Eigen::Vector2d { return camera.project(Y + d); };
+  EXPECT_THAT(projection_jacobian(camera, Y), JacobianNear(numerical_jacobian<3>(pixel), 1e-7));
 }
 
 }  // namespace

@@ -1,16 +1,18 @@
 #include "edgevo/alignment/tracker.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "support/plane_scene.h"
+#include "support/pose_matchers.h"
 #include "support/twist.h"
 
 namespace edgevo {
 namespace {
 
+using test::SE3Near;
 using test::twist;
 
-double rotation_error_deg(const SE3& a, const SE3& b) { return (a * b.inverse()).angle() * 180 / M_PI; }
+constexpr double kDegree = M_PI / 180;
 
 class TrackTest : public ::testing::TestWithParam<Vector6d> {};
 
@@ -24,8 +26,7 @@ TEST_P(TrackTest, FindsThePoseFromTheReferencePose) {
   EXPECT_GT(r.evidence.inlier_share, 0.8);
   // Before a plane, turning and moving sideways look much alike: 0.06 degrees and 6 mm together move the
   // points by 0.06 pixels.
-  EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.08);
-  EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
+  EXPECT_THAT(r.T_cur_ref, SE3Near(T_cur_ref, 0.01, 0.08 * kDegree));
 }
 
 INSTANTIATE_TEST_SUITE_P(Motions, TrackTest,
@@ -40,7 +41,7 @@ TEST(Track, HoldsUnderAnExposureJump) {
   const TrackResult r =
       track(*scene.pyramid(T_cur_ref.inverse(), 0.5, 30), scene.cloud(SE3()), {SE3()}, AlignmentParams());
   EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
-  EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.08);
+  EXPECT_THAT(r.T_cur_ref, SE3Near(T_cur_ref, 0.01, 0.08 * kDegree));
 }
 
 TEST(Track, TriesOtherStartsWhenTheFirstIsBad) {
@@ -59,8 +60,7 @@ TEST(Track, PhotometricCostAgreesWithTheTruth) {
   const SE3 T_cur_ref = SE3::exp(twist(0.08, 0.02, 0.1, 0.01, -0.02, 0.01));
   const TrackResult r =
       track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3(), 4, true), {SE3()}, params);
-  EXPECT_LT(rotation_error_deg(r.T_cur_ref, T_cur_ref), 0.05);
-  EXPECT_LT((r.T_cur_ref.translation() - T_cur_ref.translation()).norm(), 0.01);
+  EXPECT_THAT(r.T_cur_ref, SE3Near(T_cur_ref, 0.01, 0.05 * kDegree));
 }
 
 TEST(Track, BlackImageIsLostWithAReason) {

@@ -6,6 +6,7 @@
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/evaluation/trajectory.h"
+#include "support/pose_matchers.h"
 #include "unit/datasets/symphony_lake_folder.h"
 
 namespace edgevo {
@@ -93,8 +94,7 @@ TEST(SymphonyLake, PosesAgreeToThePrecisionOfTheFile) {
   for (int i = 0; i < 9; ++i) {
     const SE3 expected = survey_pose(0).inverse() * survey_pose(i);
     const SE3 read = poses[0].T_world_cam.inverse() * poses[size_t(i)].T_world_cam;
-    EXPECT_LT((expected.translation() - read.translation()).norm(), 3e-6) << i;
-    EXPECT_LT((expected.inverse() * read).angle(), 1e-8) << i;
+    EXPECT_THAT(read, test::SE3Near(expected, 3e-6, 1e-8)) << i;
     EXPECT_LT((survey_pose(i).R() - poses[size_t(i)].T_world_cam.R()).norm(), 1e-8) << "z up, x east";
   }
 }

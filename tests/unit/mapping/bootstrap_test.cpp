@@ -12,7 +12,6 @@ namespace edgevo {
 namespace {
 
 using test::HollowScene;
-using test::median;
 using test::sweep_pose;
 using ::testing::HasSubstr;
 

@@ -8,7 +8,6 @@
 namespace edgevo {
 namespace {
 
-using test::median;
 using test::params_with;
 using test::Sweep;
 using test::true_window;

@@ -34,6 +34,7 @@ inline double idepth_error(const Window& window) {
   for (const Keyframe& k : window.keyframes())
     for (const MapPoint& p : k.points)
       relative.push_back(std::abs(p.idepth / Sweep::idepth(k.frame_index, p.px) - 1));
+  EXPECT_FALSE(relative.empty()) << "no active point";
   return median(relative);
 }
 

@@ -13,7 +13,6 @@ namespace {
 
 using test::idepth_error;
 using test::kFramesApart;
-using test::median;
 using test::params_with;
 using test::Sweep;
 using test::sweep_pose;

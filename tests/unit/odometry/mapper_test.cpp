@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "support/pose_matchers.h"
 #include "sweep_driver.h"
 
 namespace edgevo {
@@ -42,7 +43,7 @@ TEST(Mapper, BuildsAMapFromABootstrap) {
   std::vector<double> relative;
   for (const CloudPoint& p : reference->cloud.points)
     relative.push_back(std::abs(p.idepth / Sweep::idepth(8, p.px.cast<double>()) - 1));
-  EXPECT_LT(test::median(relative), 0.05);
+  EXPECT_LT(median(relative), 0.05);
 }
 
 TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
@@ -87,8 +88,7 @@ TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
     EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
   // Where the run ends, after about 2.4 of way: within 5 %.
   const SE3 T_first_last = window.back().T_cam_world.inverse(), truth = sweep_pose(window.back().frame_index);
-  EXPECT_LT((T_first_last.translation() - truth.translation()).norm(), 0.12);
-  EXPECT_LT((T_first_last.inverse() * truth).angle(), 0.02);
+  EXPECT_THAT(T_first_last, test::SE3Near(truth, 0.12, 0.02));
 }
 
 // The fewer points the window lacks, the fewer candidates it makes.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/bundle_adjustment_scene.h"
+#include "support/numerical_jacobian.h"
 
 namespace edgevo {
 namespace {
@@ -42,14 +43,12 @@ TEST(ProfileCost, GradientIsTheNumericOne) {
     const ba::ProfileStep s =
         ba::profile_step(solution, camera_derivative(problem, correction(k)), test::to_the_end());
     ASSERT_TRUE(s.usable);
-    for (int i = 0; i < ba::kUnknowns; ++i) {
-      const ba::Unknowns step = 1e-4 * ba::Unknowns::Unit(i);
-      const double numeric =
-          (profile_cost(problem, k + step, &unused) - profile_cost(problem, k - step, &unused)) / 2e-4;
-      // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in
-      // the residual.
-      EXPECT_NEAR(s.gradient[i], numeric, 0.02 * std::abs(numeric)) << i;
-    }
+    const auto cost = [&](const ba::Unknowns& d) { return profile_cost(problem, k + d, &unused); };
+    const auto numeric = test::numerical_jacobian<ba::kUnknowns>(cost);
+    // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in
+    // the residual.
+    for (int i = 0; i < ba::kUnknowns; ++i)
+      EXPECT_NEAR(s.gradient[i], numeric(0, i), 0.02 * std::abs(numeric(0, i))) << i;
   }
 }
 
