@@ -61,7 +61,7 @@ TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
 }
 
 // Proposers that count how often they are called.
-class Choice : public ::testing::Test {
+class ChoosePose : public ::testing::Test {
  protected:
   Proposer proposer(const std::vector<SE3>& starts, bool called, int* made) {
     return {[called](const PoseCandidate&) { return called; },
@@ -82,7 +82,7 @@ class Choice : public ::testing::Test {
   int first = 0, second = 0;
 };
 
-TEST_F(Choice, WhoIsNotCalledForIsNotCalled) {
+TEST_F(ChoosePose, WhoIsNotCalledForIsNotCalled) {
   const PoseChoice c = among({proposer({SE3(), kWrong}, false, &first), proposer({kWrong}, false, &second)});
   EXPECT_EQ(c.hypotheses_tried, 1);
   EXPECT_EQ(first, 1);
@@ -91,14 +91,14 @@ TEST_F(Choice, WhoIsNotCalledForIsNotCalled) {
   EXPECT_TRUE(judge.fits(c.pose));
 }
 
-TEST_F(Choice, ABetterHypothesisWins) {
+TEST_F(ChoosePose, ABetterHypothesisWins) {
   const PoseChoice c = among({proposer({kWrong}, true, &first), proposer({kWrong, SE3()}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 3);
   EXPECT_EQ(c.proposer, 1);
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
 }
 
-TEST_F(Choice, AWorseOneDoesNot) {
+TEST_F(ChoosePose, AWorseOneDoesNot) {
   const PoseChoice c = among({proposer({SE3()}, true, &first), proposer({kWrong}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 2);
   EXPECT_EQ(c.proposer, 0);

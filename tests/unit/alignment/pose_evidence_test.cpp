@@ -64,14 +64,14 @@ TEST(PoseEvidence, AnEmptyCloudSaysNothing) {
 
 // A turn of eleven degrees in one frame of a drive: at the right pose little is left in view, a wrong one
 // that hardly turns keeps three times as much and finds more edges by chance.
-TEST(Support, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
+TEST(PoseSupport, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
   const AlignmentParams params;
   const PoseEvidence right{65, 0.299}, wrong{186, 0.124};
   ASSERT_GT(wrong.weight * wrong.inlier_share, right.weight * right.inlier_share);
   EXPECT_GT(support(right, params), support(wrong, params));
 }
 
-TEST(Support, AtEqualShareTheOneThatMorePointsSpeakFor) {
+TEST(PoseSupport, AtEqualShareTheOneThatMorePointsSpeakFor) {
   const AlignmentParams params;
   EXPECT_GT(support({300, 0.6}, params), support({200, 0.6}, params));
   EXPECT_GT(support({200, 0.6}, params), support({200, 0.5}, params));

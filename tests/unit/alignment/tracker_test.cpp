@@ -14,9 +14,9 @@ using test::twist;
 
 constexpr double kDegree = M_PI / 180;
 
-class TrackTest : public ::testing::TestWithParam<Vector6d> {};
+class TrackMotions : public ::testing::TestWithParam<Vector6d> {};
 
-TEST_P(TrackTest, FindsThePoseFromTheReferencePose) {
+TEST_P(TrackMotions, FindsThePoseFromTheReferencePose) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(GetParam());
   const ReferenceCloud cloud = scene.cloud(SE3());
@@ -29,7 +29,7 @@ TEST_P(TrackTest, FindsThePoseFromTheReferencePose) {
   EXPECT_THAT(r.T_cur_ref, SE3Near(T_cur_ref, 0.01, 0.08 * kDegree));
 }
 
-INSTANTIATE_TEST_SUITE_P(Motions, TrackTest,
+INSTANTIATE_TEST_SUITE_P(Motions, TrackMotions,
                          ::testing::Values(Vector6d::Zero(), twist(0.1, 0, 0, 0, 0, 0),
                                            twist(0, 0, 0.2, 0, 0, 0), twist(0, 0, 0, 0, 0.04, 0),
                                            twist(0, 0, 0, 0, 0, 0.06),

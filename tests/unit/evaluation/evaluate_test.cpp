@@ -87,7 +87,7 @@ TEST(Evaluate, TwoPosesAreTooFew) {
               HasSubstr("only 2 of its 2 poses"));
 }
 
-TEST(Report, JsonHoldsTheNumbersOfTheValue) {
+TEST(EvaluationReport, JsonHoldsTheNumbersOfTheValue) {
   const TrajectoryEvaluation e = noisy_evaluation();
   const nlohmann::json j = nlohmann::json::parse(to_json(e));
   EXPECT_EQ(j["ate_sim3"]["rmse_m"], e.ate_sim3.rmse);
@@ -99,21 +99,21 @@ TEST(Report, JsonHoldsTheNumbersOfTheValue) {
   EXPECT_EQ(j["coverage"]["completion_percent"], e.coverage.completion_percent);
 }
 
-TEST(Report, FiguresThatDoNotExistAreNullAndDashes) {
+TEST(EvaluationReport, FiguresThatDoNotExistAreNullAndDashes) {
   const Trajectory short_run = test::winding_drive(50);
   const TrajectoryEvaluation e = evaluate(short_run, short_run, {});
   EXPECT_TRUE(nlohmann::json::parse(to_json(e))["kitti"].is_null());
   EXPECT_THAT(to_table(e), ::testing::ContainsRegex("t_rel +-  %"));
 }
 
-TEST(Report, TableStatesAlignmentUnitAndCount) {
+TEST(EvaluationReport, TableStatesAlignmentUnitAndCount) {
   const std::string table = to_table(noisy_evaluation());
   for (const char* text : {"Sim(3), Umeyama", "SE(3), Umeyama", "265 poses", "cm/m", "every 200 input frames",
                            "30 without a pose after the first", "lines of the ground truth"})
     EXPECT_THAT(table, HasSubstr(text));
 }
 
-TEST(Report, PathsThatAreNotUtf8DoNotBreakJson) {
+TEST(EvaluationReport, PathsThatAreNotUtf8DoNotBreakJson) {
   Trajectory t = test::winding_drive(20);
   t.path = "caf\xe9.txt";
   EXPECT_NO_THROW(nlohmann::json::parse(to_json(evaluate(t, t, {}))));

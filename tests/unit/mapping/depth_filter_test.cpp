@@ -66,7 +66,7 @@ ImmaturePoint point(double idepth, double sigma, int good = 0) {
   return p;
 }
 
-TEST(Fusion, TheFirstDepthReplacesTheRange) {
+TEST(FuseDepth, TheFirstDepthReplacesTheRange) {
   ImmaturePoint p = point(0.3, 0.1);
   fuse(found(0.2, 0.01), &p);
   EXPECT_EQ(p.idepth, 0.2);
@@ -74,7 +74,7 @@ TEST(Fusion, TheFirstDepthReplacesTheRange) {
   EXPECT_EQ(p.good, 1);
 }
 
-TEST(Fusion, LaterDepthsAreTheProductOfGaussians) {
+TEST(FuseDepth, LaterDepthsAreTheProductOfGaussians) {
   ImmaturePoint p = point(0.2, 0.03, 1);
   fuse(found(0.23, 0.02), &p);
   const double a = 1 / (0.03 * 0.03), b = 1 / (0.02 * 0.02);
@@ -84,7 +84,7 @@ TEST(Fusion, LaterDepthsAreTheProductOfGaussians) {
   EXPECT_EQ(p.bad, 0);
 }
 
-TEST(Fusion, MeasurementsOfOneDepthConverge) {
+TEST(FuseDepth, MeasurementsOfOneDepthConverge) {
   Random random(9);
   constexpr double kTruth = 0.25, kSigma = 0.02;
   double chi_square = 0;
@@ -99,7 +99,7 @@ TEST(Fusion, MeasurementsOfOneDepthConverge) {
               4 * std::sqrt(2.0 / kTrials));  // four deviations of a chi-square of that many trials
 }
 
-TEST(Fusion, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
+TEST(FuseDepth, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
   ImmaturePoint p = point(0.2, 0.01, 2);
   fuse(found(0.3, 0.01), &p);
   EXPECT_EQ(p.idepth, 0.2);
@@ -109,7 +109,7 @@ TEST(Fusion, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
   EXPECT_FALSE(p.dead);
 }
 
-TEST(Fusion, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
+TEST(FuseDepth, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
   ImmaturePoint p = point(0.2, 0.1);
   fuse(not_found(EpipolarOutcome::kOutOfView), &p);
   fuse(not_found(EpipolarOutcome::kNoBaseline), &p);
@@ -120,7 +120,7 @@ TEST(Fusion, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
   EXPECT_EQ(p.bad, 2);
 }
 
-TEST(Fusion, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
+TEST(FuseDepth, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
   for (int good = 0; good < 3; ++good) {
     ImmaturePoint p = point(0.2, 0.1, good);
     for (int i = 0; i < 2 + good; ++i) fuse(not_found(EpipolarOutcome::kNoMatch), &p);
@@ -159,7 +159,7 @@ DepthFilterParams smoothing(double weight) {
   return params;
 }
 
-TEST(Smoothing, PullsByTheWeightTowardsTheNeighbours) {
+TEST(SmoothDepths, PullsByTheWeightTowardsTheNeighbours) {
   const EdgeMap edges = two_edges();
   std::vector<ImmaturePoint> p = {on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01),
                                   on_edge(edges, 16, 0.206, 0.02)};
@@ -180,22 +180,22 @@ void expect_no_pull(const EdgeMap& edges, const ImmaturePoint& a, const Immature
   EXPECT_EQ(p[1].idepth, b.idepth);
 }
 
-TEST(Smoothing, DoesNotPullAcrossEdges) {
+TEST(SmoothDepths, DoesNotPullAcrossEdges) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 39, 0.20, 0.01), on_edge(edges, 79, 0.21, 0.01));
 }
 
-TEST(Smoothing, DoesNotPullBeyondItsReach) {
+TEST(SmoothDepths, DoesNotPullBeyondItsReach) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 15, 0.21, 0.01));
 }
 
-TEST(Smoothing, DoesNotPullWhatDisagrees) {
+TEST(SmoothDepths, DoesNotPullWhatDisagrees) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.24, 0.01));
 }
 
-TEST(Smoothing, DeadAndUnmeasuredPointsNeitherPullNorMove) {
+TEST(SmoothDepths, DeadAndUnmeasuredPointsNeitherPullNorMove) {
   const EdgeMap edges = two_edges();
   const ImmaturePoint alive = on_edge(edges, 0, 0.20, 0.01);
   ImmaturePoint dead = on_edge(edges, 8, 0.21, 0.01), unmeasured = dead;
@@ -205,7 +205,7 @@ TEST(Smoothing, DeadAndUnmeasuredPointsNeitherPullNorMove) {
   expect_no_pull(edges, alive, unmeasured);
 }
 
-TEST(Smoothing, OffWithZeroWeight) {
+TEST(SmoothDepths, OffWithZeroWeight) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01), 0.0);
 }

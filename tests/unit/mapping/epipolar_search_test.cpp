@@ -119,7 +119,7 @@ TEST(EpipolarSearch, ASecondCameraUnderAnotherExposureFindsTheSame) {
 
 // ---- outcomes without a depth ----
 
-class Outcomes : public ::testing::Test {
+class EpipolarOutcomes : public ::testing::Test {
  protected:
   std::shared_ptr<const FramePyramid> build(const GrayImage& image) const {
     return PyramidBuilder(scene.camera, EdgeParams()).build(image);
@@ -150,7 +150,7 @@ class Outcomes : public ::testing::Test {
   PlaneScene scene;
 };
 
-TEST_F(Outcomes, NoBaselineAtAStandstillAndInPureRotation) {
+TEST_F(EpipolarOutcomes, NoBaselineAtAStandstillAndInPureRotation) {
   const auto host = scene.pyramid(SE3());
   expect_all(EpipolarOutcome::kNoBaseline, *host, *host, SE3());
   const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitY())),
@@ -158,7 +158,7 @@ TEST_F(Outcomes, NoBaselineAtAStandstillAndInPureRotation) {
   expect_all(EpipolarOutcome::kNoBaseline, *host, *scene.pyramid(turn.inverse()), turn);
 }
 
-TEST_F(Outcomes, OutOfViewWhereTheCameraLooksAway) {
+TEST_F(EpipolarOutcomes, OutOfViewWhereTheCameraLooksAway) {
   const auto host = scene.pyramid(SE3());
   for (double angle : {1.4, -1.4, 3.0}) {
     const SE3 away(Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY())),
@@ -167,7 +167,7 @@ TEST_F(Outcomes, OutOfViewWhereTheCameraLooksAway) {
   }
 }
 
-TEST_F(Outcomes, NoMatchInABlankImage) {
+TEST_F(EpipolarOutcomes, NoMatchInABlankImage) {
   const auto blank = build(test::make_image(320, 240, [](double, double) { return 90; }));
   int all = 0;
   const auto count_of = [&](EpipolarOutcome outcome) {
@@ -178,19 +178,19 @@ TEST_F(Outcomes, NoMatchInABlankImage) {
   EXPECT_EQ(no_match + along, all);
 }
 
-TEST_F(Outcomes, NoMatchOnEdgesOfTheOtherPolarity) {
+TEST_F(EpipolarOutcomes, NoMatchOnEdgesOfTheOtherPolarity) {
   const auto step = [&](double dark, double bright) {
     return build(test::slanted_step(320, 240, {160, 120}, Eigen::Vector2d::UnitX(), dark, bright));
   };
   expect_all(EpipolarOutcome::kNoMatch, *step(60, 180), *step(180, 60), sideways(-0.3));
 }
 
-TEST_F(Outcomes, EdgesAlongTheEpipolarLineAreNotSearched) {
+TEST_F(EpipolarOutcomes, EdgesAlongTheEpipolarLineAreNotSearched) {
   const auto level = build(test::slanted_step(320, 240, {160, 120}, Eigen::Vector2d::UnitY(), 60, 180));
   expect_all(EpipolarOutcome::kAlongLine, *level, *level, sideways(-0.3));
 }
 
-TEST_F(Outcomes, AmbiguousAmongEqualStripes) {
+TEST_F(EpipolarOutcomes, AmbiguousAmongEqualStripes) {
   const auto stripes = build(test::make_image(
       320, 240, [](double x, double) { return 128 + 90 * std::tanh(4 * std::sin(x * M_PI / 20)); }));
   // 0.6 x 260 px x (0.1 ... 0.6): 16 to 94 pixels to the left, where stripes stand at 40 and 80; near the
@@ -198,14 +198,14 @@ TEST_F(Outcomes, AmbiguousAmongEqualStripes) {
   expect_all(EpipolarOutcome::kAmbiguous, *stripes, *stripes, sideways(-0.6), 0.8, {0.1, 0.6});
 }
 
-TEST_F(Outcomes, OneStripeInRangeIsNotAmbiguous) {
+TEST_F(EpipolarOutcomes, OneStripeInRangeIsNotAmbiguous) {
   const auto step = build(test::slanted_step(320, 240, {160, 120}, Eigen::Vector2d::UnitX(), 60, 180));
   const auto moved = build(test::slanted_step(320, 240, {140, 120}, Eigen::Vector2d::UnitX(), 60, 180));
   expect_all(EpipolarOutcome::kFound, *step, *moved, sideways(-0.3), 0.95, {0.1, 0.6});
 }
 
 // Nothing that the odometry can come to ask makes it fail or return numbers that are not finite.
-TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
+TEST_F(EpipolarOutcomes, AnyMotionGivesFiniteNumbers) {
   const auto host = scene.pyramid(SE3());
   Random random(2);
   int found = 0;
@@ -229,7 +229,7 @@ TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
 
 // ---- over several frames ----
 
-TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
+TEST(UpdateDepths, SigmaShrinksAndDepthConverges) {
   const PlaneScene scene;
   Keyframe host;
   host.pyramid = scene.pyramid(SE3());

@@ -13,7 +13,7 @@
 namespace edgevo {
 namespace {
 
-class SimplemapWriterTest : public test::FolderTest {
+class SimplemapWriter : public test::FolderTest {
  protected:
   mrpt::maps::CSimpleMap written(const edgevo::Run& run) const {
     write_simplemap(run, PointFilter(), path("keyframes.simplemap"));
@@ -23,7 +23,7 @@ class SimplemapWriterTest : public test::FolderTest {
   }
 };
 
-TEST_F(SimplemapWriterTest, PointsLandInPlaceInMrptsMaps) {
+TEST_F(SimplemapWriter, PointsLandInPlaceInMrptsMaps) {
   const edgevo::Run run = test::small_run();
   const auto map = written(run);
   ASSERT_EQ(map.size(), 3u);
@@ -48,7 +48,7 @@ TEST_F(SimplemapWriterTest, PointsLandInPlaceInMrptsMaps) {
   }
 }
 
-TEST_F(SimplemapWriterTest, PosesAreTheCamerasZUp) {
+TEST_F(SimplemapWriter, PosesAreTheCamerasZUp) {
   const edgevo::Run run = test::small_run();
   const auto map = written(run);
   const auto [pose, observations] = map.get(2);
@@ -58,15 +58,15 @@ TEST_F(SimplemapWriterTest, PosesAreTheCamerasZUp) {
   EXPECT_EQ(observations->size(), 1u);
 }
 
-TEST_F(SimplemapWriterTest, KeyframesWithoutGoodPointsAreLeftOut) {
+TEST_F(SimplemapWriter, KeyframesWithoutGoodPointsAreLeftOut) {
   edgevo::Run run = test::small_run();
   for (EdgePoint& p : run.keyframes[1].points) p.observations = 0;
   EXPECT_EQ(written(run).size(), 2u);
 }
 
-TEST_F(SimplemapWriterTest, EmptyRunGivesAnEmptyMap) { EXPECT_EQ(written(edgevo::Run()).size(), 0u); }
+TEST_F(SimplemapWriter, EmptyRunGivesAnEmptyMap) { EXPECT_EQ(written(edgevo::Run()).size(), 0u); }
 
-TEST_F(SimplemapWriterTest, FullDiskIsTold) {
+TEST_F(SimplemapWriter, FullDiskIsTold) {
   EXPECT_THROW(write_simplemap(test::small_run(), PointFilter(), "/dev/full"), InputError);
 }
 

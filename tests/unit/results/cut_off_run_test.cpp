@@ -71,7 +71,7 @@ TEST(SettleFrames, ACorrectedCameraLeavesTheFirstPoseAtTheOrigin) {
   EXPECT_NEAR(cut_off.run.keyframes[1].T_world_cam.translation().x(), 9, 1e-12);
 }
 
-class CutOffRunTest : public WrittenRun {
+class CutOffRuns : public WrittenRun {
  protected:
   // The images and the journal of the first 40 frames, as a kill leaves them.
   void leave_half_a_run(const std::string& scale = "none") const {
@@ -94,7 +94,7 @@ class CutOffRunTest : public WrittenRun {
   }
 };
 
-TEST_F(CutOffRunTest, EveryFileOfARunIsWritten) {
+TEST_F(CutOffRuns, EveryFileOfARunIsWritten) {
   write(folder_, made_.run, made_.camera);
   const std::vector<std::string> whole = names_in(folder_.string());
   fs::remove_all(folder_);
@@ -115,7 +115,7 @@ TEST_F(CutOffRunTest, EveryFileOfARunIsWritten) {
               HasSubstr("no run was cut off here"));
 }
 
-TEST_F(CutOffRunTest, AGivenScaleIsApplied) {
+TEST_F(CutOffRuns, AGivenScaleIsApplied) {
   leave_half_a_run("factor=3");
   const edgevo::Run run = finish_cut_off_run(folder_.string());
   EXPECT_TRUE(run.is_metric());
@@ -123,7 +123,7 @@ TEST_F(CutOffRunTest, AGivenScaleIsApplied) {
               0.6, 0.01);
 }
 
-TEST_F(CutOffRunTest, TheNextRunMayTakeItsPlace) {
+TEST_F(CutOffRuns, TheNextRunMayTakeItsPlace) {
   leave_half_a_run();
   EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }), HasSubstr("edgevo finish"));
   finish_cut_off_run(folder_.string());

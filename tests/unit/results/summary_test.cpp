@@ -17,9 +17,9 @@ using test::content;
 using test::lines_of;
 using ::testing::HasSubstr;
 
-using SummaryTest = WrittenRun;
+using Summary = WrittenRun;
 
-TEST_F(SummaryTest, SummaryIsYamlWithTheCounts) {
+TEST_F(Summary, SummaryIsYamlWithTheCounts) {
   write(folder_, made_.run, made_.camera);
   const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
   EXPECT_EQ(s["command"].as<std::string>(), "edgevo run a \"quoted\" folder");
@@ -64,7 +64,7 @@ edgevo::Run kept_up(edgevo::Run run) {
   return run;
 }
 
-TEST_F(SummaryTest, LatencyOfARealtimeRun) {
+TEST_F(Summary, LatencyOfARealtimeRun) {
   const edgevo::Run run = kept_up(made_.run);
   write(folder_, run, made_.camera);
   const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
@@ -86,7 +86,7 @@ TEST_F(SummaryTest, LatencyOfARealtimeRun) {
               HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames handed over late, 1 dropped"));
 }
 
-TEST_F(SummaryTest, ASynchronousRunHasNoLatency) {
+TEST_F(Summary, ASynchronousRunHasNoLatency) {
   EXPECT_EQ(latency_statement(made_.run), "");
   EXPECT_FALSE(latency_figures(made_.run));
   write(folder_, made_.run, made_.camera);
