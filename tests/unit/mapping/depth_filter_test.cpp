@@ -7,7 +7,6 @@
 #include <set>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/mapping/idepth_prior.h"
 #include "support/plane_scene.h"
 
 namespace edgevo {
@@ -297,30 +296,6 @@ TEST_F(ImmaturePoints, NoneInABlankImage) {
         return 90;
       }));
   EXPECT_TRUE(make(1).empty());
-}
-
-// ---- where to search ----
-
-TEST(IdepthPrior, SearchesAroundTheDepthsNearbyAndElsewhereAroundTheMedian) {
-  const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
-  const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 9.0);
-  prior.add({50, 50}, 0.2);
-  prior.add({60, 45}, 0.3);
-  prior.add({200, 200}, 0.1);
-  const IdepthRange near = prior.range({55, 55}), elsewhere = prior.range({300, 20});
-  EXPECT_DOUBLE_EQ(near.low, params.prior_low * 0.2);
-  EXPECT_DOUBLE_EQ(near.high, params.prior_high * 0.3);
-  EXPECT_DOUBLE_EQ(elsewhere.likely, 0.2);
-  EXPECT_LT(elsewhere.low, 0.1 * near.low);
-  EXPECT_GT(elsewhere.high, 2 * near.high);
-}
-
-TEST(IdepthPrior, WhereNothingIsKnownTheEarlierMedianServes) {
-  const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
-  const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 0.5);
-  EXPECT_DOUBLE_EQ(prior.range({55, 55}).likely, 0.5);
 }
 
 }  // namespace
