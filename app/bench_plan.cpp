@@ -145,7 +145,7 @@ void BenchPlan::add_job(const BenchInput& input, EngineJob job) {
 
 void BenchPlan::write(const BenchList& list, const BenchPlace& place) const {
   nlohmann::ordered_json plan;
-  plan["program"] = (program_folder() / "edgevo").string();
+  plan["program"] = (program_folder() / "edgevo-commands").string();
   plan["folder"] = fs::current_path().string();
   plan["workflow"] = workflow_path(place.out, "");
   plan["out"] = place.out;

@@ -35,7 +35,7 @@ struct TableArguments {
 // program.
 std::string shipped_list(const std::string& which) {
   const std::string name = "table" + which + ".yaml";
-  std::vector<fs::path> folders{program_folder().parent_path() / "share/edgevo/bench"};
+  std::vector<fs::path> folders{data_folder() / "bench"};
 #ifdef EDGEVO_BENCH_SOURCE_DIR
   folders.insert(folders.begin(), EDGEVO_BENCH_SOURCE_DIR);
 #endif

@@ -31,7 +31,7 @@ fs::path workflow_files() {
 #ifdef EDGEVO_WORKFLOW_SOURCE_DIR
       EDGEVO_WORKFLOW_SOURCE_DIR,
 #endif
-      program_folder().parent_path() / "share/edgevo/workflow"};
+      data_folder() / "workflow"};
   std::error_code ignored;
   for (const fs::path& folder : folders)
     if (fs::is_regular_file(folder / "Snakefile", ignored)) return folder;

@@ -6,8 +6,7 @@
 namespace edgevo {
 
 std::filesystem::path share_file(const std::string& name, const std::string& remedy) {
-  const std::filesystem::path folders[] = {program_folder().parent_path() / "share/edgevo",
-                                           "/usr/local/share/edgevo", "/usr/share/edgevo"};
+  const std::filesystem::path folders[] = {data_folder(), "/usr/local/share/edgevo", "/usr/share/edgevo"};
   std::error_code ignored;
   for (const std::filesystem::path& folder : folders)
     if (std::filesystem::is_regular_file(folder / name, ignored)) return folder / name;
