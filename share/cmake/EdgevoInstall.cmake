@@ -1,14 +1,9 @@
 # Install rules: the exported CMake package, parameters and what else stands beside the binaries. Components are those of
 # EdgevoPackages.cmake.
 include(CMakePackageConfigHelpers)
-set(EDGEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
-set(EDGEVO_MRPT_COMPONENTS containers obs maps opengl poses img io gui)  # of all modules together
-install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
-if(TARGET edgevo_visp_bridge)
-  install(EXPORT edgevoVispTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT visp_devel)
-endif()
+edgevo_component_table(EDGEVO_COMPONENT_TABLE)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR})
+  ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake
   DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
