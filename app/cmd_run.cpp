@@ -25,7 +25,7 @@ struct RunArguments {
   std::string out, params_file, detector, edge_model, edge_folder, edge_map, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
-  bool realtime = false, quiet = false, view = false, fill = false;
+  bool realtime = false, quiet = false, view = false;
   OnBadFrame on_bad_frame = OnBadFrame::kSkip;
   OutputOptions outputs;
   Pace pace;
@@ -41,7 +41,6 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
   if (!args.edge_folder.empty()) params.odometry.edges.folder = args.edge_folder;
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
-  if (args.fill) params.map.occupancy.fill = true;
   return params;
 }
 
@@ -194,7 +193,6 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option(
       "--edge-map", args->edge_map,
       "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
-  add_fill(*command, &args->fill);
   command
       ->add_option("--seed", args->seed,
                    "seed of all random choices; a synchronous run with one seed is bit-identical")

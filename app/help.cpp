@@ -12,7 +12,8 @@ bool is_command(const CLI::App& app, const std::string& word) {
 }  // namespace
 
 void add_help_command(CLI::App& app) {
-  app.add_subcommand("help", "what a sub-command does, and its options");
+  app.add_subcommand(
+      "help", "what a sub-command does, and its options; `help parameters`: what --set and --params take");
 }
 
 std::vector<char*> help_as_option(const CLI::App& app, int argc, char** argv) {

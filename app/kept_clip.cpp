@@ -22,12 +22,12 @@ struct ClipFacts {
   int first = 0;
   Camera camera;
 
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     v.text("kind", kind, {}, "");
     v.integer("first", first, 0, std::numeric_limits<int>::max(), "");
     visit_camera(v);
   }
-  void visit_camera(ParamVisitor& v) {
+  void visit_camera(KeyVisitor& v) {
     Pinhole& p = camera.pinhole;
     Distortion& d = camera.distortion;
     const std::pair<const char*, double*> numbers[] = {{"fx", &p.fx}, {"fy", &p.fy}, {"cx", &p.cx},

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "help.h"
+#include "help_parameters.h"
 #include "option_checks.h"
 #include "version.h"
 
@@ -48,6 +49,7 @@ int main(int argc, char** argv) {
       "sequence.");
   std::vector<char*> words = edgevo::app::help_as_option(app, argc, argv);
   try {
+    if (edgevo::app::print_parameters_help(argc, argv)) return 0;
     app.parse(int(words.size()), words.data());
     return action();
   } catch (const CLI::CallForHelp& e) {

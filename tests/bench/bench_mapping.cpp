@@ -43,7 +43,7 @@ void update_depths_once(benchmark::State& state) {
   const CellGrid grid(bench::pinhole().width, bench::pinhole().height, params.cell_px);
   const auto range = [&](const Eigen::Vector2d& px) {
     const double idepth = bench::scene().idepth(test::sweep_pose(0), px);
-    return IdepthRange{params.prior_low * idepth, params.prior_high * idepth};
+    return IdepthRange{0.4 * idepth, 2.5 * idepth};
   };
   host.immature =
       make_immature_points(host, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
@@ -52,7 +52,7 @@ void update_depths_once(benchmark::State& state) {
   const std::vector<ImmaturePoint> fresh = host.immature;
   for (auto _ : state) {
     host.immature = fresh;
-    update_depths(*target, T, params, AssociationParams(), &host);
+    update_depths(*target, T, params, &host);
   }
   int found = 0;
   for (const ImmaturePoint& p : host.immature) found += p.good;

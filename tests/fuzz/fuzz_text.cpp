@@ -37,7 +37,7 @@ struct FuzzedParams {
   bool realtime = false;
   std::string name = "a";
 
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     {
       const auto group = v.group("edges");
       v.number("percentile", percentile, 0, 1, "help");

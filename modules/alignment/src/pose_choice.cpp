@@ -9,6 +9,9 @@
 namespace edgevo {
 namespace {
 
+// The coarse start by patches ends on this pyramid level.
+constexpr int kFinestPatchLevel = 1;
+
 // Edges are aligned on two levels, where the pyramid has so many with edges.
 int coarsest_edge_level(const FramePyramid& pyramid) {
   int levels = 0;
@@ -22,7 +25,7 @@ SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, c
                      const AlignmentParams& params) {
   const int coarsest = int(current.levels.size()) - 1;
   SE3 T_cur_ref = start;
-  align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &T_cur_ref);
+  align_patches(current, cloud, coarsest, std::min(kFinestPatchLevel, coarsest), &T_cur_ref);
   const int level = coarsest_edge_level(current);
   const bool misled =
       edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);

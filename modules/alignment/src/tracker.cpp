@@ -89,16 +89,16 @@ Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge) {
 }
 
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
-                           const PoseJudge& judge, const AlignmentParams& params) {
+                           const PoseJudge& judge) {
   return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("rotation search"); },
-          [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted, params)); }};
+          [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted)); }};
 }
 
 TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, const std::vector<SE3>& starts,
                   const AlignmentParams& params) {
   const PoseJudge judge(params);
   const std::vector<Proposer> proposers{propose_starts(starts, judge),
-                                        propose_rotations(current, cloud, starts.front(), judge, params)};
+                                        propose_rotations(current, cloud, starts.front(), judge)};
   return assess(current, cloud, choose(proposers, current, cloud, judge, params).pose, params);
 }
 

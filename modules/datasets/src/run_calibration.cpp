@@ -32,12 +32,12 @@ std::string camera_groups(const std::string& text) {
 
 struct Numbers {
   double largest = std::numeric_limits<double>::max();
-  void read(ParamVisitor& v, const char* key, double& value) const {
+  void read(KeyVisitor& v, const char* key, double& value) const {
     v.number(key, value, -largest, largest, "");
   }
 };
 
-void visit_camera(ParamVisitor& v, Camera* camera) {
+void visit_camera(KeyVisitor& v, Camera* camera) {
   const auto g = v.group("camera");
   Pinhole& p = camera->pinhole;
   Distortion& d = camera->distortion;
@@ -56,7 +56,7 @@ State state_of(const std::string& name) {
   return State(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-void visit_refinement(ParamVisitor& v, std::string* state, CameraRefinement* c) {
+void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
   const auto g = v.group("self_calibration");
   std::string result;  // the states in words
   std::string shutter = to_string(State::kOff);

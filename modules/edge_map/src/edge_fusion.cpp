@@ -18,8 +18,9 @@ struct KnownDepth {
 
 namespace {
 
-constexpr double kSeenBorderPx = 4;  // a vertex nearer to the border of an image may not be seen there
-constexpr double kAcrossPx = 1.5;    // from a projected vertex to the edge that it is
+constexpr int kFusionKeyframes = 12;  // a keyframe's lines are compared with those of so many after it
+constexpr double kSeenBorderPx = 4;   // a vertex nearer to the border of an image may not be seen there
+constexpr double kAcrossPx = 1.5;     // from a projected vertex to the edge that it is
 constexpr double kSeenAlongPx = 2.5;
 constexpr double kInFront = 1.1;  // times the inverse depth: of two lines at one pixel the nearer is seen
 // A known depth is as good as one found here, unless that is so much more certain.
@@ -58,7 +59,7 @@ void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
   for (const EdgePiece& piece : pieces) add_new_stretches(host, piece, &explained, &open.lines);
   count(&explained);
   open_.push_back(std::move(open));
-  while (int(open_.size()) > params_.fusion_keyframes) {
+  while (int(open_.size()) > kFusionKeyframes) {
     settle(open_.front());
     open_.pop_front();
   }

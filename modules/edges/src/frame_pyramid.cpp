@@ -14,6 +14,9 @@
 namespace edgevo {
 namespace {
 
+// Nearest-neighbour fields reach this far, pixels: further than any search does that asks them.
+constexpr int kFieldRadiusPx = 12;
+
 // Clears the pixels of level l that lie in `border`, a mask of level 0.
 void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
   for (int y = 0; y < mask->height(); ++y) {
@@ -94,7 +97,7 @@ struct PyramidBuilder::Impl {
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    level->field = NearestField(level->edges, params.field_radius);
+    level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 

@@ -160,7 +160,7 @@ void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
   list->sequence_variants.resize(list->sequences.size());
 }
 
-void visit(ParamVisitor& v, RawList* list) {
+void visit(KeyVisitor& v, RawList* list) {
   v.text("seeds", list->seeds, {}, "");
   v.text("variants", list->variants, {}, "");
   v.text("detectors", list->detectors, {}, "");

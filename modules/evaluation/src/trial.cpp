@@ -4,7 +4,7 @@
 
 namespace edgevo {
 
-void Trial::visit(ParamVisitor& v) {
+void Trial::visit(KeyVisitor& v) {
   // No limits: they were written by us.
   constexpr int kMany = std::numeric_limits<int>::max();
   constexpr double kLarge = std::numeric_limits<double>::max();

@@ -26,6 +26,10 @@ constexpr int kMotionTrials = 5;
 // Frames in a row whose corners do not agree on one motion: the first view was taken in bad light
 // (share/lab/2026-11-22_bootstrap.md).
 constexpr int kMaxDisagreeing = 8;
+constexpr int kMaxFirstCorners = 1200;      // followed from the first view
+constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix
+// Of the corners, that must agree with the essential matrix.
+constexpr double kMinInlierShare = 0.6;
 // Depth in the unit of the baseline below which a triangulated corner counts as behind the camera.
 constexpr double kMinCornerDepth = 1e-6;
 
@@ -65,7 +69,7 @@ struct Bootstrap::Impl {
     views.clear();
     corners_in_view.clear();
     disagreeing = 0;
-    Corners corners = find_corners(image, params.max_corners);
+    Corners corners = find_corners(image, kMaxFirstCorners);
     for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
     first_corners = corners.size();
     view.placed = true;
@@ -115,17 +119,17 @@ struct Bootstrap::Impl {
       return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
                                      disparity, needed)};
     const std::vector<TwoViewMotion> motions =
-        estimate_motions(pinhole, a, b, params.ransac_px, kMotionTrials, &random);
+        estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
     const TwoViewMotion& best =
         *std::min_element(motions.begin(), motions.end(),
                           [](const auto& m, const auto& n) { return m.median_error_px < n.median_error_px; });
     const int agreeing = cv::countNonZero(best.inliers);
-    const bool disagree = agreeing < params.min_inlier_share * double(a.size());
+    const bool disagree = agreeing < kMinInlierShare * double(a.size());
     disagreeing = disagree ? disagreeing + 1 : 0;
     if (disagree)
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
-                                     100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
+                                     100.0 * agreeing / double(a.size()), 100 * kMinInlierShare)};
     if (is_ambiguous(best, motions))
       return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
@@ -149,15 +153,15 @@ struct Bootstrap::Impl {
       result.corners.push_back(c);
       used.push_back(int(i));
     }
-    if (int(used.size()) < params.min_tracks / 2)
+    if (int(used.size()) < kMinBootstrapCorners / 2)
       return {std::nullopt, sentence("only %.0f corners lie in front of both views, %.0f needed",
-                                     double(used.size()), params.min_tracks / 2.0)};
+                                     double(used.size()), kMinBootstrapCorners / 2.0)};
     result.parallax_deg = median(parallax);
     if (result.parallax_deg < params.min_parallax_deg)
       return {std::nullopt, sentence("median parallax %.2f deg, %.2f deg needed: the motion is mostly "
                                      "rotation, or the scene far away",
                                      result.parallax_deg, params.min_parallax_deg)};
-    const double scale = params.median_depth / median(depths);
+    const double scale = kFirstMedianDepth / median(depths);
     for (BootstrapCorner& c : result.corners) c.idepth_first /= scale, c.idepth_last /= scale;
     views.back().T_cam_first = SE3(T_last_first.rotation(), T_last_first.translation() * scale);
     views.back().placed = true;
@@ -212,10 +216,10 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
   if (impl_->views.empty()) {
     impl_->start(std::move(view), std::move(image));
     const int found = int(impl_->corners_in_view.back().size());
-    if (found < impl_->params.min_tracks) {
+    if (found < kMinBootstrapCorners) {
       reset();
       return {std::nullopt,
-              sentence("only %.0f corners in the image, %.0f needed", found, impl_->params.min_tracks)};
+              sentence("only %.0f corners in the image, %.0f needed", found, kMinBootstrapCorners)};
     }
     return {std::nullopt, "first view taken"};
   }
@@ -223,12 +227,11 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
   cv::Mat image_again = image;
   impl_->follow(std::move(view), std::move(image));
   const int alive = int(impl_->corners_in_view.back().size());
-  const bool few =
-      alive<impl_->params.min_tracks, long_ago = int(impl_->views.size())> impl_->params.max_frames;
+  const bool few = alive<kMinBootstrapCorners, long_ago = int(impl_->views.size())> impl_->params.max_frames;
   BootstrapStatus status;
   if (few)
     status.reason = sentence("only %.0f corners could be followed, %.0f needed; new first view", alive,
-                             impl_->params.min_tracks);
+                             kMinBootstrapCorners);
   else if (long_ago)
     status.reason = "too little motion for too long; new first view";
   else
@@ -237,7 +240,7 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
   if (disagreed) status.reason += "; new first view";
   if (few || long_ago || disagreed) {
     impl_->start(std::move(again), std::move(image_again));
-    if (int(impl_->corners_in_view.back().size()) < impl_->params.min_tracks) reset();
+    if (int(impl_->corners_in_view.back().size()) < kMinBootstrapCorners) reset();
   }
   return status;
 }

@@ -106,7 +106,7 @@ bool Window::try_activate(const ImmaturePoint& candidate, const std::vector<Sigh
 }
 
 int Window::activate(int min_good, int min_matches, int at_most) {
-  const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
+  const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
   std::vector<int> count(grid.size(), 0);
   int active = 0;
   Eigen::Vector2d px;
@@ -178,19 +178,15 @@ void Window::hold_bootstrap_scale() {
 
 Keyframe Window::remove_oldest() {
   const int id = keyframes_.front().id;
-  if (params_.gauge == "prior") {
-    // Only the points it hosts go into the prior with it. Points of other hosts lose their observation here
-    // and live on: their other observations stay in the window and must not be counted twice.
-    const BaProblem all = build_adjustment().problem;
-    BaProblem leaving = ba::problem_of_host(all, ba::index_problem(all), 0, int(all.poses.size()));
-    leaving.prior = prior_;
-    BaOptions options;
-    options.huber_width = params_.ba_huber;
-    std::vector<bool> drop;
-    prior_ = marginalize(leaving, id, options, &drop);
-  } else {
-    prior_.reset();
-  }
+  // Only the points it hosts go into the prior with it. Points of other hosts lose their observation here and
+  // live on: their other observations stay in the window and must not be counted twice.
+  const BaProblem all = build_adjustment().problem;
+  BaProblem leaving = ba::problem_of_host(all, ba::index_problem(all), 0, int(all.poses.size()));
+  leaving.prior = prior_;
+  BaOptions options;
+  options.huber_width = params_.ba_huber;
+  std::vector<bool> drop;
+  prior_ = marginalize(leaving, id, options, &drop);
   bootstrap_gauge_ = false;
   Keyframe oldest = std::move(keyframes_.front());
   keyframes_.pop_front();

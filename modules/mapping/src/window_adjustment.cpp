@@ -1,15 +1,10 @@
 // The window's bundle adjustment: the problem made of the keyframes and their matches, and what becomes of
 // both after a solve.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/association/patch_source.h"
-#include "edgevo/association/photometric_residual.h"
-#include "edgevo/association/warp.h"
 #include "edgevo/core/rule.h"
 #include "edgevo/mapping/window.h"
-#include "in_view.h"
 
 namespace edgevo {
 namespace {
@@ -19,6 +14,7 @@ namespace {
 constexpr int kMaxMisses = 3;
 // Standard deviations of a match, beyond which it is dropped after the last adjustment: hardly ever chance.
 constexpr double kDropSigmas = 4.0;
+constexpr double kCornerSigmaPx = 0.5;  // one standard deviation of a corner
 // Share of the cost whose decrease ends an adjustment: what is left after it is below the noise of the
 // matches. A fifth of the time less than with 1e-4, at the same errors
 // (share/lab/2026-11-21_end_of_adjustment.md).
@@ -47,11 +43,9 @@ Window::Adjustment Window::build_adjustment() {
     for (MapPoint& p : keyframes_[h].points) {
       if (p.observations.empty()) continue;
       for (const Observation& o : p.observations) {
-        const int target = pose_index(o.keyframe_id);
         a.match_index.push_back(int(problem.observations.size()));
-        problem.observations.push_back({int(problem.points.size()), target, o.match.px, o.match.normal,
-                                        o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
-        if (params_.photometric) add_photometric(keyframes_[h], p, target, &problem);
+        problem.observations.push_back({int(problem.points.size()), pose_index(o.keyframe_id), o.match.px,
+                                        o.match.normal, o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
       }
       problem.points.push_back({int(h), pinhole_.ray(p.px), p.idepth, is_depth_held(p)});
       a.points.push_back(&p);
@@ -69,33 +63,8 @@ void Window::add_corners(BaProblem* problem) const {
     if (from == problem->pose_ids.end()) continue;
     for (const CornerPair& c : keyframes_[to].corners)
       problem->corners.push_back(
-          {int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / params_.corner_sigma_px});
+          {int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / kCornerSigmaPx});
   }
-}
-
-// Eq. (photometricerror), linearised at the present projection, as a residual in the principal axes of its
-// information.
-void Window::add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
-                             BaProblem* problem) const {
-  const Keyframe& target = keyframes_[target_index];
-  const SE3 T_target_host = relative_pose(target, host);
-  Eigen::Vector2d px;
-  if (!in_view(pinhole_, T_target_host, point.px, point.idepth, &px)) return;
-  const PatchSource from =
-      patch_source(*host.pyramid, point.px, patch_warp(pinhole_, T_target_host, point.px, point.idepth));
-  const PhotometricResidual r =
-      photometric_residual(from.level->gradient_magnitude.view(), from.px, from.A_target_host,
-                           target.pyramid->finest().gradient_magnitude.view(), px);
-  if (!r.usable) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(r.information);
-  BaObservation o;
-  o.point = int(problem->points.size());
-  o.target = target_index;
-  o.px = px + r.shift;
-  o.normal = axes.eigenvectors().col(1);  // the axis along which the patch changes most
-  o.inv_sigma_normal = std::sqrt(axes.eigenvalues()[1]) / params_.photometric_sigma;
-  o.inv_sigma_tangent = std::sqrt(std::max(0.0, axes.eigenvalues()[0])) / params_.photometric_sigma;
-  problem->observations.push_back(o);
 }
 
 void Window::apply_gauge(BaProblem* problem) const {

@@ -20,7 +20,7 @@ constexpr double kThinShare = 0.25;
 }  // namespace
 
 int Window::points_lacking() const {
-  const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
+  const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
   const size_t enough = std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
   return std::max(0, int(enough) - int(cloud(newest()).size()));
 }

@@ -4,17 +4,17 @@
 #include <limits>
 
 #include "edgevo/core/rule.h"
+#include "edgevo/mapping/idepth_prior.h"
 
 namespace edgevo {
 
-IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px,
-                       const DepthFilterParams& params) {
+IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px) {
   double best = std::numeric_limits<double>::infinity(), idepth = 1;
   for (const BootstrapCorner& c : corners) {
     const double d = ((in_last ? c.px_last : c.px_first) - px).squaredNorm();
     if (d < best) best = d, idepth = in_last ? c.idepth_last : c.idepth_first;
   }
-  return {params.prior_low * idepth, params.prior_high * idepth};
+  return range_around(idepth, idepth);
 }
 
 // Two views alone would not do: an edge match is one equation,

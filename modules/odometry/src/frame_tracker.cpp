@@ -92,7 +92,7 @@ Track track_frame(const TrackingTask& task) {
   enum { kStarts, kRotations, kUsualStep, kCorners };  // in this order
   const std::vector<Proposer> proposers{
       propose_starts(starts, judge),
-      propose_rotations(task.pyramid, cloud, starts.front(), judge, params),
+      propose_rotations(task.pyramid, cloud, starts.front(), judge),
       propose_usual_step(task, usual, judge),
       propose_corner_motion(task, judge, &track),
   };

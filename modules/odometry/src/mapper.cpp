@@ -14,6 +14,7 @@ namespace {
 
 // Points of the first window: fewer do not hold its poses against outliers.
 constexpr int kMinFirstPoints = 100;
+constexpr int kMaxAgeKeyframes = 4;  // immature points older than this are dropped
 
 // Runs `work` and notes its CPU time under `name`.
 template <class Work>
@@ -59,8 +60,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
     if (!view.placed || !view.pyramid) continue;
     for (Keyframe& k : window_.keyframes())
       if (view.frame_index != k.frame_index)
-        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter,
-                      association_, &k);
+        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter, &k);
   }
   for (Keyframe& k : window_.keyframes())
     smooth_along_edges(k.pyramid->finest().edges, params_.depth_filter, &k.immature);
@@ -80,8 +80,8 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
   const CellGrid grid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px);
   return make_immature_points(
       keyframe, std::vector<bool>(grid.size(), false),
-      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px, params_.depth_filter); },
-      params_.depth_filter, &random_);
+      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px); }, params_.depth_filter,
+      &random_);
 }
 
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
@@ -98,8 +98,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   timed("depth_filter", &update.times, [&] {
     for (Keyframe& host : window_.keyframes())
       if (!host.immature.empty())
-        update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter,
-                      association_, &host);
+        update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter, &host);
   });
   if (frame.make_keyframe)
     make_keyframe(frame, T_cam_world, &update);
@@ -222,7 +221,7 @@ int Mapper::new_points_wanted() const {
 void Mapper::seed_points(Keyframe* keyframe) {
   for (Keyframe& host : window_.keyframes()) {
     auto& points = host.immature;
-    for (ImmaturePoint& p : points) p.dead |= ++p.age > params_.depth_filter.max_age_keyframes;
+    for (ImmaturePoint& p : points) p.dead |= ++p.age > kMaxAgeKeyframes;
     points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }),
                  points.end());
   }

@@ -196,7 +196,7 @@ struct Odometry::Impl {
     // Beside a map that is still tracked the scale of the new one follows from the depths in view, else from
     // equal speed.
     std::optional<double> scale;
-    if (state.has_pose()) scale = 1.0 / reference->median_idepth / params.mapping.bootstrap.median_depth;
+    if (state.has_pose()) scale = 1.0 / reference->median_idepth / kFirstMedianDepth;
     if (state.has_map()) close_segment();
     const std::string problem = mapper.initialise(views);
     bootstrap.reset();

@@ -3,9 +3,9 @@
 namespace edgevo {
 
 void RecoveryParams::visit(ParamVisitor& v) {
-  v.integer("max_frames", max_frames, 0, 1000,
-            "relocalisation in the old map is tried in so many frames after a loss; those that show nothing "
-            "do not count");
+  v.integer(kBasic, "max_frames", max_frames, 0, 1000,
+            "relocalisation in the old map is tried in so many frames after a loss, next to a new bootstrap; "
+            "those that show nothing do not count");
 }
 
 void OdometryParams::visit(ParamVisitor& v) {

@@ -220,7 +220,7 @@ TEST(Align, EdgesOverruleMisledGrayLevels) {
   const FramePyramid& current = *frame;
   const ReferenceCloud cloud = scene.cloud(SE3());
   SE3 by_patches = T_cur_ref;
-  align_patches(current, cloud, int(current.levels.size()) - 1, 1, AlignmentParams(), &by_patches);
+  align_patches(current, cloud, int(current.levels.size()) - 1, 1, &by_patches);
   for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
   ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
       << "what comes of following them";

@@ -71,7 +71,7 @@ TEST_P(RotationSearch, FindsATurnThatNoPredictionForesaw) {
   const SE3 T_cur_ref = SE3::exp(GetParam());
   const ReferenceCloud cloud = scene.cloud(SE3());
   const auto current = scene.pyramid(T_cur_ref.inverse());
-  const auto starts = search_rotation(*current, cloud, SE3(), AlignmentParams());
+  const auto starts = search_rotation(*current, cloud, SE3());
   ASSERT_FALSE(starts.empty());
   double nearest = 1;
   for (const SE3& T : starts) nearest = std::min(nearest, (T * T_cur_ref.inverse()).angle());

@@ -83,7 +83,7 @@ TEST_F(BootstrapTest, RecoversTheMotionUpToScale) {
 TEST_F(BootstrapTest, RecoversDepthsUpToScale) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap);
-  ASSERT_GE(int(r.corners.size()), params.min_tracks / 2);
+  ASSERT_GE(int(r.corners.size()), kMinBootstrapCorners / 2);
   const double unit = scale(r);
   std::vector<double> error_first, error_last, depth;
   for (const BootstrapCorner& c : r.corners) {
@@ -93,7 +93,7 @@ TEST_F(BootstrapTest, RecoversDepthsUpToScale) {
     error_last.push_back(
         std::abs(c.idepth_last * unit / scene.idepth(sweep_pose(r.views.back().frame_index), c.px_last) - 1));
   }
-  EXPECT_NEAR(median(depth), params.median_depth, 1e-9);
+  EXPECT_NEAR(median(depth), kFirstMedianDepth, 1e-9);
   EXPECT_LT(median(error_first), 0.06);
   EXPECT_LT(median(error_last), 0.06);
   EXPECT_GE(r.parallax_deg, params.min_parallax_deg);

@@ -155,7 +155,6 @@ ImmaturePoint on_edge(const EdgeMap& edges, int edge_pixel, double idepth, doubl
 DepthFilterParams smoothing(double weight) {
   DepthFilterParams params;
   params.smoothing_weight = weight;
-  params.smoothing_reach_px = 14;
   return params;
 }
 
@@ -309,8 +308,8 @@ TEST(IdepthPrior, SearchesAroundTheDepthsNearbyAndElsewhereAroundTheMedian) {
   prior.add({60, 45}, 0.3);
   prior.add({200, 200}, 0.1);
   const IdepthRange near = prior.range({55, 55}), elsewhere = prior.range({300, 20});
-  EXPECT_DOUBLE_EQ(near.low, params.prior_low * 0.2);
-  EXPECT_DOUBLE_EQ(near.high, params.prior_high * 0.3);
+  EXPECT_DOUBLE_EQ(near.low, 0.4 * 0.2);
+  EXPECT_DOUBLE_EQ(near.high, 2.5 * 0.3);
   EXPECT_DOUBLE_EQ(elsewhere.likely, 0.2);
   EXPECT_LT(elsewhere.low, 0.1 * near.low);
   EXPECT_GT(elsewhere.high, 2 * near.high);

@@ -35,9 +35,8 @@ Errors search_all(const PlaneScene& scene, const FramePyramid& host, const Frame
     };
     if (!scene.camera.pinhole.contains(image(truth), 10)) continue;
     ++errors.searched;
-    const EpipolarMatch m =
-        search_epipolar(host, target, px, pixels[i].normal().cast<double>(), T_target_host,
-                        {0.5 * truth, 2 * truth}, params, AssociationParams());
+    const EpipolarMatch m = search_epipolar(host, target, px, pixels[i].normal().cast<double>(),
+                                            T_target_host, {0.5 * truth, 2 * truth}, params);
     if (m.outcome != EpipolarOutcome::kFound) continue;
     const double px_per_idepth = (image(1.01 * truth) - image(0.99 * truth)).norm() / (0.02 * truth);
     errors.px.push_back((m.idepth - truth) * px_per_idepth);
@@ -133,7 +132,7 @@ class Outcomes : public ::testing::Test {
       if (!scene.camera.pinhole.contains(e.position().cast<double>(), 60)) continue;
       ++*all;
       n += search_epipolar(host, target, e.position().cast<double>(), e.normal().cast<double>(),
-                           T_target_host, range, DepthFilterParams(), AssociationParams())
+                           T_target_host, range, DepthFilterParams())
                .outcome == outcome;
     }
     return n;
@@ -217,7 +216,7 @@ TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
     const double low = random.uniform(1e-4, 1);
     const EpipolarMatch m =
         search_epipolar(*host, *host, e.position().cast<double>(), e.normal().cast<double>(), SE3::exp(xi),
-                        {low, low * random.uniform(1, 100)}, DepthFilterParams(), AssociationParams());
+                        {low, low * random.uniform(1, 100)}, DepthFilterParams());
     if (m.outcome != EpipolarOutcome::kFound) continue;
     ++found;
     EXPECT_TRUE(std::isfinite(m.idepth) && m.idepth > 0);
@@ -257,8 +256,7 @@ TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
   std::vector<double> sigma_early, sigma_late, early;
   for (int k = 1; k <= 6; ++k) {
     const SE3 T_world_target(Eigen::Matrix3d::Identity(), {0.06 * k, 0.02 * k, 0});
-    update_depths(*scene.pyramid(T_world_target), T_world_target.inverse(), params, AssociationParams(),
-                  &host);
+    update_depths(*scene.pyramid(T_world_target), T_world_target.inverse(), params, &host);
     if (k == 2) early = error(&sigma_early);
   }
   const std::vector<double> late = error(&sigma_late);

@@ -11,8 +11,8 @@ namespace edgevo {
 namespace {
 
 using test::idepth_error;
-using test::params_with;
 using test::pose_error;
+using test::seven_keyframes;
 using test::Sweep;
 using test::true_window;
 
@@ -112,7 +112,7 @@ TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
 // What is known of the keyframes that have left is linearised at poses of before the correction: it comes
 // anew with it.
 TEST(Window, ACorrectionBringsItsOwnPrior) {
-  Window window = true_window(5, 0.02, params_with("prior"));
+  Window window = true_window(5, 0.02);
   window.activate(2, 2);
   window.adjust();
   MapRevision revision;
@@ -167,7 +167,7 @@ MapPoint& best_point(const Window& window) {
 }
 
 TEST(Window, AMatchFarBeyondItsDeviationIsDropped) {
-  WindowParams params = params_with();
+  WindowParams params = seven_keyframes();
   params.ba_update_iterations = 0;  // nothing is matched anew
   Window window = true_window(5, 0.0, params);
   window.activate(2, 2);

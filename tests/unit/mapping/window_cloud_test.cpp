@@ -9,7 +9,7 @@ namespace edgevo {
 namespace {
 
 using test::median;
-using test::params_with;
+using test::seven_keyframes;
 using test::Sweep;
 using test::true_window;
 
@@ -39,7 +39,7 @@ TEST(Window, TheCloudLiesInTheNewestFrame) {
 }
 
 TEST(Window, TheCloudHoldsAtMostItsLimit) {
-  WindowParams params = params_with();
+  WindowParams params = seven_keyframes();
   params.max_cloud_points = 90;
   Window window = true_window(5, 0.0, params);
   window.activate(2, 2);

@@ -14,7 +14,7 @@ namespace {
 using test::idepth_error;
 using test::kFramesApart;
 using test::median;
-using test::params_with;
+using test::seven_keyframes;
 using test::Sweep;
 using test::sweep_pose;
 using test::tracking_covariance;
@@ -38,10 +38,10 @@ TEST(Window, ActivatesPointsThatKeyframesMatch) {
 }
 
 TEST(Window, ActivationIsSpreadOverTheNewestImage) {
-  const WindowParams params = params_with();
+  const WindowParams params = seven_keyframes();
   Window window = true_window(4, 0.0, params);
   ASSERT_GT(window.activate(2, 2), 200);
-  const CellGrid grid(320, 240, params.activation_cell_px);
+  const CellGrid grid(320, 240, kActivationCellPx);
   std::vector<int> count(size_t(grid.size()), 0);
   for (const Keyframe& k : window.keyframes()) {
     const SE3 T = relative_pose(window.newest(), k);
@@ -77,7 +77,7 @@ TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
 }
 
 TEST(Window, ActivationStopsAtTheLimit) {
-  WindowParams params = params_with();
+  WindowParams params = seven_keyframes();
   params.max_points = 120;
   Window window = true_window(4, 0.02, params);
   EXPECT_EQ(window.activate(2, 2), 120);
@@ -113,7 +113,7 @@ int count_immature(const Window& window, const Test& test) {
 // At 320x240 a quarter of the cells of 14 pixels is less than 500.
 TEST(Window, LendsAsManyPointsAsTrackingLacks) {
   Window window = window_of_two();
-  const int cells = CellGrid(320, 240, params_with().activation_cell_px).size();
+  const int cells = CellGrid(320, 240, kActivationCellPx).size();
   EXPECT_EQ(window.points_lacking(), cells / 4) << "there is none";
   EXPECT_EQ(window.activate(1, 1, window.points_lacking()), cells / 4);
   EXPECT_EQ(window.active_points(), cells / 4);
@@ -221,12 +221,8 @@ TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
 
 // ---- leaving ----
 
-class WindowGauge : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Both, WindowGauge, ::testing::Values("fixed", "prior"),
-                         [](const auto& info) { return std::string(info.param); });
-
-TEST_P(WindowGauge, TheOldestLeavesNoTrace) {
-  Window window = true_window(6, 0.02, params_with(GetParam()));
+TEST(Window, TheOldestLeavesNoTrace) {
+  Window window = true_window(6, 0.02);
   window.activate(2, 2);
   window.adjust();
   const size_t hosted = window.keyframes().front().points.size();
@@ -241,8 +237,8 @@ TEST_P(WindowGauge, TheOldestLeavesNoTrace) {
     }
 }
 
-TEST_P(WindowGauge, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
-  Window window = true_window(6, 0.02, params_with(GetParam()));
+TEST(Window, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
+  Window window = true_window(6, 0.02);
   window.activate(2, 2);
   window.adjust();
   window.remove_oldest();

@@ -14,9 +14,8 @@ using test::Sweep;
 using test::sweep_pose;
 using test::SweepDriver;
 
-MappingParams params_with(const std::string& gauge) {
+MappingParams seven_keyframes() {
   MappingParams p;
-  p.window.gauge = gauge;
   p.window.keyframes = 7;
   return p;
 }
@@ -30,7 +29,7 @@ double step_scale(const SweepDriver& driver, const Keyframe& a, const Keyframe& 
 }
 
 TEST(Mapper, BuildsAMapFromABootstrap) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto reference = driver.mapper.reference();
   ASSERT_TRUE(reference);
@@ -49,18 +48,14 @@ TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
   BootstrapResult bootstrap = test::true_bootstrap(0, 8);
   for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
     bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
-  Mapper mapper(Sweep::pinhole(), params_with("fixed"), AssociationParams(), false, 1);
+  Mapper mapper(Sweep::pinhole(), seven_keyframes(), AssociationParams(), false, 1);
   EXPECT_NE(mapper.initialise(bootstrap), "");
   EXPECT_EQ(mapper.next_id(), 0);
   EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // and is none the worse for it
 }
 
-class MapperGauge : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Both, MapperGauge, ::testing::Values("fixed", "prior"),
-                         [](const auto& info) { return std::string(info.param); });
-
-TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
-  SweepDriver driver(params_with(GetParam()));
+TEST(Mapper, FifteenKeyframesKeepTheScale) {
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   int last_id = driver.mapper.next_id() - 1;
   std::vector<Keyframe> retired;
@@ -94,7 +89,7 @@ TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
 // The fewer points the window lacks, the fewer candidates it makes.
 TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   const auto candidates = [](int max_points) {
-    MappingParams params = params_with("prior");
+    MappingParams params = seven_keyframes();
     params.window.max_points = max_points;
     params.depth_filter.cell_px = 4;
     SweepDriver driver(params);
@@ -114,7 +109,7 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
 // No point can be matched in as many keyframes as asked for: what keeps the map alive are points that are
 // lent to it.
 TEST(Mapper, AMapThatThinsOutIsLentPoints) {
-  MappingParams params = params_with("prior");
+  MappingParams params = seven_keyframes();
   params.window.min_matches = 10;
   SweepDriver driver(params);
   ASSERT_EQ(driver.start(), "");
@@ -122,7 +117,7 @@ TEST(Mapper, AMapThatThinsOutIsLentPoints) {
     driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
   EXPECT_GT(driver.mapper.reference()->known_points, 60);
   // Of the last keyframe alone: earlier loans have been kept or given back.
-  const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, params.window.activation_cell_px);
+  const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, kActivationCellPx);
   int lent = 0;
   for (const Keyframe& k : driver.mapper.window().keyframes())
     for (const MapPoint& p : k.points) lent += p.lent;
@@ -131,7 +126,7 @@ TEST(Mapper, AMapThatThinsOutIsLentPoints) {
 }
 
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto before = driver.mapper.reference();
   const int id = before->keyframe_id;
@@ -147,7 +142,7 @@ TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
 }
 
 TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
   TrackedFrame late = driver.align(10, true);
@@ -158,7 +153,7 @@ TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
 }
 
 TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
-  SweepDriver driver(params_with("prior"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
   TrackedFrame frame = driver.align(12, true);
@@ -171,7 +166,7 @@ TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
 }
 
 TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const DepthFilterParams params;
@@ -185,7 +180,7 @@ TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
 }
 
 TEST(Mapper, ClosingRetiresEverything) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const size_t in_window = driver.mapper.window().keyframes().size();
@@ -201,7 +196,7 @@ TEST(Mapper, ClosingRetiresEverything) {
 }
 
 TEST(Mapper, TheUnitOfTheBootstrapStays) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(0, 8, 3.0), "");
   for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
   const auto& window = driver.mapper.window().keyframes();
@@ -210,7 +205,7 @@ TEST(Mapper, TheUnitOfTheBootstrapStays) {
 
 TEST(Mapper, TheSameSeedGivesTheSameMap) {
   const auto run = [](uint64_t seed) {
-    SweepDriver driver(params_with("fixed"), seed);
+    SweepDriver driver(seven_keyframes(), seed);
     EXPECT_EQ(driver.start(), "");
     for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
     std::vector<double> values;

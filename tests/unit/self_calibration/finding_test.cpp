@@ -38,13 +38,11 @@ TEST(Weigh, AsksHowFarTheFilesNumberIs) {
 // Matches are biased alike however many there are of them: a formal deviation of next to nothing is not
 // believed.
 TEST(Sigmas, BiasedMatchesAddToThem) {
-  SelfCalibrationParams p;
-  p.model_sigma = 0.003, p.readout_model_sigma = 0.004;
-  EXPECT_DOUBLE_EQ(k1_sigma(0, p, 30), 0.003);
-  EXPECT_DOUBLE_EQ(k1_sigma(0, p, 120), 0.003 / 4);
-  EXPECT_DOUBLE_EQ(k1_sigma(0.004, p, 30), 0.005);
-  EXPECT_DOUBLE_EQ(readout_sigma(0, p, 30), 0.004);
-  EXPECT_DOUBLE_EQ(readout_sigma(0, p, 120), 0.004 / 2);
+  EXPECT_DOUBLE_EQ(k1_sigma(0, 30), 0.004);
+  EXPECT_DOUBLE_EQ(k1_sigma(0, 120), 0.004 / 4);
+  EXPECT_DOUBLE_EQ(k1_sigma(0.003, 30), 0.005);
+  EXPECT_DOUBLE_EQ(readout_sigma(0, 30), 0.0015);
+  EXPECT_DOUBLE_EQ(readout_sigma(0, 120), 0.0015 / 2);
 }
 
 }  // namespace

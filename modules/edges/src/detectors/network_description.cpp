@@ -54,7 +54,7 @@ cv::Scalar by_channel(const std::string& text, int channels, const std::string& 
 
 }  // namespace
 
-void NetworkDescription::visit(ParamVisitor& v) {
+void NetworkDescription::visit(KeyVisitor& v) {
   v.text("input", input, {}, "name of the network's input, 1 x channels x height x width");
   v.text("output", output, {}, "name of its output, 1 x 1 x height x width, probabilities 0 to 1");
   v.text("size", size, {},

@@ -14,7 +14,7 @@ struct NetworkDescription {
   double scale = 1.0 / 255.0;          ///< what goes in is (pixel * scale - mean) / std
   std::string mean = "0", std = "1";   ///< one number, or one a channel with blanks between
 
-  void visit(ParamVisitor& v);
+  void visit(KeyVisitor& v);
 };
 
 /// The description, taken apart.

@@ -26,7 +26,7 @@ struct Trial {
   double failure_percent = 0;       ///< of the stretches of the drift: above its cap, or without poses
   double track_ms = 0, map_ms = 0;  ///< CPU a frame: edges, alignment and corners; all other stages
 
-  void visit(ParamVisitor& v);  ///< names of the fields, for the file of a trial (core/params.h)
+  void visit(KeyVisitor& v);  ///< names of the fields, for the file of a trial (core/params.h)
 };
 
 /// What the run itself tells; `cpu_s` of all its frames.

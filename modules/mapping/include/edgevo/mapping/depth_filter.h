@@ -32,7 +32,7 @@ struct CellGrid {
 
 /// One observation of every living immature point of `host` in a frame at T_target_host.
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
-                   const AssociationParams& association, Keyframe* host);
+                   Keyframe* host);
 
 /// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills
 /// points with more outliers than 2 + agreements.

@@ -10,13 +10,18 @@
 
 namespace edgevo {
 
+/// Search range around the inverse depths that are known nearby, `low` to `high`.
+inline IdepthRange range_around(double low, double high) {
+  constexpr double kLowFactor = 0.4, kHighFactor = 2.5;
+  return {kLowFactor * low, kHighFactor * high};
+}
+
 /// Depths known in one image, by cell.
 class IdepthPrior {
  public:
   /// `median_before`: the median inverse depth of an earlier image, for one in which nothing is known.
   IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params, double median_before)
-      : params_(params),
-        grid_(pinhole.width, pinhole.height, params.cell_px),
+      : grid_(pinhole.width, pinhole.height, params.cell_px),
         low_(grid_.size(), kNone),
         high_(grid_.size(), 0),
         median_(median_before) {}
@@ -41,8 +46,8 @@ class IdepthPrior {
         low = std::min(low, low_[r * grid_.columns + c]);
         high = std::max(high, high_[r * grid_.columns + c]);
       }
-    if (high > 0 && rule("depths nearby")) return {params_.prior_low * low, params_.prior_high * high};
-    return {params_.far_low * median(), params_.far_high * median(), median()};
+    if (high > 0 && rule("depths nearby")) return range_around(low, high);
+    return {kFarLow * median(), kFarHigh * median(), median()};
   }
 
   /// Median inverse depth of the image, or of the earlier one where nothing is known.
@@ -55,9 +60,10 @@ class IdepthPrior {
   }
 
  private:
+  // Search range where nothing is near, times the median inverse depth.
+  static constexpr double kFarLow = 0.02, kFarHigh = 8.0;
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
-  const DepthFilterParams& params_;
   CellGrid grid_;
   std::vector<double> low_, high_, all_;
   double median_;

@@ -15,6 +15,9 @@
 
 namespace edgevo {
 
+/// Active points are spread over cells of this size, pixels.
+constexpr int kActivationCellPx = 14;
+
 /// Health of the window after an adjustment.
 struct WindowStats {
   int observations = 0;             ///< matches that were adjusted
@@ -102,8 +105,6 @@ class Window {
   };
   Adjustment build_adjustment();
   void add_corners(BaProblem* problem) const;
-  void add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
-                       BaProblem* problem) const;
   void take_result(const BaResult& result, const Adjustment& adjustment);
   void update_matches(const BaResult& result, const Adjustment& adjustment);
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);

@@ -10,13 +10,14 @@ namespace edgevo {
 
 /// What is done after a loss.
 struct RecoveryParams {
-  int max_frames = 10;  ///< relocalisation in the old map is tried in so many frames after a loss, beside a
-                        ///< new bootstrap; those that show nothing do not count
+  /// frames
+  int max_frames = 10;
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
-/// All parameters of a run, group by group as in params/default.yaml.
+/// All parameters of a run, group by group.
 struct OdometryParams {
   SelfCalibrationParams camera;   ///< what the camera file does not say
   EdgeParams edges;               ///< edge detection
@@ -26,7 +27,8 @@ struct OdometryParams {
   RecoveryParams recovery;        ///< relocalisation
   EdgeMapParams edge_map;         ///< lines of whole edges
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
 }  // namespace edgevo
