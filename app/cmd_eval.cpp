@@ -5,7 +5,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/ground_truth.h"
-#include "edgevo/datasets/source_place.h"
+#include "edgevo/datasets/source_folder.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "option_checks.h"
 
@@ -28,7 +28,7 @@ std::string remark_of(const ImageSource& source) {
 // A trajectory file, or the ground truth of a data set's folder; of the latter the path tells what it is.
 Trajectory read_ground_truth(const std::string& path) {
   SourceOptions options;
-  options.path = source_place(path);
+  options.path = source_folder(path);
   options.any_camera = true;
   std::error_code ignored;
   if (!std::filesystem::is_directory(options.path, ignored)) return read_trajectory(path);

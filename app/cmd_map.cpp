@@ -4,7 +4,7 @@
 
 #include "commands.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/occupancy/map_size.h"
 #include "edgevo/results/run_maps.h"

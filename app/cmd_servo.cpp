@@ -6,7 +6,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/program_folder.h"
+#include "edgevo/files/program_folder.h"
 
 namespace edgevo::app {
 namespace {

@@ -36,7 +36,7 @@ foreach(page IN LISTS EDGEVO_PAGES)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT doc)
 endforeach()
 
-# Models of detectors, found from the program (core/share_folder.h): beside an installation, and beside a build through a link.
+# Models of detectors, found from the program (files/share_folder.h): beside an installation, and beside a build through a link.
 set(EDGEVO_MODELS ${PROJECT_SOURCE_DIR}/share/models)
 if(EXISTS ${EDGEVO_MODELS})
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/edgevo)

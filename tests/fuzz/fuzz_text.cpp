@@ -1,11 +1,11 @@
 // Parsers of text.
 #include <gtest/gtest.h>
 
+#include "edgevo/benchmark/bench_list.h"
 #include "edgevo/core/params.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/open_source.h"
-#include "edgevo/evaluation/bench_list.h"
 #include "edgevo/evaluation/trajectory.h"
 #include "fuzz/mutate.h"
 

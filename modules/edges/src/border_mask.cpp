@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "edgevo/core/rule.h"
-#include "opencv_view.h"
+#include "edgevo/edges/opencv_view.h"
 
 namespace edgevo {
 namespace {

@@ -1,8 +1,11 @@
 #include "edgevo/edges/edge_params.h"
 
-#include "edgevo/edges/edge_detector.h"
-
 namespace edgevo {
+
+std::vector<std::string> edge_detector_names() {
+  return {"canny",       "edge_drawing",        "structured",       "network",
+          "precomputed", "combined:structured", "combined:network", "combined:precomputed"};
+}
 
 void EdgeParams::visit(ParamVisitor& v) {
   v.text("detector", detector, edge_detector_names(), "what marks edge pixels");

@@ -6,9 +6,9 @@
 
 #include "border_mask.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/image_names.h"
 #include "edgevo/edges/edge_extraction.h"
-#include "opencv_view.h"
+#include "edgevo/edges/opencv_view.h"
+#include "edgevo/files/image_names.h"
 #include "undistortion.h"
 
 namespace edgevo {
@@ -111,20 +111,24 @@ double FramePyramid::masked_share() const {
          (double(border_mask->width()) * border_mask->height());
 }
 
-PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params)
-    : PyramidBuilder(camera, params, make_edge_probability(params)) {}
+PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+                               const EdgeDetectorTable& detectors)
+    : PyramidBuilder(camera, params, make_edge_detector(params, detectors),
+                     make_edge_probability(params, detectors)) {}
 
-PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgeParams& params) {
-  return PyramidBuilder(camera, params, nullptr);
+PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgeParams& params,
+                                              const EdgeDetectorTable& detectors) {
+  return PyramidBuilder(camera, params, make_edge_detector(params, detectors), nullptr);
 }
 
 PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+                               std::unique_ptr<EdgeDetector> detector,
                                std::unique_ptr<EdgeProbability> probability)
     : impl_(new Impl) {
   camera.check("camera");
   impl_->camera = camera;
   impl_->params = params;
-  impl_->detector = make_edge_detector(params);
+  impl_->detector = std::move(detector);
   impl_->probability = std::move(probability);
   impl_->make_maps();
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/mapping/mapping_params.h"
+#include "edgevo/odometry/keyframe_params.h"
 #include "edgevo/odometry/reference.h"
 
 namespace edgevo {

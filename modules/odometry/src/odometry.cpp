@@ -18,16 +18,16 @@ struct Odometry::Impl {
   Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
       : params(p),
         options(o),
-        builder(camera, p.edges),
+        builder(camera, p.edges, o.detectors),
         bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
         random(Random::derive(o.seed, 3)),
         mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
         records(camera.pinhole),
-        rebuilder(PyramidBuilder::for_rebuilding(camera, p.edges)),
+        rebuilder(PyramidBuilder::for_rebuilding(camera, p.edges, o.detectors)),
         state(p.recovery.max_frames),
         mapping(&mapper, o.realtime,
                 [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
-        keyframes(camera.pinhole, p.mapping.keyframe) {
+        keyframes(camera.pinhole, p.keyframe) {
     // In realtime the mapping must not stand still for long.
     mapper.enable_self_calibration(
         p.camera,

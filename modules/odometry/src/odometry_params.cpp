@@ -28,6 +28,8 @@ void OdometryParams::visit(ParamVisitor& v) {
   {
     const auto g = v.group("mapping");
     mapping.visit(v);
+    const auto in_mapping = v.group("keyframe");
+    keyframe.visit(v);
   }
   {
     const auto g = v.group("recovery");

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "edgevo/core/image.h"
+#include "edgevo/core/live_keyframes.h"
 #include "edgevo/core/records.h"
-#include "edgevo/odometry/live_view.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace edgevo {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/mrpt_bridge/playback_pose.h"
-#include "edgevo/report/stage_times.h"
 
 namespace edgevo {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
-#include "edgevo/core/program_folder.h"
+#include "edgevo/files/program_folder.h"
 #include "motion.h"
 #include "scene_params.h"
 #include "season.h"

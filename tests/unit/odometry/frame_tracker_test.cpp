@@ -35,7 +35,7 @@ class FrameTracker : public ::testing::Test {
   MotionModel motion;
   OdometryParams params;
   Random random{1};
-  KeyframePolicy keyframes{scene.pyramid(SE3())->finest().pinhole, params.mapping.keyframe};
+  KeyframePolicy keyframes{scene.pyramid(SE3())->finest().pinhole, params.keyframe};
   const SE3 truth = kStep * kStep * kStep;
 };
 

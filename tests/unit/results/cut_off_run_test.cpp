@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/results/run_journal.h"
 #include "edgevo/results/run_params.h"

@@ -5,7 +5,7 @@
 
 #include "earlier_run.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "growing_file.h"
 #include "written_run.h"
 

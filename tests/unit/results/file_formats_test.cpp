@@ -5,9 +5,9 @@
 #include <regex>
 #include <set>
 
+#include "edgevo/benchmark/bench_table.h"
+#include "edgevo/benchmark/trial.h"
 #include "edgevo/core/input_file.h"
-#include "edgevo/evaluation/bench_table.h"
-#include "edgevo/evaluation/trial.h"
 #include "edgevo/occupancy/line_table.h"
 #include "edgevo/results/run_files.h"
 #include "edgevo/results/run_text.h"

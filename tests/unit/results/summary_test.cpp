@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <mrpt/containers/yaml.h>
 
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/drive/keeping_up.h"
-#include "edgevo/report/latency_figures.h"
 #include "edgevo/results/run_text.h"
 #include "edgevo/results/yaml_writer.h"
 #include "written_run.h"

@@ -1,13 +1,18 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "edgevo/core/params.h"
 
 namespace edgevo {
 
+/// The detectors that edgevo knows, the default first: what edges.detector may be. A program need not offer
+/// all of them (edge_detector.h).
+std::vector<std::string> edge_detector_names();
+
 /// Parameters of edge detection.
 struct EdgeParams {
-  std::string detector = "canny";  ///< a name of edge_detector_kinds()
+  std::string detector = "canny";  ///< one of edge_detector_names()
   std::string model;               ///< file of structured or network; empty: the one that comes with edgevo
   std::string folder;              ///< of precomputed
   int levels = 4;                  ///< pyramid levels of the image

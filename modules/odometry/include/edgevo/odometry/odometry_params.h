@@ -2,8 +2,9 @@
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/association/association_params.h"
 #include "edgevo/edge_map/edge_map_params.h"
-#include "edgevo/edges/edge_detector.h"
+#include "edgevo/edges/edge_params.h"
 #include "edgevo/mapping/mapping_params.h"
+#include "edgevo/odometry/keyframe_params.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {
@@ -22,7 +23,8 @@ struct OdometryParams {
   EdgeParams edges;               ///< edge detection
   AlignmentParams alignment;      ///< tracking
   AssociationParams association;  ///< matches between keyframes
-  MappingParams mapping;          ///< bootstrap, points, keyframes, window
+  MappingParams mapping;          ///< bootstrap, points, window
+  KeyframeParams keyframe;        ///< when a frame becomes one; the group `keyframe` of `mapping`
   RecoveryParams recovery;        ///< relocalisation
   EdgeMapParams edge_map;         ///< lines of whole edges
 
