@@ -1,21 +1,16 @@
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
-#include "bench_run.h"
-#include "bench_step.h"
+#include "bench_host.h"
 #include "commands.h"
+#include "edgevo/benchmark/bench_run.h"
+#include "edgevo/benchmark/bench_step.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_file.h"
-#include "edgevo/evaluation/bench_table.h"
 #include "option_checks.h"
 #include "signals.h"
-#include "version.h"
 
 namespace edgevo::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct BenchArguments {
   std::string list, out, data = ".", beside;
@@ -25,23 +20,6 @@ struct BenchArguments {
   int threads = 1;
 };
 
-std::string parameter_files(const BenchList& list) {
-  std::string text;
-  for (const BenchSequence& s : list.sequences)
-    if (!s.params.empty()) text += ", " + s.params + " for " + s.name;
-  return "the defaults" + text + "; in full in each job.yaml";
-}
-
-BenchHeader make_header(const BenchList& list) {
-  std::string seeds;
-  for (const uint64_t seed : list.seeds) seeds += (seeds.empty() ? "" : " ") + std::to_string(seed);
-  return {{"edgevo", version()},
-          {"machine", processor_name() + ", one thread a job"},
-          {"trials", std::to_string(list.seeds.size()) + " of each, seeds " + seeds},
-          {"parameters", parameter_files(list)},
-          {"CPU", "of the odometry alone; images are read or rendered beforehand"}};
-}
-
 void throw_if_incomplete(const BenchOutcome& outcome, int jobs, const std::string& out) {
   const int ended = outcome.ran + outcome.taken;
   const std::string counts = std::to_string(ended) + " of " + std::to_string(jobs) + " jobs have ended";
@@ -50,41 +28,38 @@ void throw_if_incomplete(const BenchOutcome& outcome, int jobs, const std::strin
   if (ended < jobs) throw InputError(out, counts + "; first failure: " + outcome.first_failure, "");
 }
 
-std::string write_tables(const BenchList& list, const BenchOutcome& outcome, const std::string& out) {
-  const BenchHeader header = make_header(list);
-  const std::string table = bench_markdown(header, outcome.rows);
-  write_file((fs::path(out) / "table.md").string(), table);
-  write_file((fs::path(out) / "table.csv").string(), bench_csv(header, outcome.rows));
-  return table;
-}
-
-int plan_only(const BenchList& list, const BenchPlace& place) {
-  const BenchPlan plan(list, place);
-  plan.write(list, place);
-  std::printf("%s: %d of %d jobs are open, %d for the engine\n",
-              workflow_path(place.out, "plan.json").c_str(), plan.open_trials(), list.jobs(),
-              int(plan.jobs().size()));
+int plan_only(const BenchList& list, const BenchTarget& target) {
+  const PlanSummary plan = plan_bench(list, target, bench_host());
+  std::printf("%s: %d of %d jobs are open, %d for the engine\n", plan.path.c_str(), plan.open_trials,
+              list.jobs(), plan.engine_jobs);
   return 0;
 }
 
-int run_all(const BenchList& list, const BenchPlace& place, const EngineOptions& engine) {
-  const BenchOutcome outcome = run_bench(list, place, engine);
+int write_tables(const BenchList& list, const BenchTarget& target) {
+  const BenchHost host = bench_host();
+  write_bench_tables(list, collect_bench(list, target, host), target, host);
+  return 0;
+}
+
+int run_all(const BenchList& list, const BenchTarget& target, const EngineOptions& engine) {
+  const BenchHost host = bench_host();
+  const BenchOutcome outcome = run_bench(list, target, engine, host);
   if (engine.dry_run) return 0;
-  const std::string table = write_tables(list, outcome, place.out);
+  const std::string table = write_bench_tables(list, outcome, target, host);
   std::printf("%s\n%d jobs: %d run, %d had been run before; table.md and table.csv in %s\n", table.c_str(),
-              list.jobs(), outcome.ran, outcome.taken, place.out.c_str());
-  throw_if_incomplete(outcome, list.jobs(), place.out);
+              list.jobs(), outcome.ran, outcome.taken, target.out.c_str());
+  throw_if_incomplete(outcome, list.jobs(), target.out);
   return 0;
 }
 
 int bench(const BenchArguments& args) {
   const BenchList list = read_bench_list(args.list);
-  const BenchPlace place{args.beside.empty() ? args.list : args.beside, args.out, args.data};
-  if (!args.job.empty()) return run_planned_job(list, place, args.job);
-  if (!args.scene.empty()) return render_planned_scene(list, place, args.scene, args.threads);
-  if (args.table) return write_tables(list, collect_bench(list, place), args.out), 0;
-  if (args.plan) return plan_only(list, place);
-  return run_all(list, place, args.engine);
+  const BenchTarget target{args.beside.empty() ? args.list : args.beside, args.out, args.data};
+  if (!args.job.empty()) return run_planned_job(list, target, args.job, bench_host());
+  if (!args.scene.empty()) return render_planned_scene(list, target, args.scene, args.threads);
+  if (args.table) return write_tables(list, target);
+  if (args.plan) return plan_only(list, target);
+  return run_all(list, target, args.engine);
 }
 
 void add_engine_options(CLI::App* command, BenchArguments* args) {

@@ -4,10 +4,9 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_place.h"
 #include "edgevo/core/params.h"
-#include "edgevo/drive/edge_images.h"
-#include "edgevo/edges/edge_detector.h"
+#include "edgevo/detectors/edge_images.h"
+#include "edgevo/files/output_folder.h"
 #include "option_checks.h"
 #include "progress.h"
 #include "signals.h"

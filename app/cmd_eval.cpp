@@ -3,9 +3,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "edgevo/core/error.h"
-#include "edgevo/datasets/ground_truth.h"
-#include "edgevo/datasets/source_place.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "option_checks.h"
 
@@ -18,42 +15,27 @@ struct EvalArguments {
   int frames_total = 0;
 };
 
-// What the source says of its ground truth, where it says so.
-std::string remark_of(const ImageSource& source) {
-  for (const auto& [name, value] : source.details())
-    if (name == "ground truth") return value;
-  return "it has no ground truth";
-}
+using ReadTruth = std::function<Trajectory(const std::string& path)>;
 
-// A trajectory file, or the ground truth of a data set's folder; of the latter the path tells what it is.
-Trajectory read_ground_truth(const std::string& path) {
-  SourceOptions options;
-  options.path = source_place(path);
-  options.any_camera = true;
+bool is_file(const std::string& path) {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(options.path, ignored)) return read_trajectory(path);
-  const auto source = open_source(options);
-  if (const std::string file = source->ground_truth_path(); !file.empty()) return read_trajectory(file);
-  const std::string text = ground_truth_tum(options, *source);
-  if (text.empty())
-    throw InputError(options.path, "holds no ground truth: " + remark_of(*source), "give a trajectory file");
-  Trajectory truth = parse_trajectory(text, options.path);
-  truth.path = (std::filesystem::path(options.path) / remark_of(*source)).string();
-  return truth;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
 }
 
-int run_eval(const EvalArguments& args) {
+int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source) {
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
-  const TrajectoryEvaluation e =
-      evaluate(read_trajectory(args.trajectory), read_ground_truth(args.ground_truth), options);
+  const Trajectory truth =
+      is_file(args.ground_truth) ? read_trajectory(args.ground_truth) : truth_of_source(args.ground_truth);
+  const TrajectoryEvaluation e = evaluate(read_trajectory(args.trajectory), truth, options);
   std::fputs((args.json ? to_json(e) : to_table(e)).c_str(), stdout);
   return 0;
 }
 
 }  // namespace
 
-void add_eval_command(CLI::App& app, Action* action) {
+void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source) {
   auto args = std::make_shared<EvalArguments>();
   CLI::App* cmd =
       app.add_subcommand("eval", "Compare a trajectory with ground truth: ATE, drift, scale, completion");
@@ -68,7 +50,7 @@ void add_eval_command(CLI::App& app, Action* action) {
          "number of images that were put in, for completion and the blocks of ATE200; without it, frames.csv "
          "beside TRAJECTORY, times.txt beside GROUNDTRUTH, or the ground truth's lines tell")
       ->check(whole_number(1));
-  cmd->callback([=] { *action = [=] { return run_eval(*args); }; });
+  cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source); }; });
 }
 
 }  // namespace edgevo::app

@@ -4,7 +4,7 @@
 
 #include "commands.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/occupancy/map_size.h"
 #include "edgevo/results/run_maps.h"
@@ -21,7 +21,7 @@ struct MapArguments {
   std::string run, out, params_file;
   std::vector<std::string> settings;
   std::optional<double> resolution, max_range;
-  bool force = false, fill = false;
+  bool force = false;
 };
 
 MapParams params_from(const MapArguments& args) {
@@ -31,24 +31,16 @@ MapParams params_from(const MapArguments& args) {
   for (const std::string& setting : args.settings) set_param(setting, visit);
   if (args.resolution) params.map.occupancy.resolution = fixed(*args.resolution, 9);
   if (args.max_range) params.map.occupancy.max_range = fixed(*args.max_range, 9);
-  if (args.fill) params.map.occupancy.fill = true;
   params.map.check();
   return params.map;
 }
 
-void print_fill(const MapParams& params, const OctreeStats& octree) {
-  if (!params.occupancy.fill) return;
-  std::printf("%lld of the occupied voxels filled, in %d patches framed by edges; %d more are open\n",
-              (long long)octree.filled_voxels, octree.patches_filled, octree.patches_opened);
-}
-
-void print_map(const Run& run, const MapParams& params, const MapReport& report, const std::string& out) {
+void print_map(const Run& run, const MapReport& report, const std::string& out) {
   std::printf(
       "%s: voxels of %g, range %g, %lld occupied, %lld free, of %d points in %d keyframes; unit: %s\n",
       out.c_str(), report.octree.resolution, report.octree.max_range,
       (long long)report.octree.occupied_voxels, (long long)report.octree.free_voxels,
       report.octree.points.kept, report.octree.batches, unit_statement(run).c_str());
-  print_fill(params, report.octree);
   if (!report.grid) return;
   std::printf("grid of %d x %d cells: %s\n", report.grid->width, report.grid->height,
               report.grid->statement.c_str());
@@ -81,7 +73,7 @@ int map(const MapArguments& args) {
   check_map_size(run, params.occupancy, free_memory(), args.run);
   print_size(run, params);
   const MapReport report = write_maps(run, params, args.out);
-  print_map(run, params, report, args.out);
+  print_map(run, report, args.out);
   return 0;
 }
 
@@ -108,7 +100,6 @@ void add_map_command(CLI::App& app, Action* action) {
                       "YAML file of parameters; of it, occupancy and grid count");
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
       ->take_all();
-  add_fill(*command, &args->fill);
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return map(*args); }; });
 }

@@ -3,8 +3,10 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/core/run_statistics.h"
+#include "edgevo/detectors/all_detectors.h"
 #include "edgevo/drive/drive.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/results/run_outputs.h"
 #include "edgevo/results/run_params.h"
 #include "edgevo/scale/run_scaling.h"
@@ -25,7 +27,7 @@ struct RunArguments {
   std::string out, params_file, detector, edge_model, edge_folder, edge_map, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
-  bool realtime = false, quiet = false, view = false, fill = false;
+  bool realtime = false, quiet = false, view = false;
   OnBadFrame on_bad_frame = OnBadFrame::kSkip;
   OutputOptions outputs;
   Pace pace;
@@ -41,7 +43,6 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
   if (!args.edge_folder.empty()) params.odometry.edges.folder = args.edge_folder;
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
-  if (args.fill) params.map.occupancy.fill = true;
   return params;
 }
 
@@ -65,14 +66,32 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
+// Hands each frame over to the scale, with the keyframes that have settled since the one before.
+class ScaleFeed {
+ public:
+  explicit ScaleFeed(RunScaling& scaling) : scaling_(scaling) {}
+
+  void add(const DrivenFrame& driven) {
+    if (!scaling_.is_estimated()) return;
+    const SettledKeyframes settled = driven.odometry.settled_keyframes(fed_);
+    fed_ += settled.keyframes.size();
+    scaling_.add_frame(driven.record, settled.keyframes);
+  }
+
+ private:
+  RunScaling& scaling_;
+  size_t fed_ = 0;  // keyframes
+};
+
 // What is to be done after each frame: keep its image for the playback and what was found on disk, measure
 // the scale, show the frame, and show how far we are.
 std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
                                                          RunView* view, std::optional<Progress>& progress) {
-  return [&outputs, &scaling, view, &progress, done = 0](const DrivenFrame& driven) mutable {
+  return [&outputs, scale_feed = ScaleFeed(scaling), view, &progress,
+          done = 0](const DrivenFrame& driven) mutable {
     if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
     outputs.add_record(driven.record, driven.odometry);
-    scaling.add_frame(driven.record, driven.odometry);
+    scale_feed.add(driven);
     if (progress) progress->update(++done);
     return !view || view->show(driven, interrupted);
   };
@@ -90,6 +109,7 @@ Drive drive_from(const RunArguments& args, ImageSource& source, const OdometryPa
                  RunScaling& scaling, RunOutputs& outputs) {
   DriveOptions options;
   options.odometry.seed = args.seed;
+  options.odometry.detectors = all_edge_detectors();
   options.odometry.realtime = args.realtime;
   options.pace = args.pace;
   options.on_bad_frame = args.on_bad_frame;
@@ -123,12 +143,6 @@ void print_end(const Drive& driven) {
                 driven.first_left_out.c_str());
 }
 
-bool mostly_failed(const Run& run) {
-  size_t posed = 0;
-  for (const FrameRecord& f : run.frames) posed += f.T_world_cam.has_value();
-  return 2 * posed < run.frames.size();
-}
-
 void print_failure(const RunArguments& args, const RunOutputs& outputs) {
   const std::string earlier = outputs.earlier_run();
   std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv%s\n",
@@ -157,7 +171,7 @@ int run(const RunArguments& args) {
   if (driven.broken) std::rethrow_exception(driven.broken);
   if (!result.scale.problem.empty())
     throw InputError(args.out, "the results are in an arbitrary unit", result.scale.problem);
-  if (!mostly_failed(result)) return kDone;
+  if (!count(result).mostly_failed()) return kDone;
   print_failure(args, outputs);
   return kMostlyFailed;
 }
@@ -180,7 +194,8 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
                       "YAML file of parameters; what it does not name keeps its default");
   command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
       ->take_all();
-  command->add_option("--detector", args->detector, "edge detector: " + edge_detector_help());
+  command->add_option("--detector", args->detector,
+                      "edge detector: " + edge_detector_help(all_edge_detectors()));
   command
       ->add_option("--edge-model", args->edge_model,
                    "for the detectors structured (a forest in OpenCV's format) and network (an .onnx with "
@@ -194,7 +209,6 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option(
       "--edge-map", args->edge_map,
       "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
-  add_fill(*command, &args->fill);
   command
       ->add_option("--seed", args->seed,
                    "seed of all random choices; a synchronous run with one seed is bit-identical")

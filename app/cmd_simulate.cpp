@@ -5,15 +5,16 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/correspondence_export.h"
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene.h"
+#include "edgevo/simulation/survey_export.h"
 #include "option_checks.h"
 #include "progress.h"
-#include "simulate_survey.h"
 
 namespace edgevo::app {
 namespace {
@@ -76,7 +77,14 @@ std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer
 
 void write_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
   Progress progress("correspondences", end - begin - 1);
-  export_correspondences(renderer, folder, begin, end, [&](int done) { progress.update(done); });
+  PyramidBuilder builder(renderer.camera(), EdgeParams());
+  const auto find_edges = [&](const GrayImage& image) {
+    std::vector<Eigen::Vector2d> found;
+    for (const EdgePixel& edge : builder.build(image)->finest().edges.pixels)
+      found.push_back(edge.position().cast<double>());
+    return found;
+  };
+  export_correspondences(renderer, folder, begin, end, find_edges, [&](int done) { progress.update(done); });
 }
 
 // A survey in the archive OUT, beside those that are there.
@@ -85,16 +93,16 @@ int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
     throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences",
                      "leave out --layout, or these");
   const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
-  const SurveyPlace place{options.out, name, options.layout == kNewSurveys};
-  check_folder_is_ours(place.folder(), {"SOURCE.md"}, options.force);
+  const SurveyLocation survey{options.out, name, options.layout == kNewSurveys};
+  check_folder_is_ours(survey.folder(), {"SOURCE.md"}, options.force);
   const SceneRenderer renderer(scene_from(options));
   const int end = range.end < 0 ? renderer.size() : range.end;
   {
     Progress progress("rendering", end - range.begin);
-    write_survey(renderer, place, range.begin, end, [&](int done) { progress.update(done); });
+    write_survey(renderer, survey, range.begin, end, [&](int done) { progress.update(done); });
   }
-  std::printf("%s: %d frames, map in %s\n", place.folder().c_str(), end - range.begin,
-              place.map_folder().c_str());
+  std::printf("%s: %d frames, map in %s\n", survey.folder().c_str(), end - range.begin,
+              survey.map_folder().c_str());
   return 0;
 }
 

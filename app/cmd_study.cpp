@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/study/study_report.h"
 #include "option_checks.h"
 #include "progress.h"

@@ -1,11 +1,16 @@
 #pragma once
-// The sub-commands of `edgevo`. Each adds itself to the parser with its options and, when it is the requested
-// one, leaves its work in `*action`; the action returns the exit code (0 done, 3 tracking failed for most of
-// the sequence) and throws edgevo::InputError for bad input (main makes that one line and exit code 2).
+// The sub-commands of `edgevo`, in the program edgevo-commands (`eval` also in front_main.cpp). Each adds
+// itself to the parser with its options and, when it is the requested one, leaves its work in `*action`; the
+// action returns the exit code (0 done, 3 tracking failed for most of the sequence) and throws
+// edgevo::InputError for bad input (main makes that one line and exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
+
+namespace edgevo {
+struct Trajectory;
+}
 
 namespace edgevo::app {
 
@@ -17,7 +22,9 @@ void add_finish_command(CLI::App& app, Action* action);
 void add_import_command(CLI::App& app, Action* action);
 void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
-void add_eval_command(CLI::App& app, Action* action);
+/// `truth_of_source` reads the ground truth of a data set where GROUNDTRUTH is not a file.
+void add_eval_command(CLI::App& app, Action* action,
+                      std::function<Trajectory(const std::string& path)> truth_of_source);
 void add_simulate_command(CLI::App& app, Action* action);
 void add_relight_command(CLI::App& app, Action* action);
 void add_study_command(CLI::App& app, Action* action);
@@ -26,7 +33,7 @@ void add_map_command(CLI::App& app, Action* action);
 void add_bench_command(CLI::App& app, Action* action);
 void add_table_command(CLI::App& app, Action* action);
 void add_compare_command(CLI::App& app, Action* action);
-/// Becomes the program edgevo-servo, of app/servo.
+/// Becomes the program edgevo-servo (servo_main.cpp).
 void add_servo_command(CLI::App& app, Action* action);
 
 }  // namespace edgevo::app

@@ -1,3 +1,4 @@
+// edgevo-commands: what `edgevo` (front_main.cpp) becomes for all that it does not do itself.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -5,7 +6,9 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "help.h"
+#include "help_parameters.h"
 #include "option_checks.h"
+#include "source_truth.h"
 #include "version.h"
 
 namespace {
@@ -31,7 +34,7 @@ int main(int argc, char** argv) {
   edgevo::app::add_finish_command(app, &action);
   edgevo::app::add_import_command(app, &action);
   edgevo::app::add_info_command(app, &action);
-  edgevo::app::add_eval_command(app, &action);
+  edgevo::app::add_eval_command(app, &action, edgevo::app::source_truth);
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
   edgevo::app::add_edges_command(app, &action);
@@ -48,6 +51,11 @@ int main(int argc, char** argv) {
       "sequence.");
   std::vector<char*> words = edgevo::app::help_as_option(app, argc, argv);
   try {
+    if (argc == 3 && std::string(argv[1]) == "--write-help") {  // for the build
+      edgevo::app::write_help(app, argv[2]);
+      return 0;
+    }
+    if (edgevo::app::print_parameters_help(argc, argv)) return 0;
     app.parse(int(words.size()), words.data());
     return action();
   } catch (const CLI::CallForHelp& e) {

@@ -94,12 +94,6 @@ void add_force(CLI::App& command, bool* force) {
   command.add_flag("--force", *force, "write over what is there already, whatever it is");
 }
 
-void add_fill(CLI::App& command, bool* fill) {
-  command.add_flag("--fill", *fill,
-                   "octree and grid: what lies between straight edges that frame a wall without texture is "
-                   "occupied, as occupancy.fill");
-}
-
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   if (commands.empty()) {

@@ -21,9 +21,6 @@ CLI::Validator path_given();
 /// --force: what is there already may be written over.
 void add_force(CLI::App& command, bool* force);
 
-/// --fill: as the parameter occupancy.fill.
-void add_fill(CLI::App& command, bool* fill);
-
 /// What was wrong with the command line, with the nearest name for a misspelt command or option.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv);
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/servo/closed_loop.h"
 #include "edgevo/servo/servo_outputs.h"
 #include "edgevo/simulation/relight.h"

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "edgevo/datasets/source_place.h"
+#include "edgevo/datasets/source_folder.h"
 #include "option_checks.h"
 
 namespace edgevo::app {
@@ -10,7 +10,7 @@ namespace edgevo::app {
 void add_source_options(CLI::App& command, SourceOptions* options) {
   command
       .add_option_function<std::string>(
-          "SOURCE", [options](const std::string& path) { options->path = source_place(path); },
+          "SOURCE", [options](const std::string& path) { options->path = source_folder(path); },
           "a .rawlog, a dataset folder (edgevo, KITTI, TUM RGB-D, EuRoC, Symphony Lake), a folder of images, "
           "a "
           "video, or camera:N")

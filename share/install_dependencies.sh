@@ -2,30 +2,37 @@
 # Installs the distribution packages that edgevo is built from (Debian 12 names). Quiet and quick when all is there.
 #
 #   share/install_dependencies.sh            install what is missing (as root, or through sudo)
-#   share/install_dependencies.sh --checks   the same, and what checks and documents the sources (doxygen, clang-format)
+#   share/install_dependencies.sh --checks   the same, and what checks and documents the sources (doxygen, clang-format, gcovr)
+#   share/install_dependencies.sh --tidy     the same, and clang-tidy with the compiler that it needs (tests/tidy.sh; 230 MB)
 #   share/install_dependencies.sh --workflow  the same, and the engine of `edgevo bench` (share/workflow)
+#   share/install_dependencies.sh --core     only what the odometry as a library needs (cmake --preset core)
 #   share/install_dependencies.sh --list     print the package names, one a line, and do nothing
 #
 # Exit codes: 0 all is there; 2 this system is not known, or the packages could not be installed.
 set -eu
 
-# compiler and tools | mathematics, images | MRPT, ViSP, OctoMap and the tools that open our files | command line, JSON, tests |
-# planners (for a test) | plots of `edgevo study` | tests of what opens a window | manual pages and packages
-PACKAGES="
+# compiler and tools | mathematics, images, JSON
+CORE_PACKAGES="
 build-essential cmake ninja-build git
-libeigen3-dev libopencv-dev libceres-dev zlib1g-dev libexif-dev
+libeigen3-dev libopencv-dev libceres-dev zlib1g-dev nlohmann-json3-dev
+"
+# data sets | MRPT, ViSP, OctoMap and the tools that open our files | command line, tests |
+# planners (for a test) | plots of `edgevo study` | tests of what opens a window | manual pages and packages
+PACKAGES="$CORE_PACKAGES
+libexif-dev
 libmrpt-maps-dev libmrpt-gui-dev libmrpt-hwdrivers-dev mrpt-apps
 libvisp-dev liboctomap-dev octomap-tools
-libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev
+libcli11-dev libgtest-dev libgmock-dev libbenchmark-dev
 libompl-dev libfcl-dev libmrpt-nav-dev
 gnuplot-nox
 xvfb xdotool imagemagick
 help2man file
 "
-# The site of the documentation | the form of the sources (tests/format.sh)
+# The site of the documentation | the form of the sources (tests/format.sh) | what the tests execute (tests/coverage.sh)
 CHECK_PACKAGES="
 doxygen graphviz
 clang-format-14
+gcovr
 "
 
 fail() {
@@ -74,7 +81,9 @@ apt() {
 
 while :; do
   case "${1:-}" in
+    --core) PACKAGES=$CORE_PACKAGES ;;
     --checks) PACKAGES="$PACKAGES$CHECK_PACKAGES" ;;
+    --tidy) PACKAGES="$PACKAGES clang-tidy-14" ;;
     --workflow) PACKAGES="$PACKAGES snakemake" ;;
     *) break ;;
   esac

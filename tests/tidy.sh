@@ -1,24 +1,77 @@
 #!/bin/sh
 # clang-tidy with the checks of .clang-tidy over our sources; not part of the tests, since all of them take hours.
 #
-#   tests/tidy.sh [BUILD]              all of modules and app
-#   tests/tidy.sh [BUILD] FILE...      these
+#   tests/tidy.sh [BUILD]                    all of modules and app
+#   tests/tidy.sh [BUILD] FILE...            these
+#   tests/tidy.sh [BUILD] --changed [BASE]   what differs from BASE, uncommitted and new files included, headers through the sources of
+#                                            their name. Without BASE: from where the branch left origin/main; on main itself from HEAD~1
 #
 # BUILD (default build/dev: each source by itself) was configured by CMake; it need not be built. JOBS=N runs so many at a time (default 1).
-# Exit codes: 0 nothing found; 1 findings, each a line "FILE:LINE:COLUMN: warning: ..."; 77 clang-tidy is not installed.
+# Exit codes: 0 nothing found; 1 findings, each a line "FILE:LINE:COLUMN: warning: ..."; 2 a source could not be read, or wrong use;
+# 77 clang-tidy is not installed.
 set -eu
 cd "$(dirname "$0")/.."
-build=build/dev
-[ $# -gt 0 ] && [ -d "$1" ] && { build=$1; shift; }
-command -v clang-tidy >/dev/null || { echo "SKIPPED: clang-tidy is not installed (package clang-tidy)" >&2; exit 77; }
-[ -f "$build/CMakeCache.txt" ] || { echo "tidy.sh: $build is not configured; cmake --preset dev" >&2; exit 2; }
-cmake -S . -B "$build" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
-[ $# -gt 0 ] || set -- $(find modules app -name '*.cpp' | sort)
 
-found=$(mktemp)
-trap 'rm -f "$found"' EXIT
+fail() { echo "tidy.sh: $1" >&2; exit 2; }
+
+tidy() {
+  for name in clang-tidy-14 clang-tidy; do
+    command -v $name >/dev/null && { echo $name; return; }
+  done
+  echo "SKIPPED: clang-tidy is not installed; share/install_dependencies.sh --tidy" >&2
+  exit 77
+}
+
+default_base() {
+  base=$(git merge-base HEAD origin/main 2>/dev/null || true)
+  [ -n "$base" ] && [ "$base" != "$(git rev-parse HEAD)" ] && { echo "$base"; return; }
+  echo HEAD~1
+}
+
+# Files of C++ that differ from BASE.
+changed_files() {
+  { git diff --name-only --diff-filter=d "$1" --; git ls-files --others --exclude-standard; } | sort -u |
+    grep -E '^(modules|app|tests|share/training)/.*\.(h|cpp)$' || true
+}
+
+# The sources through which the files on stdin are seen: a header through the source or the test of its name.
+sources_of() {
+  while read -r file; do
+    case "$file" in
+      *.cpp) echo "$file" ;;
+      *) name=$(basename "$file" .h); git ls-files "modules/*/$name.cpp" "tests/*/${name}_test.cpp" "app/$name.cpp" ;;
+    esac
+  done | sort -u
+}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+build=build/dev
+case "${1:-}" in --* | "") ;; *) [ -d "$1" ] && { build=$1; shift; } ;; esac
+tool=$(tidy) || exit $?
+case "${1:-}" in
+  --changed)
+    base=${2:-$(default_base)}
+    git rev-parse --quiet --verify "$base^{commit}" >/dev/null || fail "$base: no such commit"
+    changed_files "$base" >"$work/changed"
+    set -- $(sources_of <"$work/changed")
+    [ $# -gt 0 ] || { echo "no source differs from $base"; exit 0; } ;;
+  --*) fail "unknown option $1; see the head of this script" ;;
+  "") set -- $(find modules app -name '*.cpp' | sort) ;;
+esac
+[ -f "$build/CMakeCache.txt" ] || fail "$build is not configured; cmake --preset dev"
+cmake -S . -B "$build" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+
 # GCC's options that clang does not know say nothing about the code.
-printf '%s\n' "$@" | xargs -P "${JOBS:-1}" -n 1 clang-tidy -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option \
-  --extra-arg=-Wno-unused-command-line-argument 2>/dev/null | grep -E ': (warning|error): ' | sort -u > "$found" || true
-sed "s,$PWD/,," "$found"
-[ ! -s "$found" ]
+printf '%s\n' "$@" | xargs -P "${JOBS:-1}" -n 1 "$tool" -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option \
+  --extra-arg=-Wno-unused-command-line-argument >"$work/all" 2>"$work/messages" || true
+grep -E ': (warning|error): ' "$work/all" | sed "s,$PWD/,," | sort -u >"$work/found" || true
+# What stands in a header that nobody touched is not held against the change.
+if [ -e "$work/changed" ]; then
+  sed 's/$/:/' "$work/changed" | grep -F -f - "$work/found" >"$work/held" || true
+  mv "$work/held" "$work/found"
+fi
+cat "$work/found"
+if [ -s "$work/found" ]; then exit 1; fi
+if grep -q -i -E 'error (while|reading)|no such file' "$work/messages"; then cat "$work/messages" >&2; exit 2; fi
+echo "clang-tidy: nothing found in $# sources"

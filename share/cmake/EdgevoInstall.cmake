@@ -1,21 +1,16 @@
 # Install rules: the exported CMake package, parameters and what else stands beside the binaries. Components are those of
 # EdgevoPackages.cmake.
 include(CMakePackageConfigHelpers)
-set(EDGEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
-set(EDGEVO_MRPT_COMPONENTS containers obs maps opengl poses img io gui)  # of all modules together
-install(EXPORT edgevoTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
-if(TARGET edgevo_visp_bridge)
-  install(EXPORT edgevoVispTargets NAMESPACE edgevo:: DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT visp_devel)
-endif()
+edgevo_component_table(EDGEVO_COMPONENT_TABLE)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR})
+  ${PROJECT_BINARY_DIR}/edgevoConfig.cmake INSTALL_DESTINATION ${EDGEVO_PACKAGE_DIR} NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake
   DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
 install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel)
 
 set(EDGEVO_DATA_DIR ${CMAKE_INSTALL_DATADIR}/edgevo)
-# Scripts in Python stay in the source tree: they need a build of their own kind (share/bench/ablate.py), and the package no Python.
+# Scripts in Python stay in the source tree: the package needs no Python.
 install(DIRECTORY params datasets share/bench share/workflow DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program USE_SOURCE_PERMISSIONS
   PATTERN *.py EXCLUDE)
 install(PROGRAMS share/install_dependencies.sh DESTINATION ${EDGEVO_DATA_DIR} COMPONENT devel)
@@ -23,7 +18,7 @@ file(GLOB EDGEVO_INI_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/share/*.ini)
 install(FILES ${EDGEVO_INI_FILES} DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
 
 # The pages lie as in the source tree, so that their links hold.
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
+install(FILES LICENSE README.md CONTRIBUTING.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
 install(DIRECTORY share/doc share/lab share/bench share/workflow DESTINATION ${CMAKE_INSTALL_DOCDIR}/share COMPONENT doc
   FILES_MATCHING PATTERN *.md PATTERN *.gif PATTERN *.png)
 install(DIRECTORY modules params datasets DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc
@@ -36,7 +31,7 @@ foreach(page IN LISTS EDGEVO_PAGES)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT doc)
 endforeach()
 
-# Models of detectors, found from the program (core/share_folder.h): beside an installation, and beside a build through a link.
+# Models of detectors, found from the program (files/share_folder.h): beside an installation, and beside a build through a link.
 set(EDGEVO_MODELS ${PROJECT_SOURCE_DIR}/share/models)
 if(EXISTS ${EDGEVO_MODELS})
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/edgevo)

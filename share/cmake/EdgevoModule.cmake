@@ -1,12 +1,11 @@
 # edgevo_add_module(NAME [GPL] [PUBLIC targets...] [PRIVATE targets...])
 # One library edgevo::NAME from modules/NAME/{include,src}, folders within src included; PUBLIC and PRIVATE name what it links.
-# GPL: it links ViSP, and is exported and packaged apart from what is under the BSD licence.
+# Installed, it is a component of find_package(edgevo) (EdgevoComponents.cmake).
+# GPL: it links ViSP, and is packaged apart from what is under the BSD licence.
 function(edgevo_add_module name)
   cmake_parse_arguments(ARG "GPL" "" "PUBLIC;PRIVATE" ${ARGN})
-  set(export edgevoTargets)
   set(component devel)
   if(ARG_GPL)
-    set(export edgevoVispTargets)
     set(component visp_devel)
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
@@ -22,7 +21,8 @@ function(edgevo_add_module name)
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  install(TARGETS ${target} EXPORT ${export} COMPONENT ${component}
+  edgevo_add_component(${name} ${component} ${ARG_PUBLIC} ${ARG_PRIVATE})
+  install(TARGETS ${target} EXPORT edgevo_${name} COMPONENT ${component}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${component})
 endfunction()

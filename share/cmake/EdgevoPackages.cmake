@@ -83,14 +83,14 @@ edgevo::servo, which feed ViSP's control laws from the odometry. Apart from
 libedgevo-dev, since what links ViSP is under the GPL."
     GPL SECTION libdevel DEPENDS "libedgevo-dev (= ${version}), libvisp-dev")
 endif()
-set(libraries libeigen3-dev libopencv-dev libceres-dev liboctomap-dev libmrpt-maps-dev libmrpt-gui-dev zlib1g-dev libx11-dev
-  libexif-dev)
-list(JOIN libraries ", " libraries)
+# Components of find_package(edgevo) look for what they link themselves: the odometry for what is depended on, others for more.
+set(libraries "libeigen3-dev, libopencv-dev, libceres-dev, zlib1g-dev")
+set(more_libraries "liboctomap-dev, libmrpt-maps-dev, libmrpt-gui-dev, libx11-dev, libexif-dev")
 edgevo_package(devel libedgevo-dev "edge visual odometry: libraries for C++"
   "Static libraries, headers, a CMake package (find_package(edgevo), targets
-edgevo::odometry, edgevo::datasets and others) and two examples, in
+edgevo::odometry, edgevo::datasets and others) and examples, in
 /usr/share/edgevo/examples."
-  SECTION libdevel DEPENDS "${libraries}" SUGGESTS "libedgevo-visp-dev")
+  SECTION libdevel DEPENDS "${libraries}" RECOMMENDS "${more_libraries}" SUGGESTS "libedgevo-visp-dev")
 edgevo_package(doc edgevo-doc "edge visual odometry: documentation"
   "Handbook, architecture, the page of each module, tables of accuracy and the
 lab book, as Markdown in /usr/share/doc/edgevo."

@@ -10,7 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "edgevo/core/error.h"
-#include "edgevo/edges/edge_detector.h"
+#include "edgevo/detectors/all_detectors.h"
 #include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/edge_probability.h"
 #include "training_set.h"
@@ -26,7 +26,7 @@ class Contestant {
   Contestant(const std::string& detector, const std::string& model) : name(detector) {
     params_.detector = detector;
     params_.model = model;
-    probability_ = make_edge_probability(params_);
+    probability_ = make_edge_probability(params_, all_edge_detectors());
   }
   void look_at(const cv::Mat& gray) {
     gray_ = {gray.data, gray.cols, gray.rows, gray.cols};
@@ -35,7 +35,8 @@ class Contestant {
   }
   cv::Mat mask(double percentile) {
     params_.canny_percentile = percentile;
-    const Plane<uint8_t> mask = make_edge_detector(params_)->detect({gray_, gradient_, found_.view()});
+    const Plane<uint8_t> mask =
+        make_edge_detector(params_, all_edge_detectors())->detect({gray_, gradient_, found_.view()});
     return cv::Mat(gray_.height, gray_.width, CV_8U, const_cast<uint8_t*>(mask.row(0))).clone();
   }
   std::string name;

@@ -1,6 +1,6 @@
-// edgevo_judge_places [FRAMES] [SEED] [NETWORK.onnx FOREST.yml.gz]: how well detectors place edges on rendered
-// frames, and whether they find them again, by light, as a table. Street and desk of a seed that no model was
-// trained on; without names the models are those that come with edgevo.
+// edgevo_judge_places [FRAMES] [SEED] [NETWORK.onnx FOREST.yml.gz]: how well detectors place edges on
+// rendered frames, and whether they find them again, by light, as a table. Street and desk of a seed that no
+// model was trained on; without names the models are those that come with edgevo.
 //
 // Offset: from a found edge pixel, along its normal (dark to bright), to the true line of a depth step or
 // crease within 1.5 px; the line is known to an eighth of a pixel from labels of four times the resolution.
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "edgevo/core/error.h"
+#include "edgevo/detectors/all_detectors.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/simulation/correspondence.h"
 #include "edgevo/simulation/relight.h"
@@ -141,7 +142,7 @@ std::vector<Pair> make_pairs(const Scene& scene, int count) {
 
 void judge_pair(const Pair& pair, const Camera& camera, const std::string& light, const EdgeParams& params,
                 Places* places) {
-  PyramidBuilder builder(camera, params);
+  PyramidBuilder builder(camera, params, all_edge_detectors());
   const auto from = builder.build(in_light(pair.image, light, pair.index, pair.seconds));
   const auto to = builder.build(in_light(pair.next, light, pair.index + 1, pair.seconds_next));
   const int width = camera.pinhole.width, height = camera.pinhole.height;

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "edgevo/core/error.h"
-#include "edgevo/simulation/run_parallel.h"
+#include "edgevo/core/run_parallel.h"
 #include "forest_file.h"
 #include "training_set.h"
 

@@ -6,8 +6,8 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/random.h"
+#include "edgevo/core/run_parallel.h"
 #include "edgevo/simulation/relight.h"
-#include "edgevo/simulation/run_parallel.h"
 #include "edgevo/simulation/true_edge_labels.h"
 #include "lasting_edges.h"
 
@@ -187,8 +187,8 @@ std::vector<Sample> make_samples(const Plan& plan) {
     const std::vector<LabelledFrame> frames = labelled_frames(renderer, plan);
     std::vector<std::vector<Sample>> by_frame(size_t(plan.frames));
     run_parallel(0, plan.frames, 2, [&](int i) {
-      by_frame[size_t(i)] =
-          samples_of_frame(renderer, frames[size_t(i)], plan, Random::derive(plan.seed, w * 1000 + uint64_t(i)));
+      by_frame[size_t(i)] = samples_of_frame(renderer, frames[size_t(i)], plan,
+                                             Random::derive(plan.seed, w * 1000 + uint64_t(i)));
     });
     for (auto& samples : by_frame) all.insert(all.end(), samples.begin(), samples.end());
   }

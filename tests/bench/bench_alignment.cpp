@@ -11,16 +11,16 @@ using namespace edgevo;
 
 // Frame 2 against frame 0, from a standing start: about 11 px of motion.
 void track_frame(benchmark::State& state) {
-  const auto cloud = make_reference_cloud(bench::pyramid(0), bench::points(0, int(state.range(0))), false);
-  const auto current = bench::pyramid(2);
+  const auto cloud = make_reference_cloud(test::pyramid(0), test::points(0, int(state.range(0))), false);
+  const auto current = test::pyramid(2);
   TrackResult result;
   for (auto _ : state) result = track(*current, cloud, motion_hypotheses(SE3(), SE3()), AlignmentParams());
   state.counters["inlier_share"] = result.evidence.inlier_share;
 }
 
 void make_cloud(benchmark::State& state) {
-  const auto points = bench::points(0, int(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(make_reference_cloud(bench::pyramid(0), points, false));
+  const auto points = test::points(0, int(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(make_reference_cloud(test::pyramid(0), points, false));
 }
 
 BENCHMARK(track_frame)->Arg(1500)->Unit(benchmark::kMillisecond);

@@ -10,13 +10,13 @@ namespace {
 using namespace edgevo;
 
 BaProblem window(double observed_share) {
-  ba_scene::SceneOptions o;
+  test::SceneOptions o;
   o.points = 2500;
   o.observed_share = observed_share;
   o.noise_px = 0.5;
   o.outlier_share = 0.1;
   o.fixed_point_share = 0.1;
-  return ba_scene::perturb(ba_scene::make_scene(o), 0.03, 0.005, 0.1, 7);
+  return test::perturb(test::make_scene(o), 0.03, 0.005, 0.1, 7);
 }
 
 void solve(benchmark::State& state, const char* solver) {

@@ -10,31 +10,31 @@ namespace {
 using namespace edgevo;
 
 const Gradient& gradient() {
-  static const Gradient g = compute_gradient(bench::image(0).view());
+  static const Gradient g = compute_gradient(test::image(0).view());
   return g;
 }
 
 void gradient_of_image(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(compute_gradient(bench::image(0).view()));
+  for (auto _ : state) benchmark::DoNotOptimize(compute_gradient(test::image(0).view()));
 }
 
 void detect(benchmark::State& state, const char* name) {
   EdgeParams params;
   params.detector = name;
   const auto detector = make_edge_detector(params);
-  for (auto _ : state) benchmark::DoNotOptimize(detector->detect({bench::image(0).view(), gradient()}));
+  for (auto _ : state) benchmark::DoNotOptimize(detector->detect({test::image(0).view(), gradient()}));
 }
 
 void extract(benchmark::State& state) {
   const EdgeParams params;
-  const auto mask = make_edge_detector(params)->detect({bench::image(0).view(), gradient()});
+  const auto mask = make_edge_detector(params)->detect({test::image(0).view(), gradient()});
   size_t edges = 0;
   for (auto _ : state) edges = extract_edges(mask, gradient(), params.min_chain).pixels.size();
   state.counters["edges"] = double(edges);
 }
 
 void nearest_field(benchmark::State& state) {
-  const EdgeMap& edges = bench::pyramid(0)->finest().edges;
+  const EdgeMap& edges = test::pyramid(0)->finest().edges;
   for (auto _ : state) benchmark::DoNotOptimize(NearestField(edges, int(state.range(0))));
   state.counters["edges"] = double(edges.pixels.size());
 }
@@ -43,13 +43,13 @@ enum class Look { kAsItIs, kLens, kLensAndRows };
 
 // With and without a lens and a rolling shutter to take out.
 void whole_pyramid(benchmark::State& state, Look look) {
-  PyramidBuilder builder(bench::scene().camera, EdgeParams());
+  PyramidBuilder builder(test::scene().camera, EdgeParams());
   ImageMotion motion;
   motion.velocity << 0.5, 0.3, -8, 0.02, 0.05, 0.01;
   motion.idepth.setConstant(0.1);
   if (look != Look::kAsItIs) builder.set_correction({0.01, look == Look::kLensAndRows ? 0.02 : 0.0});
   size_t edges = 0;
-  for (auto _ : state) edges = builder.build(bench::image(0), motion)->finest().edges.pixels.size();
+  for (auto _ : state) edges = builder.build(test::image(0), motion)->finest().edges.pixels.size();
   state.counters["edges"] = double(edges);
 }
 

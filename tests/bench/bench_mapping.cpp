@@ -14,11 +14,11 @@ using namespace edgevo;
 
 // Points of frame 0 matched with frame 4. Counter: share that matched.
 void associate_points(benchmark::State& state) {
-  const auto points = bench::points(0, int(state.range(0)));
+  const auto points = test::points(0, int(state.range(0)));
   AssociationQuery query;
-  query.host = bench::pyramid(0).get();
-  query.target = bench::pyramid(4).get();
-  query.T_target_host = bench::motion(0, 4);
+  query.host = test::pyramid(0).get();
+  query.target = test::pyramid(4).get();
+  query.T_target_host = test::motion(0, 4);
   query.pose_covariance = 1e-6 * Matrix6d::Identity();
   int matched = 0;
   for (auto _ : state) {
@@ -37,22 +37,22 @@ void associate_points(benchmark::State& state) {
 // New points of frame 0 searched in frame 4. Counters: points, share with a depth.
 void update_depths_once(benchmark::State& state) {
   Keyframe host;
-  host.pyramid = bench::pyramid(0);
+  host.pyramid = test::pyramid(0);
   const DepthFilterParams params;
   Random random(1);
-  const CellGrid grid(bench::pinhole().width, bench::pinhole().height, params.cell_px);
+  const CellGrid grid(test::pinhole().width, test::pinhole().height, params.cell_px);
   const auto range = [&](const Eigen::Vector2d& px) {
-    const double idepth = bench::scene().idepth(test::sweep_pose(0), px);
-    return IdepthRange{params.prior_low * idepth, params.prior_high * idepth};
+    const double idepth = test::scene().idepth(test::sweep_pose(0), px);
+    return IdepthRange{0.4 * idepth, 2.5 * idepth};
   };
   host.immature =
       make_immature_points(host, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
-  const auto target = bench::pyramid(4);
-  const SE3 T = bench::motion(0, 4);
+  const auto target = test::pyramid(4);
+  const SE3 T = test::motion(0, 4);
   const std::vector<ImmaturePoint> fresh = host.immature;
   for (auto _ : state) {
     host.immature = fresh;
-    update_depths(*target, T, params, AssociationParams(), &host);
+    update_depths(*target, T, params, &host);
   }
   int found = 0;
   for (const ImmaturePoint& p : host.immature) found += p.good;
@@ -65,12 +65,15 @@ void update_depths_once(benchmark::State& state) {
 // the keyframes.
 void process_keyframe(benchmark::State& state) {
   constexpr int kFramesApart = 3;
-  Bootstrap bootstrap(bench::pinhole(), BootstrapParams(), 1);
-  Mapper mapper(bench::pinhole(), MappingParams(), AssociationParams(), false, 1);
+  Bootstrap bootstrap(test::pinhole(), BootstrapParams(), 1);
+  OdometryParams params;
+  params.camera.refine = "none";
+  params.edge_map.mode = "off";
+  Mapper mapper(test::pinhole(), params, {});
   int frame = 0;
   for (bool ready = false; !ready; ++frame) {
     const BootstrapStatus status =
-        bootstrap.add(frame, Timestamp::from_seconds(0.1 * frame), bench::pyramid(frame));
+        bootstrap.add(frame, Timestamp::from_seconds(0.1 * frame), test::pyramid(frame));
     ready = status.result && mapper.initialise(*status.result).empty();
   }
   SE3 T_last_ref;
@@ -81,12 +84,12 @@ void process_keyframe(benchmark::State& state) {
   };
   const auto align = [&](bool make_keyframe) {
     const auto reference = mapper.reference();
-    const TrackResult r = track(*bench::pyramid(frame), reference->cloud,
-                                motion_hypotheses(T_last_ref, SE3()), AlignmentParams());
+    const TrackResult r = track(*test::pyramid(frame), reference->cloud, motion_hypotheses(T_last_ref, SE3()),
+                                AlignmentParams());
     TrackedFrame tracked;
     tracked.frame_index = frame;
     tracked.time = Timestamp::from_seconds(0.1 * frame);
-    tracked.pyramid = bench::pyramid(frame);
+    tracked.pyramid = test::pyramid(frame);
     tracked.reference_id = reference->keyframe_id;
     tracked.T_cam_ref = r.T_cur_ref;
     tracked.covariance = r.covariance;

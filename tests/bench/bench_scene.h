@@ -7,7 +7,7 @@
 #include "edgevo/alignment/reference_cloud.h"
 #include "support/hollow_scene.h"
 
-namespace edgevo::bench {
+namespace edgevo::test {
 
 inline const test::HollowScene& scene() {
   static const test::HollowScene the_scene(5, 1241, 376, 0.1, 0.6);
@@ -43,4 +43,4 @@ inline std::vector<CloudPoint> points(int k, int n) {
   return out;
 }
 
-}  // namespace edgevo::bench
+}  // namespace edgevo::test

@@ -1,6 +1,6 @@
 // Mutated models of structured forests: refused, or harmless. OpenCV walks through an accepted one without a
 // check; here the same walks are taken with every index checked.
-#include "detectors/forest_model.h"
+#include "forest_model.h"
 #include "fuzz/mutate.h"
 #include "support/tiny_forest.h"
 

@@ -155,7 +155,7 @@ TEST(FuzzSources, Euroc) {
 
 TEST(FuzzSources, SymphonyLake) {
   TempFolder folder;
-  const SurveyPlace place = test::write_survey(folder.path(), "141107", kImages);
+  const SurveyLocation place = test::write_survey(folder.path(), "141107", kImages);
   uint64_t seed = 70;
   for (const char* file : {"image_auxilliary.csv", "../../Maps/141107/optposes.csv"})
     test::expect_both(fuzz_file(place.folder(), file, 1000, ++seed));

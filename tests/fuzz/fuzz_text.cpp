@@ -1,11 +1,11 @@
 // Parsers of text.
 #include <gtest/gtest.h>
 
+#include "edgevo/benchmark/bench_list.h"
 #include "edgevo/core/params.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/open_source.h"
-#include "edgevo/evaluation/bench_list.h"
 #include "edgevo/evaluation/trajectory.h"
 #include "fuzz/mutate.h"
 
@@ -37,7 +37,7 @@ struct FuzzedParams {
   bool realtime = false;
   std::string name = "a";
 
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     {
       const auto group = v.group("edges");
       v.number("percentile", percentile, 0, 1, "help");

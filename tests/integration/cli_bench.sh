@@ -52,6 +52,18 @@ sed 's/    frames: 0:30/    frames: 0:20/; s/seeds: .*/seeds: 7/' list.yaml >cha
 run_code 0 "$edgevo" bench changed.yaml -o out --data "$scenes"
 check "what changed and what had not ended is run again" "$(grep -c '^4 jobs: 4 run' stdout)" -eq 1
 
+# Settings: a row for each variant as it is and with each of them, and the parameters that it had in its job.yaml.
+printf 'seeds: 7\nset:\n  few: mapping.window.max_points=200 alignment.min_visible=50\nsequences:\n  desk:\n    source: scene:desk\n    frames: 0:25\n' >set.yaml
+run_code 0 "$edgevo" bench set.yaml -o set
+check "rows of a list with a setting" "$(grep -c '^desk,normal\(+few\)\?,1,0,' set/table.csv)" -eq 2
+check "the table says what the setting is" "$(grep -c '^# settings: few: mapping.window.max_points=200 alignment.min_visible=50' set/table.csv)" -eq 1
+check "max_points as it is" "$(grep -c '^ *max_points: 2000' set/desk/normal/seed7/job.yaml)" -eq 1
+check "max_points as it was set" "$(grep -c '^ *max_points: 200$' set/desk/normal+few/seed7/job.yaml)" -eq 1
+if cmp -s set/desk/normal/seed7/trajectory_tum.txt set/desk/normal+few/seed7/trajectory_tum.txt; then fail "the setting changes nothing"; fi
+sed 's/max_points=200/max_points=300/' set.yaml >set2.yaml
+run_code 0 "$edgevo" bench set2.yaml -o set
+check "only what the new value changes is run again" "$(grep -c '^2 jobs: 1 run, 1 had been run before' stdout)" -eq 1
+
 # A broken sequence does not keep the others from being run; the table says what is missing.
 copy_sequence "$scenes/desk" broken
 printf 'x' >bad.png && rm broken/images/000010.png && cp bad.png broken/images/000010.png
@@ -89,5 +101,6 @@ bad_list "bad.yaml:1: 'five' is no seed" 'seeds: five\nsequences:\n  a:\n    sou
 bad_list "bad.yaml:4: unknown parameter.*did you mean 'sequences.a.source'" 'sequences:\n  a:\n    source: scene:desk\n    sourc: x\n'
 bad_list "bad.yaml:3: --frames '9'.*A:B" 'sequences:\n  a:\n    source: scene:desk\n    frames: 9\n'
 bad_list "bad.yaml:3: params.yaml: cannot be read" 'sequences:\n  a:\n    source: scene:desk\n    params: params.yaml\n'
+bad_list "bad.yaml:2: --set mapping.windw.keyframes=9.*did you mean 'mapping.window.keyframes'" 'set:\n  a: mapping.windw.keyframes=9\nsequences:\n  a:\n    source: scene:desk\n'
 check "nothing was begun for these" "$(ls -d none 2>/dev/null | wc -l)" -eq 0
 finish

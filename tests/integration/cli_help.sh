@@ -13,6 +13,24 @@ run_code 0 "$edgevo" help run
 same "edgevo help run" run.txt stdout
 complains "unknown sub-command 'rum'; did you mean run" "$edgevo" help rum
 
+# The program that users call shows stored texts, which must be those of the program behind it.
+commands_program=$(dirname "$edgevo")/edgevo-commands
+"$commands_program" --help >main_there.txt
+same "help of the program and of the one behind it" main_there.txt main.txt
+"$commands_program" run --help >run_there.txt
+same "the same of a sub-command" run_there.txt run.txt
+run_code 0 "$edgevo" simulate street --frames 0:1 --help
+"$edgevo" simulate -h >simulate.txt
+same "help among other words" simulate.txt stdout
+check "shared libraries of the program" "$(ldd "$edgevo" | wc -l)" -le 15
+
+run_code 0 "$edgevo" help parameters
+check "the basic parameters" "$(grep -c '^  edges.canny_percentile: 0.9    \[0.5, 0.99\]$\|^basic: ' stdout)" -eq 2
+check "none of another level" "$(grep -c '^  association\|^advanced: ' stdout)" -eq 0
+run_code 0 "$edgevo" help parameters --all
+check "all parameters, by level" "$(grep -c '^  edges.detector: canny\|^  association.k_p: 1 \|^advanced: ' stdout)" -eq 3
+complains "edgevo help parameters: does not know '--al'; write --all or nothing" "$edgevo" help parameters --al
+
 run_code 0 "$edgevo" --version
 check "version and commit" "$(grep -c '^edgevo [0-9.]*$\|^commit [0-9a-f]\{7,\}.*, \|^commit unknown, ' stdout)" -eq 2
 check "versions of the libraries" "$(grep -c 'MRPT [0-9.]*, OpenCV [0-9.]*, Ceres [0-9.]*, OctoMap [0-9.]*, Eigen [0-9.]*$' stdout)" -eq 1

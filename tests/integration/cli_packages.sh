@@ -16,6 +16,8 @@ depends() { dpkg-deb -f $(deb "$1") Depends | tr ',|' '\n\n' | sed 's/^ *//; s/[
 needs() { if depends "$1" | grep -q -x "$2"; then ok "$1 needs $2"; else fail "$1 does not need $2"; fi; }
 
 holds edgevo bin/edgevo
+holds edgevo libexec/edgevo/edgevo-commands
+holds edgevo share/edgevo/help/edgevo-run.txt
 holds edgevo share/edgevo/params/default.yaml
 holds edgevo share/edgevo/datasets/scenes/street.yaml
 holds edgevo share/edgevo/rawlog_grabber_camera.ini
@@ -31,6 +33,7 @@ if [ -d "$build/manuals" ]; then
 fi
 needs edgevo "libopencv-core.*"
 needs edgevo "libmrpt-obs.*"
+check "what libedgevo-dev needs of MRPT, OctoMap and X11" "$(depends libedgevo-dev | grep -c 'mrpt\|octomap\|x11')" -eq 0
 needs edgevo-mrpt-plugin "libmrpt-hwdrivers.*"
 check "scripts in Python, which it does not depend on" "$(dpkg-deb -c $(deb edgevo) | grep -c '\.py$')" -eq 0
 # What links ViSP, which is under the GPL, is apart.
@@ -39,7 +42,8 @@ for package in edgevo libedgevo-dev edgevo-mrpt-plugin; do
   check "what $package holds of it" "$(dpkg-deb -c $(deb $package) | grep -v '/$' | grep -c 'visp_bridge\|/servo/\|edgevo[-_]servo')" -eq 0
 done
 if [ $visp -eq 1 ]; then
-  holds edgevo-servo bin/edgevo-servo
+  holds edgevo-servo libexec/edgevo/edgevo-servo
+  holds edgevo-servo share/edgevo/help/edgevo-servo.txt
   holds libedgevo-visp-dev "lib/.*libedgevo_visp_bridge.a"
   needs edgevo-servo "libvisp-core.*"
   dpkg-deb --fsys-tarfile $(deb edgevo-servo) | tar xO ./usr/share/doc/edgevo-servo/copyright >copyright

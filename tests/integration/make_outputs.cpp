@@ -11,10 +11,10 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    const auto made = edgevo::testing::synthetic_run();
+    const auto made = edgevo::test::synthetic_run();
     edgevo::RunOutputs outputs(argv[1], made.camera, {});
     for (const auto& frame : made.run.frames)
-      if (!outputs.add_frame(edgevo::testing::synthetic_frame(made.camera, frame))) break;
+      if (!outputs.add_frame(edgevo::test::synthetic_frame(made.camera, frame))) break;
     edgevo::RunInfo info;
     info.command_line = {"make_outputs", argv[1]};
     info.camera = made.camera;

@@ -14,7 +14,7 @@
 #include "edgevo/simulation/rendered_source.h"
 #include "rendered_clips.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,7 +64,7 @@ TEST(RenderedAccuracy, StreetDrive) {
 }
 
 // Backing away: nothing leaves the view, and what comes into it is near and new
-// (share/lab/2026-11-23_backward_motion.md).
+// (share/lab/archive/2026-11-23_backward_motion.md).
 TEST(RenderedAccuracy, StreetDriveBackwards) {
   expect_drive_within(backward(part_of(street_drive(), 0, 80)),
                       {0.0225, 0.0035});  // seeds 1 to 5: up to 0.0112 %, 0.00175
@@ -119,8 +119,8 @@ RenderedDrive relit(const RenderedDrive& drive, const Relight& relight) {
 }
 
 // Where all edges run along the motion, glare and shadows outvote the few points that tell how far the camera
-// has gone (share/lab/2026-11-23_motion_outliers.md): without what is told there 14 to 18 % of the path,
-// seeds 1 and 2; with it 0.2 to 0.4 %.
+// has gone (share/lab/archive/2026-11-23_motion_outliers.md): without what is told there 14 to 18 % of the
+// path, seeds 1 and 2; with it 0.2 to 0.4 %.
 TEST(RenderedAccuracy, ACorridorInBadLight) {
   expect_drive_within(part_of(relit(corridor_drive(), Relight("mixed", 5)), 60, 200),
                       {0.8, 0.06});  // seed 1: 0.24 %, 0.030
@@ -227,4 +227,4 @@ TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

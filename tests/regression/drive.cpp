@@ -9,7 +9,7 @@
 
 #include "edgevo/alignment/pose_covariance.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 double path_length(const Trajectory& truth, Timestamp begin, Timestamp end) {
@@ -134,4 +134,4 @@ std::ostream& operator<<(std::ostream& out, const DriveFigures& f) {
              << " frames within its 95 % bounds";
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

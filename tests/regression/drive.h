@@ -11,7 +11,7 @@
 #include "edgevo/simulation/clip.h"
 #include "edgevo/simulation/scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// The told covariance of poses against their true error. The error is that of T_frame_reference against the
 /// keyframe a frame was tracked against: xi = log(T_est T_true^-1), [v, w], lengths brought to metres by the
@@ -61,4 +61,4 @@ Trajectory truth_of(const Scene& scene, int begin, int end);
 
 std::ostream& operator<<(std::ostream& out, const DriveFigures& figures);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

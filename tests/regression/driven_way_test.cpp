@@ -5,7 +5,7 @@
 #include "edgevo/results/run_maps.h"
 #include "street_drive.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr double kWidth = 1.8;  // of the vehicle, metres
@@ -77,4 +77,4 @@ TEST(DrivenWayOf, TheCorridorIsFree) { expect_free_way(metric_drive("corridor", 
 TEST(DrivenWayOf, TheLakeshoreIsFree) { expect_free_way(metric_drive("lakeshore", 80), "lakeshore"); }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

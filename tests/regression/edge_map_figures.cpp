@@ -15,7 +15,7 @@
 #include "missing_edges.h"
 #include "true_edges.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr const char* kUsage =
@@ -79,11 +79,11 @@ int figures(const std::vector<std::string>& args) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test
 
 int main(int argc, char** argv) {
   try {
-    return edgevo::testing::figures({argv + 1, argv + argc});
+    return edgevo::test::figures({argv + 1, argv + argc});
   } catch (const edgevo::InputError& e) {
     std::cerr << "edge_map_figures: " << e.what() << std::endl;
     return 2;

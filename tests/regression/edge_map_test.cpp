@@ -1,11 +1,11 @@
 // The lines of edges of a drive through the rendered street against its true edges. Bounds leave room to what
-// was measured (share/lab/2026-11-24_edge_map.md).
+// was measured (share/lab/archive/2026-11-24_edge_map.md).
 #include <gtest/gtest.h>
 
 #include "street_drive.h"
 #include "true_edges.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 class EdgeMap : public StreetDrive {};
@@ -32,4 +32,4 @@ TEST_F(EdgeMap, EveryLineIsWhole) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

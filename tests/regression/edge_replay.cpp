@@ -5,7 +5,7 @@
 
 #include "edgevo/edge_map/edge_mapper.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr int kWindow = 12;  // keyframes whose brightness is compared
@@ -82,4 +82,4 @@ EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const Odome
   return replay;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

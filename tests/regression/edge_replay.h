@@ -11,7 +11,7 @@
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/odometry/odometry_params.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// Plays a source and keeps its images.
 class KeepingSource : public ImageSource {
@@ -39,4 +39,4 @@ struct EdgeReplay {
 /// Poses and points differ a little from those that the run had when a keyframe left the window.
 EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

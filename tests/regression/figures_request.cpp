@@ -8,7 +8,7 @@
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 void parse_figures_request(const std::vector<std::string>& args, const std::string& usage,
                            const std::function<bool(const std::string& name, const std::string& value)>& own,
@@ -36,4 +36,4 @@ std::unique_ptr<ImageSource> images_of(const FiguresRequest& request,
   return images;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -11,7 +11,7 @@
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/simulation/scene_renderer.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct FiguresRequest {
   std::string scene, light = "-";  ///< "-": as it is
@@ -30,4 +30,4 @@ void parse_figures_request(const std::vector<std::string>& args, const std::stri
 std::unique_ptr<ImageSource> images_of(const FiguresRequest& request,
                                        const std::shared_ptr<const SceneRenderer>& renderer);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -1,5 +1,5 @@
 // A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to
-// what was measured (share/lab/2026-11-22_metric_map.md).
+// what was measured (share/lab/archive/2026-11-22_metric_map.md).
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
@@ -10,7 +10,7 @@
 #include "thin_obstacles.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 class MetricMap : public StreetDrive {};
@@ -76,4 +76,4 @@ TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -7,7 +7,7 @@
 
 #include "edgevo/core/error.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr float kNearPx = 2;         // from a true edge to the pixel that shows it
@@ -128,4 +128,4 @@ void draw_missing_edges(const TrueEdges& truth, const EdgeReplay& replay, int k,
   if (!cv::imwrite(path, picture)) throw InputError(path, "cannot be written", "name another file");
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -8,7 +8,7 @@
 #include "edge_replay.h"
 #include "true_edges.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// In the order in which a pixel passes them; of several pixels of an edge the furthest counts.
 enum class Loss {
@@ -35,4 +35,4 @@ std::vector<std::pair<EdgeLoss, double>> missing_edges(const TrueEdges& truth, c
 /// coloured by reason. Throws InputError where the file cannot be written.
 void draw_missing_edges(const TrueEdges& truth, const EdgeReplay& replay, int k, const std::string& path);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

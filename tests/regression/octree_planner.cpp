@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct BallInOctree::Impl {
   Impl(const std::string& bt, double radius)
@@ -100,4 +100,4 @@ std::vector<Eigen::Vector3d> plan_3d(const BallInOctree& map, const Eigen::Vecto
   return path;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

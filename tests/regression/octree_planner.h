@@ -10,7 +10,7 @@ namespace octomap {
 class OcTree;
 }
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// A ball may be where nothing occupied touches it, and where its middle was seen to be free: unknown is no
 /// way.
@@ -38,4 +38,4 @@ void seed_planner(unsigned seed);
 std::vector<Eigen::Vector3d> plan_3d(const BallInOctree& map, const Eigen::Vector3d& start,
                                      const Eigen::Vector3d& goal, int most_steps = 1000000);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -19,7 +19,7 @@
 #include "thin_obstacles.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr double kRange = 20, kVoxel = 0.2;
@@ -126,16 +126,13 @@ void tell_ways(const BallInOctree& ball, const std::vector<Pair>& pairs, const T
 }
 
 void tell_map(const Run& run, const TrueScene& truth, const std::vector<ThinObstacle>& thin,
-              const std::vector<Pair>& pairs, double radius, bool fill) {
+              const std::vector<Pair>& pairs, double radius) {
   OccupancyParams params;
   params.resolution = "0.2", params.max_range = "20";
-  params.fill = fill;
   const double start = thread_cpu_ms();
   const OctreeMap map(run, params);
   std::cout << "    " << thread_cpu_ms() - start << " ms of CPU for the octree\n";
   std::cout << "    " << truth.judge(map.tree(), run, params) << '\n';
-  std::cout << "    " << truth.judge_fill(map.tree(), map.filled(), kRange) << "; "
-            << map.stats().patches_filled << " patches, " << map.stats().patches_opened << " opened\n";
   const ThinFigures f = judge_thin(thin, truth, map.tree(), kRange);
   std::cout << "    " << f << std::endl;
   for (const auto& [bar, share] : f.shares)
@@ -156,20 +153,18 @@ int figures(const std::vector<std::string>& args) {
   const std::vector<Pair> pairs = random_pairs(run, truth, request);
   seed_planner(unsigned(request.seed));
   std::cout << request.scene << ' ' << request.seed << ' ' << request.light << '\n' << "  with lines\n";
-  tell_map(run, truth, thin, pairs, request.radius, false);
-  std::cout << "  with lines, walls filled\n";
-  tell_map(run, truth, thin, pairs, request.radius, true);
+  tell_map(run, truth, thin, pairs, request.radius);
   std::cout << "  points alone\n";
-  tell_map(without_lines(run), truth, thin, pairs, request.radius, false);
+  tell_map(without_lines(run), truth, thin, pairs, request.radius);
   return 0;
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test
 
 int main(int argc, char** argv) {
   try {
-    return edgevo::testing::figures({argv + 1, argv + argc});
+    return edgevo::test::figures({argv + 1, argv + argc});
   } catch (const edgevo::InputError& e) {
     std::cerr << "planner_map_figures: " << e.what() << std::endl;
     return 2;

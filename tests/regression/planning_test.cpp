@@ -14,7 +14,7 @@
 #include "support/temp_folder.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr double kRobotRadius = 0.5;  // planned with
@@ -96,4 +96,4 @@ TEST_F(Planning, MrptSimplePlannerOverTheGrid) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -5,7 +5,7 @@
 #include "drive.h"
 #include "edgevo/simulation/rendered_source.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 RenderedDrive render_drive(const Scene& scene, int begin, int end) {
   const auto renderer = std::make_shared<SceneRenderer>(scene);
@@ -45,4 +45,4 @@ const RenderedDrive& corridor_drive() {
   return drive;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

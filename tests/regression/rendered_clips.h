@@ -7,7 +7,7 @@
 #include "edgevo/simulation/clip.h"
 #include "edgevo/simulation/scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// A rendered clip and where the camera was at each of its frames.
 struct RenderedDrive {
@@ -27,4 +27,4 @@ const RenderedDrive& street_drive();    ///< 130 frames
 const RenderedDrive& desk_drive();      ///< 100 frames
 const RenderedDrive& corridor_drive();  ///< 200 frames
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -11,7 +11,7 @@
 #include "edgevo/simulation/rendered_source.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 constexpr int kFrames = 110;
 
@@ -77,4 +77,4 @@ class StreetDrive : public ::testing::Test {
   inline static OctreeMap* map_ = nullptr;  // of metric_run_, voxels of 0.2 m
 };
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr double kGrain = 0.05;  // metres: squares of a cut-out that are looked at
@@ -67,4 +67,4 @@ double distance_to(const World& world, const Surface& s, const Eigen::Vector3d& 
   return whole >= limit || !texture.is_cut_out() ? whole : distance_to_cut_out(texture, s, p, limit);
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -8,7 +8,7 @@
 
 #include "edgevo/simulation/scene_renderer.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 double distance_to_any(const World& world, const Eigen::Vector3d& p, double limit) {
@@ -54,4 +54,4 @@ TEST(SurfaceDistance, WhatIsCutOutDoesNot) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

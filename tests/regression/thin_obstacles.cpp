@@ -6,7 +6,7 @@
 
 #include "surface_distance.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr double kMinThick = 0.05, kMaxThick = 0.15, kMinLength = 0.5;
@@ -142,4 +142,4 @@ ThinFigures judge_thin(const std::vector<ThinObstacle>& obstacles, const TrueSce
   return figures;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

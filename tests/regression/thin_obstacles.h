@@ -9,7 +9,7 @@
 #include "edgevo/simulation/world.h"
 #include "true_scene.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// A bar 5 to 15 cm thick, half a metre long or more, that stands free: kerbs and pipes on walls are none.
 /// Metres, frame of the scene.
@@ -32,4 +32,4 @@ std::ostream& operator<<(std::ostream& out, const ThinFigures& figures);
 ThinFigures judge_thin(const std::vector<ThinObstacle>& obstacles, const TrueScene& truth,
                        const octomap::OcTree& tree, double range);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

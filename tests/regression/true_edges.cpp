@@ -9,7 +9,7 @@
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/simulation/correspondence.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr int kMinKeyframes = 3;
@@ -172,4 +172,4 @@ EdgeMapQuality TrueEdges::judge(const Run& run) const {
   return q;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

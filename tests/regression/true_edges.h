@@ -13,7 +13,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/simulation/scene_renderer.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct EdgeMapQuality {
   double completeness = 0;  ///< share of the true edges, seen by three keyframes, that are reconstructed
@@ -87,4 +87,4 @@ class TrueEdges {
   std::vector<std::vector<TruePixel>> pixels_;
 };
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

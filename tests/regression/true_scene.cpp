@@ -5,13 +5,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "edgevo/core/point_filter.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "surface_distance.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// The edge pixels whose true place lies in one voxel.
 struct EdgeCell {
@@ -66,13 +65,6 @@ std::ostream& operator<<(std::ostream& out, const MapQuality& q) {
              << 100 * q.true_edges_occupied << " % of " << q.true_edge_voxels
              << " voxels of true edges occupied, " << 100 * q.crossing_edges_occupied
              << " % of those across the motion";
-}
-
-std::ostream& operator<<(std::ostream& out, const FillQuality& q) {
-  return out << 100 * q.walls_occupied << " % of " << q.wall_voxels << " voxels of true walls occupied, "
-             << 100 * q.walls_occupied_near << " % with neighbours; " << q.filled << " filled, "
-             << 100 * q.filled_on_surface << " % of them on a surface, " << q.filled_in_free
-             << " in space seen to be free, at most " << q.filled_farthest << " m from a surface";
 }
 
 TrueScene::TrueScene(const SceneRenderer& renderer, const Run& run) : renderer_(&renderer) {
@@ -195,58 +187,6 @@ void TrueScene::judge_voxels(const octomap::OcTree& tree, MapQuality* quality) c
   quality->free_behind_surface = share(behind, looked_at);
 }
 
-// A pixel and its neighbours to the right and below: the surface that they span is upright.
-bool TrueScene::sees_upright(const View& view, int x, int y) const {
-  const Pinhole& pinhole = renderer_->camera().pinhole;
-  const auto at = [&](int dx, int dy) {
-    const size_t pixel = size_t(y + dy) * size_t(pinhole.width) + size_t(x + dx);
-    return Eigen::Vector3d(double(view.depth[pixel]) * pinhole.ray({double(x + dx), double(y + dy)}));
-  };
-  const Eigen::Vector3d middle = at(0, 0), normal = (at(1, 0) - middle).cross(at(0, 1) - middle).normalized();
-  return std::abs((view.T_cam_scene.inverse().rotation() * normal).z()) < 0.3;
-}
-
-void TrueScene::add_walls(const View& view, double voxel, double range,
-                          std::set<std::array<int, 3>>* cells) const {
-  constexpr int kEvery = 8;  // pixels
-  const Pinhole& pinhole = renderer_->camera().pinhole;
-  const SE3 T_map_cam = T_scene_map_.inverse() * view.T_cam_scene.inverse();
-  for (int y = kEvery / 2; y + 1 < pinhole.height; y += kEvery)
-    for (int x = kEvery / 2; x + 1 < pinhole.width; x += kEvery) {
-      const double z = double(view.depth[size_t(y) * size_t(pinhole.width) + size_t(x)]);
-      const Eigen::Vector3d p_cam = z * pinhole.ray({double(x), double(y)});
-      if (!(z > 0) || p_cam.norm() > range || !sees_upright(view, x, y)) continue;
-      const Eigen::Vector3d p = T_map_cam * p_cam / voxel;
-      cells->insert({int(std::floor(p.x())), int(std::floor(p.y())), int(std::floor(p.z()))});
-    }
-}
-
-FillQuality TrueScene::judge_fill(const octomap::OcTree& tree, const octomap::OcTree& filled,
-                                  double range) const {
-  const double voxel = tree.getResolution(), half_diagonal = 0.5 * std::sqrt(3.0) * voxel;
-  FillQuality quality;
-  std::set<std::array<int, 3>> walls;
-  for (const View& view : views_) add_walls(view, voxel, range, &walls);
-  int64_t occupied = 0, near = 0, on_surface = 0;
-  for (const auto& at : walls) {
-    occupied += is_occupied(tree, voxel * Eigen::Vector3d(at[0] + 0.5, at[1] + 0.5, at[2] + 0.5));
-    near += is_occupied_around(tree, at, voxel);
-  }
-  quality.wall_voxels = int64_t(walls.size());
-  for (auto leaf = filled.begin_leafs(), end = filled.end_leafs(); leaf != end; ++leaf) {
-    const Eigen::Vector3d p = centre(filled, leaf.getKey());
-    const double off = distance(p, 5);
-    const bool is_on_surface = off <= voxel + half_diagonal;
-    ++quality.filled, on_surface += is_on_surface;
-    quality.filled_in_free += !is_on_surface && is_any_part_seen_through(p, voxel);
-    quality.filled_farthest = std::max(quality.filled_farthest, off);
-  }
-  quality.walls_occupied = share(occupied, quality.wall_voxels);
-  quality.walls_occupied_near = share(near, quality.wall_voxels);
-  quality.filled_on_surface = share(on_surface, quality.filled);
-  return quality;
-}
-
 void TrueScene::judge_points(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
                              MapQuality* quality) const {
   const SE3 T_map = T_map_world(run);
@@ -302,4 +242,4 @@ void TrueScene::add_edges(const std::vector<EdgePixel>& edges, size_t k, double 
   }
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -5,7 +5,6 @@
 #include <array>
 #include <map>
 #include <ostream>
-#include <set>
 #include <vector>
 
 #include "edgevo/core/records.h"
@@ -13,7 +12,7 @@
 #include "edgevo/occupancy/occupancy_params.h"
 #include "edgevo/simulation/scene_renderer.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct MapQuality {
   int64_t occupied = 0, free = 0;  ///< voxels that were looked at
@@ -30,18 +29,6 @@ struct MapQuality {
 };
 std::ostream& operator<<(std::ostream& out, const MapQuality& quality);
 
-/// Voxels that were filled between edges (OctreeMap::filled), and what they are for.
-struct FillQuality {
-  int64_t wall_voxels = 0;         ///< with a true upright surface that keyframes see in range
-  double walls_occupied = 0;       ///< share of them that are occupied
-  double walls_occupied_near = 0;  ///< share of them that are occupied, or a neighbour is
-  int64_t filled = 0;              ///< voxels that were looked at
-  double filled_on_surface = 0;    ///< share within one voxel of a true surface
-  int64_t filled_in_free = 0;      ///< of the others, those that some keyframe sees to be empty
-  double filled_farthest = 0;      ///< metres from a filled voxel to the nearest true surface, at most 5
-};
-std::ostream& operator<<(std::ostream& out, const FillQuality& quality);
-
 struct EdgeCell;
 
 class TrueScene {
@@ -50,9 +37,6 @@ class TrueScene {
   TrueScene(const SceneRenderer& renderer, const Run& run);
 
   MapQuality judge(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params) const;
-
-  /// `range`: of true walls from the keyframes that see them.
-  FillQuality judge_fill(const octomap::OcTree& tree, const octomap::OcTree& filled, double range) const;
 
   /// Distance of a point of the map from the nearest true surface, not looked for beyond `limit`.
   double distance(const Eigen::Vector3d& p_map, double limit) const;
@@ -82,9 +66,6 @@ class TrueScene {
   /// Of keyframe `k`, nearer than `range`, to the voxels in which they truly lie.
   void add_edges(const std::vector<EdgePixel>& edges, size_t k, double voxel, double range,
                  std::map<std::array<int, 3>, EdgeCell>* cells) const;
-  bool sees_upright(const View& view, int x, int y) const;
-  /// The voxels of upright surfaces that a keyframe sees in range.
-  void add_walls(const View& view, double voxel, double range, std::set<std::array<int, 3>>* cells) const;
   bool is_seen_through(const Eigen::Vector3d& p_scene, double tolerance) const;
   bool is_any_part_seen_through(const Eigen::Vector3d& centre_map, double voxel) const;
 
@@ -93,4 +74,4 @@ class TrueScene {
   std::vector<View> views_;  ///< of the keyframes
 };
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

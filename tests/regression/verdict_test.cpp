@@ -9,7 +9,7 @@
 #include "edgevo/simulation/rendered_source.h"
 #include "rendered_clips.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 constexpr int kFrames = 70, kBegin = 40;
@@ -135,4 +135,4 @@ TEST(Verdict, ADriveInBadLightStartsWithinTenFrames) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

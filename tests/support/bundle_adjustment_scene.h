@@ -8,7 +8,7 @@
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/core/random.h"
 
-namespace edgevo::ba_scene {
+namespace edgevo::test {
 
 struct SceneOptions {
   int poses = 7;
@@ -125,4 +125,4 @@ inline BaOptions to_the_end() {
   return options;
 }
 
-}  // namespace edgevo::ba_scene
+}  // namespace edgevo::test

@@ -2,24 +2,18 @@
 // What the tests of window and mapper share: keyframes and a bootstrap with exact poses and depths in the
 // hollow scene.
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "edgevo/mapping/keyframe.h"
 #include "support/hollow_scene.h"
 
 namespace edgevo::test {
-
-inline double median(std::vector<double> v) {
-  if (v.empty()) return std::nan("");
-  std::nth_element(v.begin(), v.begin() + long(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
 
 /// The hollow scene along the sweep; pyramids are made once and shared by all tests of a program.
 class Sweep {

@@ -8,7 +8,7 @@
 #include "edgevo/core/random.h"
 #include "edgevo/core/records.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct SyntheticRun {
   Run run;
@@ -91,7 +91,7 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
       keyframe.T_world_cam = *frame.T_world_cam;
       keyframe.points = corridor_points(run.pinhole, keyframe.T_world_cam, points, &random);
       frame.is_keyframe = true;
-      frame.keyframe_rule = "view leaves";
+      frame.keyframe_reason = KeyframeReason::kViewLeaves;
       frame.reference_keyframe = int(run.keyframes.size());
       frame.stage_ms.emplace_back("ba", 20.0);
       run.keyframes.push_back(keyframe);
@@ -101,4 +101,4 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
   return made;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// All of a file; empty if it is not there.
 inline std::string content(const std::filesystem::path& path) {
@@ -34,4 +34,4 @@ inline std::vector<std::string> cells_of(const std::string& row) {
   return cells;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "detectors/forest_model.h"
+#include "forest_model.h"
 
 namespace edgevo::test {
 

@@ -8,7 +8,6 @@
 #include "edge_sums.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -26,7 +25,15 @@ constexpr double kRidge = 1e-9;
 constexpr double kLeastTurnPx = 1e-3;  // a refused step that turns the image by less is the last
 // A step of the coarse start that moves points by less is the last: the edges follow.
 constexpr double kPatchStepPx = 0.02;
+constexpr int kPatchIterations = 12;   // of the coarse start, on each level
+constexpr int kEdgeIterations = 15;    // on each level
 constexpr double kEdgeStepPx = 0.005;  // the same of edges, on each level; edges repeat to some 0.05 px
+// Cost of a point out of view, in misses: it speaks for a pose as little as against it. Free, points would be
+// pushed out of the view; at the price of a miss, a camera that drives past the last near points is held back
+// (share/lab/archive/2026-11-21_edges_along_the_motion.md).
+constexpr double kOutOfViewShare = 0.5;
+// What a deviation of the gradient patches weighs against an edge residual of one pixel.
+constexpr double kPhotometricWeight = 0.5;
 
 // Normal equations of one Gauss-Newton step, with the cost at their linearisation point.
 struct NormalEquations {
@@ -83,7 +90,6 @@ class EdgeCost {
       : level_(current.levels[level]),
         cloud_(cloud),
         params_(params),
-        huber_(params.robust == "huber"),
         photometric_(params.photometric && level == 0 && !cloud.gradient_patches.empty()) {
     matched_.reserve(cloud.points.size());
   }
@@ -106,30 +112,21 @@ class EdgeCost {
     const EdgeSums sums = sum_edges(matched_, level_.pinhole, t, miss_cost());
     sums.add_to(&eq.H, &eq.b);
     cost += sums.cost + double(eq.stats.visible - eq.stats.inliers) * miss_cost();
-    cost += double(cloud_.points.size() - eq.stats.visible) * out_of_view_ * miss_cost();
+    cost += double(cloud_.points.size() - eq.stats.visible) * kOutOfViewShare * miss_cost();
     eq.stats.cost = cost / std::max<size_t>(1, cloud_.points.size());
     eq.stats.residual_px = eq.stats.inliers > 0 ? std::sqrt(sums.square / eq.stats.inliers) : 0.0;
     return eq;
   }
 
  private:
-  // A point out of view speaks for a pose as little as against it: half a miss. Free, points would be pushed
-  // out of the view; at the price of a miss, a camera that drives past the last near points is held back.
-  const double out_of_view_ = rule("out of view costs half") ? 0.5 : 0;
-
-  double miss_cost() const { return robust_cost(params_.truncation_normal_px); }
-  double robust_cost(double r) const {
-    return huber_ ? huber_cost(r, params_.huber_px) : student_t_cost(r, params_.huber_px);
-  }
-  double robust_weight(double r) const {
-    return huber_ ? huber_weight(r, params_.huber_px) : student_t_weight(r, params_.huber_px);
-  }
+  double miss_cost() const { return huber_cost(params_.truncation_normal_px, params_.huber_px); }
 
   void match(const CloudPoint& point, const Projection& p) const {
     const EdgeMatch match = match_edge(level_, p.px, point.normal, params_);
     if (!match.found) return;
     matched_.append(p.Y, point.idepth, point.idepth_sigma, match.normal, match.residual_px,
-                    robust_weight(match.residual_px), robust_cost(match.residual_px));
+                    huber_weight(match.residual_px, params_.huber_px),
+                    huber_cost(match.residual_px, params_.huber_px));
   }
 
   // Eq. (photometricerror) with F the gradient magnitude, normalised patch by patch.
@@ -139,17 +136,17 @@ class EdgeCost {
         compare_patch(level_.gradient_magnitude.view(), patch, float(p.px.x()), float(p.px.y()));
     if (!d.usable) return 0;
     const double rms = std::sqrt(double(d.mean_square));
-    const double w = params_.photometric_weight * huber_weight(rms, params_.patch_huber);
+    const double w = kPhotometricWeight * huber_weight(rms, kPatchHuber);
     const Eigen::Matrix<double, 2, 6> J = pose_jacobian(level_.pinhole, p.Y, point.idepth);
     eq->H.noalias() += w * J.transpose() * patch.information * J;
     eq->b.noalias() += w * J.transpose() * d.gradient;
-    return params_.photometric_weight * huber_cost(rms, params_.patch_huber);
+    return kPhotometricWeight * huber_cost(rms, kPatchHuber);
   }
 
   const PyramidLevel& level_;
   const ReferenceCloud& cloud_;
   const AlignmentParams& params_;
-  bool huber_, photometric_;
+  bool photometric_;
   mutable MatchedEdges matched_;  // memory for one evaluation after another
 };
 
@@ -183,15 +180,14 @@ class CostWithPrior {
 
 class PatchCost {
  public:
-  PatchCost(const FramePyramid& current, const ReferenceCloud& cloud, int level,
-            const AlignmentParams& params)
-      : level_(current.levels[level]), cloud_(cloud), patches_(cloud.patches[level]), params_(params) {}
+  PatchCost(const FramePyramid& current, const ReferenceCloud& cloud, int level)
+      : level_(current.levels[level]), cloud_(cloud), patches_(cloud.patches[level]) {}
 
   NormalEquations operator()(const SE3& T_cur_ref) const {
     NormalEquations eq;
     const Eigen::Matrix3d R = T_cur_ref.R();
     const Eigen::Vector3d t = T_cur_ref.translation();
-    const double miss = huber_cost(std::sqrt(kUnrelatedMeanSquare), params_.patch_huber);
+    const double miss = huber_cost(std::sqrt(kUnrelatedMeanSquare), kPatchHuber);
     double cost = 0;
     int usable = 0;
     for (size_t i = 0; i < patches_.size(); ++i) {
@@ -206,11 +202,11 @@ class PatchCost {
         continue;
       }
       const double rms = std::sqrt(double(d.mean_square));
-      const double w = huber_weight(rms, params_.patch_huber);
+      const double w = huber_weight(rms, kPatchHuber);
       const Eigen::Matrix<double, 2, 6> J = pose_jacobian(level_.pinhole, p.Y, cloud_.points[i].idepth);
       eq.H.noalias() += w * J.transpose() * patches_[i].information * J;
       eq.b.noalias() += w * J.transpose() * d.gradient;
-      cost += huber_cost(rms, params_.patch_huber);
+      cost += huber_cost(rms, kPatchHuber);
       ++eq.stats.inliers;
     }
     eq.stats.visible = usable;
@@ -222,33 +218,28 @@ class PatchCost {
   const PyramidLevel& level_;
   const ReferenceCloud& cloud_;
   const PatchTemplates& patches_;
-  const AlignmentParams& params_;
 };
 
 }  // namespace
 
 void AlignmentParams::visit(ParamVisitor& v) {
-  v.integer("patch_finest_level", patch_finest_level, 1, 7,
-            "the coarse start by patches ends on this pyramid level");
-  v.integer("patch_iterations", patch_iterations, 1, 100, "at most, each level");
-  v.number("patch_huber", patch_huber, 0.05, 5, "Huber width on the rms of a normalised patch difference");
-  v.integer("edge_iterations", edge_iterations, 1, 100, "at most, each level");
-  v.number("huber_px", huber_px, 0.1, 10, "width of the robust weight on edge residuals, pixels");
-  v.number("truncation_normal_px", truncation_normal_px, 0.5, 15,
-           "matches beyond this along the edge normal are misses");
-  v.number("truncation_tangent_px", truncation_tangent_px, 0.5, 15,
-           "matches beyond this along the edge are misses");
-  v.number("min_normal_cosine", min_normal_cosine, -1, 1,
-           "orientation gate between the two edge normals, signed");
-  v.text("robust", robust, {"huber", "student_t"}, "robust weight of edge residuals");
-  v.boolean("photometric", photometric, "add the image-gradient cost to the finest level (slower)");
-  v.number("photometric_weight", photometric_weight, 0, 100, "its weight against edge residuals in pixels");
-  v.number("degraded_share", degraded_share, 0, 1,
+  v.number(kAdvanced, "huber_px", huber_px, 0.1, 10, "Huber width of edge residuals, pixels");
+  v.number(kAdvanced, "truncation_normal_px", truncation_normal_px, 0.5, 15,
+           "matches beyond this along the edge normal are misses, pixels");
+  v.number(kAdvanced, "truncation_tangent_px", truncation_tangent_px, 0.5, 15,
+           "matches beyond this along the edge are misses, pixels");
+  v.boolean(kAdvanced, "photometric", photometric,
+            "add the image-gradient cost of the paper to the finest level (slower)");
+  v.number(kAdvanced, "degraded_share", degraded_share, 0, 1,
            "share of the weighed points below which a frame is DEGRADED");
-  v.number("lost_share", lost_share, 0, 1, "share of the weighed points below which a frame is LOST");
-  v.integer("min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
-  v.number("weak_sigma", weak_sigma, 1e-5, 1,
+  v.number(kBasic, "lost_share", lost_share, 0, 1, "share of the weighed points below which a frame is LOST");
+  v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
+  v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
            "a direction with a larger standard deviation (share of depth, rad) is weak");
+  v.boolean(kExperimental, "verify_patch_start", verify_patch_start,
+            "the edges start from the predicted pose where it fits them better than that of the patches");
+  v.boolean(kExperimental, "use_median_motion_prior", use_median_motion_prior,
+            "a step unlike the median of the last ones needs more support, while the camera moves steadily");
 }
 
 EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray,
@@ -258,12 +249,11 @@ EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Ei
 }
 
 double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
-                     const AlignmentParams& params, SE3* T_cur_ref) {
+                     SE3* T_cur_ref) {
   double cost = kUnrelatedMeanSquare;
   for (int level = coarsest; level >= finest; --level) {
-    const PatchCost patch_cost(current, cloud, level, params);
-    cost = minimise(patch_cost, params.patch_iterations, current.levels[level].pinhole.fx, kPatchStepPx,
-                    T_cur_ref)
+    const PatchCost patch_cost(current, cloud, level);
+    cost = minimise(patch_cost, kPatchIterations, current.levels[level].pinhole.fx, kPatchStepPx, T_cur_ref)
                .stats.cost;
   }
   return cost;
@@ -278,8 +268,8 @@ AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cl
                            const AlignmentParams& params, SE3* T_cur_ref, const TranslationPrior* prior) {
   const EdgeCost edges(current, cloud, level, params);
   const double fx = current.levels[level].pinhole.fx;
-  if (!prior) return minimise(edges, params.edge_iterations, fx, kEdgeStepPx, T_cur_ref).stats;
-  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), params.edge_iterations, fx, kEdgeStepPx,
+  if (!prior) return minimise(edges, kEdgeIterations, fx, kEdgeStepPx, T_cur_ref).stats;
+  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), kEdgeIterations, fx, kEdgeStepPx,
                   T_cur_ref)
       .stats;
 }

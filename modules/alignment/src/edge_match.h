@@ -8,6 +8,9 @@
 
 namespace edgevo {
 
+// Gate on the angle between the two edge normals, signed: 45 degrees.
+constexpr double kMinNormalCosine = 0.7;
+
 struct EdgeMatch {
   bool found = false;
   Eigen::Vector2d normal;  ///< g(n), the edge's unit gradient
@@ -21,7 +24,7 @@ inline EdgeMatch match_edge(const PyramidLevel& level, const Eigen::Vector2d& px
   const int n = level.field.nearest(float(px.x()), float(px.y()));
   if (n < 0) return {};
   const EdgePixel& edge = level.edges.pixels[n];
-  if (!(edge.normal().dot(point_normal) >= params.min_normal_cosine)) return {};
+  if (!(edge.normal().dot(point_normal) >= kMinNormalCosine)) return {};
   const Eigen::Vector2d g = edge.normal().cast<double>();
   const Eigen::Vector2d d = px - edge.position().cast<double>();
   const double r = g.dot(d);  // Eq. (edgeerror)

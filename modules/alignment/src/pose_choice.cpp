@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 namespace {
+
+// The coarse start by patches ends on this pyramid level.
+constexpr int kFinestPatchLevel = 1;
 
 // Edges are aligned on two levels, where the pyramid has so many with edges.
 int coarsest_edge_level(const FramePyramid& pyramid) {
@@ -16,17 +17,19 @@ int coarsest_edge_level(const FramePyramid& pyramid) {
   return std::min(levels, 2) - 1;
 }
 
-// Glare and shadows mislead gray levels where the edges of the scene run along the motion: the edges
-// choose where to go on from.
+// Glare and shadows mislead gray levels where the edges of the scene run along the motion. So the edges
+// choose where to go on from: the pose that the patches found, or the start itself
+// (share/lab/archive/2026-11-21_edges_along_the_motion.md).
 SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                      const AlignmentParams& params) {
   const int coarsest = int(current.levels.size()) - 1;
   SE3 T_cur_ref = start;
-  align_patches(current, cloud, coarsest, std::min(params.patch_finest_level, coarsest), params, &T_cur_ref);
+  align_patches(current, cloud, coarsest, std::min(kFinestPatchLevel, coarsest), &T_cur_ref);
+  if (!params.verify_patch_start) return T_cur_ref;
   const int level = coarsest_edge_level(current);
   const bool misled =
       edge_cost(current, cloud, level, params, start) < edge_cost(current, cloud, level, params, T_cur_ref);
-  return misled && rule("patches misled") ? start : T_cur_ref;
+  return misled ? start : T_cur_ref;
 }
 
 SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
@@ -70,20 +73,25 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, co
   return found;
 }
 
-bool PoseJudge::fits(const PoseCandidate& pose) const {
-  return pose.stats.visible >= params_.min_visible && pose.evidence.inlier_share >= params_.degraded_share;
+TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params) {
+  if (!pose.T_cur_ref.is_finite()) return TrackingQuality::kDiverged;
+  if (pose.stats.visible < params.min_visible) return TrackingQuality::kFewPoints;
+  if (pose.evidence.inlier_share < params.lost_share) return TrackingQuality::kUnsupported;
+  if (pose.evidence.inlier_share < params.degraded_share) return TrackingQuality::kWeak;
+  return TrackingQuality::kGood;
 }
 
-bool PoseJudge::is_lost(const PoseCandidate& pose) const {
-  return !pose.T_cur_ref.is_finite() || pose.stats.visible < params_.min_visible ||
-         pose.evidence.inlier_share < params_.lost_share;
+bool PoseJudge::fits(const PoseCandidate& pose) const {
+  return classify(pose, params_) == TrackingQuality::kGood;
 }
+
+bool PoseJudge::is_lost(const PoseCandidate& pose) const { return edgevo::is_lost(classify(pose, params_)); }
 
 double PoseJudge::score(const PoseCandidate& pose) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   if (!pose.T_cur_ref.is_finite()) return kNever;
   const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
-  if (pose.has_prior && likelihood < 1 && rule("usual step")) return kNever;
+  if (pose.has_prior && likelihood < 1) return kNever;
   const double by_image = support(pose.evidence, params_);
   return by_image > 0 ? likelihood * by_image : by_image;
 }
@@ -94,14 +102,14 @@ PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& cu
   const auto is_called_for = [&](const Proposer& p) {
     return best.hypotheses_tried == 0 || p.is_called_for(best.pose);
   };
-  for (size_t i = 0; i < proposers.size(); ++i) {
-    if (!is_called_for(proposers[i])) continue;
-    for (const PoseHypothesis& hypothesis : proposers[i].hypotheses()) {
-      if (!is_called_for(proposers[i])) break;
+  for (const Proposer& proposer : proposers) {
+    if (!is_called_for(proposer)) continue;
+    for (const PoseHypothesis& hypothesis : proposer.hypotheses()) {
+      if (!is_called_for(proposer)) break;
       PoseCandidate candidate = align(current, cloud, hypothesis, params);
       if (++best.hypotheses_tried > 1 && !(judge.score(candidate) > judge.score(best.pose))) continue;
       best.pose = std::move(candidate);
-      best.proposer = int(i);
+      best.kind = proposer.kind;
     }
   }
   return best;

@@ -24,10 +24,10 @@ struct Candidate {
 
 // Mean robust patch difference on one level, of every `step`-th patch.
 double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, const PatchTemplates& patches,
-                       size_t step, const SE3& T_cur_ref, const AlignmentParams& params) {
+                       size_t step, const SE3& T_cur_ref) {
   const Eigen::Matrix3d R = T_cur_ref.R();
   const Eigen::Vector3d t = T_cur_ref.translation();
-  const double unrelated = huber_cost(std::sqrt(kUnrelatedMeanSquare), params.patch_huber);
+  const double unrelated = huber_cost(std::sqrt(kUnrelatedMeanSquare), kPatchHuber);
   double sum = 0;
   int count = 0;
   for (size_t i = 0; i < patches.size(); i += step) {
@@ -37,8 +37,8 @@ double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, c
     const PatchDifference d =
         p.valid ? compare_patch(level.gray.view(), patches[i], float(p.px.x()), float(p.px.y()))
                 : PatchDifference();
-    sum += d.usable ? std::min(unrelated, huber_cost(std::sqrt(double(d.mean_square)), params.patch_huber))
-                    : unrelated;
+    sum +=
+        d.usable ? std::min(unrelated, huber_cost(std::sqrt(double(d.mean_square)), kPatchHuber)) : unrelated;
   }
   return count > 0 ? sum / count : unrelated;
 }
@@ -46,7 +46,7 @@ double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, c
 }  // namespace
 
 std::vector<SE3> search_rotation(const FramePyramid& current, const ReferenceCloud& cloud,
-                                 const SE3& T_predicted, const AlignmentParams& params) {
+                                 const SE3& T_predicted) {
   const size_t coarsest = current.levels.size() - 1;
   const PyramidLevel& level = current.levels[coarsest];
   const PatchTemplates& patches = cloud.patches[coarsest];
@@ -60,7 +60,7 @@ std::vector<SE3> search_rotation(const FramePyramid& current, const ReferenceClo
   std::vector<Candidate> grid;
   for (int pitch = -kPitchSteps; pitch <= kPitchSteps; ++pitch)
     for (int yaw = -kYawSteps; yaw <= kYawSteps; ++yaw)
-      grid.push_back({mean_difference(level, cloud, patches, step, turned(yaw, pitch), params), yaw, pitch});
+      grid.push_back({mean_difference(level, cloud, patches, step, turned(yaw, pitch)), yaw, pitch});
   std::stable_sort(grid.begin(), grid.end(),
                    [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
   std::vector<Candidate> best;

@@ -6,7 +6,6 @@
 
 #include "edgevo/alignment/rotation_search.h"
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -36,23 +35,36 @@ std::string format(const char* pattern, double a, double b) {
   return text;
 }
 
+// Why a frame of this quality has no pose or a weak one; empty where it is good.
+std::string reason_of(TrackingQuality quality, const PoseCandidate& pose, const AlignmentParams& params) {
+  const double share = pose.evidence.inlier_share;
+  switch (quality) {
+    case TrackingQuality::kDiverged:
+      return "alignment diverged";
+    case TrackingQuality::kFewPoints:
+      return format("only %.0f map points in view, %.0f are needed", pose.stats.visible, params.min_visible);
+    case TrackingQuality::kUnsupported:
+      return format("inlier share %.2f is below %.2f", share, params.lost_share);
+    case TrackingQuality::kWeak:
+      return format("inlier share %.2f is below %.2f", share, params.degraded_share);
+    case TrackingQuality::kGood:
+      break;
+  }
+  return {};
+}
+
+TrackingState state_of(TrackingQuality quality) {
+  if (is_lost(quality)) return TrackingState::kLost;
+  return quality == TrackingQuality::kGood ? TrackingState::kTracking : TrackingState::kDegraded;
+}
+
 void give_verdict(const AlignmentParams& params, TrackResult* r) {
-  const double share = r->evidence.inlier_share;
-  r->verdict = TrackingState::kLost;
-  if (!r->T_cur_ref.is_finite()) {
-    r->reason = "alignment diverged";
-  } else if (r->stats.visible < params.min_visible) {
-    r->reason = format("only %.0f map points in view, %.0f are needed", r->stats.visible, params.min_visible);
-  } else if (share < params.lost_share) {
-    r->reason = format("inlier share %.2f is below %.2f", share, params.lost_share);
-  } else if (share < params.degraded_share) {
-    r->verdict = TrackingState::kDegraded;
-    r->reason = format("inlier share %.2f is below %.2f", share, params.degraded_share);
-  } else if (!r->weak_directions.empty() && rule("weak directions")) {
+  const TrackingQuality quality = classify(*r, params);
+  r->verdict = state_of(quality);
+  r->reason = reason_of(quality, *r, params);
+  if (quality == TrackingQuality::kGood && !r->weak_directions.empty()) {
     r->verdict = TrackingState::kDegraded;
     r->reason = format("%.0f poorly observed direction(s)%.0s", double(r->weak_directions.size()), 0.0);
-  } else {
-    r->verdict = TrackingState::kTracking;
   }
 }
 
@@ -84,21 +96,21 @@ std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_befo
 }
 
 Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("other motions"); },
+  return {ProposerKind::kStarts, [&judge](const PoseCandidate& best) { return !judge.fits(best); },
           [starts = std::move(starts)] { return as_hypotheses(starts); }};
 }
 
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
-                           const PoseJudge& judge, const AlignmentParams& params) {
-  return {[&judge](const PoseCandidate& best) { return !judge.fits(best) && rule("rotation search"); },
-          [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted, params)); }};
+                           const PoseJudge& judge) {
+  return {ProposerKind::kRotations, [&judge](const PoseCandidate& best) { return !judge.fits(best); },
+          [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted)); }};
 }
 
 TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, const std::vector<SE3>& starts,
                   const AlignmentParams& params) {
   const PoseJudge judge(params);
   const std::vector<Proposer> proposers{propose_starts(starts, judge),
-                                        propose_rotations(current, cloud, starts.front(), judge, params)};
+                                        propose_rotations(current, cloud, starts.front(), judge)};
   return assess(current, cloud, choose(proposers, current, cloud, judge, params).pose, params);
 }
 

@@ -18,8 +18,15 @@ constexpr int kMaxCandidates = 64;
 constexpr double kBorderPx = 3;
 // Of the cost over the candidates; a flatter one has no lowest place between two of them.
 constexpr double kLeastCurvature = 1e-9;
-// An edge that is found lies within so many times max_normal_px, along itself included.
-constexpr double kReachPerNormal = 2.0;
+// An edge match lies within this of the prediction, along the edge's normal and in all.
+constexpr double kMaxNormalPx = 4.0;
+constexpr double kMaxDistancePx = 2 * kMaxNormalPx;
+// Gate on the angle between the two edge normals, signed: 45 degrees.
+constexpr double kMinNormalCosine = 0.7;
+// Searches up to this half length skip the confidence check (tau_lambda in the paper): none does.
+constexpr double kTauLambdaPx = 0;
+// Floor of sigma_(p||g) in C_d.
+constexpr double kLeastProjectionSigmaPx = 0.5;
 
 // Edge pixels along the edge on both sides of `centre`, with arc length from it.
 struct Walk {
@@ -88,17 +95,14 @@ Eigen::Vector2d position_on_edge(const EdgeMap& edges, const Walk& walk, const T
 }
 
 // The nearest edge pixel that passes the gates on distance and orientation; -1 if none.
-int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen::Vector2d& predicted_normal,
-              const AssociationParams& params) {
+int find_edge(const PyramidLevel& target, const Eigen::Vector2d& p, const Eigen::Vector2d& predicted_normal) {
   const int n = target.field.nearest(float(p.x()), float(p.y()));
   if (n < 0) return -1;
   const EdgePixel& e = target.edges.pixels[n];
   const Eigen::Vector2d g = e.normal().cast<double>();
-  if (!(g.dot(predicted_normal) >= params.min_normal_cosine)) return -1;
+  if (!(g.dot(predicted_normal) >= kMinNormalCosine)) return -1;
   const Eigen::Vector2d d = e.position().cast<double>() - p;
-  return std::abs(g.dot(d)) <= params.max_normal_px && d.norm() <= kReachPerNormal * params.max_normal_px
-             ? n
-             : -1;
+  return std::abs(g.dot(d)) <= kMaxNormalPx && d.norm() <= kMaxDistancePx ? n : -1;
 }
 
 // Searches along the edge, growing the patch while the match is ambiguous. True if a confident match was
@@ -117,7 +121,7 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
     match->cost = m.cost;
     match->match_confidence = m.confidence;
     if (!m.found || m.cost > params.max_cost) return false;
-    if (m.confidence < params.tau_m && match->search_px > params.tau_lambda_px)
+    if (m.confidence < params.tau_m && match->search_px > kTauLambdaPx)
       continue;  // ambiguous: grow the patch
     match->px = position_on_edge(target.edges, walk, m);
     match->normal = target.edges.pixels[walk.pixel[m.best]].normal().cast<double>();
@@ -126,17 +130,16 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
   return false;
 }
 
-void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, const AssociationParams& params,
-            Match* match) {
+void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, Match* match) {
   const PatchSource host = patch_source(*q.host, q.px_host, A);
   NormalTemplate patch;
   if (!make_normal_template(host.level->gray.view(), host.px, host.A_target_host, match->normal,
-                            params.refine_radius, &patch)) {
+                            kRefinementRadius, &patch)) {
     match->kind = MatchKind::kNone;
     return;
   }
   const NormalRefinement r =
-      refine_along_normal(patch, q.target->finest().gray.view(), match->px, match->normal, params);
+      refine_along_normal(patch, q.target->finest().gray.view(), match->px, match->normal);
   if (!r.accepted) {
     match->kind = MatchKind::kNone;
     return;
@@ -155,38 +158,29 @@ void weigh(const AssociationParams& params, Match* match) {
 }  // namespace
 
 void AssociationParams::visit(ParamVisitor& v) {
-  v.number("k_p", k_p, 0, 100, "gain of the pose uncertainty in the search length");
-  v.number("k_mu", k_mu, 0, 100, "gain of the depth uncertainty in the search length");
-  v.number("min_search_px", min_search_px, 0, 15, "floor of the half search length, pixels");
-  v.number("max_search_px", max_search_px, 0, 30, "cap of the half search length, pixels");
-  v.boolean("photometric", photometric, "search along the edge by patches (paper); false: edge matches only");
-  v.odd("patch_side", patch_side, 3, 11, "first patch size S_p, pixels");
-  v.odd("max_patch_side", max_patch_side, 3, 11,
+  v.number(kAdvanced, "k_p", k_p, 0, 100, "gain of the pose uncertainty in the search length");
+  v.number(kAdvanced, "k_mu", k_mu, 0, 100, "gain of the depth uncertainty in the search length");
+  v.number(kAdvanced, "min_search_px", min_search_px, 0, 15,
+           "floor of the half search length, since the pose covariance is optimistic, pixels");
+  v.number(kAdvanced, "max_search_px", max_search_px, 0, 30, "cap of the half search length, pixels");
+  v.boolean(kAdvanced, "photometric", photometric,
+            "search along the edge by patches (paper); false: edge matches only");
+  v.odd(kAdvanced, "patch_side", patch_side, 3, 11, "first patch size S_p, pixels");
+  v.odd(kAdvanced, "max_patch_side", max_patch_side, 3, 11,
         "patches grow up to tau_S, pixels; a larger first size does not grow");
-  v.number("max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
-  v.number("sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
-  v.number("tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");
-  v.number("tau_lambda_px", tau_lambda_px, 0, 30,
-           "searches up to this half length skip the confidence check, pixels");
-  v.number("min_depth_confidence", min_depth_confidence, 0, 100,
+  v.number(kAdvanced, "max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
+  v.number(kAdvanced, "sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
+  v.number(kAdvanced, "tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");
+  v.number(kAdvanced, "min_depth_confidence", min_depth_confidence, 0, 100,
            "ambiguous matches below it keep their depth fixed, 1/px");
-  v.number("sigma_p_floor_px", sigma_p_floor_px, 0.01, 10,
-           "floor of the projection sigma in the depth confidence, pixels");
-  v.number("max_normal_px", max_normal_px, 0.5, 15,
-           "an edge match lies within this of the prediction, pixels");
-  v.number("min_normal_cosine", min_normal_cosine, -1, 1, "orientation gate, signed");
-  v.boolean("refine", refine, "one-dimensional refinement along the edge normal");
-  v.integer("refine_radius", refine_radius, 1, 4, "its patch has 2 r + 1 pixels a side");
-  v.integer("refine_iterations", refine_iterations, 1, 50, "at most");
-  v.number("refine_max_move_px", refine_max_move_px, 0.1, 10,
-           "a refinement that moves further is rejected, pixels");
-  v.number("refine_max_zncc_loss", refine_max_zncc_loss, 0.01, 1,
-           "1 - ZNCC above which a refinement is rejected");
-  v.number("k_m", k_m, 0.1, 10,
+  v.boolean(kAdvanced, "refine", refine, "one-dimensional refinement of matches along the edge normal");
+  v.number(kAdvanced, "k_m", k_m, 0.1, 10,
            "matches further along the edge than this share of the search length are searched again");
-  v.number("sigma_normal_px", sigma_normal_px, 0.01, 10, "of an edge match along the normal, pixels");
-  v.number("sigma_refined_px", sigma_refined_px, 0.01, 10, "of a refined match along the normal, pixels");
-  v.number("sigma_tangent_px", sigma_tangent_px, 0, 100,
+  v.number(kAdvanced, "sigma_normal_px", sigma_normal_px, 0.01, 10,
+           "of an edge match along the normal, pixels");
+  v.number(kAdvanced, "sigma_refined_px", sigma_refined_px, 0.01, 10,
+           "of a refined match along the normal, pixels");
+  v.number(kAdvanced, "sigma_tangent_px", sigma_tangent_px, 0, 100,
            "of a photometric match along the edge, pixels; 0: unused");
 }
 
@@ -203,7 +197,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params,
   const Projection p = project(camera, q.T_target_host.R(), q.T_target_host.translation(), ray, q.idepth);
   if (!p.valid || !camera.contains(p.px, kBorderPx)) return match;
   const Eigen::Matrix2d A = patch_warp(camera, q.T_target_host, q.px_host, q.idepth);
-  const int centre = find_edge(target, p.px, warp_normal(A, q.normal_host), params);
+  const int centre = find_edge(target, p.px, warp_normal(A, q.normal_host));
   if (centre < 0) return match;
 
   const EdgePixel& edge = target.edges.pixels[centre];
@@ -212,7 +206,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params,
   const DepthMotion depth = depth_motion(camera, q.T_target_host, ray, q.idepth, q.idepth_sigma);
   match.search_px = std::clamp(search_half_length(Sigma_p, depth, match.normal, params.k_p, params.k_mu),
                                params.min_search_px, std::max(params.min_search_px, params.max_search_px));
-  match.depth_confidence = depth_confidence(Sigma_p, depth.direction, match.normal, params.sigma_p_floor_px);
+  match.depth_confidence = depth_confidence(Sigma_p, depth.direction, match.normal, kLeastProjectionSigmaPx);
 
   if (params.photometric && search_photometric(q, A, centre, params, comparison, &match)) {
     match.kind = MatchKind::kPhotometric;
@@ -225,7 +219,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params,
     match.kind =
         match.depth_confidence < params.min_depth_confidence ? MatchKind::kEdgeFixed : MatchKind::kEdge;
   }
-  if (params.refine) refine(q, A, params, &match);
+  if (params.refine) refine(q, A, &match);
   weigh(params, &match);
   return match;
 }

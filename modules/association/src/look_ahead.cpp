@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "edgevo/association/normal_refinement.h"
 #include "edgevo/core/simd.h"
 
 namespace edgevo {
@@ -37,7 +38,7 @@ int LookAhead::run() {
     const int width = p.level->pinhole.width, x = p.pixel % width, y = p.pixel / width;
     prefetch(&p.level->edges.pixels[p.level->field.edge_at(p.pixel)]);
     if (params_.photometric) prefetch_square(p.level->gradient_magnitude, x, y, params_.patch_side / 2);
-    if (params_.refine) prefetch_square(p.level->gray, x, y, params_.refine_radius);
+    if (params_.refine) prefetch_square(p.level->gray, x, y, kRefinementRadius);
   }
   count_ = 0;
   return near_edges;

@@ -9,6 +9,9 @@ namespace {
 constexpr double kStopPx = 0.02;           // a shorter step is the last: a match is good to 0.3 px
 constexpr double kMostStepPx = 1.0;        // what is linear about the patch ends there
 constexpr float kMinGrayDeviation = 1.5f;  // gray levels: below it a patch is noise
+constexpr int kMaxIterations = 12;
+constexpr double kMaxMovePx = 3.0;     // a refinement that moves further has found something else
+constexpr double kMaxZnccLoss = 0.15;  // 1 - ZNCC: the patch does not fit
 // Mean square of the slope, deviations a pixel: along the normal the patch does not change.
 constexpr double kLeastSlope = 1e-3;
 
@@ -71,12 +74,11 @@ bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d&
 }
 
 NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
-                                     const Eigen::Vector2d& start, const Eigen::Vector2d& normal,
-                                     const AssociationParams& params) {
+                                     const Eigen::Vector2d& start, const Eigen::Vector2d& normal) {
   NormalRefinement result;
   const int n = patch.value.size();
   double move = 0;
-  for (int iteration = 0; iteration <= params.refine_iterations; ++iteration) {
+  for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     const Eigen::Vector2d px = start + move * normal;
     Patch current;
     Comparison c;
@@ -87,11 +89,11 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
     result.move_px = move;
     result.zncc_loss = 1.0 - double(c.correlation) / n;
     if (std::abs(step) < kStopPx) break;
-    if (iteration == params.refine_iterations) return result;
+    if (iteration == kMaxIterations) return result;
     move += std::clamp(step, -kMostStepPx, kMostStepPx);
-    if (std::abs(move) > params.refine_max_move_px) return result;
+    if (std::abs(move) > kMaxMovePx) return result;
   }
-  result.accepted = result.zncc_loss < params.refine_max_zncc_loss;
+  result.accepted = result.zncc_loss < kMaxZnccLoss;
   return result;
 }
 

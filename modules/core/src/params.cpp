@@ -34,10 +34,11 @@ std::string format_number(double value) {
 // Gathers the dotted names of all keys, for "did you mean" and for finding unknown ones.
 class KeyCollector : public ParamVisitor {
  public:
-  void number(const char* key, double&, double, double, const char*) override { add(key); }
-  void integer(const char* key, int&, int, int, const char*) override { add(key); }
-  void boolean(const char* key, bool&, const char*) override { add(key); }
-  void text(const char* key, std::string&, const std::vector<std::string>&, const char*) override {
+  void on_number(ParamLevel, const char* key, double&, double, double, const char*) override { add(key); }
+  void on_integer(ParamLevel, const char* key, int&, int, int, const char*) override { add(key); }
+  void on_boolean(ParamLevel, const char* key, bool&, const char*) override { add(key); }
+  void on_text(ParamLevel, const char* key, std::string&, const std::vector<std::string>&,
+               const char*) override {
     add(key);
   }
   void begin_group(const char* key) override {
@@ -72,14 +73,14 @@ class Assigner : public ParamVisitor {
  public:
   explicit Assigner(const GivenValues& values) : values_(&values) {}
 
-  void number(const char* key, double& value, double min, double max, const char*) override {
+  void on_number(ParamLevel, const char* key, double& value, double min, double max, const char*) override {
     const Given* given = find(key);
     if (!given) return;
     const double parsed = to_number(*given, key);
     if (!(parsed >= min && parsed <= max)) out_of_range(*given, key, format_number(min), format_number(max));
     value = parsed;
   }
-  void integer(const char* key, int& value, int min, int max, const char*) override {
+  void on_integer(ParamLevel, const char* key, int& value, int min, int max, const char*) override {
     const Given* given = find(key);
     if (!given) return;
     const double parsed = to_number(*given, key);
@@ -88,22 +89,22 @@ class Assigner : public ParamVisitor {
       out_of_range(*given, key, std::to_string(min), std::to_string(max));
     value = int(parsed);
   }
-  void odd(const char* key, int& value, int min, int max, const char* help) override {
+  void on_odd(ParamLevel level, const char* key, int& value, int min, int max, const char* help) override {
     int parsed = value;
-    integer(key, parsed, min, max, help);
+    on_integer(level, key, parsed, min, max, help);
     const Given* given = find(key);
     if (given && parsed % 2 == 0) fail(*given, key, "is even; write an odd number");
     value = parsed;
   }
-  void boolean(const char* key, bool& value, const char*) override {
+  void on_boolean(ParamLevel, const char* key, bool& value, const char*) override {
     const Given* given = find(key);
     if (!given) return;
     if (given->text != "true" && given->text != "false")
       fail(*given, key, "is neither true nor false; write one of the two");
     value = given->text == "true";
   }
-  void text(const char* key, std::string& value, const std::vector<std::string>& choices,
-            const char*) override {
+  void on_text(ParamLevel, const char* key, std::string& value, const std::vector<std::string>& choices,
+               const char*) override {
     const Given* given = find(key);
     if (!given) return;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), given->text) == choices.end()) {
@@ -178,43 +179,83 @@ void assign(const std::vector<YamlEntry>& entries, const std::string& file, cons
   visit(assigner);
 }
 
-class Writer : public ParamVisitor {
+// Turns each value and its range into text, and hands them on.
+class Describer : public ParamVisitor {
  public:
-  Writer(int indent, bool comments) : indent_(indent), comments_(comments) {}
-  void number(const char* key, double& value, double min, double max, const char* help) override {
-    line(key, format_number(value), help, "[" + format_number(min) + ", " + format_number(max) + "]");
+  void on_number(ParamLevel level, const char* key, double& value, double min, double max,
+                 const char* help) override {
+    line(
+        {level, key, format_number(value), "[" + format_number(min) + ", " + format_number(max) + "]", help});
   }
-  void integer(const char* key, int& value, int min, int max, const char* help) override {
-    line(key, std::to_string(value), help, "[" + std::to_string(min) + ", " + std::to_string(max) + "]");
+  void on_integer(ParamLevel level, const char* key, int& value, int min, int max,
+                  const char* help) override {
+    line({level, key, std::to_string(value), range(min, max), help});
   }
-  void odd(const char* key, int& value, int min, int max, const char* help) override {
-    line(key, std::to_string(value), help, "[" + std::to_string(min) + ", " + std::to_string(max) + "], odd");
+  void on_odd(ParamLevel level, const char* key, int& value, int min, int max, const char* help) override {
+    line({level, key, std::to_string(value), range(min, max) + ", odd", help});
   }
-  void boolean(const char* key, bool& value, const char* help) override {
-    line(key, value ? "true" : "false", help, "true or false");
+  void on_boolean(ParamLevel level, const char* key, bool& value, const char* help) override {
+    line({level, key, value ? "true" : "false", "true or false", help});
   }
-  void text(const char* key, std::string& value, const std::vector<std::string>& choices,
-            const char* help) override {
+  void on_text(ParamLevel level, const char* key, std::string& value, const std::vector<std::string>& choices,
+               const char* help) override {
     std::string list;
     for (const std::string& c : choices) list += (list.empty() ? "" : " | ") + c;
-    line(key, yaml_scalar(value), help, list);
+    line({level, key, yaml_scalar(value), list, help});
   }
+
+ private:
+  static std::string range(int min, int max) {
+    return "[" + std::to_string(min) + ", " + std::to_string(max) + "]";
+  }
+  virtual void line(ParamDescription param) = 0;
+};
+
+class Writer : public Describer {
+ public:
+  Writer(int indent, bool comments, ParamLevel last_level)
+      : indent_(indent), comments_(comments), last_level_(last_level) {}
   void begin_group(const char* key) override {
-    out_ << std::string(indent_, ' ') << key << ":\n";
+    unwritten_.push_back(std::string(indent_, ' ') + key + ":\n");
     indent_ += 2;
   }
-  void end_group() override { indent_ -= 2; }
+  void end_group() override {
+    if (!unwritten_.empty()) unwritten_.pop_back();
+    indent_ -= 2;
+  }
   std::string str() const { return out_.str(); }
 
  private:
-  void line(const char* key, const std::string& value, const char* help, const std::string& range) {
-    out_ << std::string(indent_, ' ') << key << ": " << value;
-    if (comments_) out_ << "  # " << help << (range.empty() ? "" : "; " + range);
+  void line(ParamDescription p) override {
+    if (p.level > last_level_) return;
+    for (const std::string& group : unwritten_) out_ << group;
+    unwritten_.clear();
+    out_ << std::string(indent_, ' ') << p.key << ": " << p.value;
+    if (comments_) out_ << "  # " << p.help << (p.range.empty() ? "" : "; " + p.range);
     out_ << "\n";
   }
   std::ostringstream out_;
   int indent_;
   bool comments_;
+  ParamLevel last_level_;
+  std::vector<std::string> unwritten_;  // groups that were begun and have no key yet
+};
+
+class Lister : public Describer {
+ public:
+  void begin_group(const char* key) override { groups_.push_back(key); }
+  void end_group() override { groups_.pop_back(); }
+
+  std::vector<ParamDescription> params;
+
+ private:
+  void line(ParamDescription p) override {
+    std::string path;
+    for (const std::string& group : groups_) path += group + ".";
+    p.key = path + p.key;
+    params.push_back(std::move(p));
+  }
+  std::vector<std::string> groups_;
 };
 
 }  // namespace
@@ -236,9 +277,26 @@ void set_param(const std::string& assignment, const VisitParams& visit) {
 }
 
 std::string write_params(const VisitParams& visit, int indent, bool comments) {
-  Writer writer(indent, comments);
+  Writer writer(indent, comments, kExperimental);
   visit(writer);
   return writer.str();
+}
+
+std::string write_basic_params(const VisitParams& visit) {
+  Writer writer(0, true, kBasic);
+  visit(writer);
+  return writer.str();
+}
+
+std::vector<ParamDescription> describe_params(const VisitParams& visit) {
+  Lister lister;
+  visit(lister);
+  return std::move(lister.params);
+}
+
+const char* to_string(ParamLevel level) {
+  constexpr const char* kNames[] = {"basic", "advanced", "experimental"};
+  return kNames[int(level)];
 }
 
 }  // namespace edgevo

@@ -1,7 +1,7 @@
 #pragma once
 // A camera for images that came without a calibration: --fov, or what a photo says of its lens. No lens
 // distortion, the centre in the middle of the image; a start, not a calibration
-// (share/lab/2026-11-24_assumed_camera.md says what it costs).
+// (share/lab/archive/2026-11-24_assumed_camera.md says what it costs).
 #include <optional>
 #include <string>
 #include <utility>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "edgevo/core/error.h"
-#include "edgevo/datasets/source_place.h"
+#include "edgevo/datasets/source_folder.h"
 #include "layouts/layout.h"
 #include "text_file.h"
 
@@ -15,7 +15,7 @@ namespace edgevo {
 std::string ground_truth_tum(const SourceOptions& asked, const ImageSource& source) {
   if (const std::string path = source.ground_truth_path(); !path.empty()) return read_text_file(path);
   SourceOptions options = asked;
-  options.path = source_place(asked.path);
+  options.path = source_folder(asked.path);
   const Layout* layout = layout_of(options.path);
   return layout && layout->ground_truth ? layout->ground_truth(options) : std::string();
 }

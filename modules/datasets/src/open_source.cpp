@@ -6,7 +6,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/scaled_source.h"
-#include "edgevo/datasets/source_place.h"
+#include "edgevo/datasets/source_folder.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "layouts/layout.h"
@@ -81,14 +81,14 @@ void set_frame_range(const std::string& text, SourceOptions* options) {
     throw InputError(where, "holds no frame", "A:B means frames A to B-1, so B must be larger than A");
 }
 
-std::string source_place(const std::string& path) {
+std::string source_folder(const std::string& path) {
   if (path.rfind(kLiveCamera, 0) == 0 || layout_of(path)) return path;
-  return survey_place(path);
+  return survey_folder(path);
 }
 
 std::unique_ptr<ImageSource> open_source(const SourceOptions& asked) {
   SourceOptions options = asked;
-  options.path = source_place(asked.path);
+  options.path = source_folder(asked.path);
   auto source = open_whole(options);
   if (options.fov_deg && !is_assumed(*source))
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",

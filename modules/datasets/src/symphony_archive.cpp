@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "edgevo/core/error.h"
+#include "edgevo/symphony_lake/survey_geometry.h"
 #include "sequence.h"
 
 namespace edgevo {
@@ -14,7 +15,9 @@ namespace fs = std::filesystem;
 
 constexpr int kLevelsOfArchive = 3;  // ARCHIVE/Dataset/20YY/SURVEY
 
-bool is_survey(const fs::path& folder) { return !existing((folder / kSurveyList).string()).empty(); }
+bool is_survey(const fs::path& folder) {
+  return !existing((folder / symphony::kSurveyList).string()).empty();
+}
 
 bool is_year(const fs::path& folder) {
   const std::string name = folder.filename().string();
@@ -94,7 +97,7 @@ std::vector<Survey> surveys_in(const std::string& archive) {
   return surveys;
 }
 
-std::string survey_place(const std::string& path) {
+std::string survey_folder(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     const std::vector<Survey> surveys = is_survey(path) ? std::vector<Survey>() : surveys_in(path);

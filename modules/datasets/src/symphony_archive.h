@@ -13,12 +13,10 @@
 
 namespace edgevo {
 
-constexpr const char* kSurveyList = "image_auxilliary.csv";  // spelled so
-
 /// The survey's folder where `path` is ARCHIVE/SURVEY, or an archive with a single survey; `path` itself
 /// where it is neither. Throws InputError: an archive with several surveys (it lists them), two surveys of
 /// that name, none of it.
-std::string survey_place(const std::string& path);
+std::string survey_folder(const std::string& path);
 
 /// Maps/SURVEY/optposes.csv of a survey's folder, looked for in the three folders above it; empty if there is
 /// none.

@@ -34,7 +34,7 @@ struct SurveyRow {
   Timestamp time;
   int number = 0;                         ///< of the image
   double x = 0, y = 0, theta = 0;         ///< GPS, metres; compass, radians from x (east) to the left
-  double pan = 0, tilt = 0;               ///< radians (symphony_geometry.h)
+  double pan = 0, tilt = 0;               ///< radians (symphony_lake/survey_geometry.h)
   double fx = 0, fy = 0, cx = 0, cy = 0;  ///< pixels
   double width = 0, height = 0;
 };

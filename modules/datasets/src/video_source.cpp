@@ -10,7 +10,7 @@
 #include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
-#include "edgevo/edges/quiet_opencv.h"
+#include "edgevo/opencv_bridge/quiet_opencv.h"
 #include "rate.h"
 #include "sequence.h"
 #include "text_file.h"

@@ -112,7 +112,7 @@ Hypothesis weigh(const EdgeSight& sight, const std::vector<ViewGeometry>& views,
       h.cost += std::min(1.0, std::pow(look.residual / kReachPx[kLooks - 1], 2));
       h.dark_differs += look.change.dark, h.bright_differs += look.change.bright;
     }
-    h.information = A / (params.sigma_px * params.sigma_px);
+    h.information = A / (kEdgeSigmaPx * kEdgeSigmaPx);
     if (h.views < params.min_views) return h;
     if (pass < kLooks - 1 && A > 0) idepth = std::clamp(idepth + b / A, 0.0, max_idepth);
   }

@@ -9,6 +9,8 @@ namespace edgevo {
 
 /// Edges nearer to the image's border may be cut off; pixels.
 constexpr double kEdgeBorderPx = 3;
+/// Position noise of an edge along its normal, pixels.
+constexpr double kEdgeSigmaPx = 0.4;
 
 /// An inverse depth with what speaks for it.
 struct Hypothesis {

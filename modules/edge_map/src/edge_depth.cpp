@@ -201,9 +201,7 @@ class DepthSearch {
   }
 
   // Root mean square of J: an error common to all views moves the depth by itself over it.
-  double mean_slope(const Hypothesis& h) const {
-    return params_.sigma_px * std::sqrt(h.information / h.views);
-  }
+  double mean_slope(const Hypothesis& h) const { return kEdgeSigmaPx * std::sqrt(h.information / h.views); }
 
   void reached(int edge_pixel, EdgeFate gate) const {
     if (trace_) (*trace_)[size_t(edge_pixel)].reach(gate);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "depth_evidence.h"
 #include "edgevo/core/order_statistics.h"
@@ -18,10 +19,13 @@ struct KnownDepth {
 
 namespace {
 
-constexpr double kSeenBorderPx = 4;  // a vertex nearer to the border of an image may not be seen there
-constexpr double kAcrossPx = 1.5;    // from a projected vertex to the edge that it is
+constexpr int kFusionKeyframes = 12;  // a keyframe's lines are compared with those of so many after it
+constexpr double kSeenBorderPx = 4;   // a vertex nearer to the border of an image may not be seen there
+constexpr double kAcrossPx = 1.5;     // from a projected vertex to the edge that it is
 constexpr double kSeenAlongPx = 2.5;
 constexpr double kInFront = 1.1;  // times the inverse depth: of two lines at one pixel the nearer is seen
+// Depth in the keyframe over that in the host, below which a vertex is too near the camera, or behind it.
+constexpr double kMinDepthRatio = 0.05;
 // A known depth is as good as one found here, unless that is so much more certain.
 constexpr double kMuchBetter = 0.75;
 // A vertex is confirmed by a second keyframe that tells the same depth, or by so many images: of those that
@@ -37,13 +41,49 @@ bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
          kSameSigmas * std::hypot(known.sigma, node.idepth_sigma) + kSameShare * node.idepth;
 }
 
+// Does a vertex that is projected to `px`, with this normal in its host, lie on the edge?
+bool is_at_edge(const ViewGeometry& view, const Eigen::Vector2d& normal, const Eigen::Vector2d& px,
+                const EdgePixel& e) {
+  const Eigen::Vector2d offset = e.position().cast<double>() - px;
+  return std::abs(e.normal().cast<double>().dot(offset)) < kAcrossPx &&
+         offset.norm() < kAcrossPx + kSeenAlongPx && is_like_direction(view, normal, e);
+}
+
 }  // namespace
+
+// A vertex of an earlier line, where a keyframe should see it.
+struct EdgeFusion::Sighting {
+  // The edge pixel of the keyframe; -1: there is none.
+  int pixel = -1;
+  KnownDepth depth;
+
+  bool is_missed() const { return pixel < 0; }
+};
 
 // The edge pixels of a keyframe that lines of earlier ones explain.
 struct EdgeFusion::Explained {
   std::vector<KnownDepth> known;  // by edge pixel
   std::vector<Vertex*> by;        // the vertex that tells it; those between two, the nearer one
   std::vector<Vertex*> seen, missed;
+
+  // Of two lines at one pixel the nearer is seen.
+  void mark(int pixel, const KnownDepth& depth, Vertex* vertex) {
+    KnownDepth& there = known[size_t(pixel)];
+    if (there.idepth > 0 && depth.idepth < kInFront * there.idepth) return;
+    there = depth;
+    by[size_t(pixel)] = vertex;
+  }
+
+  // The pixels of the chain between two neighbours on a line: the inverse depth is linear there.
+  void bridge(const EdgeMap& edges, const Sighting& a, const Sighting& b, Vertex* vertex) {
+    const bool is_one_chain = edges.pixels[size_t(a.pixel)].chain == edges.pixels[size_t(b.pixel)].chain;
+    if (!is_one_chain || std::abs(b.pixel - a.pixel) >= kMaxBridge) return;
+    for (int k = std::min(a.pixel, b.pixel) + 1; k < std::max(a.pixel, b.pixel); ++k) {
+      const double share = double(k - a.pixel) / (b.pixel - a.pixel);
+      const double idepth = a.depth.idepth + share * (b.depth.idepth - a.depth.idepth);
+      mark(k, {idepth, std::max(a.depth.sigma, b.depth.sigma), b.depth.h_z, b.depth.e_z}, vertex);
+    }
+  }
 };
 
 void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
@@ -58,7 +98,7 @@ void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
   for (const EdgePiece& piece : pieces) add_new_stretches(host, piece, &explained, &open.lines);
   count(&explained);
   open_.push_back(std::move(open));
-  while (int(open_.size()) > params_.fusion_keyframes) {
+  while (int(open_.size()) > kFusionKeyframes) {
     settle(open_.front());
     open_.pop_front();
   }
@@ -100,7 +140,9 @@ bool EdgeFusion::is_news(const EdgeNode& node, Explained* explained) const {
   const double z = (known.h_z / double(by->vertex.idepth) + known.e_z) * known.idepth / node.idepth;
   if (z > known.e_z) {
     const double weight = weight_of(node.idepth, node.idepth_sigma);
-    by->told_weight += weight, by->told_sum += weight * known.h_z / (z - known.e_z), ++by->told;
+    by->told_weight += weight;
+    by->told_sum += weight * known.h_z / (z - known.e_z);
+    ++by->told;
   }
   if (node.idepth_sigma > kMuchBetter * known.sigma) return false;
   by->is_replaced = true;
@@ -117,47 +159,34 @@ void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* 
   const PyramidLevel& level = host.pyramid->finest();
   const SE3 T_host_open = host.T_cam_world * open.T_cam_world.inverse();
   const ViewGeometry view(pinhole_, {host.pyramid, host.sides, T_host_open, 1});
-  const auto explain = [&](int pixel, const KnownDepth& depth, Vertex* by) {
-    KnownDepth& known = explained->known[size_t(pixel)];
-    if (known.idepth > 0 && depth.idepth < kInFront * known.idepth) return;
-    known = depth;
-    explained->by[size_t(pixel)] = by;
-  };
-  int last_pixel = -1;
-  KnownDepth last;
+  std::optional<Sighting> before;
   for (Vertex& v : *line) {
-    const int before = std::exchange(last_pixel, -1);
-    if (v.is_replaced) continue;
-    const SightLine sight(view, v.vertex.px.cast<double>());
-    const double idepth = double(v.vertex.idepth), depth = sight.depth(idepth);
-    if (!(depth > 0.05)) continue;
-    const Eigen::Vector2d p = sight.at(idepth);
-    if (!pinhole_.contains(p, kSeenBorderPx)) continue;
-    const int j = level.field.nearest(float(p.x()), float(p.y()));
-    const EdgePixel* e = j >= 0 ? &level.edges.pixels[size_t(j)] : nullptr;
-    const Eigen::Vector2d offset = e ? Eigen::Vector2d(e->position().cast<double>() - p) : p;
-    const bool is_there = e && std::abs(e->normal().cast<double>().dot(offset)) < kAcrossPx &&
-                          offset.norm() < kAcrossPx + kSeenAlongPx &&
-                          is_like_direction(view, v.normal.cast<double>(), *e);
-    if (!is_there) {
+    std::optional<Sighting> here;
+    if (!v.is_replaced) here = sight(level, view, v);
+    if (here && here->is_missed()) {
       explained->missed.push_back(&v);
-      continue;
+      here.reset();
     }
-    // z' = z (h + rho e)_z: the inverse depth and its deviation in this keyframe.
-    const KnownDepth here{idepth / depth, double(v.vertex.idepth_sigma) / depth, sight.h.z(), sight.e.z()};
-    explain(j, here, &v);
-    if (before >= 0 && level.edges.pixels[size_t(before)].chain == e->chain &&
-        std::abs(j - before) < kMaxBridge)
-      for (int k = std::min(before, j) + 1; k < std::max(before, j); ++k) {
-        const double share = double(k - before) / (j - before);
-        explain(k,
-                {last.idepth + share * (here.idepth - last.idepth), std::max(last.sigma, here.sigma),
-                 here.h_z, here.e_z},
-                &v);
-      }
-    last_pixel = j;
-    last = here;
+    if (here) explained->mark(here->pixel, here->depth, &v);
+    if (here && before) explained->bridge(level.edges, *before, *here, &v);
+    before = here;
   }
+}
+
+// Nothing where the vertex cannot be seen.
+std::optional<EdgeFusion::Sighting> EdgeFusion::sight(const PyramidLevel& level, const ViewGeometry& view,
+                                                      const Vertex& v) const {
+  const SightLine line(view, v.vertex.px.cast<double>());
+  const double idepth = double(v.vertex.idepth), depth_ratio = line.depth(idepth);
+  if (!(depth_ratio > kMinDepthRatio)) return std::nullopt;
+  const Eigen::Vector2d p = line.at(idepth);
+  if (!pinhole_.contains(p, kSeenBorderPx)) return std::nullopt;
+  const int pixel = level.field.nearest(float(p.x()), float(p.y()));
+  if (pixel < 0 || !is_at_edge(view, v.normal.cast<double>(), p, level.edges.pixels[size_t(pixel)]))
+    return Sighting{};
+  // z' = z (h + rho e)_z: the inverse depth and its deviation in this keyframe.
+  return Sighting{
+      pixel, {idepth / depth_ratio, double(v.vertex.idepth_sigma) / depth_ratio, line.h.z(), line.e.z()}};
 }
 
 // Each vertex is seen or missed once a keyframe at most.
@@ -168,7 +197,10 @@ void EdgeFusion::count(Explained* explained) const {
   };
   distinct(&explained->seen);
   distinct(&explained->missed);
-  for (Vertex* v : explained->seen) ++v->seen, take_over(v);
+  for (Vertex* v : explained->seen) {
+    ++v->seen;
+    take_over(v);
+  }
   for (Vertex* v : explained->missed)
     v->missed += !std::binary_search(explained->seen.begin(), explained->seen.end(), v);
 }
@@ -180,7 +212,8 @@ void EdgeFusion::take_over(Vertex* v) {
   const double weight = v->told_weight / v->told, mean = v->told_sum / v->told_weight;
   v->vertex.idepth = float((v->weight * double(v->vertex.idepth) + weight * mean) / (v->weight + weight));
   v->weight += weight;
-  v->told = 0, v->told_weight = v->told_sum = 0;
+  v->told = 0;
+  v->told_weight = v->told_sum = 0;
 }
 
 EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode& node,
@@ -278,7 +311,8 @@ void EdgeFusion::apply(const MapRevision& revision) {
   const auto move = [&](const ImageMotion& motion, double length_ratio, EdgeVertex* v) {
     v->px =
         correct_pixel(pinhole_, revision.before, revision.now, motion, v->px.cast<double>()).cast<float>();
-    v->idepth /= float(length_ratio), v->idepth_sigma /= float(length_ratio);
+    v->idepth /= float(length_ratio);
+    v->idepth_sigma /= float(length_ratio);
   };
   for (const RevisedKeyframe& r : revision.keyframes) {
     for (OpenHost& host : open_) {

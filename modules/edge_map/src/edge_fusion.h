@@ -1,12 +1,16 @@
 #pragma once
 // The lines of a segment, fused: each 3D edge is hosted once.
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "edgevo/edge_map/edge_depth.h"
 #include "edgevo/edge_map/edge_mapper.h"
 
 namespace edgevo {
+
+struct PyramidLevel;
+struct ViewGeometry;
 
 /// A keyframe as the fusion needs it.
 struct EdgeHost {
@@ -49,10 +53,12 @@ class EdgeFusion {
     ImageMotion motion;
     std::vector<Line> lines;
   };
+  struct Sighting;
   struct Explained;
 
   void project_lines(const EdgeHost& host, Explained* explained);
   void project_line(const EdgeHost& host, const OpenHost& open, Line* line, Explained* explained) const;
+  std::optional<Sighting> sight(const PyramidLevel& level, const ViewGeometry& view, const Vertex& v) const;
   void add_new_stretches(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
                          std::vector<Line>* lines) const;
   bool is_news(const EdgeNode& node, Explained* explained) const;

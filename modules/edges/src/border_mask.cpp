@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "edgevo/core/rule.h"
-#include "opencv_view.h"
+#include "edgevo/edges/opencv_view.h"
 
 namespace edgevo {
 namespace {
@@ -82,7 +81,7 @@ void BorderMask::find_areas() {
 }
 
 std::shared_ptr<const Plane<uint8_t>> BorderMask::mask() const {
-  return images_ >= kImagesNeeded && areas_ && rule("border mask") ? areas_ : nullptr;
+  return images_ >= kImagesNeeded && areas_ ? areas_ : nullptr;
 }
 
 }  // namespace edgevo

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "edge_links.h"
 #include "edgevo/core/simd.h"
+#include "edgevo/edges/edge_links.h"
 
 namespace edgevo {
 namespace {

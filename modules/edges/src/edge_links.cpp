@@ -1,4 +1,4 @@
-#include "edge_links.h"
+#include "edgevo/edges/edge_links.h"
 
 #include <algorithm>
 #include <array>

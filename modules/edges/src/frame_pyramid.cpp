@@ -6,13 +6,16 @@
 
 #include "border_mask.h"
 #include "edgevo/core/error.h"
-#include "edgevo/core/image_names.h"
 #include "edgevo/edges/edge_extraction.h"
-#include "opencv_view.h"
+#include "edgevo/edges/opencv_view.h"
+#include "edgevo/files/image_names.h"
 #include "undistortion.h"
 
 namespace edgevo {
 namespace {
+
+// Nearest-neighbour fields reach this far, pixels: further than any search does that asks them.
+constexpr int kFieldRadiusPx = 12;
 
 // Clears the pixels of level l that lie in `border`, a mask of level 0.
 void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
@@ -94,7 +97,7 @@ struct PyramidBuilder::Impl {
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    level->field = NearestField(level->edges, params.field_radius);
+    level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 
@@ -111,20 +114,24 @@ double FramePyramid::masked_share() const {
          (double(border_mask->width()) * border_mask->height());
 }
 
-PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params)
-    : PyramidBuilder(camera, params, make_edge_probability(params)) {}
+PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+                               const EdgeDetectorTable& detectors)
+    : PyramidBuilder(camera, params, make_edge_detector(params, detectors),
+                     make_edge_probability(params, detectors)) {}
 
-PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgeParams& params) {
-  return PyramidBuilder(camera, params, nullptr);
+PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgeParams& params,
+                                              const EdgeDetectorTable& detectors) {
+  return PyramidBuilder(camera, params, make_edge_detector(params, detectors), nullptr);
 }
 
 PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+                               std::unique_ptr<EdgeDetector> detector,
                                std::unique_ptr<EdgeProbability> probability)
     : impl_(new Impl) {
   camera.check("camera");
   impl_->camera = camera;
   impl_->params = params;
-  impl_->detector = make_edge_detector(params);
+  impl_->detector = std::move(detector);
   impl_->probability = std::move(probability);
   impl_->make_maps();
 }

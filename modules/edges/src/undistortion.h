@@ -10,7 +10,7 @@
 namespace edgevo {
 
 /// Bilinear, positions rounded to 1/128 px; beyond the border the border pixels go on. At least 2x2 pixels.
-/// Faster than OpenCV's remap, whose positions are rounded to 1/32 px (numbers in the module's README).
+/// Faster than OpenCV's remap, whose positions are rounded to 1/32 px.
 class Undistortion {
  public:
   explicit Undistortion(const UndistortionMaps& maps);

@@ -8,7 +8,6 @@
 #include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
-#include "edgevo/core/rule.h"
 #include "opencv_pose.h"
 #include "two_view_motion.h"
 
@@ -21,11 +20,15 @@ constexpr size_t kMaxKeptViews = 14;
 // Corners: three fix a pose, and a view between the two is worth nothing with a wrong one.
 constexpr int kMinPnpCorners = 20;
 // RANSAC runs that have to agree on the rotation: one alone was wrong in two of five seeds
-// (share/lab/2026-11-22_bootstrap.md).
+// (share/lab/archive/2026-11-22_bootstrap.md).
 constexpr int kMotionTrials = 5;
 // Frames in a row whose corners do not agree on one motion: the first view was taken in bad light
-// (share/lab/2026-11-22_bootstrap.md).
+// (share/lab/archive/2026-11-22_bootstrap.md).
 constexpr int kMaxDisagreeing = 8;
+constexpr int kMaxFirstCorners = 1200;      // followed from the first view
+constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix
+// Of the corners, that must agree with the essential matrix.
+constexpr double kMinInlierShare = 0.6;
 // Depth in the unit of the baseline below which a triangulated corner counts as behind the camera.
 constexpr double kMinCornerDepth = 1e-6;
 
@@ -49,6 +52,14 @@ bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen:
   return true;
 }
 
+// Corners of the two views with a depth.
+struct Triangulation {
+  std::vector<BootstrapCorner> corners;
+  /// Index of each among the corners of a view.
+  std::vector<int> index;
+  std::vector<double> parallax_deg, depths;
+};
+
 }  // namespace
 
 struct Bootstrap::Impl {
@@ -61,17 +72,56 @@ struct Bootstrap::Impl {
   int disagreeing = 0;                   // frames in a row
   cv::Mat previous;
 
-  void start(BootstrapView view, cv::Mat image) {
+  void reset() {
     views.clear();
     corners_in_view.clear();
+  }
+
+  // Takes `view` for the first one. False: it shows too few corners, and the next frame is tried.
+  bool start(BootstrapView view, cv::Mat image) {
+    reset();
     disagreeing = 0;
-    Corners corners = find_corners(image, params.max_corners);
+    Corners corners = find_corners(image, kMaxFirstCorners);
     for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
     first_corners = corners.size();
     view.placed = true;
     views.push_back(std::move(view));
     corners_in_view.push_back(std::move(corners));
     previous = std::move(image);
+    const bool enough = int(first_corners) >= kMinBootstrapCorners;
+    if (!enough) reset();
+    return enough;
+  }
+
+  // The newest view becomes the first one.
+  BootstrapStatus start_again(const std::string& reason) {
+    start(BootstrapView(views.back()), previous);
+    return {std::nullopt, reason + "; new first view"};
+  }
+
+  BootstrapStatus take_first(BootstrapView view, cv::Mat image) {
+    if (start(std::move(view), std::move(image))) return {std::nullopt, "first view taken"};
+    return {std::nullopt, sentence("only %.0f corners in the image, %.0f needed", double(first_corners),
+                                   kMinBootstrapCorners)};
+  }
+
+  BootstrapStatus take_next(BootstrapView view, cv::Mat image) {
+    follow(std::move(view), std::move(image));
+    if (const std::optional<std::string> reason = restart_reason()) return start_again(*reason);
+    BootstrapStatus status = try_two_views();
+    if (disagreeing >= kMaxDisagreeing) return start_again(status.reason);
+    return status;
+  }
+
+  // Why the first view is of no more use; nothing while it is.
+  std::optional<std::string> restart_reason() const {
+    const int alive = int(corners_in_view.back().size());
+    const bool too_few = alive < kMinBootstrapCorners;
+    const bool too_long = int(views.size()) > params.max_frames;
+    if (too_few)
+      return sentence("only %.0f corners could be followed, %.0f needed", alive, kMinBootstrapCorners);
+    if (too_long) return "too little motion for too long";
+    return std::nullopt;
   }
 
   // Follows the corners into `image`; those that fail the forward-backward check are struck out of every
@@ -109,34 +159,33 @@ struct Bootstrap::Impl {
   BootstrapStatus try_two_views() {
     const Corners& a = corners_in_view.front();
     const Corners& b = corners_in_view.back();
-    const double disparity = median_motion(first_corners, a, b),
-                 needed = params.min_disparity * pinhole.width;
+    const double disparity = median_motion(params.count_lost_corners ? first_corners : a.size(), a, b);
+    const double needed = params.min_disparity * pinhole.width;
     if (disparity < needed)
       return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
                                      disparity, needed)};
     const std::vector<TwoViewMotion> motions =
-        estimate_motions(pinhole, a, b, params.ransac_px, kMotionTrials, &random);
+        estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
     const TwoViewMotion& best =
         *std::min_element(motions.begin(), motions.end(),
                           [](const auto& m, const auto& n) { return m.median_error_px < n.median_error_px; });
     const int agreeing = cv::countNonZero(best.inliers);
-    const bool disagree = agreeing < params.min_inlier_share * double(a.size());
+    const bool disagree = agreeing < kMinInlierShare * double(a.size());
     disagreeing = disagree ? disagreeing + 1 : 0;
     if (disagree)
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
-                                     100.0 * agreeing / double(a.size()), 100 * params.min_inlier_share)};
+                                     100.0 * agreeing / double(a.size()), 100 * kMinInlierShare)};
     if (is_ambiguous(best, motions))
       return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
     return build_result(best.T_last_first, best.inliers);
   }
 
-  BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {
+  // The inliers that lie in front of both cameras.
+  Triangulation triangulate_inliers(const SE3& T_last_first, const cv::Mat& inliers) const {
     const Corners& a = corners_in_view.front();
     const Corners& b = corners_in_view.back();
-    BootstrapResult result;
-    std::vector<double> parallax, depths;
-    std::vector<int> used;
+    Triangulation t;
     for (size_t i = 0; i < a.size(); ++i) {
       if (!inliers.at<uchar>(int(i))) continue;
       BootstrapCorner c;
@@ -144,24 +193,34 @@ struct Bootstrap::Impl {
       c.px_last = {b[i].x, b[i].y};
       const Eigen::Vector3d ray_a = pinhole.ray(c.px_first), ray_b = pinhole.ray(c.px_last);
       if (!triangulate(T_last_first, ray_a, ray_b, &c.idepth_first, &c.idepth_last)) continue;
-      parallax.push_back(angle_between(T_last_first.R() * ray_a, ray_b) * 180.0 / M_PI);
-      depths.push_back(1.0 / c.idepth_first);
-      result.corners.push_back(c);
-      used.push_back(int(i));
+      t.parallax_deg.push_back(angle_between(T_last_first.R() * ray_a, ray_b) * 180.0 / M_PI);
+      t.depths.push_back(1.0 / c.idepth_first);
+      t.corners.push_back(c);
+      t.index.push_back(int(i));
     }
-    if (int(used.size()) < params.min_tracks / 2)
+    return t;
+  }
+
+  BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {
+    Triangulation triangulated = triangulate_inliers(T_last_first, inliers);
+    if (int(triangulated.index.size()) < kMinBootstrapCorners / 2)
       return {std::nullopt, sentence("only %.0f corners lie in front of both views, %.0f needed",
-                                     double(used.size()), params.min_tracks / 2.0)};
-    result.parallax_deg = median(parallax);
+                                     double(triangulated.index.size()), kMinBootstrapCorners / 2.0)};
+    BootstrapResult result;
+    result.corners = std::move(triangulated.corners);
+    result.parallax_deg = median(triangulated.parallax_deg);
     if (result.parallax_deg < params.min_parallax_deg)
       return {std::nullopt, sentence("median parallax %.2f deg, %.2f deg needed: the motion is mostly "
                                      "rotation, or the scene far away",
                                      result.parallax_deg, params.min_parallax_deg)};
-    const double scale = params.median_depth / median(depths);
-    for (BootstrapCorner& c : result.corners) c.idepth_first /= scale, c.idepth_last /= scale;
+    const double scale = kFirstMedianDepth / median(triangulated.depths);
+    for (BootstrapCorner& c : result.corners) {
+      c.idepth_first /= scale;
+      c.idepth_last /= scale;
+    }
     views.back().T_cam_first = SE3(T_last_first.rotation(), T_last_first.translation() * scale);
     views.back().placed = true;
-    place_views_between(result, used);
+    place_views_between(result, triangulated.index);
     result.views = views;
     return {std::move(result), ""};
   }
@@ -198,10 +257,7 @@ Bootstrap::Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint
 }
 Bootstrap::~Bootstrap() = default;
 
-void Bootstrap::reset() {
-  impl_->views.clear();
-  impl_->corners_in_view.clear();
-}
+void Bootstrap::reset() { impl_->reset(); }
 
 BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid) {
   cv::Mat image = equalised(*pyramid);
@@ -209,37 +265,8 @@ BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<
   view.frame_index = frame_index;
   view.time = time;
   view.pyramid = std::move(pyramid);
-  if (impl_->views.empty()) {
-    impl_->start(std::move(view), std::move(image));
-    const int found = int(impl_->corners_in_view.back().size());
-    if (found < impl_->params.min_tracks) {
-      reset();
-      return {std::nullopt,
-              sentence("only %.0f corners in the image, %.0f needed", found, impl_->params.min_tracks)};
-    }
-    return {std::nullopt, "first view taken"};
-  }
-  BootstrapView again = view;
-  cv::Mat image_again = image;
-  impl_->follow(std::move(view), std::move(image));
-  const int alive = int(impl_->corners_in_view.back().size());
-  const bool few =
-      alive<impl_->params.min_tracks, long_ago = int(impl_->views.size())> impl_->params.max_frames;
-  BootstrapStatus status;
-  if (few)
-    status.reason = sentence("only %.0f corners could be followed, %.0f needed; new first view", alive,
-                             impl_->params.min_tracks);
-  else if (long_ago)
-    status.reason = "too little motion for too long; new first view";
-  else
-    status = impl_->try_two_views();
-  const bool disagreed = impl_->disagreeing >= kMaxDisagreeing && rule("corners disagree");
-  if (disagreed) status.reason += "; new first view";
-  if (few || long_ago || disagreed) {
-    impl_->start(std::move(again), std::move(image_again));
-    if (int(impl_->corners_in_view.back().size()) < impl_->params.min_tracks) reset();
-  }
-  return status;
+  return impl_->views.empty() ? impl_->take_first(std::move(view), std::move(image))
+                              : impl_->take_next(std::move(view), std::move(image));
 }
 
 }  // namespace edgevo

@@ -12,6 +12,11 @@ namespace {
 // RANSAC runs; the one with which more corners agree is taken. A second for the sample that one run misses; a
 // third of the time each.
 constexpr int kTrials = 2;
+constexpr int kMaxFollowedCorners = 450;   // followed from the last keyframe
+constexpr double kCornerRansacPx = 1.0;    // inlier threshold of the essential matrix
+constexpr double kMinAgreeingShare = 0.7;  // of the corners that could be followed
+// Median over the inliers, rotation taken out; with less they say nothing.
+constexpr double kMinParallaxDeg = 0.3;
 
 // Corners of the first image, and where a rotation has them in the second; those that it turns out of the
 // view are left out.
@@ -36,22 +41,22 @@ std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const Fra
                                                const FramePyramid& to, const SE3& T_to_from,
                                                const CornerParams& params, Random* random) {
   const cv::Mat image_from = equalised(from);
-  ForeseenCorners corners = foresee(pinhole, find_corners(image_from, params.max_corners), T_to_from.R());
+  ForeseenCorners corners = foresee(pinhole, find_corners(image_from, kMaxFollowedCorners), T_to_from.R());
   const std::vector<bool> found = follow_corners(image_from, equalised(to), corners.from, &corners.to);
   Corners first, last;
   for (size_t i = 0; i < found.size(); ++i)
     if (found[i]) first.push_back(corners.from[i]), last.push_back(corners.to[i]);
   if (int(first.size()) < params.min_agreeing) return std::nullopt;
   const std::vector<TwoViewMotion> motions =
-      estimate_motions(pinhole, first, last, params.ransac_px, kTrials, random);
+      estimate_motions(pinhole, first, last, kCornerRansacPx, kTrials, random);
   if (motions.empty()) return std::nullopt;
   const auto agreeing = [](const TwoViewMotion& m) { return cv::countNonZero(m.inliers); };
   const TwoViewMotion& best =
       *std::max_element(motions.begin(), motions.end(),
                         [&](const auto& a, const auto& b) { return agreeing(a) < agreeing(b); });
-  const bool few = agreeing(best) <
-                   std::max(double(params.min_agreeing), params.min_agreeing_share * double(first.size()));
-  if (few || best.parallax_rad < params.min_parallax_deg * M_PI / 180) return std::nullopt;
+  const bool few =
+      agreeing(best) < std::max(double(params.min_agreeing), kMinAgreeingShare * double(first.size()));
+  if (few || best.parallax_rad < kMinParallaxDeg * M_PI / 180) return std::nullopt;
   CornerMotion motion;
   motion.T_to_from = best.T_last_first;
   for (size_t i = 0; i < first.size(); ++i)

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -69,7 +68,7 @@ double median_motion(size_t all, const Corners& from, const Corners& to) {
   std::vector<double> motion;
   for (size_t i = 0; i < from.size(); ++i) motion.push_back(cv::norm(to[i] - from[i]));
   const size_t left = motion.size();
-  const bool some_lost = all > left && rule("lost corners moved");
+  const bool some_lost = all > left;
   return of_rank(std::move(motion), some_lost ? std::min(all / 2, 3 * left / 4) : left / 2);
 }
 

@@ -24,7 +24,7 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
 /// Median motion, pixels, of the `all` corners of a first view, of which those left went from `from` to `to`
 /// (one or more). Under noise and changing light those that move fast are lost first: the lost ones count as
 /// moved further than the median, up to half as many as are left, or the median of what is left would fall
-/// with time.
+/// with time (share/lab/archive/2026-11-22_bootstrap.md).
 double median_motion(size_t all, const Corners& from, const Corners& to);
 
 }  // namespace edgevo

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 namespace {
 
@@ -17,6 +15,7 @@ constexpr double kSearchSigmas = 2;  // standard deviations to each side: 95 of 
 constexpr double kNearestToNone = 1e-3;
 // Between neighbours, across the edge: further off it is another one, or a corner.
 constexpr double kAcrossPx = 2;
+constexpr double kNeighbourPx = 14;  // neighbours further along the edge do not count
 // Standard deviations of both, beyond which neighbours are at different depths.
 constexpr double kNeighbourSigmas = 2;
 
@@ -45,24 +44,23 @@ void fuse(const EpipolarMatch& m, ImmaturePoint* p) {
 }
 
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
-                   const AssociationParams& association, Keyframe* host) {
+                   Keyframe* host) {
   for (ImmaturePoint& p : host->immature) {
     if (p.dead) continue;
     const double reach = kSearchSigmas * p.idepth_sigma;
     const IdepthRange range{std::max(p.idepth - reach, kNearestToNone * p.idepth), p.idepth + reach};
-    fuse(search_epipolar(*host->pyramid, target, p.px, p.normal, T_target_host, range, params, association),
-         &p);
+    fuse(search_epipolar(*host->pyramid, target, p.px, p.normal, T_target_host, range, params), &p);
   }
 }
 
 void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
                         std::vector<ImmaturePoint>* points) {
-  if (params.smoothing_weight <= 0 || !rule("smooth along edges")) return;
+  if (params.smoothing_weight <= 0) return;
   const auto neighbours = [&](const ImmaturePoint& a, const ImmaturePoint& b) {
     if (a.dead || b.dead || a.good == 0 || b.good == 0) return false;
     if (edges.pixels[a.edge_pixel].chain != edges.pixels[b.edge_pixel].chain) return false;
     const Eigen::Vector2d d = b.px - a.px;
-    return d.norm() < params.smoothing_reach_px && std::abs(a.normal.dot(d)) < kAcrossPx &&
+    return d.norm() < kNeighbourPx && std::abs(a.normal.dot(d)) < kAcrossPx &&
            std::abs(a.idepth - b.idepth) < kNeighbourSigmas * std::hypot(a.idepth_sigma, b.idepth_sigma);
   };
   std::vector<double> smoothed(points->size());

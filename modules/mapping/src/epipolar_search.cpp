@@ -31,6 +31,13 @@ constexpr int kPatchRadiusPx = 2;
 constexpr double kSameWarpRatio = 1.3;
 // A crossing may lie so far outside the segment: edges are found to half a pixel.
 constexpr double kBeyondEndPx = 1;
+// Edges more parallel to the epipolar line give no depth.
+constexpr double kMinEpipolarCosine = 0.25;
+// Edges within this of the epipolar line are candidates.
+constexpr double kMaxEdgeDistancePx = 1.5;
+// Gate on the angle between the two edge normals, signed: 45 degrees.
+constexpr double kMinNormalCosine = 0.7;
+constexpr double kEpipolarSigmaPx = 0.3;  // position noise of the epipolar line
 // From the step to the crossing: further on another step of the line has a nearer edge.
 constexpr double kMaxSlidePx = 2.5;
 // The next pixel of the same edge crosses at the same place, within this.
@@ -40,14 +47,13 @@ class EpipolarSearch {
  public:
   EpipolarSearch(const FramePyramid& host, const PyramidLevel& target, const Eigen::Vector2d& px_host,
                  const Eigen::Vector2d& normal_host, const SE3& T_target_host,
-                 const DepthFilterParams& params, const AssociationParams& association)
+                 const DepthFilterParams& params)
       : host_(host),
         target_(target),
         px_host_(px_host),
         normal_host_(normal_host),
         T_(T_target_host),
         params_(params),
-        association_(association),
         rotated_ray_(T_target_host.R() * target.pinhole.ray(px_host)) {
     crossings_.clear();
   }
@@ -89,7 +95,7 @@ class EpipolarSearch {
   // Of the host's edge as it is seen here, at the middle of the range.
   bool runs_along(const EpipolarSegment& s, const IdepthRange& range) const {
     const Eigen::Matrix2d A = patch_warp(target_.pinhole, T_, px_host_, 0.5 * (range.low + range.high));
-    return std::abs(warp_normal(A, normal_host_).dot(s.direction)) < params_.min_epipolar_cosine;
+    return std::abs(warp_normal(A, normal_host_).dot(s.direction)) < kMinEpipolarCosine;
   }
 
   // Steps along the segment that may have an edge in reach.
@@ -119,7 +125,7 @@ class EpipolarSearch {
 
   // Fills a batch from step `i` on; returns the next step.
   int take_batch(const EpipolarSegment& s, double step, int i, int steps, Batch* batch) const {
-    const int in_reach = max_squared_distance(params_.max_edge_distance_px);
+    const int in_reach = max_squared_distance(kMaxEdgeDistancePx);
     batch->count = 0;
     for (; i < steps && batch->count < Batch::kSize; ++i) {
       const Eigen::Vector2d p = s.start + i * step * s.direction;
@@ -144,7 +150,7 @@ class EpipolarSearch {
     if (edge == *last_edge) return;
     const EdgePixel& e = target_.edges.pixels[edge];
     const Eigen::Vector2d p = s.start + along * s.direction;
-    const float reach = float(params_.max_edge_distance_px);
+    const float reach = float(kMaxEdgeDistancePx);
     if ((e.position() - p.cast<float>()).squaredNorm() > reach * reach) return;
     *last_edge = edge;
     consider(e, s, along, p);
@@ -154,7 +160,7 @@ class EpipolarSearch {
   void consider(const EdgePixel& e, const EpipolarSegment& s, double along, const Eigen::Vector2d& p) {
     const Eigen::Vector2d n = e.normal().cast<double>();
     const double cosine = n.dot(s.direction);
-    if (std::abs(cosine) < params_.min_epipolar_cosine) return;
+    if (std::abs(cosine) < kMinEpipolarCosine) return;
     const double crossing = along + n.dot(e.position().cast<double>() - p) / cosine;
     if (crossing < -kBeyondEndPx || crossing > s.length + kBeyondEndPx) return;
     if (std::abs(crossing - along) > kMaxSlidePx) return;
@@ -166,7 +172,7 @@ class EpipolarSearch {
     c.normal = n;
     c.idepth = triangulate_idepth(target_.pinhole, rotated_ray_, T_.translation(), c.px, s.direction);
     if (!(c.idepth > 0) || !prepare_warp(c.idepth)) return;
-    if (warp_normal(A_, normal_host_).dot(n) < params_.min_normal_cosine) return;
+    if (warp_normal(A_, normal_host_).dot(n) < kMinNormalCosine) return;
     crossings_.push_back(crossing);
     c.cost = patch_cost(patch_, target_.gradient_magnitude.view(), c.px.x(), c.px.y());
     rank(c);
@@ -202,10 +208,9 @@ class EpipolarSearch {
       const PatchSource from = patch_source(host_, px_host_, A);
       NormalTemplate patch;
       if (!make_normal_template(from.level->gray.view(), from.px, from.A_target_host, best_.normal,
-                                association_.refine_radius, &patch))
+                                kRefinementRadius, &patch))
         return outcome(EpipolarOutcome::kNoMatch);
-      const NormalRefinement r =
-          refine_along_normal(patch, target_.gray.view(), best_.px, best_.normal, association_);
+      const NormalRefinement r = refine_along_normal(patch, target_.gray.view(), best_.px, best_.normal);
       if (!r.accepted) return outcome(EpipolarOutcome::kNoMatch);
       best_.px += s.direction * (r.move_px / cosine);  // back onto the epipolar line
     }
@@ -217,7 +222,7 @@ class EpipolarSearch {
     m.px = best_.px;
     m.idepth = idepth_at(0);
     const double per_px = idepth_at(0.5) - idepth_at(-0.5);
-    const double sigma_px = std::hypot(params_.sigma_edge_px, params_.sigma_epipolar_px) / std::abs(cosine);
+    const double sigma_px = std::hypot(params_.sigma_edge_px, kEpipolarSigmaPx) / std::abs(cosine);
     m.idepth_sigma = std::abs(per_px) * sigma_px;
     const bool usable = m.idepth > 0 && std::isfinite(m.idepth_sigma) && m.idepth_sigma > 0;
     m.outcome = usable ? EpipolarOutcome::kFound : EpipolarOutcome::kNoBaseline;
@@ -229,7 +234,6 @@ class EpipolarSearch {
   Eigen::Vector2d px_host_, normal_host_;
   const SE3& T_;
   const DepthFilterParams& params_;
-  const AssociationParams& association_;
   Eigen::Vector3d rotated_ray_;
   double warp_idepth_ = 0;
   bool warp_ok_ = false;
@@ -253,9 +257,8 @@ double triangulate_idepth(const Pinhole& camera, const Eigen::Vector3d& r, const
 EpipolarMatch search_epipolar(const FramePyramid& host, const FramePyramid& target,
                               const Eigen::Vector2d& px_host, const Eigen::Vector2d& normal_host,
                               const SE3& T_target_host, const IdepthRange& range,
-                              const DepthFilterParams& params, const AssociationParams& association) {
-  return EpipolarSearch(host, target.finest(), px_host, normal_host, T_target_host, params, association)
-      .run(range);
+                              const DepthFilterParams& params) {
+  return EpipolarSearch(host, target.finest(), px_host, normal_host, T_target_host, params).run(range);
 }
 
 }  // namespace edgevo

@@ -9,7 +9,6 @@
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
-#include "edgevo/core/rule.h"
 #include "opencv_pose.h"
 
 namespace edgevo {
@@ -70,8 +69,7 @@ bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vecto
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
                         const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
                         cv::Mat* inliers) {
-  if (!rule("all inliers")) return T;
-  constexpr int kRounds = 3;  // as measured: share/lab/2026-11-22_bootstrap.md
+  constexpr int kRounds = 3;  // as measured: share/lab/archive/2026-11-22_bootstrap.md
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Eigen::Vector3d> x, y;
     for (size_t i = 0; i < first.size(); ++i) {
@@ -161,7 +159,7 @@ bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& m
     const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();
     const double parallax = std::min(m.parallax_rad, best.parallax_rad);
     const bool fits = m.median_error_px < kFitsToo * best.median_error_px;
-    if (fits && rotation > kMaxRotationShare * parallax && rule("motions agree")) return true;
+    if (fits && rotation > kMaxRotationShare * parallax) return true;
   }
   return false;
 }

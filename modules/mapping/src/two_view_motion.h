@@ -25,7 +25,7 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
 
 /// With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: true
 /// while motions that fit about as well as `best` disagree on the rotation by more than a share of the
-/// parallax that depths would come from.
+/// parallax that depths would come from (share/lab/archive/2026-11-22_bootstrap.md).
 bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions);
 
 /// Gauss-Newton on the distances from the epipolar lines, rotation and translation direction (five unknowns),

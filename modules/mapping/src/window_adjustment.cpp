@@ -1,15 +1,9 @@
 // The window's bundle adjustment: the problem made of the keyframes and their matches, and what becomes of
 // both after a solve.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/association/patch_source.h"
-#include "edgevo/association/photometric_residual.h"
-#include "edgevo/association/warp.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/window.h"
-#include "in_view.h"
 
 namespace edgevo {
 namespace {
@@ -19,49 +13,51 @@ namespace {
 constexpr int kMaxMisses = 3;
 // Standard deviations of a match, beyond which it is dropped after the last adjustment: hardly ever chance.
 constexpr double kDropSigmas = 4.0;
+constexpr double kCornerSigmaPx = 0.5;  // one standard deviation of a corner
 // Share of the cost whose decrease ends an adjustment: what is left after it is below the noise of the
 // matches. A fifth of the time less than with 1e-4, at the same errors
-// (share/lab/2026-11-21_end_of_adjustment.md).
+// (share/lab/archive/2026-11-21_end_of_adjustment.md).
 constexpr double kEnoughDecrease = 1e-3;
 
 }  // namespace
 
 Window::Adjustment Window::build_adjustment() {
   Adjustment a;
-  BaProblem& problem = a.problem;
-  problem.pinhole = pinhole_;
-  for (const Keyframe& k : keyframes_) {
-    problem.poses.push_back({k.T_cam_world, false});
-    problem.pose_ids.push_back(k.id);
-  }
-  const auto pose_index = [&](int id) {
-    const auto it = std::lower_bound(problem.pose_ids.begin(), problem.pose_ids.end(), id);
-    return int(it - problem.pose_ids.begin());
-  };
+  a.problem.pinhole = pinhole_;
   size_t matches = 0;
-  for (const Keyframe& k : keyframes_)
+  for (const Keyframe& k : keyframes_) {
+    a.problem.poses.push_back({k.T_cam_world, false});
+    a.problem.pose_ids.push_back(k.id);
     for (const MapPoint& p : k.points) matches += p.observations.size();
-  problem.observations.reserve(matches), a.match_index.reserve(matches);
-  problem.points.reserve(active_points()), a.points.reserve(active_points());
-  for (size_t h = 0; h < keyframes_.size(); ++h)
-    for (MapPoint& p : keyframes_[h].points) {
-      if (p.observations.empty()) continue;
-      for (const Observation& o : p.observations) {
-        const int target = pose_index(o.keyframe_id);
-        a.match_index.push_back(int(problem.observations.size()));
-        problem.observations.push_back({int(problem.points.size()), target, o.match.px, o.match.normal,
-                                        o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
-        if (params_.photometric) add_photometric(keyframes_[h], p, target, &problem);
-      }
-      problem.points.push_back({int(h), pinhole_.ray(p.px), p.idepth, is_depth_held(p)});
-      a.points.push_back(&p);
-    }
-  add_corners(&problem);
-  apply_gauge(&problem);
+  }
+  a.problem.observations.reserve(matches);
+  a.match_index.reserve(matches);
+  a.problem.points.reserve(active_points());
+  a.points.reserve(active_points());
+  for (size_t host = 0; host < keyframes_.size(); ++host)
+    for (MapPoint& p : keyframes_[host].points)
+      if (!p.observations.empty()) add_point(int(host), &p, &a);
+  add_corners(&a.problem);
+  apply_gauge(&a.problem);
   return a;
 }
 
+void Window::add_point(int host, MapPoint* point, Adjustment* a) const {
+  BaProblem& problem = a->problem;
+  const std::vector<int>& ids = problem.pose_ids;
+  const int index = int(problem.points.size());
+  for (const Observation& o : point->observations) {
+    const int target = int(std::lower_bound(ids.begin(), ids.end(), o.keyframe_id) - ids.begin());
+    a->match_index.push_back(int(problem.observations.size()));
+    problem.observations.push_back(
+        {index, target, o.match.px, o.match.normal, o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
+  }
+  problem.points.push_back({host, pinhole_.ray(point->px), point->idepth, is_depth_held(*point)});
+  a->points.push_back(point);
+}
+
 void Window::add_corners(BaProblem* problem) const {
+  if (!params_.adjust_corners) return;
   for (size_t to = 0; to < keyframes_.size(); ++to) {
     const auto from =
         std::find(problem->pose_ids.begin(), problem->pose_ids.end(), keyframes_[to].corners_from);
@@ -69,33 +65,8 @@ void Window::add_corners(BaProblem* problem) const {
     if (from == problem->pose_ids.end()) continue;
     for (const CornerPair& c : keyframes_[to].corners)
       problem->corners.push_back(
-          {int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / params_.corner_sigma_px});
+          {int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / kCornerSigmaPx});
   }
-}
-
-// Eq. (photometricerror), linearised at the present projection, as a residual in the principal axes of its
-// information.
-void Window::add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
-                             BaProblem* problem) const {
-  const Keyframe& target = keyframes_[target_index];
-  const SE3 T_target_host = relative_pose(target, host);
-  Eigen::Vector2d px;
-  if (!in_view(pinhole_, T_target_host, point.px, point.idepth, &px)) return;
-  const PatchSource from =
-      patch_source(*host.pyramid, point.px, patch_warp(pinhole_, T_target_host, point.px, point.idepth));
-  const PhotometricResidual r =
-      photometric_residual(from.level->gradient_magnitude.view(), from.px, from.A_target_host,
-                           target.pyramid->finest().gradient_magnitude.view(), px);
-  if (!r.usable) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(r.information);
-  BaObservation o;
-  o.point = int(problem->points.size());
-  o.target = target_index;
-  o.px = px + r.shift;
-  o.normal = axes.eigenvectors().col(1);  // the axis along which the patch changes most
-  o.inv_sigma_normal = std::sqrt(axes.eigenvalues()[1]) / params_.photometric_sigma;
-  o.inv_sigma_tangent = std::sqrt(std::max(0.0, axes.eigenvalues()[0])) / params_.photometric_sigma;
-  problem->observations.push_back(o);
 }
 
 void Window::apply_gauge(BaProblem* problem) const {
@@ -116,29 +87,30 @@ void Window::take_result(const BaResult& result, const Adjustment& a) {
 }
 
 void Window::update_matches(const BaResult& result, const Adjustment& adjustment) {
+  std::vector<std::vector<View>> views;
+  for (const Keyframe& host : keyframes_) views.push_back(views_from(host));
   size_t k = 0;  // matches stand in the order of build_adjustment
-  const std::vector<MapPoint*>& points = adjustment.points;
-  size_t next = 0;
-  for (Keyframe& host : keyframes_) {
-    const std::vector<View> views = views_from(host);
-    for (MapPoint& p : host.points) {
-      if (next >= points.size() || points[next] != &p) continue;
-      ++next;
-      size_t kept = 0;
-      for (Observation& o : p.observations) {
-        const int index = adjustment.match_index[k++];
-        const double normal_px = result.residual_normal_px[index],
-                     tangent_px = result.residual_tangent_px[index];
-        if (needs_update(o.match, normal_px, tangent_px, association_)) {
-          const auto view = std::find_if(views.begin(), views.end(),
-                                         [&](const View& v) { return v.target->id == o.keyframe_id; });
-          o.match = associate(query(host, p, *view), association_);
-        }
-        if (o.match.kind != MatchKind::kNone) p.observations[kept++] = o;
-      }
-      p.observations.resize(kept);
+  for (size_t i = 0; i < adjustment.points.size(); ++i) {
+    MapPoint& p = *adjustment.points[i];
+    const size_t host = size_t(adjustment.problem.points[i].host);
+    size_t kept = 0;
+    for (Observation& o : p.observations) {
+      const int index = adjustment.match_index[k++];
+      if (needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index],
+                       association_))
+        o.match = match_again(keyframes_[host], p, o.keyframe_id, views[host]);
+      if (o.match.kind != MatchKind::kNone) p.observations[kept++] = o;
     }
+    p.observations.resize(kept);
   }
+}
+
+// `keyframe_id` is that of one of the views.
+Match Window::match_again(const Keyframe& host, const MapPoint& point, int keyframe_id,
+                          const std::vector<View>& views) const {
+  const auto view =
+      std::find_if(views.begin(), views.end(), [&](const View& v) { return v.target->id == keyframe_id; });
+  return associate(query(host, point, *view), association_);
 }
 
 void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
@@ -148,7 +120,7 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
     for (const Observation& o : p->observations) {
       const double residual_px = result.residual_normal_px[adjustment.match_index[k++]];
       const double sigmas = std::abs(residual_px) * o.match.inv_sigma_normal;
-      if (sigmas < kDropSigmas || !rule("unfit matches"))
+      if (sigmas < kDropSigmas || !params_.drop_outlier_matches)
         p->observations[kept++] = o;
       else
         ++p->misses;
@@ -156,8 +128,9 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
     p->observations.resize(kept);
   }
   for (Keyframe& host : keyframes_) {
-    auto gone = std::remove_if(host.points.begin(), host.points.end(), [](const MapPoint& p) {
-      return p.observations.empty() || (p.misses > kMaxMisses && rule("missed points")) || !(p.idepth > 0);
+    auto gone = std::remove_if(host.points.begin(), host.points.end(), [&](const MapPoint& p) {
+      const bool is_missed = params_.drop_missed_points && p.misses > kMaxMisses;
+      return p.observations.empty() || is_missed || !(p.idepth > 0);
     });
     host.points.erase(gone, host.points.end());
   }

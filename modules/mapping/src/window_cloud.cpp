@@ -3,30 +3,39 @@
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "edgevo/mapping/window.h"
 
 namespace edgevo {
 namespace {
 
-// Points of known depth below which the cloud is filled up with immature ones, and below which some are lent
-// to the map: 300 and 400 let runs break, 700 costs accuracy (share/lab/2026-11-22_sparse_maps.md).
+// Points of known depth below which the cloud is filled up with immature ones, and below which tentative ones
+// are added to the map: 300 and 400 let runs break, 700 costs accuracy
+// (share/lab/archive/2026-11-22_sparse_maps.md).
 constexpr size_t kEnoughCloud = 500;
 // Points of known depth for each cell of the activation, below which they are few for a small image, too: 402
 // at 640x480.
 constexpr double kThinShare = 0.25;
 
+// `wanted` of the evenly ordered points.
+std::vector<CloudPoint> every_nth(const std::vector<CloudPoint>& points, size_t wanted) {
+  std::vector<CloudPoint> thinned;
+  thinned.reserve(wanted);
+  for (size_t i = 0; i < wanted; ++i) thinned.push_back(points[i * points.size() / wanted]);
+  return thinned;
+}
+
 }  // namespace
 
 int Window::points_lacking() const {
-  const CellGrid grid(pinhole_.width, pinhole_.height, params_.activation_cell_px);
+  const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
   const size_t enough = std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
   return std::max(0, int(enough) - int(cloud(newest()).size()));
 }
 
 // Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma:
-// under a pure rotation, where depth does not matter, they count fully.
+// under a pure rotation, where depth does not matter, they count fully
+// (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
 void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
   std::vector<const ImmaturePoint*> alive;
   for (const ImmaturePoint& p : host.immature)
@@ -44,7 +53,7 @@ void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<Cloud
 std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> points = cloud(reference);
   const size_t enough = std::min(kEnoughCloud, size_t(params_.max_cloud_points));
-  if (points.size() < enough && rule("immature points help"))
+  if (points.size() < enough && params_.track_immature_points)
     add_immature(reference, enough - points.size(), &points);
   return points;
 }
@@ -52,36 +61,38 @@ std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const 
 std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> cloud;
   for (const Keyframe& host : keyframes_) {
-    const SE3 T = relative_pose(reference, host);
+    const SE3 T_reference_host = relative_pose(reference, host);
     for (const MapPoint& p : host.points) {
-      CloudPoint c;
-      if (host.id == reference.id) {
-        c = {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
-      } else {
-        const Observation* seen = p.find(reference.id);
-        if (!seen) continue;
-        const Eigen::Vector3d Y = T.R() * pinhole_.ray(p.px) + p.idepth * T.translation();
-        if (!(Y.z() > kMinProjectedDepth)) continue;
-        const Eigen::Vector2d px = pinhole_.project(Y);
-        if (!pinhole_.contains(px)) continue;
-        // rho' = rho / Y_z, and so does its sigma to first order.
-        c = {Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(),
-             seen->match.normal.cast<float>()};
-      }
-      c.host_keyframe = host.id;
-      c.host_pixel = p.edge_pixel;
-      cloud.push_back(c);
+      std::optional<CloudPoint> c =
+          host.id == reference.id ? own_point(p) : seen_point(reference, T_reference_host, p);
+      if (!c) continue;
+      c->host_keyframe = host.id;
+      c->host_pixel = p.edge_pixel;
+      cloud.push_back(*c);
     }
   }
-  // Where there are more than needed, every k-th of the evenly ordered points stays.
   const size_t limit = size_t(params_.max_cloud_points);
-  if (cloud.size() > limit) {
-    std::vector<CloudPoint> thinned;
-    thinned.reserve(limit);
-    for (size_t i = 0; i < limit; ++i) thinned.push_back(cloud[i * cloud.size() / limit]);
-    cloud.swap(thinned);
-  }
-  return cloud;
+  return cloud.size() > limit ? every_nth(cloud, limit) : cloud;
+}
+
+// A point that the reference hosts.
+CloudPoint Window::own_point(const MapPoint& p) const {
+  return {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
+}
+
+// A point of another host in the frame of the reference; nothing where that does not see it.
+std::optional<CloudPoint> Window::seen_point(const Keyframe& reference, const SE3& T_reference_host,
+                                             const MapPoint& p) const {
+  const Observation* seen = p.find(reference.id);
+  if (!seen) return std::nullopt;
+  const Eigen::Vector3d Y =
+      T_reference_host.R() * pinhole_.ray(p.px) + p.idepth * T_reference_host.translation();
+  if (!(Y.z() > kMinProjectedDepth)) return std::nullopt;
+  const Eigen::Vector2d px = pinhole_.project(Y);
+  if (!pinhole_.contains(px)) return std::nullopt;
+  // rho' = rho / Y_z, and so does its sigma to first order.
+  return CloudPoint{Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(),
+                    seen->match.normal.cast<float>()};
 }
 
 double Window::view_share(const Keyframe& keyframe) const {

@@ -6,8 +6,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/image_integrity.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/files/image_integrity.h"
 #include "gray_conversion.h"
 
 namespace edgevo {

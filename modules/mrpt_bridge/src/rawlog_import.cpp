@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include "edgevo/core/image_names.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/files/image_names.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"

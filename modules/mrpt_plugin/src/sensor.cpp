@@ -8,6 +8,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/detectors/all_detectors.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "one_line.h"
 #include "stop_signal.h"
@@ -74,6 +75,7 @@ void CEdgeVoSensor::open() {
   OdometryOptions options;
   options.seed = uint64_t(config_.seed);
   options.realtime = config_.realtime;
+  options.detectors = all_edge_detectors();
   options.log = [this](const std::string& line) { say(line); };
   odometry_ = std::make_unique<Odometry>(grabber_->camera(), config_.odometry, options);
   observations_ = std::make_unique<LiveObservations>(config_, grabber_->camera(), grabber_->T_vehicle_cam());

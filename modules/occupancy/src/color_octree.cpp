@@ -12,8 +12,6 @@
 namespace edgevo {
 namespace {
 
-constexpr uint8_t kFilled[] = {255, 140, 0};  // orange: no edge is anything but gray
-
 octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
 
 // Mean gray of voxels.
@@ -38,7 +36,7 @@ class VoxelGrays {
     for (const octomap::OcTreeKey& between : ray_) add(between, gray);
   }
 
-  octomap::ColorOcTree colored(const octomap::OcTree& filled) const {
+  octomap::ColorOcTree colored() const {
     octomap::ColorOcTree colored(tree_.getResolution());
     for (const auto& [key, gray] : grays_) {
       const octomap::OcTreeNode* node = tree_.search(key);
@@ -46,9 +44,6 @@ class VoxelGrays {
       const auto mean = uint8_t(gray.sum / gray.count);
       colored.setNodeValue(key, node->getLogOdds(), /*lazy_eval=*/true)->setColor(mean, mean, mean);
     }
-    for (auto leaf = filled.begin_leafs(), end = filled.end_leafs(); leaf != end; ++leaf)
-      colored.setNodeValue(leaf.getKey(), leaf->getLogOdds(), /*lazy_eval=*/true)
-          ->setColor(kFilled[0], kFilled[1], kFilled[2]);
     if (colored.size() > 0)
       colored.updateInnerOccupancy();  // octomap 1.9 does not look whether there is a root
     return colored;
@@ -86,7 +81,7 @@ void write_color_octree(const Run& run, const PointFilter& filter, const OctreeM
   VoxelGrays grays(map.tree());
   for (const KeyframeRecord& k : run.keyframes)
     if (k.T_world_cam.is_finite()) add_keyframe(run, k, filter, &grays);
-  const octomap::ColorOcTree colored = grays.colored(map.filled());
+  const octomap::ColorOcTree colored = grays.colored();
   std::ostringstream nodes;
   colored.writeData(nodes);
   write_file(path, octree_header(kOtFirstLine, octree_comments(run), colored) + nodes.str());

@@ -158,13 +158,14 @@ std::string pgm(const OccupancyGrid& grid) {
 }  // namespace
 
 void GridParams::visit(ParamVisitor& v) {
-  v.text("camera_height", camera_height, {},
+  v.text(kBasic, "camera_height", camera_height, {},
          "of the camera over the ground, unit of the run, or auto: as --scale, the ground that was seen or "
          "the mount say");
-  v.number("band_low", band_low, -10, 10,
+  v.number(kBasic, "band_low", band_low, -10, 10,
            "the grid shows what stands higher than this, in camera heights over the ground");
-  v.number("band_high", band_high, -10, 100, "and lower than this");
-  v.number("driven_width", driven_width, 0, 10,
+  v.number(kBasic, "band_high", band_high, -10, 100,
+           "the grid shows what stands lower than this, in camera heights over the ground");
+  v.number(kAdvanced, "driven_width", driven_width, 0, 10,
            "where the vehicle was nothing stands: its way is free, so wide, in camera heights; 0: as the map "
            "says");
 }

@@ -19,24 +19,19 @@ double auto_or_length(const std::string& key, const std::string& text) {
 }
 
 void OccupancyParams::visit(ParamVisitor& v) {
-  v.text("resolution", resolution, {}, "edge of a voxel in the unit of the run, or auto");
-  v.number("resolution_share", resolution_share, 0.001, 1,
+  v.text(kBasic, "resolution", resolution, {}, "edge of a voxel in the unit of the run, or auto");
+  v.number(kAdvanced, "resolution_share", resolution_share, 0.001, 1,
            "auto resolution as a share of the median point depth");
-  v.text("max_range", max_range, {}, "nothing farther from the path is mapped, or auto");
-  v.number("max_range_share", max_range_share, 0.1, 100,
+  v.text(kBasic, "max_range", max_range, {}, "nothing farther from the path is mapped, or auto");
+  v.number(kAdvanced, "max_range_share", max_range_share, 0.1, 100,
            "auto range as a multiple of the median point depth");
-  v.number("carve_max_relative_sigma", carve_max_relative_sigma, 0, 1,
+  v.number(kAdvanced, "carve_max_relative_sigma", carve_max_relative_sigma, 0, 1,
            "points carve free space when idepth_sigma/idepth is at most this");
-  v.number("carve_stop_sigmas", carve_stop_sigmas, 0, 20,
-           "rays stop this many depth sigmas before the point");
-  v.integer("carve_neighbours", carve_neighbours, 0, 100,
-            "points carve when this many others lie near: a wrong one is alone");
-  v.number("carve_neighbour_share", carve_neighbour_share, 0.001, 1,
-           "near is within this share of the point's range");
-  v.number("prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel that holds a point, per sight");
-  v.number("prob_miss", prob_miss, 0.01, 0.49, "occupancy of a voxel that a ray crosses, per keyframe");
-  v.boolean("fill", fill, "walls without texture between straight edges are occupied, as --fill");
-  v.number("fill_prob", fill_prob, 0.51, 0.99, "occupancy of a voxel of such a wall");
+  v.integer(kAdvanced, "carve_neighbours", carve_neighbours, 0, 100,
+            "points carve when this many others of their segment lie near: a wrong one is alone");
+  v.number(kAdvanced, "prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel that holds a point, per sight");
+  v.number(kAdvanced, "prob_miss", prob_miss, 0.01, 0.49,
+           "occupancy of a voxel that a ray crosses, per keyframe");
   auto group = v.group("points");
   points.visit(v);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -13,7 +12,6 @@
 #include "map_lengths.h"
 #include "octree_file.h"
 #include "segment_inserter.h"
-#include "wall_filler.h"
 
 namespace edgevo {
 namespace {
@@ -62,39 +60,18 @@ void merge_when_doubled(OcTree* tree, size_t* size_after_merging) {
 }
 
 void insert_segment(const Run& run, const Keyframes& keyframes, const InsertionLimits& limits, OcTree* tree,
-                    OctreeStats* stats, const OnKeyframeMapped& on_keyframe, WallFiller* filler) {
+                    OctreeStats* stats, const OnKeyframeMapped& on_keyframe) {
   const SE3 T_map = T_map_world(run);
-  OnSeenThrough on_seen_through;
-  if (filler) on_seen_through = [filler](const Eigen::Vector3d& end) { filler->see_through(end); };
-  SegmentInserter inserter(run.pinhole, limits, tree, stats, on_seen_through);
+  SegmentInserter inserter(run.pinhole, limits, tree, stats);
   for (const KeyframeRecord* keyframe : keyframes) inserter.note(*keyframe, T_map * keyframe->T_world_cam);
   size_t size_after_merging = 0;
   for (const KeyframeRecord* keyframe : keyframes) {
     const double start = thread_cpu_ms();
-    if (filler) filler->look_from((T_map * keyframe->T_world_cam).translation());
     inserter.insert(*keyframe, T_map * keyframe->T_world_cam);
     merge_when_doubled(tree, &size_after_merging);
     stats->batch_ms.push_back(thread_cpu_ms() - start);
     if (on_keyframe) on_keyframe(stats->batches);
   }
-}
-
-void keep_walls(const WallFiller& filler, std::vector<WallPatch>* walls, OctreeStats* stats) {
-  const std::vector<WallPatch> own = filler.walls();
-  walls->insert(walls->end(), own.begin(), own.end());
-  stats->patches_filled += int(own.size());
-  stats->patches_opened += filler.opened();
-}
-
-// Only what nothing was known of: neither over free voxels nor over those with edges.
-void fill_unknown(const WallPatch& wall, float log_odds, OcTree* tree, OcTree* filled) {
-  constexpr bool kLazy = true;
-  wall.sample(0.5 * tree->getResolution(), [&](const Eigen::Vector3d& p) {
-    octomap::OcTreeKey key;
-    if (!tree->coordToKeyChecked(p.x(), p.y(), p.z(), key) || tree->search(key)) return;
-    tree->setNodeValue(key, log_odds, kLazy);
-    filled->setNodeValue(key, log_odds, kLazy);
-  });
 }
 
 void count_voxels(const OcTree& tree, OctreeStats* stats) {
@@ -113,38 +90,22 @@ OctreeMap::OctreeMap(const Run& run, const OccupancyParams& params, const OnKeyf
   stats_.median_depth = lengths.median_depth;
   stats_.resolution = lengths.resolution;
   stats_.max_range = lengths.max_range;
-  const InsertionLimits limits{params.points,
-                               stats_.max_range,
-                               params.carve_max_relative_sigma,
-                               params.carve_stop_sigmas,
-                               params.carve_neighbours,
-                               params.carve_neighbour_share};
+  const InsertionLimits limits{params.points, stats_.max_range, params.carve_max_relative_sigma,
+                               params.carve_neighbours};
 
   tree_ = empty_tree(stats_.resolution, params);
-  std::vector<WallPatch> walls;
   for (const auto& [segment, keyframes] : keyframes_by_segment(run)) {
     auto own = empty_tree(stats_.resolution, params);
-    std::optional<WallFiller> filler;
-    if (params.fill) filler.emplace(run, keyframes, fill_rules(params, stats_.resolution, stats_.max_range));
-    insert_segment(run, keyframes, limits, own.get(), &stats_, on_keyframe, filler ? &*filler : nullptr);
-    if (filler) keep_walls(*filler, &walls, &stats_);
+    insert_segment(run, keyframes, limits, own.get(), &stats_, on_keyframe);
     if (tree_->size() == 0)
       tree_ = std::move(own);
     else
       join_segment(own.get(), tree_.get());
   }
-  fill(walls, params);
   tree_->updateInnerOccupancy();
   tree_->prune();
   count_voxels(*tree_, &stats_);
   comments_ = octree_comments(run);
-}
-
-void OctreeMap::fill(const std::vector<WallPatch>& walls, const OccupancyParams& params) {
-  filled_ = empty_tree(stats_.resolution, params);
-  const float log_odds = octomap::logodds(params.fill_prob);
-  for (const WallPatch& wall : walls) fill_unknown(wall, log_odds, tree_.get(), filled_.get());
-  stats_.filled_voxels = int64_t(filled_->getNumLeafNodes());
 }
 
 OctreeMap::~OctreeMap() = default;

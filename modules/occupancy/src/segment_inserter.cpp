@@ -17,6 +17,8 @@ double relative_sigma(const PointOrVertex& p) {
 // neighbours as if they were here.
 constexpr double kFarthest = 2;
 
+constexpr double kStopSigmas = 3;         // of depth, before the point: there its ray ends
+constexpr double kNeighbourShare = 0.03;  // near is within this share of a point's range
 const double kDiagonal = std::sqrt(3.0);  // of a voxel over its edge: the ray ends outside that of the point
 
 octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
@@ -24,12 +26,11 @@ octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), fl
 }  // namespace
 
 SegmentInserter::SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
-                                 OctreeStats* stats, OnSeenThrough on_seen_through)
+                                 OctreeStats* stats)
     : pinhole_(pinhole),
       limits_(limits),
       tree_(tree),
       stats_(stats),
-      on_seen_through_(std::move(on_seen_through)),
       points_(std::max(neighbour_radius(kFarthest * limits.max_range), tree->getResolution())),
       path_(limits.max_range) {}
 
@@ -64,7 +65,7 @@ bool SegmentInserter::may_carve(const EdgePoint& p, const Eigen::Vector3d& p_cam
 }
 
 double SegmentInserter::neighbour_radius(double range) const {
-  return limits_.carve_neighbour_share * std::min(range, kFarthest * limits_.max_range);
+  return kNeighbourShare * std::min(range, kFarthest * limits_.max_range);
 }
 
 // Outliers leave points far behind the surface, certain of themselves (depth off by 20 to 300 of their
@@ -119,11 +120,9 @@ void SegmentInserter::draw(const EdgeLine& line, const SE3& T_map_cam) {
 void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, double relative_sigma) {
   const double range = p_cam.norm();
   // To first order, sigma of depth over depth equals sigma of inverse depth over inverse depth.
-  const double margin =
-      std::max(limits_.carve_stop_sigmas * relative_sigma * range, kDiagonal * tree_->getResolution());
+  const double margin = std::max(kStopSigmas * relative_sigma * range, kDiagonal * tree_->getResolution());
   const double length = std::min(range - margin, limits_.max_range);
   if (length <= 0) return;
-  if (on_seen_through_) on_seen_through_(T_map_cam * (p_cam * ((range - margin) / range)));
   const octomap::point3d origin = to_octomap(T_map_cam.translation());
   const octomap::point3d end = to_octomap(T_map_cam * (p_cam * (length / range)));
   octomap::OcTreeKey origin_key, end_key;

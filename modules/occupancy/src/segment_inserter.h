@@ -2,7 +2,6 @@
 // Keyframe after keyframe of one segment into an octree, each as one batch.
 #include <octomap/OcTree.h>
 
-#include <functional>
 #include <unordered_map>
 
 #include "edgevo/core/point_filter.h"
@@ -17,19 +16,14 @@ struct InsertionLimits {
   PointFilter points;
   double max_range = 0;
   double carve_max_relative_sigma = 0;
-  double carve_stop_sigmas = 0;
   int carve_neighbours = 0;
-  double carve_neighbour_share = 0;
 };
-
-/// Told where the empty space ends that a certain point shows: some sigmas before it, whatever its range.
-using OnSeenThrough = std::function<void(const Eigen::Vector3d& end)>;
 
 class SegmentInserter {
  public:
   /// `tree` and `stats` outlive this.
   SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
-                  OctreeStats* stats, OnSeenThrough on_seen_through = {});
+                  OctreeStats* stats);
 
   /// Notes where a keyframe and its points lie: all keyframes together tell which points have neighbours, and
   /// which places come near the path. Before the first insert().
@@ -55,7 +49,6 @@ class SegmentInserter {
   const InsertionLimits limits_;
   octomap::OcTree* const tree_;
   OctreeStats* const stats_;
-  const OnSeenThrough on_seen_through_;
 
   PointCells points_, path_;  ///< points and keyframes of the whole segment, in the map's world
   int batch_ = 0;             ///< number of the keyframe within the segment

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -38,8 +37,7 @@ FrameClock::Step FrameClock::tick(Timestamp time) {
   const double usual = few ? seconds : usual_interval(intervals_);
   intervals_.push_back(seconds);
   if (intervals_.size() > kIntervals) intervals_.pop_front();
-  double frames = std::clamp(std::round(seconds / usual), 1.0, double(kMostFrames));
-  if (frames > 1 && !rule("missing frames")) frames = 1;
+  const double frames = std::clamp(std::round(seconds / usual), 1.0, double(kMostFrames));
   return {int(frames), std::clamp(seconds, kShortest * frames * usual, kLongest * frames * usual)};
 }
 

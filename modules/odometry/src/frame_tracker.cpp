@@ -1,6 +1,5 @@
 #include "frame_tracker.h"
 
-#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
 #include "steady_motion.h"
 
@@ -14,10 +13,10 @@ const Pinhole& pinhole_of(const TrackingTask& task) { return task.pyramid.finest
 // The step of a camera that is under way evenly, where what was found is another one.
 Proposer propose_usual_step(const TrackingTask& task, const std::optional<UsualStep>& usual,
                             const PoseJudge& judge) {
-  return {[&](const PoseCandidate& best) {
+  return {ProposerKind::kMedianMotion,
+          [&](const PoseCandidate& best) {
             return usual && !task.was_lost && !judge.is_lost(best) && usual->is_unusual(best.T_cur_ref) &&
-                   usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref) &&
-                   rule("usual step");
+                   usual->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref);
           },
           [&] { return std::vector<PoseHypothesis>{usual->hypothesis()}; }};
 }
@@ -45,14 +44,15 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
                         expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion they go with the frame into the adjustment, whichever pose wins.
-    if (task.keyframes.follows_keyframe() && rule("corners")) track->corners = std::move(found->pairs);
+    if (task.keyframes.follows_keyframe()) track->corners = std::move(found->pairs);
   }
   track->corner_ms = thread_cpu_ms() - start;
   return hypotheses;
 }
 
 Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge, Track* track) {
-  return {[&](const PoseCandidate& best) { return calls_for_corners(task, best, judge) && rule("corners"); },
+  return {ProposerKind::kCorners,
+          [&](const PoseCandidate& best) { return calls_for_corners(task, best, judge); },
           [&task, track] { return corner_hypotheses(task, track); }};
 }
 
@@ -62,7 +62,7 @@ Proposer propose_corner_motion(const TrackingTask& task, const PoseJudge& judge,
 TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist,
                        const PoseJudge& judge) {
   const AlignmentParams& params = task.params.alignment;
-  if (task.rows.is_rolling() && !judge.is_lost(first) && rule("rolling shutter")) {
+  if (task.rows.is_rolling() && !judge.is_lost(first)) {
     const ReferenceCloud shifted = shift_cloud(
         pinhole_of(task), task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
         measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
@@ -86,18 +86,18 @@ Track track_frame(const TrackingTask& task) {
   const AlignmentParams& params = task.params.alignment;
   const ReferenceCloud& cloud = task.reference.cloud;
   const std::vector<SE3> starts = task.motion.starts();
-  const std::optional<UsualStep> usual = UsualStep::of(task.motion);
+  const std::optional<UsualStep> usual =
+      params.use_median_motion_prior ? UsualStep::of(task.motion) : std::nullopt;
   const PoseJudge judge(params,
                         [&](const SE3& T_cur_ref) { return usual ? usual->likelihood(T_cur_ref) : 1.0; });
-  enum { kStarts, kRotations, kUsualStep, kCorners };  // in this order
   const std::vector<Proposer> proposers{
       propose_starts(starts, judge),
-      propose_rotations(task.pyramid, cloud, starts.front(), judge, params),
+      propose_rotations(task.pyramid, cloud, starts.front(), judge),
       propose_usual_step(task, usual, judge),
       propose_corner_motion(task, judge, &track),
   };
   const PoseChoice choice = choose(proposers, task.pyramid, cloud, judge, params);
-  track.took_usual_step = choice.proposer == kUsualStep;
+  track.took_usual_step = choice.kind == ProposerKind::kMedianMotion;
   track.twist = task.motion.twist(choice.pose.T_cur_ref);
   track.result = track_rows(task, choice.pose, track.twist, judge);
   return track;

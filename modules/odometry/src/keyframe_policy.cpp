@@ -5,7 +5,6 @@
 #include <iterator>
 #include <optional>
 
-#include "edgevo/core/rule.h"
 #include "view_change.h"
 
 namespace edgevo {
@@ -13,11 +12,11 @@ namespace {
 
 // What the cloud does not know comes into view when the camera backs away, and it is the nearest of the
 // scene. A view like the reference's own, left by the motion back, tells how fast: 0 where that makes no more
-// flow than the motion out, up to 1.
+// flow than the motion out, up to 1 (share/lab/archive/2026-11-23_backward_motion.md).
 double opening(const ViewChange& out, const ViewChange& back) {
   constexpr double kFullyOpening =
       0.15;  // excess of the flow back: 0.1 to 0.4 on a drive backwards, within 0.1 by hand
-  if (!(back.flow_px > out.flow_px) || !rule("opening view")) return 0;
+  if (!(back.flow_px > out.flow_px)) return 0;
   return std::min(1.0, (back.flow_px - out.flow_px) / (kFullyOpening * out.flow_px));
 }
 
@@ -25,24 +24,31 @@ double opening(const ViewChange& out, const ViewChange& back) {
 // the rotation.
 bool moves(const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > p.min_flow_px; }
 
-struct Rule {
-  const char* name;
-  bool (*fires)(const KeyframeView&, const KeyframeParams&);
+// Flow that calls for a keyframe.
+double keyframe_flow_px(const KeyframeView& v, const KeyframeParams& p) {
+  return p.shorten_in_opening_view ? v.reach * p.flow_px : p.flow_px;
+}
+
+struct Criterion {
+  KeyframeReason reason;
+  bool (*calls)(const KeyframeView&, const KeyframeParams&);
 };
 
-// In this order. A new rule is a line here and a test in keyframe_policy_test.cpp.
-constexpr Rule kRules[] = {
-    {"parallax",
-     [](const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > v.reach * p.flow_px; }},
-    {"rotation",
+// In this order. A new criterion is a line here, its KeyframeReason, and a test in keyframe_policy_test.cpp.
+constexpr Criterion kCriteria[] = {
+    {KeyframeReason::kParallax,
+     [](const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > keyframe_flow_px(v, p); }},
+    {KeyframeReason::kRotation,
      [](const KeyframeView& v, const KeyframeParams& p) { return v.view_share < p.min_turn_share; }},
-    {"view leaves",
+    {KeyframeReason::kViewLeaves,
      [](const KeyframeView& v, const KeyframeParams& p) {
        return moves(v, p) && v.next_view_share < p.min_view_share;
      }},
-    {"fast turn", [](const KeyframeView& v,
-                     const KeyframeParams& p) { return moves(v, p) && v.view_loss > p.max_view_loss; }},
-    {"long since",
+    {KeyframeReason::kFastTurn,
+     [](const KeyframeView& v, const KeyframeParams& p) {
+       return moves(v, p) && v.view_loss > p.max_view_loss;
+     }},
+    {KeyframeReason::kLongSince,
      [](const KeyframeView& v, const KeyframeParams& p) { return moves(v, p) && v.frames >= p.max_frames; }},
 };
 
@@ -66,10 +72,10 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
   return v;
 }
 
-const char* fired_rule(const KeyframeView& view, const KeyframeParams& params) {
-  const auto* first = std::find_if(std::begin(kRules), std::end(kRules),
-                                   [&](const Rule& r) { return r.fires(view, params) && rule(r.name); });
-  return first != std::end(kRules) ? first->name : nullptr;
+KeyframeReason reason_for_keyframe(const KeyframeView& view, const KeyframeParams& params) {
+  const auto* first = std::find_if(std::begin(kCriteria), std::end(kCriteria),
+                                   [&](const Criterion& c) { return c.calls(view, params); });
+  return first != std::end(kCriteria) ? first->reason : KeyframeReason::kNone;
 }
 
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference,
@@ -104,7 +110,7 @@ KeyframeView KeyframePolicy::look(const SE3& T_cam_ref, const Reference& referen
 }
 
 bool KeyframePolicy::calls_for_keyframe(const SE3& T_cam_ref, const Reference& reference) const {
-  return fired_rule(look(T_cam_ref, reference), params_) != nullptr;
+  return reason_for_keyframe(look(T_cam_ref, reference), params_) != KeyframeReason::kNone;
 }
 
 KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Reference& reference,
@@ -112,15 +118,16 @@ KeyframeDecision KeyframePolicy::decide(const TrackResult& tracked, const Refere
   using Action = KeyframeDecision::Action;
   const KeyframeView view = look(tracked.T_cur_ref, reference);
   const NearestKeyframe nearest = find_nearest_keyframe(pinhole_, reference, tracked.T_cur_ref, params_);
-  const char* fired = fired_rule(view, params_);
+  const KeyframeReason reason = reason_for_keyframe(view, params_);
+  const bool is_called_for = reason != KeyframeReason::kNone;
   ++frames_;
-  postponed_ = fired && is_mapping_busy ? postponed_ + 1 : 0;
-  if (is_back(nearest, reference.keyframe_id, params_) && rule("return"))
-    return {Action::kReturn, "return", nearest.id};
-  if (!fired) return {};
-  if (is_mapping_busy) return {Action::kPostpone, fired};
+  postponed_ = is_called_for && is_mapping_busy ? postponed_ + 1 : 0;
+  if (params_.return_to_keyframes && is_back(nearest, reference.keyframe_id, params_))
+    return {Action::kReturn, KeyframeReason::kReturn, nearest.id};
+  if (!is_called_for) return {};
+  if (is_mapping_busy) return {Action::kPostpone, reason};
   frames_ = 0;
-  return {Action::kMake, fired};
+  return {Action::kMake, reason};
 }
 
 }  // namespace edgevo

@@ -2,17 +2,16 @@
 // When a frame becomes a keyframe, and when the camera is back at an older one.
 //
 // A keyframe is needed before the map leaves the view or its depths are too poor for the way gone since, and
-// not sooner: each costs an adjustment. The rules stand in a list (keyframe_policy.cpp); the one that fired
-// is written to frames.csv.
-#include <string>
-
+// not sooner: each costs an adjustment. The criteria stand in a list (keyframe_policy.cpp); the first that
+// calls for a keyframe is its reason in frames.csv.
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/mapping/mapping_params.h"
+#include "edgevo/core/keyframe_reason.h"
+#include "edgevo/odometry/keyframe_params.h"
 #include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 
-/// What the rules look at. Flows in pixels at kReferenceWidth (view_change.h).
+/// What the criteria look at. Flows in pixels at kReferenceWidth (view_change.h).
 struct KeyframeView {
   double flow_px =
       0;  ///< by the motion from the reference to here or by the motion back, whichever is larger
@@ -29,8 +28,8 @@ struct KeyframeView {
 KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                               int frames);
 
-/// The name of the first rule that calls for a keyframe; nullptr: none does.
-const char* fired_rule(const KeyframeView& view, const KeyframeParams& params);
+/// The first criterion that calls for a keyframe; kNone where none does.
+KeyframeReason reason_for_keyframe(const KeyframeView& view, const KeyframeParams& params);
 
 /// Of the keyframes of the window, the one that the camera stands nearest to.
 struct NearestKeyframe {
@@ -45,7 +44,7 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 
 /// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than
 /// keyframes lie to one another; and the reference is left by more than the smallest flow: at a standstill
-/// all are equally near.
+/// all are equally near (share/lab/archive/2026-11-21_return_to_a_keyframe.md).
 bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params);
 
 struct KeyframeDecision {
@@ -56,11 +55,12 @@ struct KeyframeDecision {
     kReturn,    ///< what follows is tracked against `return_to`
   };
   Action action = Action::kNone;
-  std::string rule;    ///< that called for it; empty for kNone
+  /// What called for it.
+  KeyframeReason reason = KeyframeReason::kNone;
   int return_to = -1;  ///< a keyframe of the window
 };
 
-/// Owns what the rules count.
+/// Counts the frames between keyframes.
 class KeyframePolicy {
  public:
   KeyframePolicy(const Pinhole& pinhole, const KeyframeParams& params) : pinhole_(pinhole), params_(params) {}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "edgevo/core/rule.h"
 #include "edgevo/odometry/reference.h"
 
 namespace edgevo {
@@ -35,7 +34,7 @@ std::optional<Event> MapCoverage::look(const Reference& reference, const TrackRe
   }
   unexplained_frames_ =
       std::clamp(unexplained_frames_ + (is_explained(tracked.stats) ? -1 : 1), 0, 2 * kManyUnexplained);
-  if (unexplained_frames_ >= kManyUnexplained && rule("out of view")) return Event::kOutOfView;
+  if (unexplained_frames_ >= kManyUnexplained && bootstrap_out_of_view_) return Event::kOutOfView;
   return std::nullopt;
 }
 

@@ -4,45 +4,50 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/core/rule.h"
-#include "edgevo/core/thread_clock.h"
 #include "edgevo/mapping/idepth_prior.h"
 #include "first_keyframes.h"
+#include "stage_timer.h"
 
 namespace edgevo {
 namespace {
 
 // Points of the first window: fewer do not hold its poses against outliers.
 constexpr int kMinFirstPoints = 100;
-
-// Runs `work` and notes its CPU time under `name`.
-template <class Work>
-auto timed(const char* name, StageTimes* times, const Work& work) {
-  const double start = thread_cpu_ms();
-  struct Note {
-    const char* name;
-    StageTimes* times;
-    double start;
-    ~Note() { times->emplace_back(name, thread_cpu_ms() - start); }
-  } note{name, times, start};
-  return work();
-}
+constexpr int kMaxAgeKeyframes = 4;  // immature points older than this are dropped
 
 }  // namespace
 
-Mapper::Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
-               bool gradient_patches, uint64_t seed)
+Mapper::Mapper(const Pinhole& pinhole, const OdometryParams& params, const MapperOptions& options)
     : pinhole_(pinhole),
-      params_(params),
-      association_(association),
-      gradient_patches_(gradient_patches),
-      random_(Random::derive(seed, 2)),
-      window_(pinhole, params.window, association),
-      calibration_(pinhole, SelfCalibrationParams{"none"}) {}
+      params_(params.mapping),
+      association_(params.association),
+      gradient_patches_(params.alignment.photometric),
+      options_(options),
+      random_(Random::derive(options.seed, 2)),
+      window_(pinhole, params.mapping.window, params.association),
+      calibration_(pinhole, params.camera),
+      edge_mapper_(pinhole, params.edge_map, options.own_threads) {}
+
+// ---- the first window ----
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   window_ = Window(pinhole_, params_.window, association_);
   tracking_check_ = {};
+  add_first_keyframes(bootstrap);
+  filter_first_depths(bootstrap);
+  smooth_depths();
+  window_.hold_bootstrap_scale();
+  window_.activate({1, 1});
+  window_.adjust();
+  const WindowStats stats = window_.adjust();
+  if (stats.points < kMinFirstPoints)
+    return "only " + std::to_string(stats.points) + " edge points matched in the first views";
+  next_id_ += int(window_.keyframes().size());
+  publish(window_.newest());
+  return {};
+}
+
+void Mapper::add_first_keyframes(const BootstrapResult& bootstrap) {
   const std::vector<const BootstrapView*> chosen = choose_keyframe_views(bootstrap.views);
   for (const BootstrapView* view : chosen) {
     Keyframe k;
@@ -55,24 +60,21 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
       k.immature = first_points(k, bootstrap.corners, view == chosen.back());
     window_.add(std::move(k));
   }
+}
+
+// Each view of the bootstrap observes the points of all keyframes but its own.
+void Mapper::filter_first_depths(const BootstrapResult& bootstrap) {
   for (const BootstrapView& view : bootstrap.views) {
     if (!view.placed || !view.pyramid) continue;
     for (Keyframe& k : window_.keyframes())
       if (view.frame_index != k.frame_index)
-        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter,
-                      association_, &k);
+        update_depths(*view.pyramid, view.T_cam_first * k.T_cam_world.inverse(), params_.depth_filter, &k);
   }
-  for (Keyframe& k : window_.keyframes())
-    smooth_along_edges(k.pyramid->finest().edges, params_.depth_filter, &k.immature);
-  window_.hold_bootstrap_scale();
-  window_.activate(1, 1);
-  window_.adjust();
-  const WindowStats stats = window_.adjust();
-  if (stats.points < kMinFirstPoints)
-    return "only " + std::to_string(stats.points) + " edge points matched in the first views";
-  next_id_ += int(chosen.size());
-  publish(window_.newest());
-  return {};
+}
+
+void Mapper::smooth_depths() {
+  for (Keyframe& host : window_.keyframes())
+    smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
 }
 
 std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
@@ -80,35 +82,77 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
   const CellGrid grid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px);
   return make_immature_points(
       keyframe, std::vector<bool>(grid.size(), false),
-      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px, params_.depth_filter); },
-      params_.depth_filter, &random_);
+      [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px); }, params_.depth_filter,
+      &random_);
 }
+
+// ---- a frame ----
 
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
-  TrackedFrame frame = tracked;
-  frame.pyramid = corrected(tracked);
-  if (frame.pyramid != tracked.pyramid) frame.corners.clear();  // they were seen in images of before
+  const TrackedFrame frame = corrected(tracked);
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to
   // help.
   if (reference_pose == known.end()) return update;
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
-  timed("depth_filter", &update.times, [&] {
-    for (Keyframe& host : window_.keyframes())
-      if (!host.immature.empty())
-        update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter,
-                      association_, &host);
-  });
+  filter_depths(frame, T_cam_world, &update.times);
   if (frame.make_keyframe)
     make_keyframe(frame, T_cam_world, &update);
   else if (frame.return_to >= 0)
-    timed("window", &update.times, [&] { return_to(frame.return_to); });
+    return_to(frame.return_to, &update.times);
   return update;
 }
 
+// A frame that was on its way while the camera was corrected gets the images of now, and none of the corners
+// that were seen in those of before.
+TrackedFrame Mapper::corrected(const TrackedFrame& tracked) const {
+  TrackedFrame frame = tracked;
+  const ImageCorrection now = calibration_.state().correction();
+  if (tracked.pyramid->correction == now) return frame;
+  frame.pyramid = options_.rebuild(*tracked.pyramid, tracked.motion, now);
+  frame.corners.clear();
+  return frame;
+}
+
+void Mapper::filter_depths(const TrackedFrame& frame, const SE3& T_cam_world, StageTimes* times) {
+  const StageTimer timer(Stage::kDepthFilter, times);
+  for (Keyframe& host : window_.keyframes())
+    if (!host.immature.empty())
+      update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter, &host);
+}
+
+// The camera is back near an older keyframe: what follows is tracked against that one, and does not drift
+// away from it.
+void Mapper::return_to(int keyframe_id, StageTimes* times) {
+  const StageTimer timer(Stage::kWindow, times);
+  const auto& keyframes = window_.keyframes();
+  const auto old = std::find_if(keyframes.begin(), keyframes.end(),
+                                [&](const Keyframe& k) { return k.id == keyframe_id; });
+  if (old != keyframes.end() && keyframe_id != reference_->keyframe_id) publish(*old);
+}
+
+// ---- a keyframe ----
+
 void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update) {
+  StageTimes* times = &update->times;
+  add_keyframe(frame, T_cam_world);
+  update->keyframe_id = window_.newest().id;
+  associate(frame, times);
+  activate_points(times);
+  update->stats = adjust(times);
+  // An adjustment that failed has moved nothing.
+  if (update->stats.points > 0) check_tracking(frame);
+  if (window_.full()) {
+    remove_oldest(times);
+    map_edges(times);
+  }
+  calibrate_if_due(times);
+  seed_and_publish(times);
+}
+
+void Mapper::add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world) {
   Keyframe keyframe;
   keyframe.id = next_id_++;
   keyframe.frame_index = frame.frame_index;
@@ -116,36 +160,31 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   keyframe.pyramid = frame.pyramid;
   keyframe.motion = frame.motion;
   keyframe.T_cam_world = T_cam_world;
-  if (!frame.corners.empty()) keyframe.corners_from = frame.reference_id, keyframe.corners = frame.corners;
-  update->keyframe_id = keyframe.id;
-  window_.add(std::move(keyframe));
-
-  timed("association", &update->times, [&] { window_.associate_newest(frame.covariance); });
-  timed("activation", &update->times, [&] {
-    for (Keyframe& host : window_.keyframes())
-      smooth_along_edges(host.pyramid->finest().edges, params_.depth_filter, &host.immature);
-    window_.take_back();
-    window_.activate(2, params_.window.min_matches);
-    // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
-    // What the first pass has tried, with two depths, is not tried again.
-    if (rule("lent points")) window_.activate(1, 1, window_.points_lacking());
-  });
-  timed("bundle_adjustment", &update->times, [&] { update->stats = window_.adjust(); });
-  if (update->stats.points > 0) check_tracking(frame);  // where it failed it moved nothing
-  if (window_.full()) {
-    timed("window", &update->times, [&] {
-      retired_.push_back(window_.remove_oldest());
-      calibration_.remember(retired_.back());
-    });
-    timed("edge_map", &update->times, [&] { map_edges(retired_.back()); });
+  if (!frame.corners.empty()) {
+    keyframe.corners_from = frame.reference_id;
+    keyframe.corners = frame.corners;
   }
-  if (calibration_.is_running() ||
-      calibration_.is_due(int(window_.keyframes().size())))  // once in a long while
-    timed("self_calibration", &update->times, [&] { calibrate_on_the_way(); });
-  timed("window", &update->times, [&] {
-    seed_points(&window_.newest());
-    publish(window_.newest());
-  });
+  window_.add(std::move(keyframe));
+}
+
+void Mapper::associate(const TrackedFrame& frame, StageTimes* times) {
+  const StageTimer timer(Stage::kAssociation, times);
+  window_.associate_newest(frame.covariance);
+}
+
+void Mapper::activate_points(StageTimes* times) {
+  const StageTimer timer(Stage::kActivation, times);
+  smooth_depths();
+  window_.demote_unconfirmed();
+  window_.activate({2, params_.window.min_matches});
+  // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
+  // What the first pass has tried, with two depths, is not tried again.
+  if (params_.window.use_tentative_points) window_.activate({1, 1, window_.points_lacking()});
+}
+
+WindowStats Mapper::adjust(StageTimes* times) {
+  const StageTimer timer(Stage::kBundleAdjustment, times);
+  return window_.adjust();
 }
 
 // What the adjustment made of the pose that tracking had found for the newest keyframe.
@@ -155,24 +194,36 @@ void Mapper::check_tracking(const TrackedFrame& frame) {
       tracking_check_.add(frame.T_cam_ref, relative_pose(window_.newest(), k), frame.covariance);
 }
 
-void Mapper::enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild,
-                                     bool own_thread) {
-  calibration_ = SelfCalibration(pinhole_, params);
-  rebuild_ = rebuild;
-  calibration_has_thread_ = own_thread;
+void Mapper::remove_oldest(StageTimes* times) {
+  const StageTimer timer(Stage::kWindow, times);
+  retired_.push_back(window_.remove_oldest());
+  calibration_.remember(retired_.back());
 }
 
-void Mapper::enable_edge_map(const EdgeMapParams& params, bool own_thread) {
-  edge_mapper_ = std::make_unique<EdgeMapper>(pinhole_, params, own_thread);
+// The lines of the keyframe that has just left the window.
+void Mapper::map_edges(StageTimes* times) {
+  const StageTimer timer(Stage::kEdgeMap, times);
+  edge_mapper_.add(retired_.back(), window_.keyframes());
 }
 
-// Of a keyframe that has just left the window.
-void Mapper::map_edges(const Keyframe& keyframe) {
-  if (edge_mapper_) edge_mapper_->add(keyframe, window_.keyframes());
+// Once in a long while.
+void Mapper::calibrate_if_due(StageTimes* times) {
+  if (!calibration_.is_running() && !calibration_.is_due(int(window_.keyframes().size()))) return;
+  const StageTimer timer(Stage::kSelfCalibration, times);
+  calibrate_on_the_way();
 }
+
+void Mapper::seed_and_publish(StageTimes* times) {
+  const StageTimer timer(Stage::kWindow, times);
+  drop_old_points();
+  seed_points(&window_.newest());
+  publish(window_.newest());
+}
+
+// ---- self-calibration ----
 
 void Mapper::calibrate_on_the_way() {
-  if (calibration_has_thread_ && !calibration_.is_running())
+  if (options_.own_threads && !calibration_.is_running())
     calibration_.begin(window_pointers(), calibration_options());
   else if (!calibration_.is_running() || calibration_.is_ready())
     calibrate(false);
@@ -194,38 +245,36 @@ void Mapper::calibrate(bool at_end) {
   std::optional<MapRevision> revision =
       calibration_.estimate(window_pointers(), calibration_options(), at_end);
   if (!revision) return;
-  window_.apply(*revision, [&](const Keyframe& k) { return rebuild_(*k.pyramid, k.motion, revision->now); });
-  if (edge_mapper_) edge_mapper_->apply(*revision);
+  window_.apply(*revision,
+                [&](const Keyframe& k) { return options_.rebuild(*k.pyramid, k.motion, revision->now); });
+  edge_mapper_.apply(*revision);
   for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
 }
 
-// A frame that was on its way while the camera was corrected.
-std::shared_ptr<const FramePyramid> Mapper::corrected(const TrackedFrame& tracked) const {
-  const ImageCorrection now = calibration_.state().correction();
-  return tracked.pyramid->correction == now || !rebuild_ ? tracked.pyramid
-                                                         : rebuild_(*tracked.pyramid, tracked.motion, now);
-}
+// ---- new points, and what tracking gets ----
 
 // Every immature point is searched in every frame: as many as it takes to fill the window again, and not
 // more.
 int Mapper::new_points_wanted() const {
   constexpr int kAtLeast = 300;  // points a keyframe: also a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
-  if (!rule("new points as wanted")) return p.max_new_points;
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
   return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points),
                     p.max_new_points);
 }
 
-// Drops immature points that are dead or too old, and makes new ones in the newest keyframe where the map has
-// none.
-void Mapper::seed_points(Keyframe* keyframe) {
+// Immature points that are dead, or have been immature for too long.
+void Mapper::drop_old_points() {
   for (Keyframe& host : window_.keyframes()) {
     auto& points = host.immature;
-    for (ImmaturePoint& p : points) p.dead |= ++p.age > params_.depth_filter.max_age_keyframes;
+    for (ImmaturePoint& p : points) p.dead |= ++p.age > kMaxAgeKeyframes;
     points.erase(std::remove_if(points.begin(), points.end(), [](const ImmaturePoint& p) { return p.dead; }),
                  points.end());
   }
+}
+
+// New immature points in a keyframe, where the map has none.
+void Mapper::seed_points(Keyframe* keyframe) {
   IdepthPrior prior(pinhole_, params_.depth_filter, median_idepth_);
   for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
   median_idepth_ = prior.median();
@@ -252,25 +301,15 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference_ = std::move(reference);
 }
 
-// The camera is back near an older keyframe: what follows is tracked against that one, and does not drift
-// away from it.
-void Mapper::return_to(int keyframe_id) {
-  const auto& keyframes = window_.keyframes();
-  const auto old = std::find_if(keyframes.begin(), keyframes.end(),
-                                [&](const Keyframe& k) { return k.id == keyframe_id; });
-  if (old != keyframes.end() && keyframe_id != reference_->keyframe_id) publish(*old);
-}
-
 void Mapper::close() {
   calibrate(true);
   calibration_.forget();
   while (!window_.keyframes().empty()) {
     retired_.push_back(std::move(window_.keyframes().front()));
     window_.keyframes().pop_front();
-    map_edges(retired_.back());
+    edge_mapper_.add(retired_.back(), window_.keyframes());
   }
-  if (edge_mapper_)
-    for (HostedLines& lines : edge_mapper_->close()) lines_.push_back(std::move(lines));
+  for (HostedLines& lines : edge_mapper_.close()) lines_.push_back(std::move(lines));
   reference_.reset();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 
@@ -28,7 +27,7 @@ Vector6d MotionModel::twist(const SE3& T_cur_ref) const {
   if (!(seconds_since_ > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
   const Vector6d twist = (T_cur_ref * T_last_ref_.inverse()).log() / seconds_since_;
   const std::optional<Vector6d> expected = expected_twist();
-  if (frames_since_ > 1 || !expected || !rule("rolling shutter")) return twist;
+  if (frames_since_ > 1 || !expected) return twist;
   return twist + 0.5 * (twist - *expected);
 }
 

@@ -1,64 +1,39 @@
 #include "edgevo/odometry/odometry.h"
 
-#include "bootstrap_placement.h"
+#include "bootstrapper.h"
 #include "camera_log.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/core/thread_clock.h"
-#include "frame_tracker.h"
-#include "keyframe_policy.h"
-#include "map_coverage.h"
-#include "mapping_thread.h"
-#include "motion_model.h"
+#include "front_end.h"
+#include "map_link.h"
 #include "run_records.h"
-#include "see_points.h"
+#include "stage_timer.h"
 #include "state_machine.h"
 
 namespace edgevo {
+
 struct Odometry::Impl {
   Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
       : params(p),
         options(o),
-        builder(camera, p.edges),
-        bootstrap(camera.pinhole, p.mapping.bootstrap, o.seed),
-        random(Random::derive(o.seed, 3)),
-        mapper(camera.pinhole, p.mapping, p.association, p.alignment.photometric, o.seed),
-        records(camera.pinhole),
-        rebuilder(PyramidBuilder::for_rebuilding(camera, p.edges)),
         state(p.recovery.max_frames),
-        mapping(&mapper, o.realtime,
-                [this](const TrackedFrame& f, const MapUpdate& u) { note_update(f, u); }),
-        keyframes(camera.pinhole, p.mapping.keyframe) {
-    // In realtime the mapping must not stand still for long.
-    mapper.enable_self_calibration(
-        p.camera,
-        [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
-          rebuilder.set_correction(now);
-          return rebuilder.rebuild(old, motion);
-        },
-        o.realtime);
-    mapper.enable_edge_map(p.edge_map, o.realtime);
-    builder.set_correction(mapper.camera().correction());
+        records(camera.pinhole),
+        front_end(camera, p, o),
+        map(camera, p, o, &records.map()),
+        bootstrapper(camera.pinhole, p, o.seed, &map, &records) {
+    front_end.set_correction(map.initial_camera().correction());
   }
 
   // ---- one frame ----
 
-  /// A frame on its way.
-  struct Arrival {
-    const Frame& frame;
-    std::shared_ptr<const FramePyramid> pyramid;
-    RowRectification rows;
-    FrameRecord* record;
-  };
-
   const FrameRecord& process(const Frame& frame) {
-    if (keyframes.postponed() >= options.max_frames_ahead) mapping.wait_keyframe();
-    if (state.has_map()) change_reference(frame, mapping.reference());
-    motion.begin_frame(frame.time);
-    const Arrival arrival = find_edges(frame);
-    if (state.tracks(arrival.record->edges)) follow_map(arrival);
-    if (state.bootstraps()) bootstrap_map(arrival);
-    note_pose(*arrival.record);
-    return *arrival.record;
+    if (front_end.postponed_keyframes() >= options.max_frames_ahead) map.wait_keyframe();
+    if (state.has_map()) change_reference(frame);
+    front_end.begin_frame(frame.time);
+    const ArrivedFrame arrived = find_edges(frame);
+    if (state.tracks(arrived.record->edges)) follow_map(arrived);
+    if (state.bootstraps()) bootstrap_map(arrived);
+    note_pose(*arrived.record);
+    return *arrived.record;
   }
 
   // The motion model bridges the gap, as it does after frames that were lost.
@@ -66,182 +41,101 @@ struct Odometry::Impl {
     FrameRecord& record = records.begin_frame(frame);
     record.state = state.passed_over();
     record.note = why;
-    motion.begin_frame(frame.time);
+    front_end.begin_frame(frame.time);
     return record;
   }
 
-  Arrival find_edges(const Frame& frame) {
-    const double start = thread_cpu_ms();
-    const RowRectification rows{builder.correction().readout_s, expected_motion()};
-    const std::shared_ptr<const FramePyramid> pyramid =
-        builder.build(frame, rows.expected);  // throws for a wrong size: no record then
-    if (pyramid->border_mask && !(newest_pyramid && newest_pyramid->border_mask))
-      say(frame, describe_border_mask(pyramid->masked_share()));
-    newest_pyramid = pyramid;
-    newest_pose = {};
-    FrameRecord& record = records.begin_frame(frame);
-    record.stage_ms.emplace_back("edges", thread_cpu_ms() - start);
-    record.edges = int(pyramid->finest().edges.pixels.size());
-    return {frame, pyramid, rows, &record};
+  // Self-calibration may have corrected the map: the images that follow are corrected alike.
+  void change_reference(const Frame& frame) {
+    const std::shared_ptr<const Reference> newest = map.reference();
+    const ImageCorrection before = front_end.correction();
+    front_end.change_reference(newest);
+    if (front_end.correction() == before) return;
+    bootstrapper.reset();
+    for (const std::string& line : describe_changes(before, newest->camera)) say(frame, line);
   }
 
-  // What the rows of the next image are rectified for: the camera goes on as before.
-  ImageMotion expected_motion() const {
-    const std::optional<Vector6d> twist = motion.expected_twist();
-    if (builder.correction().readout_s == 0 || !state.has_pose() || !twist) return {};
-    return image_motion(builder.pinhole(), reference->cloud, motion.predict(), *twist,
-                        reference->median_idepth);
+  // A frame that throws has no record.
+  ArrivedFrame find_edges(const Frame& frame) {
+    const double start = thread_cpu_ms();
+    const bool had_mask = front_end.newest_pyramid() && front_end.newest_pyramid()->border_mask;
+    ArrivedFrame arrived = front_end.find_edges(frame, state.has_pose());
+    if (arrived.pyramid->border_mask && !had_mask)
+      say(frame, describe_border_mask(arrived.pyramid->masked_share()));
+    newest_pose = {};
+    arrived.record = &records.begin_frame(frame);
+    arrived.record->stage_ms.emplace_back(name_of(Stage::kEdges), thread_cpu_ms() - start);
+    arrived.record->edges = int(arrived.pyramid->finest().edges.pixels.size());
+    return arrived;
   }
 
   // ---- a map to follow ----
 
-  void follow_map(const Arrival& now) {
-    Track track = find_pose(now);
+  void follow_map(const ArrivedFrame& now) {
+    Track track = front_end.find_pose(now, !state.has_pose());
     act(now.frame, state.after(event_of(track.result.verdict), now.frame.index), track.result.reason);
     if (!state.has_pose()) {
       now.record->state = TrackingState::kLost;
       return;
     }
-    if (const std::optional<Event> seen = coverage.look(*reference, track.result))
+    if (const std::optional<Event> seen = front_end.look(track.result))
       act(now.frame, state.after(*seen, now.frame.index));
-    const SE3& T_cur_ref = track.result.T_cur_ref;
-    now.record->state = track.result.verdict;
-    now.record->covariance = reference->error_factor * track.result.covariance;
-    records.place(now.record, state.segment(), reference->keyframe_id, T_cur_ref, reference->T_ref_world);
-    newest_pose.T_cam_map = T_cur_ref * reference->T_ref_world;
-    motion.follow(T_cur_ref, track.took_usual_step);
-    const KeyframeDecision decision = keyframes.decide(track.result, *reference, mapping.keyframe_pending());
-    mapping.submit(tracked_frame(now, std::move(track), decision));
+    record_pose(track.result, now.record);
+    map.submit(front_end.hand_over(now, std::move(track), map.is_keyframe_pending()));
   }
 
-  Track find_pose(const Arrival& now) {
-    const double start = thread_cpu_ms();
-    Track track = track_frame(
-        {*now.pyramid, *reference, motion, keyframes, params, now.rows, !state.has_pose(), &random});
-    FrameRecord& record = *now.record;
-    record.stage_ms.emplace_back("alignment", thread_cpu_ms() - start - track.corner_ms);
-    if (track.corner_ms > 0) record.stage_ms.emplace_back("corners", track.corner_ms);
-    record.inlier_share = track.result.evidence.inlier_share;
-    record.residual_px = track.result.stats.residual_px;
-    record.note = track.result.reason;
-    return track;
-  }
-
-  // What the mapping gets.
-  TrackedFrame tracked_frame(const Arrival& now, Track track, const KeyframeDecision& decision) {
-    TrackedFrame tracked;
-    tracked.frame_index = now.frame.index;
-    tracked.time = now.frame.time;
-    tracked.pyramid = now.pyramid;
-    tracked.reference_id = reference->keyframe_id;
-    tracked.T_cam_ref = track.result.T_cur_ref;
-    tracked.covariance = track.result.covariance;
-    tracked.corners = std::move(track.corners);
-    tracked.return_to = decision.return_to;
-    tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
-    now.record->keyframe_rule = decision.rule;
-    if (tracked.make_keyframe && params.camera.knows_rolling() && rule("rolling shutter"))
-      rectify_keyframe(now, track.twist, &tracked);
-    return tracked;
-  }
-
-  // What is measured in a keyframe stays: its rows are rectified again, for the motion that was found.
-  void rectify_keyframe(const Arrival& now, const Vector6d& twist, TrackedFrame* tracked) {
-    const double start = thread_cpu_ms();
-    tracked->motion = measured_motion(builder.pinhole(), *reference, now.rows, tracked->T_cam_ref, twist);
-    if (now.rows.is_rolling()) {
-      tracked->pyramid = builder.rebuild(*now.pyramid, tracked->motion);
-      for (CornerPair& c : tracked->corners)
-        c.to = shift_ray(builder.pinhole(), now.rows.readout_s, now.rows.expected, tracked->motion, c.to);
-    }
-    now.record->stage_ms.front().second += thread_cpu_ms() - start;  // the edges
-  }
-
-  // Another keyframe became the reference: the last pose is re-expressed against it.
-  void change_reference(const Frame& frame, std::shared_ptr<const Reference> newest) {
-    if (newest == reference) return;
-    if (newest->camera.correction() != builder.correction()) change_camera(frame, newest->camera);
-    if (reference) {
-      const auto old = newest->T_keyframe_world.find(reference->keyframe_id);
-      const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference->T_ref_world;
-      motion.change_reference(T_old_world * newest->T_ref_world.inverse());
-    }
-    reference = std::move(newest);
-  }
-
-  // Self-calibration has corrected the map: the images that follow are corrected alike.
-  void change_camera(const Frame& frame, const CameraRefinement& camera) {
-    const ImageCorrection before = builder.correction();
-    builder.set_correction(camera.correction());
-    bootstrap.reset();
-    for (const std::string& line : describe_changes(before, camera)) say(frame, line);
+  void record_pose(const TrackResult& tracked, FrameRecord* record) {
+    const Reference& reference = *front_end.reference();
+    record->state = tracked.verdict;
+    record->covariance = reference.error_factor * tracked.covariance;
+    records.place(record, state.segment(), reference.keyframe_id, tracked.T_cur_ref, reference.T_ref_world);
+    newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
   }
 
   // ---- a map to be made ----
 
-  void bootstrap_map(const Arrival& now) {
-    const double start = thread_cpu_ms();
-    BootstrapStatus status = bootstrap.add(now.frame.index, now.frame.time, now.pyramid);
-    if (status.result) status.reason = make_map(now, *status.result);
+  void bootstrap_map(const ArrivedFrame& now) {
     FrameRecord& record = *now.record;
-    record.stage_ms.emplace_back("bootstrap", thread_cpu_ms() - start);
+    BootstrapStatus status;
+    {
+      const StageTimer timer(Stage::kBootstrap, &record.stage_ms);
+      status = bootstrapper.add(now);
+      if (status.result) status.reason = make_map(now, *status.result);
+    }
     if (record.T_world_cam_live) return;
     record.state = state.without_pose(record.index, record.edges);
     record.note = (record.note.empty() ? "" : record.note + "; ") + status.reason;
   }
 
   // A new segment; an empty string, or why the two views make no map.
-  std::string make_map(const Arrival& now, const BootstrapResult& views) {
-    mapping.wait_idle();
-    // Beside a map that is still tracked the scale of the new one follows from the depths in view, else from
-    // equal speed.
-    std::optional<double> scale;
-    if (state.has_pose()) scale = 1.0 / reference->median_idepth / params.mapping.bootstrap.median_depth;
-    if (state.has_map()) close_segment();
-    const std::string problem = mapper.initialise(views);
-    bootstrap.reset();
+  std::string make_map(const ArrivedFrame& now, const BootstrapResult& views) {
+    const std::optional<double> scale = scale_by_depths();
+    const std::string problem = bootstrapper.make_map(views);
+    front_end.drop_map();
     state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
-    if (problem.empty()) begin_segment(now, views, scale);
+    if (problem.empty()) begin_segment(now, bootstrapper.begin_segment(state.segment(), views, scale));
     return problem;
   }
 
-  void begin_segment(const Arrival& now, const BootstrapResult& views, std::optional<double> scale) {
-    mapping.refresh();
-    reference = mapping.reference();
-    records.begin_segment(state.segment(), views, scale);
-    note_window();
-    place_bootstrap_frames(views, *reference, state.segment(), params.alignment, &records);
-    newest_pose.T_cam_map = reference->T_ref_world;
-    const std::optional<SE3> before = records.pose_before(now.frame.index, state.segment());
-    motion.restart(before ? std::optional<SE3>(reference->T_ref_world * before->inverse()) : std::nullopt);
-    keyframes.restart();
-    coverage.restart();
+  // World over map, of a map that takes the place of one that is still tracked: the depths in view stay.
+  std::optional<double> scale_by_depths() const {
+    if (!state.has_pose()) return std::nullopt;
+    return 1.0 / front_end.reference()->median_idepth / kFirstMedianDepth;
+  }
+
+  void begin_segment(const ArrivedFrame& now, const NewSegment& begun) {
+    front_end.begin_map(begun.reference, begun.motion);
+    newest_pose.T_cam_map = begun.reference->T_ref_world;
     now.record->note.clear();
-    say(now.frame, "map of " + std::to_string(reference->cloud.points.size()) + " edge points, segment " +
-                       std::to_string(state.segment()));
+    say(now.frame, "map of " + std::to_string(begun.reference->cloud.points.size()) +
+                       " edge points, segment " + std::to_string(state.segment()));
   }
-
-  void close_segment() {
-    mapper.close();
-    take_settled();
-    note_window();
-    reference.reset();
-  }
-
-  // Keyframes that have left the window, and what the camera's correction moved.
-  void take_settled() {
-    records.retire(mapper.take_retired(), state.segment());
-    records.set_lines(mapper.take_lines());
-    records.revise(mapper.take_revised());
-  }
-
-  void note_window() { records.note_window(mapper.window().keyframes(), state.segment()); }
 
   // ---- state and records ----
 
   void act(const Frame& frame, Action action, const std::string& reason = {}) {
     if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
-      bootstrap.reset();
+      bootstrapper.reset();
     if (action == Action::kLose) say(frame, "LOST: " + reason);
     if (action == Action::kRelocalised) say(frame, "relocalised in the old map");
   }
@@ -252,32 +146,23 @@ struct Odometry::Impl {
     newest_pose.state = record.state;
     newest_pose.note = record.note;
     newest_pose.segment = state.has_map() ? state.segment() : -1;
-    newest_pose.reference = state.has_map() ? reference : nullptr;
+    newest_pose.reference = state.has_map() ? front_end.reference() : nullptr;
     newest_pose.covariance = record.covariance;
   }
 
-  // Called by the mapping thread.
-  void note_update(const TrackedFrame& frame, const MapUpdate& update) {
-    records.note_mapping(frame.frame_index, update);
-    take_settled();
-    if (update.keyframe_id >= 0) note_window();
-  }
-
   Run finish() {
-    mapping.wait_idle();
-    if (state.has_map()) close_segment();
+    const MapLink::Rest rest = map.finish();
+    front_end.drop_map();
     Run run = records.finish();
-    run.camera = mapper.camera();
-    if (options.realtime) run.realtime.emplace().left_out_of_mapping = mapping.left_out();
+    run.camera = rest.camera;
+    if (options.realtime) run.realtime.emplace().left_out_of_mapping = rest.left_out;
     return run;
   }
 
   FrameView frame_view() const {
-    if (!state.has_pose()) return {newest_pyramid, {}, -1};
+    if (!state.has_pose() || !front_end.reference()) return {front_end.newest_pyramid(), {}, -1};
     // From the segment's map to the world lengths grow by the scale.
-    const double idepth_factor = 1.0 / records.scale_of(state.segment());
-    return {newest_pyramid, see_points(reference->cloud, motion.T_last_ref(), *newest_pyramid, idepth_factor),
-            reference->keyframe_id};
+    return front_end.view(1.0 / records.scale_of(state.segment()));
   }
 
   void say(const Frame& frame, const std::string& what) const {
@@ -286,20 +171,11 @@ struct Odometry::Impl {
 
   OdometryParams params;
   OdometryOptions options;
-  PyramidBuilder builder;
-  Bootstrap bootstrap;
-  Random random;  // of corners
-  Mapper mapper;
-  RunRecords records;
-  PyramidBuilder rebuilder;  // the mapping side's own
   OdometryState state;
-  MappingThread mapping;  // after all that its thread uses
-
-  MotionModel motion;
-  KeyframePolicy keyframes;
-  MapCoverage coverage;
-  std::shared_ptr<const Reference> reference;
-  std::shared_ptr<const FramePyramid> newest_pyramid;
+  RunRecords records;
+  FrontEnd front_end;
+  MapLink map;
+  Bootstrapper bootstrapper;
   NewestPose newest_pose;
 };
 

@@ -3,9 +3,11 @@
 namespace edgevo {
 
 void RecoveryParams::visit(ParamVisitor& v) {
-  v.integer("max_frames", max_frames, 0, 1000,
-            "relocalisation in the old map is tried in so many frames after a loss; those that show nothing "
-            "do not count");
+  v.integer(kBasic, "max_frames", max_frames, 0, 1000,
+            "relocalisation in the old map is tried in so many frames after a loss, next to a new bootstrap; "
+            "those that show nothing do not count");
+  v.boolean(kExperimental, "bootstrap_out_of_view", bootstrap_out_of_view,
+            "bootstrap a new map while the old one is out of view and does not explain the images");
 }
 
 void OdometryParams::visit(ParamVisitor& v) {
@@ -28,6 +30,8 @@ void OdometryParams::visit(ParamVisitor& v) {
   {
     const auto g = v.group("mapping");
     mapping.visit(v);
+    const auto in_mapping = v.group("keyframe");
+    keyframe.visit(v);
   }
   {
     const auto g = v.group("recovery");

@@ -1,5 +1,4 @@
 #include "state_machine.h"
-#include "edgevo/core/rule.h"
 
 namespace edgevo {
 namespace {
@@ -42,7 +41,7 @@ Transition transition(Phase phase, Event event) {
 
 bool OdometryState::tracks(int edges) {
   if (phase_ != Phase::kLost) return has_map();
-  return edges >= kMinEdges && relocalisation_tries_++ < max_relocalisation_tries_ && rule("relocalisation");
+  return edges >= kMinEdges && relocalisation_tries_++ < max_relocalisation_tries_;
 }
 
 Action OdometryState::after(Event event, int frame_index) {

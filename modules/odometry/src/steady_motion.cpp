@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 #include "motion_model.h"
 #include "view_change.h"
 
@@ -63,7 +62,7 @@ std::optional<UsualStep> UsualStep::of(const MotionModel& motion) {
 }
 
 double UsualStep::likelihood(const SE3& T_cur_ref) const {
-  return is_unusual(T_cur_ref) && rule("usual step") ? kUnusualLikelihood : 1.0;
+  return is_unusual(T_cur_ref) ? kUnusualLikelihood : 1.0;
 }
 
 bool UsualStep::is_unusual(const SE3& T_cur_ref) const {

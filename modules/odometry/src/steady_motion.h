@@ -4,7 +4,8 @@
 //
 // Where all edges of the scene run along the motion (a corridor, a tunnel), few points tell how far the
 // camera has gone, and glare and shadows, which move by themselves, can outvote them: tracking then jumps by
-// several frames' way, at a share of inliers of 0.9.
+// several frames' way, at a share of inliers of 0.9
+// (share/lab/archive/2026-11-23_motion_outliers.md).
 #include <deque>
 #include <optional>
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/report/stage_times.h"
-#include "edgevo/report/warnings.h"
+#include "edgevo/core/run_statistics.h"
+#include "edgevo/core/run_warnings.h"
 
 namespace edgevo {
 namespace {
@@ -14,11 +14,6 @@ namespace {
 int frames_in(const Run& run, TrackingState state) {
   return int(
       std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == state; }));
-}
-
-int posed(const Run& run) {
-  return int(std::count_if(run.frames.begin(), run.frames.end(),
-                           [](const auto& f) { return f.T_world_cam.has_value(); }));
 }
 
 // The note that most frames of a state carry, numbers and all.
@@ -46,16 +41,16 @@ void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list
   const int frames = int(run.frames.size()), lost = frames_in(run, TrackingState::kLost),
             degraded = frames_in(run, TrackingState::kDegraded);
   if (info.interrupted) list->push_back({"The run ended early: this is the part up to there.", ""});
-  if (posed(run) == 0)
+  if (count(run).with_pose == 0)
     list->push_back({"No frame has a pose" + because(commonest_note(run, TrackingState::kBootstrapping)) +
                          ". The camera must move sideways or forward, not only turn, past things with edges; "
                          "check also that the "
                          "calibration is that of these images.",
                      ""});
-  else if (2 * posed(run) < frames)
+  else if (2 * count(run).with_pose < frames)
     list->push_back(
         {"Less than half of the frames have a pose: see the states below and the notes in frames.csv.", ""});
-  if (posed(run) > 0 && lost > 0)
+  if (count(run).with_pose > 0 && lost > 0)
     list->push_back({std::to_string(lost) + " frames are lost" +
                          because(commonest_note(run, TrackingState::kLost)) +
                          ". Where a new segment begins its place and scale are a guess. Images at a higher "
@@ -78,7 +73,7 @@ void add_camera(const Run& run, std::vector<Advice>* list) {
 }
 
 void add_scale(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
-  if (run.is_metric() || posed(run) == 0) return;
+  if (run.is_metric() || count(run).with_pose == 0) return;
   list->push_back(
       {"Lengths are in an arbitrary unit. For metres give a source of scale (edgevo run --help lists them), "
        "for example",
@@ -101,7 +96,7 @@ void add_speed(const Run& run, std::vector<Advice>* list) {
 }
 
 void add_uses(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
-  if (posed(run) == 0) return;
+  if (count(run).with_pose == 0) return;
   if (!info.ground_truth_path.empty())
     list->push_back({"All error figures against the ground truth:",
                      "edgevo eval trajectory_tum.txt " + from_anywhere(info.ground_truth_path)});

@@ -4,9 +4,9 @@
 
 #include "advice.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
-#include "edgevo/report/stage_times.h"
 #include "sections/edges_section.h"
 #include "sections/map_section.h"
 #include "sections/map_view_section.h"
@@ -33,20 +33,17 @@ std::string tiles(const Run& run, const std::optional<TruthComparison>& truth) {
   const ShownPath path = path_of(run, truth);
   const auto posed =
       std::count_if(path.estimate.begin(), path.estimate.end(), [](const auto& p) { return p.has_value(); });
-  int segments = 0;
-  size_t points = 0;
-  for (const FrameRecord& f : run.frames) segments = std::max(segments, f.segment + 1);
-  for (const KeyframeRecord& k : run.keyframes) points += k.points.size();
+  const RunCounts counts = count(run);
   double ms = 0;
   for (double t : total_ms(run)) ms += t;
   const double frames = std::max<double>(1, double(run.frames.size()));
   std::vector<std::pair<std::string, std::string>> tiles{
       {std::to_string(run.frames.size()), "frames"},
       {fixed(100 * double(posed) / frames, 1) + " %", "have a pose"},
-      {std::to_string(segments), segments == 1 ? "segment" : "segments"},
+      {std::to_string(counts.segments), counts.segments == 1 ? "segment" : "segments"},
       {fixed(path_length(path, run), 2) + ' ' + path.unit, "path length"},
       {std::to_string(run.keyframes.size()), "keyframes"},
-      {std::to_string(points), "edge points"},
+      {std::to_string(counts.points), "edge points"},
       {fixed(ms / frames, 1) + " ms", "CPU a frame"}};
   if (truth)
     tiles.emplace_back(fixed(truth->error.rmse, 3) + " m", run.is_metric() ? "ATE, SE(3)" : "ATE, Sim(3)");

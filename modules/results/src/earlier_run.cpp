@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/results/run_files.h"
 #include "edgevo/results/run_journal.h"
 #include "growing_file.h"

@@ -11,6 +11,7 @@ struct Writing {
     out->value(v);
   }
   void text(const std::string& t) { out->text(t); }
+  void reason(KeyframeReason r) { out->text(std::string(to_string(r))); }
   void pose(const SE3& T) {
     for (int i = 0; i < 3; ++i) out->value(T.translation()[i]);
     for (int i = 0; i < 4; ++i) out->value(T.rotation().coeffs()[i]);
@@ -34,6 +35,7 @@ struct Reading {
     v = in->value<T>();
   }
   void text(std::string& t) { t = in->text(); }
+  void reason(KeyframeReason& r) { r = parse_keyframe_reason(in->text()).value_or(KeyframeReason::kNone); }
   void pose(SE3& T) {
     double v[7];
     for (double& x : v) x = in->value<double>();
@@ -89,7 +91,7 @@ void visit_header(Visit& v, Header& header) {
 template <class Visit, class Frame>
 void visit_frame(Visit& v, Frame& f) {
   v.plain(f.index), v.plain(f.time), v.plain(f.state), v.plain(f.segment), v.plain(f.is_keyframe);
-  v.text(f.keyframe_rule);
+  v.reason(f.keyframe_reason);
   v.plain(f.inlier_share), v.plain(f.residual_px), v.plain(f.edges);
   v.list(f.stage_ms, [&](auto& stage) { v.text(stage.first), v.plain(stage.second); });
   visit_pose(v, f.T_world_cam_live);

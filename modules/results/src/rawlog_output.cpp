@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "edgevo/core/run_statistics.h"
 #include "export_files.h"
 #include "journal_format.h"
 #include "run_outputs_impl.h"
@@ -21,11 +22,6 @@ const MapParams& checked(const MapParams& map) {
 bool is_there(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::exists(path, ignored);
-}
-
-bool has_pose(const Run& run) {
-  return std::any_of(run.frames.begin(), run.frames.end(),
-                     [](const auto& f) { return f.T_world_cam.has_value(); });
 }
 
 }  // namespace
@@ -96,7 +92,7 @@ void RunOutputs::add_record(const FrameRecord& record, const Odometry& odometry)
 
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
   impl_->begin();
-  if (has_pose(run)) impl_->earlier.remove();
+  if (count(run).with_pose > 0) impl_->earlier.remove();
   ExportContext context{run, impl_->params, &info, &impl_->camera, &*impl_->playback, &impl_->meter};
   context.use_of_run = impl_->meter.so_far();
   impl_->text_reserve.release();

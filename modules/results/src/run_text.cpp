@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/mrpt_bridge/playback_pose.h"
-#include "edgevo/report/stage_times.h"
 
 namespace edgevo {
 namespace {
@@ -44,7 +44,7 @@ std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::stri
   append_fixed(&text, frame.inlier_share, 4);
   append_fixed(&(text += ','), frame.residual_px, 4);
   text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',' +
-          one_cell(frame.keyframe_rule) + ',';
+          std::string(to_string(frame.keyframe_reason)) + ',';
   if (frame.latency_ms) append_fixed(&text, *frame.latency_ms, 3);
   for (const std::string& stage : stages) {
     text += ',';

@@ -33,7 +33,7 @@ std::map<int, Anchors> anchors_by_segment(Run* run) {
     if (frame == frames.end()) continue;
     FrameRecord& f = *frame->second;
     f.is_keyframe = true;
-    if (f.keyframe_rule.empty()) f.keyframe_rule = "bootstrap";
+    if (f.keyframe_reason == KeyframeReason::kNone) f.keyframe_reason = KeyframeReason::kBootstrap;
     segments[k.segment][k.frame_index] = {int(i), f.T_world_cam_live.value_or(k.T_world_cam), k.T_world_cam};
   }
   return segments;

@@ -9,6 +9,7 @@
 namespace edgevo {
 namespace {
 
+constexpr int kMinGroundPoints = 20;      // that a stretch must have
 constexpr double kMaxAhead = 3;           // camera heights: beyond the end of a path the pitch would count
 constexpr double kMaxWayPerDistance = 2;  // a point not passed on twice the way to it never will be
 constexpr double kDirectionHeights =
@@ -132,7 +133,7 @@ std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeR
 
 std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height,
                                         const ScaleParams& params) {
-  if (int(samples.size()) < params.min_ground_points) return std::nullopt;
+  if (int(samples.size()) < kMinGroundPoints) return std::nullopt;
   std::vector<double> logs;
   for (const HeightSample& s : samples) logs.push_back(std::log(s.height));
   const double mode = mean_shift(logs, histogram_peak(logs));
@@ -140,7 +141,7 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   for (const double x : logs)
     if (std::abs(x - mode) < kReachSigmas * kWidth) residuals.push_back(x - mode);
   if (double(residuals.size()) < kLeastShare * double(logs.size()) ||
-      int(residuals.size()) < params.min_ground_points)
+      int(residuals.size()) < kMinGroundPoints)
     return std::nullopt;
   double squares = 0;
   for (const double r : residuals) squares += r * r;

@@ -75,11 +75,15 @@ class Chain {
  public:
   /// The position in metres of the next pose on the way.
   Eigen::Vector3d next(const Eigen::Vector3d& position, double factor) {
-    if (is_first_) metres_ = factor * position;
-    // The scale changes slowly: the mean of both ends stands for the step.
-    else
+    if (is_first_) {
+      metres_ = factor * position;
+    } else {
+      // The scale changes slowly: the mean of both ends stands for the step.
       metres_ += 0.5 * (factor + factor_) * (position - position_);
-    is_first_ = false, position_ = position, factor_ = factor;
+    }
+    is_first_ = false;
+    position_ = position;
+    factor_ = factor;
     return metres_;
   }
 

@@ -56,13 +56,6 @@ RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const P
       track_(std::move(track)),
       live_(pinhole, requested, track_, T_vehicle_cam, params) {}
 
-void RunScaling::add_frame(const FrameRecord& frame, const Odometry& odometry) {
-  if (!requested_.is_estimated()) return;
-  const SettledKeyframes settled = odometry.settled_keyframes(settled_);
-  settled_ += settled.keyframes.size();
-  add_frame(frame, settled.keyframes);
-}
-
 void RunScaling::add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled) {
   if (!requested_.is_estimated()) return;
   live_.add_frame(frame);

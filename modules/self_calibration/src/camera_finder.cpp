@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "edgevo/core/rule.h"
 #include "finding.h"
 
 namespace edgevo {
@@ -22,7 +21,7 @@ constexpr double kMaxUsefulReadoutSigma = 0.005;
 constexpr double kLeastSignificance = 1.5;
 // Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
 // estimates come out a fifth to a half short and reach the truth step by step
-// (share/lab/2026-11-22_rolling_shutter.md).
+// (share/lab/archive/2026-11-22_rolling_shutter.md).
 constexpr double kOverRelaxation = 1.3;
 
 class CameraFinder {
@@ -44,7 +43,7 @@ class CameraFinder {
   }
 
   CameraFinding run() {
-    if (knew_more() && rule("longer segment knows more")) return nothing();
+    if (knew_more()) return nothing();
     const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
     const bool estimate_readout =
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
@@ -68,8 +67,6 @@ class CameraFinder {
     s.start = state_.correction();
     s.free << free_k1, free_readout;
     s.prior << 0, params_.readout_s;
-    s.prior_sigma << params_.prior_sigma, params_.readout_prior_sigma;
-    s.limit << params_.max_k1, params_.max_readout_s;
     return estimate_camera(problem_, s, options_);
   }
 
@@ -77,9 +74,8 @@ class CameraFinder {
   // sure than a search, and far from the minimum its own deviation says little; where it is large a search
   // for both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
-    const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, params_, keyframes_);
-    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt &&
-        rule("one step first")) {
+    const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, keyframes_);
+    if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
       note_readout(one_step, k1_alone.sigma[1]);
       return k1_alone;
     }
@@ -90,8 +86,8 @@ class CameraFinder {
   }
 
   Finding note_k1(double k1, double formal_sigma) {
-    const FindingCriteria criteria{kMaxUsefulSigma, params_.max_k1, params_.significance, 0};
-    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, params_, keyframes_), criteria);
+    const FindingCriteria criteria{kMaxUsefulSigma, kMaxK1, params_.significance, 0};
+    const Finding f = weigh(state_.state, k1, 0, k1_sigma(formal_sigma, keyframes_), criteria);
     state_.state = f.state;
     state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
     return f;
@@ -99,10 +95,10 @@ class CameraFinder {
 
   Finding note_readout(double readout_s, double formal_sigma) {
     CameraRefinement::Shutter& s = state_.shutter;
-    const FindingCriteria criteria{kMaxUsefulReadoutSigma, params_.max_readout_s, params_.significance,
+    const FindingCriteria criteria{kMaxUsefulReadoutSigma, kMaxReadout, params_.significance,
                                    kLeastSignificance};
-    const Finding f = weigh(s.state, readout_s, params_.readout_s,
-                            readout_sigma(formal_sigma, params_, keyframes_), criteria);
+    const Finding f =
+        weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, keyframes_), criteria);
     s.state = f.state;
     s.estimate = f.estimate, s.sigma = f.sigma, s.keyframes = keyframes_;
     return f;
@@ -135,8 +131,8 @@ class CameraFinder {
 
   double over_relaxed(double readout_s) const {
     const double before = state_.shutter.readout_s;
-    const double factor = rule("over-relaxation") ? kOverRelaxation : 1;
-    return std::clamp(before + factor * (readout_s - before), -params_.max_readout_s, params_.max_readout_s);
+    const double factor = params_.over_relax_readout ? kOverRelaxation : 1;
+    return std::clamp(before + factor * (readout_s - before), -kMaxReadout, kMaxReadout);
   }
 
   const CameraProblem& problem_;

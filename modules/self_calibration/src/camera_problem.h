@@ -30,12 +30,15 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
 /// How that problem changes with the unknowns.
 ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction);
 
+/// Sizes that an estimate is clamped to; at them it is not believed. Seconds for the read-out time.
+constexpr double kMaxK1 = 0.03, kMaxReadout = 0.1;
+
 /// How an estimate is made. Gaussian priors around `prior`.
 struct CameraSearch {
   ImageCorrection start;
   /// k1, readout_s; what is not free stays at its start.
   Eigen::Array<bool, ba::kUnknowns, 1> free{true, false};
-  ba::Unknowns prior{0, 0}, prior_sigma{0.01, 0.03}, limit{0.03, 0.1};
+  ba::Unknowns prior{0, 0}, prior_sigma{0.01, 0.03}, limit{kMaxK1, kMaxReadout};
 };
 
 struct CameraEstimate {

@@ -2,26 +2,24 @@
 
 #include <cmath>
 
-#include "edgevo/core/rule.h"
-
 namespace edgevo {
 namespace {
 
-// Keyframes that the parameters' model sigmas refer to: a definition.
+// What biased matches add to the standard deviation of k1 and of the read-out time (seconds) at
+// kModelKeyframes.
+constexpr double kModelSigma = 0.004, kReadoutModelSigma = 0.0015;
 constexpr double kModelKeyframes = 30;
 // Share of a limit beyond which an estimate stands at it: the search is clamped there, rounding aside.
 constexpr double kAtLimit = 0.999;
 
 }  // namespace
 
-double k1_sigma(double formal, const SelfCalibrationParams& params, int keyframes) {
-  if (!rule("biased matches")) return formal;
-  return std::hypot(formal, params.model_sigma * kModelKeyframes / double(keyframes));
+double k1_sigma(double formal, int keyframes) {
+  return std::hypot(formal, kModelSigma * kModelKeyframes / double(keyframes));
 }
 
-double readout_sigma(double formal, const SelfCalibrationParams& params, int keyframes) {
-  if (!rule("biased matches")) return formal;
-  return std::hypot(formal, params.readout_model_sigma * std::sqrt(kModelKeyframes / double(keyframes)));
+double readout_sigma(double formal, int keyframes) {
+  return std::hypot(formal, kReadoutModelSigma * std::sqrt(kModelKeyframes / double(keyframes)));
 }
 
 Finding weigh(CameraRefinement::State before, double estimate, double by_file, double sigma,
@@ -31,7 +29,7 @@ Finding weigh(CameraRefinement::State before, double estimate, double by_file, d
   Finding f{estimate, sigma, observed && std::abs(estimate) < kAtLimit * criteria.limit, before};
   const double told_apart = std::abs(estimate - by_file) / sigma;
   const bool holds = !f.trustworthy || told_apart >= criteria.least_significance;
-  if (before == State::kApplied && holds && rule("applied stays")) return f;
+  if (before == State::kApplied && holds) return f;
   f.state = f.trustworthy && told_apart >= criteria.significance ? State::kApplied
             : observed && !f.trustworthy                         ? State::kAtLimit
             : observed                                           ? State::kInsignificant

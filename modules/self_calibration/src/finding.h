@@ -1,7 +1,6 @@
 #pragma once
 // What one estimate says about one number of the camera, and whether it is believed.
 #include "edgevo/core/records.h"
-#include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {
 
@@ -22,8 +21,8 @@ struct FindingCriteria {
 /// Standard deviations with what biased matches add to the `formal` one of an adjustment of `keyframes`:
 /// their error of k1 falls with the number of keyframes, that of the read-out time, which needs fewer, with
 /// its root.
-double k1_sigma(double formal, const SelfCalibrationParams& params, int keyframes);
-double readout_sigma(double formal, const SelfCalibrationParams& params, int keyframes);  ///< seconds
+double k1_sigma(double formal, int keyframes);
+double readout_sigma(double formal, int keyframes);  ///< seconds
 
 /// Four states of knowledge besides "too early": not observed, insignificant, at the limit, applied. What is
 /// applied stays so until an estimate that can be trusted tells it apart from the file's number by less than

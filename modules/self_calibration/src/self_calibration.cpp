@@ -16,6 +16,9 @@ namespace {
 
 using State = CameraRefinement::State;
 
+// Estimates while running; the last one is the most expensive, about a second at 120 keyframes.
+constexpr int kCheckpoints = 3;
+
 // A read-out time is known from fewer keyframes than k1 is, and each estimate brings the matches of the next
 // one nearer to the truth.
 int first_checkpoint(const SelfCalibrationParams& p) {
@@ -35,27 +38,17 @@ struct SelfCalibration::Job {
 };
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
-  v.text("refine", refine, {"none", "k1", "readout", "all"},
+  v.text(kBasic, "refine", refine, {"none", "k1", "readout", "all"},
          "found while running: residual radial distortion, read-out time of a rolling shutter; none: the "
          "file is taken as it is");
-  v.integer("min_keyframes", min_keyframes, 10, 200,
+  v.integer(kAdvanced, "min_keyframes", min_keyframes, 10, 200,
             "at the first estimate of k1 (of the read-out time: a third); each further one at twice as many");
-  v.integer("checkpoints", checkpoints, 1, 5,
-            "estimates while running; the last one takes about a second (realtime: in a thread beside)");
-  v.number("prior_sigma", prior_sigma, 1e-4, 1, "standard deviation of k1 before anything was seen");
-  v.number("max_k1", max_k1, 1e-4, 0.2, "an estimate at this limit is not applied");
-  v.number("significance", significance, 0, 100,
+  v.number(kAdvanced, "significance", significance, 0, 100,
            "standard deviations from zero that an estimate needs to be applied");
-  v.number("model_sigma", model_sigma, 0, 0.1,
-           "error of k1 by biased matches after 30 keyframes; falls as their number grows");
-  v.number("readout_s", readout_s, -0.2, 0.2,
+  v.number(kBasic, "readout_s", readout_s, -0.2, 0.2,
            "rolling shutter: seconds from the first row to the last, where known; 0: global, or to be found");
-  v.number("readout_prior_sigma", readout_prior_sigma, 1e-4, 1,
-           "standard deviation of the read-out time before anything was seen");
-  v.number("max_readout_s", max_readout_s, 1e-3, 0.3, "an estimate at this limit is not applied");
-  v.number("readout_model_sigma", readout_model_sigma, 0, 0.1,
-           "error of the read-out time by biased matches after 30 keyframes; falls as the root of their "
-           "number grows");
+  v.boolean(kExperimental, "over_relax_readout", over_relax_readout,
+            "apply a third more than the estimated change of the read-out time: estimates come out short");
 }
 
 SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params)
@@ -89,7 +82,7 @@ void SelfCalibration::forget() {
 
 // The next checkpoint; after the last one nothing is remembered any more.
 void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
-  const int last = params_.min_keyframes << (params_.checkpoints - 1);
+  const int last = params_.min_keyframes << (kCheckpoints - 1);
   while (keyframes >= next_checkpoint_ && next_checkpoint_ < last)
     next_checkpoint_ = checkpoint_after(next_checkpoint_, params_);
   if (keyframes < last || at_end) return;

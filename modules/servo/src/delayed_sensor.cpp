@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/detectors/all_detectors.h"
 
 namespace edgevo {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 OdometryOptions options_of(const ServoParams& servo) {
   OdometryOptions options;
   options.seed = servo.seed;
+  options.detectors = all_edge_detectors();
   return options;
 }
 

@@ -6,9 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/image_names.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/simulation/run_parallel.h"
+#include "edgevo/core/run_parallel.h"
+#include "edgevo/files/image_names.h"
 #include "edgevo/simulation/true_edge_labels.h"
 
 namespace edgevo {

@@ -5,7 +5,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
-#include "edgevo/core/program_folder.h"
+#include "edgevo/files/program_folder.h"
 #include "motion.h"
 #include "scene_params.h"
 #include "season.h"
@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where scenes lie: the source tree while one works in it, else what was installed, with the program
-// (PREFIX/bin) or for a program of another's.
+// Where scenes lie: the source tree while one works in it, else what was installed, with the program or for a
+// program of another's.
 std::vector<fs::path> scene_folders() {
   return {
 #ifdef EDGEVO_SCENE_SOURCE_DIR
       EDGEVO_SCENE_SOURCE_DIR,
 #endif
-      program_folder().parent_path() / "share/edgevo/datasets/scenes", EDGEVO_SCENE_INSTALL_DIR};
+      data_folder() / "datasets/scenes", EDGEVO_SCENE_INSTALL_DIR};
 }
 
 // "lakeshore:winter" is the scene lakeshore in winter. A file may have a colon in its name.

@@ -10,7 +10,7 @@ namespace edgevo {
 
 struct CameraParams {
   Camera camera;
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     Pinhole& p = camera.pinhole;
     Distortion& d = camera.distortion;
     v.integer("width", p.width, 16, 8192, "pixels");
@@ -49,7 +49,7 @@ struct MotionParams {
   double pause_turn_deg = 0;   ///< pure turn on the spot, to the left; 0: none
   double pause_rate_deg = 30;  ///< degrees a second
   double amplitude = 0.3;      ///< m, half the range of the movement (hand)
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     v.text("kind", kind, {"drive", "hand"},
            "drive along way points, or move about the first one looking at the second");
     v.number("speed", speed, 0.01, 60, "metres a second");
@@ -78,7 +78,7 @@ struct WorldParams {
   double sun_azimuth_deg = 130, sun_elevation_deg = 42;
   double density = 1;  ///< of things that stand about
   std::string season;  ///< lakeshore: leaves, sun and haze (season.h); empty: none of these
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza"}, "what is built");
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
     v.text("sky", sky, {}, "kind of texture for the sky; empty: plain");
@@ -107,7 +107,7 @@ struct SceneParams {
   WorldParams world;
   std::vector<Eigen::Vector3d> way_points;  ///< metres
   SceneLines where;
-  void visit(ParamVisitor& v) {
+  void visit(KeyVisitor& v) {
     v.integer("seed", seed, 0, 1000000000, "everything random follows from it");
     v.integer("frames", frames, 1, 1000000, "number of images");
     v.number("rate_hz", rate_hz, 0.1, 1000, "images a second");

@@ -9,8 +9,8 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/run_parallel.h"
 #include "edgevo/simulation/relight.h"
-#include "edgevo/simulation/run_parallel.h"
 #include "experiments.h"
 
 namespace edgevo {

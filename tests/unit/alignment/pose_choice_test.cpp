@@ -1,8 +1,12 @@
 #include "edgevo/alignment/pose_choice.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "edgevo/alignment/edge_alignment.h"
 #include "support/plane_scene.h"
+#include "support/pose_matchers.h"
 #include "support/twist.h"
 
 namespace edgevo {
@@ -18,6 +22,30 @@ PoseCandidate candidate(double share, const SE3& T_cur_ref = SE3(), double weigh
   c.stats.visible = 1000;
   c.evidence = {weight, share};
   return c;
+}
+
+TEST(Classify, NamesTheFirstThingThatIsMissing) {
+  const AlignmentParams params;
+  const auto quality = [&](const PoseCandidate& pose) { return classify(pose, params); };
+  EXPECT_EQ(quality(candidate(params.degraded_share)), TrackingQuality::kGood);
+  EXPECT_EQ(quality(candidate(0.99 * params.degraded_share)), TrackingQuality::kWeak);
+  EXPECT_EQ(quality(candidate(params.lost_share)), TrackingQuality::kWeak);
+  EXPECT_EQ(quality(candidate(0.99 * params.lost_share)), TrackingQuality::kUnsupported);
+  PoseCandidate pose = candidate(0.9);
+  pose.stats.visible = params.min_visible;
+  EXPECT_EQ(quality(pose), TrackingQuality::kGood);
+  pose.stats.visible = params.min_visible - 1;
+  EXPECT_EQ(quality(pose), TrackingQuality::kFewPoints);
+  pose.T_cur_ref = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));
+  EXPECT_EQ(quality(pose), TrackingQuality::kDiverged);
+}
+
+TEST(Classify, OnlyAWeakPoseOrAGoodOneIsNotLost) {
+  EXPECT_TRUE(is_lost(TrackingQuality::kDiverged));
+  EXPECT_TRUE(is_lost(TrackingQuality::kFewPoints));
+  EXPECT_TRUE(is_lost(TrackingQuality::kUnsupported));
+  EXPECT_FALSE(is_lost(TrackingQuality::kWeak));
+  EXPECT_FALSE(is_lost(TrackingQuality::kGood));
 }
 
 TEST(PoseJudge, TheBetterSupportedPoseWins) {
@@ -59,10 +87,10 @@ TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
 }
 
 // Proposers that count how often they are called.
-class Choice : public ::testing::Test {
+class ChoosePose : public ::testing::Test {
  protected:
-  Proposer proposer(const std::vector<SE3>& starts, bool called, int* made) {
-    return {[called](const PoseCandidate&) { return called; },
+  Proposer proposer(ProposerKind kind, const std::vector<SE3>& starts, bool called, int* made) {
+    return {kind, [called](const PoseCandidate&) { return called; },
             [starts, made] {
               ++*made;
               std::vector<PoseHypothesis> hypotheses;
@@ -80,27 +108,91 @@ class Choice : public ::testing::Test {
   int first = 0, second = 0;
 };
 
-TEST_F(Choice, WhoIsNotCalledForIsNotCalled) {
-  const PoseChoice c = among({proposer({SE3(), kWrong}, false, &first), proposer({kWrong}, false, &second)});
+TEST_F(ChoosePose, WhoIsNotCalledForIsNotCalled) {
+  const PoseChoice c = among({proposer(ProposerKind::kStarts, {SE3(), kWrong}, false, &first),
+                              proposer(ProposerKind::kCorners, {kWrong}, false, &second)});
   EXPECT_EQ(c.hypotheses_tried, 1);
   EXPECT_EQ(first, 1);
   EXPECT_EQ(second, 0);
-  EXPECT_EQ(c.proposer, 0);
+  EXPECT_EQ(c.kind, ProposerKind::kStarts);
   EXPECT_TRUE(judge.fits(c.pose));
 }
 
-TEST_F(Choice, ABetterHypothesisWins) {
-  const PoseChoice c = among({proposer({kWrong}, true, &first), proposer({kWrong, SE3()}, true, &second)});
+TEST_F(ChoosePose, ABetterHypothesisWins) {
+  const PoseChoice c = among({proposer(ProposerKind::kStarts, {kWrong}, true, &first),
+                              proposer(ProposerKind::kCorners, {kWrong, SE3()}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 3);
-  EXPECT_EQ(c.proposer, 1);
+  EXPECT_EQ(c.kind, ProposerKind::kCorners);
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
 }
 
-TEST_F(Choice, AWorseOneDoesNot) {
-  const PoseChoice c = among({proposer({SE3()}, true, &first), proposer({kWrong}, true, &second)});
+TEST_F(ChoosePose, AWorseOneDoesNot) {
+  const PoseChoice c = among({proposer(ProposerKind::kStarts, {SE3()}, true, &first),
+                              proposer(ProposerKind::kCorners, {kWrong}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 2);
-  EXPECT_EQ(c.proposer, 0);
+  EXPECT_EQ(c.kind, ProposerKind::kStarts);
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
+}
+
+// A tight prior keeps the translation where it is expected, a wide one leaves it to the image.
+TEST(Align, NearAnExpectedPlace) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)),
+            T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  const auto pyramid = scene.pyramid(T_cur_ref.inverse());
+  const auto error = [&](double sigma, const SE3& T) {
+    const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges,
+                              Eigen::Vector3d::Constant(sigma)};
+    const PoseCandidate r = align(*pyramid, cloud, near, AlignmentParams());
+    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
+    return (r.T_cur_ref.translation() - T.translation()).norm();
+  };
+  EXPECT_LT(error(1e-5, T_expected), 0.003);
+  EXPECT_LT(error(10, T_cur_ref), 0.01);
+}
+
+// Rotation and direction known, the length wrong by half: the edges find it.
+TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.25, 0.05, 0.3, 0.02, -0.03, 0.01));
+  for (const double length : {0.55, 1.0, 1.9}) {
+    const SE3 guess(T_cur_ref.rotation(), length * T_cur_ref.translation());
+    const PoseHypothesis along{guess, PoseHypothesis::Refinement::kLengthThenEdges};
+    const PoseCandidate r =
+        align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
+    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
+    EXPECT_THAT(r.T_cur_ref,
+                test::SE3Near(T_cur_ref, 0.02 * T_cur_ref.translation().norm(), 0.1 * M_PI / 180))
+        << length;
+  }
+}
+
+// Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges
+// are those of the scene.
+TEST(Align, EdgesOverruleMisledGrayLevels) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0.05, 0, 0.01, 0)),
+            elsewhere = SE3::exp(twist(0.4, 0, 0.05, 0, 0.04, 0));
+  const auto frame = std::const_pointer_cast<FramePyramid>(scene.pyramid(T_cur_ref.inverse()));
+  const auto misled = std::const_pointer_cast<FramePyramid>(scene.pyramid(elsewhere.inverse()));
+  for (size_t level = 1; level < frame->levels.size(); ++level)
+    std::swap(frame->levels[level].gray, misled->levels[level].gray);
+  const FramePyramid& current = *frame;
+  const ReferenceCloud cloud = scene.cloud(SE3());
+  SE3 by_patches = T_cur_ref;
+  align_patches(current, cloud, int(current.levels.size()) - 1, 1, &by_patches);
+  for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
+  ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
+      << "what comes of following them";
+  const auto error = [&](const AlignmentParams& params) {
+    return (align(current, cloud, {T_cur_ref}, params).T_cur_ref.translation() - T_cur_ref.translation())
+        .norm();
+  };
+  AlignmentParams unverified;
+  unverified.verify_patch_start = false;
+  EXPECT_LT(error(AlignmentParams()), 0.01);
+  EXPECT_GT(error(unverified), 0.1);
 }
 
 }  // namespace

@@ -1,10 +1,8 @@
-// Which points speak for a pose, and the search that follows when too few do.
+// Which points speak for a pose.
 #include "edgevo/alignment/pose_evidence.h"
 
 #include <gtest/gtest.h>
 
-#include "edgevo/alignment/rotation_search.h"
-#include "edgevo/alignment/tracker.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
 
@@ -64,37 +62,16 @@ TEST(PoseEvidence, AnEmptyCloudSaysNothing) {
   EXPECT_EQ(evidence.inlier_share, 0);
 }
 
-class RotationSearch : public ::testing::TestWithParam<Vector6d> {};
-
-TEST_P(RotationSearch, FindsATurnThatNoPredictionForesaw) {
-  const test::PlaneScene scene;
-  const SE3 T_cur_ref = SE3::exp(GetParam());
-  const ReferenceCloud cloud = scene.cloud(SE3());
-  const auto current = scene.pyramid(T_cur_ref.inverse());
-  const auto starts = search_rotation(*current, cloud, SE3(), AlignmentParams());
-  ASSERT_FALSE(starts.empty());
-  double nearest = 1;
-  for (const SE3& T : starts) nearest = std::min(nearest, (T * T_cur_ref.inverse()).angle());
-  EXPECT_LT(nearest, 0.06);
-  const TrackResult r = track(*current, cloud, {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
-  EXPECT_LT((r.T_cur_ref * T_cur_ref.inverse()).angle(), 0.002);
-}
-
-INSTANTIATE_TEST_SUITE_P(Turns, RotationSearch,
-                         ::testing::Values(twist(0, 0, 0, 0, 0.25, 0), twist(0, 0, 0, 0, -0.3, 0),
-                                           twist(0, 0, 0, 0.15, 0.2, 0), twist(0.05, 0, 0.1, -0.15, 0.1, 0)));
-
 // A turn of eleven degrees in one frame of a drive: at the right pose little is left in view, a wrong one
 // that hardly turns keeps three times as much and finds more edges by chance.
-TEST(Support, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
+TEST(PoseSupport, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
   const AlignmentParams params;
   const PoseEvidence right{65, 0.299}, wrong{186, 0.124};
   ASSERT_GT(wrong.weight * wrong.inlier_share, right.weight * right.inlier_share);
   EXPECT_GT(support(right, params), support(wrong, params));
 }
 
-TEST(Support, AtEqualShareTheOneThatMorePointsSpeakFor) {
+TEST(PoseSupport, AtEqualShareTheOneThatMorePointsSpeakFor) {
   const AlignmentParams params;
   EXPECT_GT(support({300, 0.6}, params), support({200, 0.6}, params));
   EXPECT_GT(support({200, 0.6}, params), support({200, 0.5}, params));

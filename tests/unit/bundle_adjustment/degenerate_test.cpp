@@ -11,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-using namespace ba_scene;
+using namespace test;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -22,7 +22,7 @@ BaProblem noisy() {
   return perturb(make_scene(o), 0.02, 0.005, 0.05, 3);
 }
 
-class BundleAdjustmentDegenerate : public testing::TestWithParam<std::string> {
+class BundleAdjustmentDegenerate : public ::testing::TestWithParam<std::string> {
  protected:
   BaResult solve(BaProblem* p, const BaOptions& options = {}) {
     return make_bundle_adjuster(GetParam())->solve(p, options);
@@ -51,7 +51,7 @@ class BundleAdjustmentDegenerate : public testing::TestWithParam<std::string> {
     for (const BaPoint& x : p.points) EXPECT_TRUE(std::isfinite(x.idepth));
   }
 };
-INSTANTIATE_TEST_SUITE_P(Both, BundleAdjustmentDegenerate, testing::Values("schur", "ceres"),
+INSTANTIATE_TEST_SUITE_P(Both, BundleAdjustmentDegenerate, ::testing::Values("schur", "ceres"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(BundleAdjustmentDegenerate, NothingToSolveIsNotUsable) {

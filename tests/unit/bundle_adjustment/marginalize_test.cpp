@@ -10,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-using namespace ba_scene;
+using namespace test;
 
 SceneOptions small_noise() {
   SceneOptions o;

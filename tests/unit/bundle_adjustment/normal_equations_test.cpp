@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kHuberWidth = 1.5;
 
-ba_scene::SceneOptions noisy_scene() {
-  ba_scene::SceneOptions o;
+test::SceneOptions noisy_scene() {
+  test::SceneOptions o;
   o.noise_px = 1;
   o.outlier_share = 0.1;
   o.fixed_point_share = 0.1;
@@ -20,7 +20,7 @@ ba_scene::SceneOptions noisy_scene() {
 
 // One window, and both passes over it at a state.
 struct BothPasses {
-  BaProblem problem = ba_scene::make_scene(noisy_scene());
+  BaProblem problem = test::make_scene(noisy_scene());
   ba::State state = ba::initial_state(problem, 1e-4);
   ba::PackedProblem packed = ba::pack_problem(problem, state, nullptr);
   ba::NormalEquations whole, part;

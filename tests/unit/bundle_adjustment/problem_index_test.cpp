@@ -9,11 +9,11 @@ namespace edgevo {
 namespace {
 
 BaProblem scene() {
-  ba_scene::SceneOptions o;
+  test::SceneOptions o;
   o.points = 60;
   o.observed_share = 0.4;
   o.corners = 3;
-  return ba_scene::make_scene(o);
+  return test::make_scene(o);
 }
 
 TEST(ProblemIndex, HasEveryPointWithItsHostAndItsObservations) {

@@ -9,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-using namespace ba_scene;
+using namespace test;
 
 SceneOptions hard_scene() {
   SceneOptions o;
@@ -24,8 +24,8 @@ BaProblem solved(BaProblem problem, const std::string& name, const BaOptions& op
   return problem;
 }
 
-class BundleAdjusters : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Both, BundleAdjusters, testing::Values("schur", "ceres"),
+class BundleAdjusters : public ::testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Both, BundleAdjusters, ::testing::Values("schur", "ceres"),
                          [](const auto& info) { return info.param; });
 
 TEST_P(BundleAdjusters, RecoverTheTruthFromNoiseFreeData) {

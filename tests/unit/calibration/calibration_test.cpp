@@ -82,7 +82,7 @@ BoardView made_up_view(int frame, const SE3& T_cam_board, const Camera& camera) 
   return view;
 }
 
-class MadeUpBoard : public ::testing::Test {
+class CalibrateCamera : public ::testing::Test {
  protected:
   BoardViews views(const std::vector<SE3>& T_cam_board) const {
     BoardViews all{480, 360, int(T_cam_board.size()), int(T_cam_board.size()), {}};
@@ -176,7 +176,7 @@ TEST(Calibration, MarkersNearTheCornersDoNotDrawThem) {
   expect_known_camera(calibrated_from(drawn, board), 1);
 }
 
-TEST_F(MadeUpBoard, SaysHowCertainItIs) {
+TEST_F(CalibrateCamera, SaysHowCertainItIs) {
   const CameraCalibration c = calibrate_camera(views(poses(kCentre)), "board");
   EXPECT_NEAR(c.rms_px, 0.1 * M_SQRT2, 0.02);
   EXPECT_GT(c.sigma_f_px, 0.05);
@@ -187,7 +187,7 @@ TEST_F(MadeUpBoard, SaysHowCertainItIs) {
   EXPECT_THAT(c.left_out, IsEmpty());
 }
 
-TEST_F(MadeUpBoard, AViewThatDoesNotFitIsLeftOut) {
+TEST_F(CalibrateCamera, AViewThatDoesNotFitIsLeftOut) {
   BoardViews all = views(poses(kCentre));
   Random random(3);
   for (Eigen::Vector2f& px : all.views[4].px) px.x() += float(random.normal());
@@ -196,7 +196,7 @@ TEST_F(MadeUpBoard, AViewThatDoesNotFitIsLeftOut) {
   EXPECT_NEAR(c.camera.pinhole.fx, camera_.pinhole.fx, 4 * c.sigma_f_px);
 }
 
-TEST_F(MadeUpBoard, SaysWhatViewsAreLacking) {
+TEST_F(CalibrateCamera, SaysWhatViewsAreLacking) {
   std::vector<SE3> left;
   for (int i = 0; i < 12; ++i)
     left.push_back(test::board_pose(kCentre, i % 2 ? 42 : -40, 4 - i % 5,
@@ -207,7 +207,7 @@ TEST_F(MadeUpBoard, SaysWhatViewsAreLacking) {
   EXPECT_THAT(c.lacking, ::testing::Not(Contains(HasSubstr("to the left or right"))));
 }
 
-TEST_F(MadeUpBoard, RefusesViewsThatCannotTell) {
+TEST_F(CalibrateCamera, RefusesViewsThatCannotTell) {
   std::vector<SE3> straight;
   for (int i = 0; i < 12; ++i)
     straight.push_back(test::board_pose(kCentre, 0, 0, {0.02 * (i % 4) - 0.03, 0.02 * (i / 4) - 0.02, 0.5}));
@@ -219,14 +219,14 @@ TEST_F(MadeUpBoard, RefusesViewsThatCannotTell) {
 }
 
 // Every second corner of the wrong row: no camera sees that.
-TEST_F(MadeUpBoard, RefusesWhatNoSuchLensSees) {
+TEST_F(CalibrateCamera, RefusesWhatNoSuchLensSees) {
   BoardViews all = views(poses(kCentre));
   for (BoardView& view : all.views)
     for (size_t i = 0; i < view.px.size(); i += 2) view.px[i].y() += 4;
   EXPECT_THAT(why_refused(all), HasSubstr("check the board's size"));
 }
 
-TEST_F(MadeUpBoard, TakesOnlyViewsThatDiffer) {
+TEST_F(CalibrateCamera, TakesOnlyViewsThatDiffer) {
   const test::DrawnBoard drawn(camera_, chessboard_texture(), kSquarePx / kSquare);
   const GrayImage once = drawn.seen_from(test::board_pose(kCentre, 20, 10, {0, 0, 0.42}));
   const GrayImage near = drawn.seen_from(test::board_pose(kCentre, 20.2, 10, {0.001, 0, 0.42}));
@@ -240,7 +240,7 @@ TEST_F(MadeUpBoard, TakesOnlyViewsThatDiffer) {
   EXPECT_EQ(found.views[1].frame, 3);
 }
 
-TEST_F(MadeUpBoard, PictureShowsTheCornersWhereTheyAre) {
+TEST_F(CalibrateCamera, PictureShowsTheCornersWhereTheyAre) {
   const CameraCalibration c = calibrate_camera(views(poses(kCentre)), "board");
   const std::string png = calibration_picture(c);
   const cv::Mat picture = cv::imdecode(std::vector<uint8_t>(png.begin(), png.end()), cv::IMREAD_COLOR);
@@ -253,7 +253,7 @@ TEST_F(MadeUpBoard, PictureShowsTheCornersWhereTheyAre) {
   }
 }
 
-TEST(Boards, RefusesWhatIsNone) {
+TEST(BoardText, RefusesWhatIsNone) {
   const auto why = [](const Board& board) -> std::string {
     try {
       BoardFinder finder(board);

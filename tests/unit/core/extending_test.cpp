@@ -7,7 +7,7 @@
 
 #include "edgevo/core/input_file.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(Extending, SoAreTheOtherPages) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -8,7 +8,7 @@
 #include "edgevo/core/input_file.h"
 #include "include_rules.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -16,7 +16,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 const std::vector<std::string> kOrder{"core",
+                                      "files",
+                                      "scale",
+                                      "opencv_bridge",
+                                      "symphony_lake",
                                       "edges",
+                                      "detectors",
                                       "alignment",
                                       "association",
                                       "bundle_adjustment",
@@ -24,7 +29,6 @@ const std::vector<std::string> kOrder{"core",
                                       "edge_map",
                                       "self_calibration",
                                       "odometry",
-                                      "scale",
                                       "occupancy",
                                       "mrpt_bridge",
                                       "visp_bridge",
@@ -36,6 +40,7 @@ const std::vector<std::string> kOrder{"core",
                                       "drive",
                                       "report",
                                       "results",
+                                      "benchmark",
                                       "servo",
                                       "viewer",
                                       "mrpt_plugin"};
@@ -128,4 +133,4 @@ TEST(IncludeRules, TheProjectKeepsThem) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

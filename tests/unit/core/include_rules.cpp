@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 // Siblings that may not use each other, though one is below the other in the list.
@@ -114,4 +114,4 @@ std::vector<std::string> broken_include_rules(const SourceFile& file, const std:
   return broken;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

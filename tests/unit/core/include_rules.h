@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// One source file, by its path from the source folder: "modules/edges/src/gradient.cpp".
 struct SourceFile {
@@ -24,4 +24,4 @@ std::vector<std::string> module_order(const std::string& cmake_lists);
 ///     src.
 std::vector<std::string> broken_include_rules(const SourceFile& file, const std::vector<std::string>& order);
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class OutputFileTest : public ::testing::Test {
+class OutputFiles : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return folder_ / name; }
   static std::string content(const std::string& path) {
@@ -39,7 +39,7 @@ class OutputFileTest : public ::testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(OutputFileTest, KeepsEveryByte) {
+TEST_F(OutputFiles, KeepsEveryByte) {
   std::string bytes;
   for (int i = 0; i < 100000; ++i) bytes.push_back(char(i * 7));
   OutputFile out(path("a.bin"));
@@ -49,14 +49,14 @@ TEST_F(OutputFileTest, KeepsEveryByte) {
   EXPECT_EQ(content(path("a.bin")), bytes);
 }
 
-TEST_F(OutputFileTest, OverwritesWhatWasThere) {
+TEST_F(OutputFiles, OverwritesWhatWasThere) {
   write_file(path("a.txt"), "a long first content");
   write_file(path("a.txt"), "short");
   EXPECT_EQ(content(path("a.txt")), "short");
 }
 
 // A few bytes stay in the buffer until the close; many are refused at once. Both must be told.
-TEST_F(OutputFileTest, FullDiskIsToldAtTheLatestByClose) {
+TEST_F(OutputFiles, FullDiskIsToldAtTheLatestByClose) {
   std::filesystem::create_symlink("/dev/full", path("frames.csv"));
   const std::string expected =
       path("frames.csv") +
@@ -70,25 +70,25 @@ TEST_F(OutputFileTest, FullDiskIsToldAtTheLatestByClose) {
             expected);
 }
 
-TEST_F(OutputFileTest, MissingFolderIsAnError) {
+TEST_F(OutputFiles, MissingFolderIsAnError) {
   EXPECT_THAT(message_of([&] { write_file(path("no/such/a.txt"), "x"); }),
               HasSubstr("No such file or directory"));
 }
 
-TEST_F(OutputFileTest, OutputFolderIsCreatedWithItsParents) {
+TEST_F(OutputFiles, OutputFolderIsCreatedWithItsParents) {
   make_output_folder(path("a/b/c"));
   EXPECT_TRUE(std::filesystem::is_directory(path("a/b/c")));
   make_output_folder(path("a/b/c/"));  // being there already is fine
 }
 
-TEST_F(OutputFileTest, OutputFolderThatIsAFileIsAnError) {
+TEST_F(OutputFiles, OutputFolderThatIsAFileIsAnError) {
   write_file(path("out"), "x");
   EXPECT_THAT(message_of([&] { make_output_folder(path("out")); }),
               HasSubstr("is a file, but a folder is needed"));
   EXPECT_THAT(message_of([&] { make_output_folder(path("out/deeper")); }), HasSubstr("cannot be created"));
 }
 
-TEST(Fixed, RoundsAndNeverPrintsMinusZero) {
+TEST(FixedNumber, RoundsAndNeverPrintsMinusZero) {
   EXPECT_EQ(fixed(1.23456, 3), "1.235");
   EXPECT_EQ(fixed(-2.5, 2), "-2.50");
   EXPECT_EQ(fixed(-1e-9, 3), "0.000");

@@ -10,7 +10,7 @@
 
 #include "edgevo/core/input_file.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 namespace {
 
 using ::testing::Contains;
@@ -93,14 +93,14 @@ TEST(PaperInCode, EntriesAreRead) {
   EXPECT_EQ(entries.at("a").functions.at(0).name, "f");
 }
 
-class ThePage : public ::testing::Test {
+class PaperInCodePage : public ::testing::Test {
  protected:
   const fs::path root = EDGEVO_SOURCE_DIR;
   const std::string page = read_file((root / "share/doc/paper_in_code.md").string(), "");
   const std::map<std::string, Entry> entries = entries_of(page);
 };
 
-TEST_F(ThePage, NamesEachFileThatCarriesATag) {
+TEST_F(PaperInCodePage, NamesEachFileThatCarriesATag) {
   int tags = 0;
   for (const auto& entry : fs::recursive_directory_iterator(root / "modules")) {
     if (!entry.is_regular_file()) continue;
@@ -118,7 +118,7 @@ TEST_F(ThePage, NamesEachFileThatCarriesATag) {
   EXPECT_GT(tags, 20);
 }
 
-TEST_F(ThePage, NamesFunctionsWhereTheyStand) {
+TEST_F(PaperInCodePage, NamesFunctionsWhereTheyStand) {
   size_t functions = 0;
   for (const auto& [tag, entry] : entries)
     for (const NamedFunction& f : entry.functions) {
@@ -130,13 +130,13 @@ TEST_F(ThePage, NamesFunctionsWhereTheyStand) {
   EXPECT_GT(functions, 40u);
 }
 
-TEST_F(ThePage, NamesFilesThatExist) {
+TEST_F(PaperInCodePage, NamesFilesThatExist) {
   const std::set<std::string> files = named_files(page);
   EXPECT_GT(files.size(), 30u);
   for (const std::string& file : files) EXPECT_TRUE(fs::exists(root / file)) << file;
 }
 
-TEST_F(ThePage, HasEveryEquationOfThePaper) {
+TEST_F(PaperInCodePage, HasEveryEquationOfThePaper) {
   for (const char* label :
        {"pointproj", "edgeerror", "reprojectionerror", "photometricerror", "searchradius", "intersection",
         "radiusequation", "rediusuncertainty", "uncertaintyseperation", "searchregion", "poseuncertainty",
@@ -148,4 +148,4 @@ TEST_F(ThePage, HasEveryEquationOfThePaper) {
 }
 
 }  // namespace
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -21,8 +21,8 @@ struct EdgeParams {
   double percentile = 0.9;
   std::string detector = "canny";
   void visit(ParamVisitor& v) {
-    v.number("percentile", percentile, 0.5, 0.99, "share of pixels below the threshold");
-    v.text("detector", detector, {"canny", "edge_drawing", "structured"}, "which detector");
+    v.number(kBasic, "percentile", percentile, 0.5, 0.99, "share of pixels below the threshold");
+    v.text(kExperimental, "detector", detector, {"canny", "edge_drawing", "structured"}, "which detector");
   }
 };
 
@@ -34,12 +34,12 @@ struct TestParams {
   void visit(ParamVisitor& v) {
     {
       auto g = v.group("mapping");
-      v.integer("window", window, 3, 20, "keyframes");
-      v.odd("patch", patch, 3, 11, "side of a patch");
+      v.integer(kAdvanced, "window", window, 3, 20, "keyframes");
+      v.odd(kAdvanced, "patch", patch, 3, 11, "side of a patch");
       auto inner = v.group("deep");
-      v.boolean("realtime", realtime, "two threads");
+      v.boolean(kAdvanced, "realtime", realtime, "two threads");
     }
-    v.text("model", model, {}, "file of a network");
+    v.text(kBasic, "model", model, {}, "file of a network");
     auto g = v.group("edges");
     edges.visit(v);
   }
@@ -240,6 +240,38 @@ TEST(Params, WritesInTheOrderOfVisitWithHelpAndRange) {
             "    detector: canny\n");
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("window: 7  # keyframes; [3, 20]"));
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("canny | edge_drawing | structured"));
+}
+
+TEST(Params, TheBasicOnesAloneLeaveNoEmptyGroups) {
+  TestParams p;
+  EXPECT_EQ(write_basic_params(visitor(&p)),
+            "model: ''  # file of a network\n"
+            "edges:\n  percentile: 0.9  # share of pixels below the threshold; [0.5, 0.99]\n");
+}
+
+TEST(Params, AreDescribedOneByOne) {
+  TestParams p;
+  const std::vector<ParamDescription> all = describe_params(visitor(&p));
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[1].key, "mapping.patch");
+  EXPECT_EQ(all[1].range, "[3, 11], odd");
+  EXPECT_EQ(all[2].key, "mapping.deep.realtime");
+  EXPECT_EQ(all[2].value, "false");
+  EXPECT_EQ(all[2].level, ParamLevel::kAdvanced);
+  EXPECT_EQ(all[3].range, "") << "free text";
+  EXPECT_EQ(all[5].key, "edges.detector");
+  EXPECT_STREQ(to_string(all[5].level), "experimental");
+  EXPECT_EQ(all[5].help, "which detector");
+}
+
+// A file that is no list of parameters: its keys have no level.
+TEST(Params, KeysWithoutALevelAreReadAlike) {
+  struct Scene {
+    int frames = 0;
+    void visit(KeyVisitor& v) { v.integer("frames", frames, 1, 100, "number of images"); }
+  } scene;
+  read_params("frames: 7\n", "scene.yaml", [&](ParamVisitor& v) { scene.visit(v); });
+  EXPECT_EQ(scene.frames, 7);
 }
 
 TEST(Params, ASingleAssignment) {

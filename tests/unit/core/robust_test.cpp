@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/numerical_jacobian.h"
+
 namespace edgevo {
 namespace {
 
@@ -13,21 +15,12 @@ TEST(Robust, HuberWeightIsOneInsideAndFallsOutside) {
 }
 
 TEST(Robust, HuberCostHasTheWeightAsItsDerivative) {
-  constexpr double h = 1e-6, width = 1.3;
+  constexpr double width = 1.3;
   for (double r : {-5.0, -1.4, -1.2, -0.1, 0.0, 0.7, 1.29, 1.31, 8.0}) {
-    const double slope = (huber_cost(r + h, width) - huber_cost(r - h, width)) / (2 * h);
-    EXPECT_NEAR(slope, huber_weight(r, width) * r, 1e-6) << r;
+    const auto cost = [](double x) { return huber_cost(x, width); };
+    EXPECT_NEAR(test::numerical_derivative(cost, r), huber_weight(r, width) * r, 1e-9) << r;
   }
   EXPECT_NEAR(huber_cost(width - 1e-12, width), huber_cost(width + 1e-12, width), 1e-11);
-}
-
-TEST(Robust, StudentTCostHasTheWeightAsItsDerivative) {
-  // The cost is -log p(r) for p ~ (1 + (r/sigma)^2/dof)^-((dof+1)/2).
-  constexpr double h = 1e-5, sigma = 0.7, dof = 5;
-  for (double r : {-4.0, -0.5, 0.0, 0.3, 2.0}) {
-    const double slope = (student_t_cost(r + h, sigma, dof) - student_t_cost(r - h, sigma, dof)) / (2 * h);
-    EXPECT_NEAR(slope, student_t_weight(r, sigma, dof) * r / (sigma * sigma), 1e-8) << r;
-  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 using test::TempFolder;
 
-SourceOptions source(const std::string& path) {
+SourceOptions imported_source(const std::string& path) {
   SourceOptions options;
   options.path = path;
   return options;
@@ -39,9 +39,9 @@ int expect_same_frames(ImageSource& a, ImageSource& b) {
 TEST(Import, RoundTripIsExact) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 5);
-  EXPECT_EQ(import_rawlog(*open_source(source(folder / "seq")), folder / "seq.rawlog"), 5);
-  const auto original = open_source(source(folder / "seq")),
-             imported = open_source(source(folder / "seq.rawlog"));
+  EXPECT_EQ(import_rawlog(*open_source(imported_source(folder / "seq")), folder / "seq.rawlog"), 5);
+  const auto original = open_source(imported_source(folder / "seq")),
+             imported = open_source(imported_source(folder / "seq.rawlog"));
   EXPECT_EQ(imported->label(), "CAM0");
   EXPECT_EQ(imported->times().size(), 5u);
   expect_same_camera(original->camera(), imported->camera());
@@ -51,8 +51,8 @@ TEST(Import, RoundTripIsExact) {
 TEST(Import, IsRepeatable) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 3);
-  import_rawlog(*open_source(source(folder / "seq")), folder / "a.rawlog");
-  import_rawlog(*open_source(source(folder / "seq")), folder / "b.rawlog");
+  import_rawlog(*open_source(imported_source(folder / "seq")), folder / "a.rawlog");
+  import_rawlog(*open_source(imported_source(folder / "seq")), folder / "b.rawlog");
   EXPECT_EQ(test::read_text(folder / "a.rawlog"), test::read_text(folder / "b.rawlog"));
 }
 
@@ -80,19 +80,20 @@ class SameNames : public ImageSource {
 TEST(Import, ImagesOfOneNameDoNotOverwriteEachOther) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 1);
-  const Camera camera = open_source(source(folder / "seq"))->camera();
+  const Camera camera = open_source(imported_source(folder / "seq"))->camera();
   SameNames frames(camera), again(camera);
   EXPECT_EQ(import_rawlog(frames, folder / "x.rawlog"), 3);
-  EXPECT_EQ(expect_same_frames(again, *open_source(source(folder / "x.rawlog"))), 3);
+  EXPECT_EQ(expect_same_frames(again, *open_source(imported_source(folder / "x.rawlog"))), 3);
 }
 
 TEST(Import, KeepsTheFramesBeforeABadOne) {
   TempFolder folder;
   test::write_edgevo_layout(folder / "seq", 4);
   test::write_text(folder / "seq/images/000002.png", "broken");
-  EXPECT_NE(test::error_of([&] { import_rawlog(*open_source(source(folder / "seq")), folder / "x.rawlog"); }),
+  EXPECT_NE(test::error_of(
+                [&] { import_rawlog(*open_source(imported_source(folder / "seq")), folder / "x.rawlog"); }),
             "");
-  EXPECT_EQ(test::read_all(*open_source(source(folder / "x.rawlog"))).size(), 2u);
+  EXPECT_EQ(test::read_all(*open_source(imported_source(folder / "x.rawlog"))).size(), 2u);
 }
 
 TEST(Import, RealSequence) {
@@ -101,10 +102,10 @@ TEST(Import, RealSequence) {
     if (path.empty())
       GTEST_SKIP() << "NOT TESTED: no folder " << name << " under ../shared/data or EDGEVO_DATA";
     TempFolder folder;
-    SourceOptions options = source(path);
+    SourceOptions options = imported_source(path);
     set_frame_range("0:40", &options);
     import_rawlog(*open_source(options), folder / "x.rawlog");
-    const auto original = open_source(options), imported = open_source(source(folder / "x.rawlog"));
+    const auto original = open_source(options), imported = open_source(imported_source(folder / "x.rawlog"));
     expect_same_camera(original->camera(), imported->camera());
     EXPECT_EQ(expect_same_frames(*original, *imported), 40) << name;
   }

@@ -181,7 +181,7 @@ TEST(ImageFolder, ColourGivesCvtColorWeights) {
   EXPECT_EQ(frames.at(0).image.pixels, (std::vector<uint8_t>{76, 150, 29}));
 }
 
-TEST(Describe, SaysWhatIsThere) {
+TEST(DescribeSource, SaysWhatIsThere) {
   TempFolder folder;
   test::write_edgevo_layout(folder.path(), 5);
   write_text(folder / "times.txt", "0\n0.1\n0.2\n1.2\n1.3\n");
@@ -194,7 +194,7 @@ TEST(Describe, SaysWhatIsThere) {
   EXPECT_THAT(lines["duration"], HasSubstr("1.300 s"));
 }
 
-TEST(Describe, FieldOfViewOfAPinhole) {
+TEST(DescribeSource, FieldOfViewOfAPinhole) {
   const Camera camera{{100, 100, 99.5, 49.5, 200, 100}, {}};
   const auto [horizontal, vertical] = field_of_view_deg(camera);
   EXPECT_NEAR(horizontal, 90, 1e-9);

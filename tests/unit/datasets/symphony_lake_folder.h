@@ -1,6 +1,6 @@
 #pragma once
 // Small surveys in the layout of Symphony Lake, for tests of its reader.
-#include "edgevo/datasets/symphony_lake_writer.h"
+#include "edgevo/symphony_lake/survey_writer.h"
 #include "unit/datasets/temp_sequence.h"
 
 namespace edgevo::test {
@@ -22,9 +22,9 @@ inline SE3 survey_pose(int i) {
 inline Timestamp survey_time(int i) { return Timestamp{14153000001234567 + 1000000 * i}; }
 
 /// `count` images from number `first` on in ARCHIVE/VBags/NAME (or Dataset/20YY/NAME); their map beside it.
-inline SurveyPlace write_survey(const std::string& archive, const std::string& name, int count,
-                                bool newer = false, int first = 998) {
-  const SurveyPlace place{archive, name, newer};
+inline SurveyLocation write_survey(const std::string& archive, const std::string& name, int count,
+                                   bool newer = false, int first = 998) {
+  const SurveyLocation place{archive, name, newer};
   const SurveyWriter writer(place, survey_camera());
   std::vector<SurveyFrame> frames;
   for (int i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/evaluation/trajectory.h"
+#include "support/pose_matchers.h"
 #include "unit/datasets/symphony_lake_folder.h"
 
 namespace edgevo {
@@ -72,7 +73,7 @@ constexpr const char* kView = "0, 0, 0, 1.5, 0.2, 20, 21, 12, 8, 24, 16";  // x 
 TEST(SymphonyLake, BothNamingSchemesAreReadBack) {
   for (const bool newer : {false, true}) {
     const TempFolder folder;
-    const SurveyPlace place = write_survey(folder.path(), "141107", 5, newer);
+    const SurveyLocation place = write_survey(folder.path(), "141107", 5, newer);
     EXPECT_TRUE(fs::exists(place.folder() + (newer ? "/0001/01002.jpg" : "/0001/0002.jpg")));
     const auto s = open_source(lake_source(place.folder()));
     EXPECT_EQ(s->kind(), "Symphony Lake");
@@ -93,8 +94,7 @@ TEST(SymphonyLake, PosesAgreeToThePrecisionOfTheFile) {
   for (int i = 0; i < 9; ++i) {
     const SE3 expected = survey_pose(0).inverse() * survey_pose(i);
     const SE3 read = poses[0].T_world_cam.inverse() * poses[size_t(i)].T_world_cam;
-    EXPECT_LT((expected.translation() - read.translation()).norm(), 3e-6) << i;
-    EXPECT_LT((expected.inverse() * read).angle(), 1e-8) << i;
+    EXPECT_THAT(read, test::SE3Near(expected, 3e-6, 1e-8)) << i;
     EXPECT_LT((survey_pose(i).R() - poses[size_t(i)].T_world_cam.R()).norm(), 1e-8) << "z up, x east";
   }
 }
@@ -149,7 +149,7 @@ TEST(SymphonyLake, TruthIsInterpolatedAndCountsWithinATenthOfASecond) {
 
 TEST(SymphonyLake, WithoutMapsGpsAndCompassAreACoarseTruthAndSaidToBe) {
   const TempFolder folder;
-  const SurveyPlace place = write_survey(folder.path(), "141107", 5);
+  const SurveyLocation place = write_survey(folder.path(), "141107", 5);
   const auto exact = poses_of(place.folder());
   EXPECT_THAT(detail(*open_source(lake_source(place.folder())), "ground truth"),
               HasSubstr("optposes.csv (poses of the boat"));
@@ -191,7 +191,7 @@ TEST(SymphonyLake, RowsBeforeTheCameraTookItsPlaceAreLeftOut) {
 
 TEST(SymphonyLake, NumbersLeftOutAreTold) {
   const TempFolder folder;
-  const SurveyPlace place = write_survey(folder.path(), "141107", 5);
+  const SurveyLocation place = write_survey(folder.path(), "141107", 5);
   std::string text = read_text(place.folder() + "/image_auxilliary.csv");
   const size_t begin = text.find("\n", text.find(", 999.")) + 1, end = text.find("\n", begin) + 1;
   write_text(place.folder() + "/image_auxilliary.csv", text.erase(begin, end - begin));
@@ -283,8 +283,8 @@ TEST(SymphonyArchive, SurveysGoByTheirName) {
 
 TEST(SymphonyArchive, TwoSurveysOfOneName) {
   const TempFolder folder;
-  const SurveyPlace old = write_survey(folder.path(), "141107", 2),
-                    copy = write_survey(folder.path(), "141107", 3, true);
+  const SurveyLocation old = write_survey(folder.path(), "141107", 2),
+                       copy = write_survey(folder.path(), "141107", 3, true);
   EXPECT_THAT(
       error_of([&] { open_source(lake_source(folder / "141107")); }),
       AllOf(HasSubstr("two surveys named 141107"), HasSubstr(old.folder()), HasSubstr(copy.folder())));
@@ -304,7 +304,7 @@ class BadSurvey : public ::testing::Test {
     return error_of([&] { truth_of(place_.folder()); });
   }
   TempFolder folder_;
-  SurveyPlace place_ = write_survey(folder_.path(), "141107", 5);
+  SurveyLocation place_ = write_survey(folder_.path(), "141107", 5);
 };
 
 TEST_F(BadSurvey, FewerColumnsThanNeeded) {

@@ -54,10 +54,10 @@ TEST(EdgeDepth, MostPixelsGetTheirDepth) {
   const Figures f = figures_of(12, depths_of(12, kAround, params));
   const double searched = double(Sweep::pyramid(12)->finest().edges.pixels.size()) / params.step_px;
   std::cout << "[ figures  ] " << f.nodes / searched << " of the edge pixels, " << double(f.good) / f.nodes
-            << " of them within 3 %, median error " << test::median(f.in_sigmas) << " sigmas" << std::endl;
-  EXPECT_GT(f.nodes, 0.33 * searched);        // measured 0.37: half of the edges here run along the motion
-  EXPECT_GT(f.good, 0.92 * f.nodes);          // measured 0.948
-  EXPECT_LT(test::median(f.in_sigmas), 0.9);  // measured 0.47
+            << " of them within 3 %, median error " << median(f.in_sigmas) << " sigmas" << std::endl;
+  EXPECT_GT(f.nodes, 0.33 * searched);  // measured 0.37: half of the edges here run along the motion
+  EXPECT_GT(f.good, 0.92 * f.nodes);    // measured 0.948
+  EXPECT_LT(median(f.in_sigmas), 0.9);  // measured 0.47
 }
 
 TEST(EdgeDepth, VerticesStandInOrderAlongTheirEdge) {

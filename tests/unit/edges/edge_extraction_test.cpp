@@ -16,14 +16,10 @@ namespace {
 using test::disc_image;
 using test::slanted_step;
 
-// With a probability, for detectors that need one, that is high wherever there is a gradient.
-EdgeMap edges_of(const GrayImage& image, const std::string& detector = "canny") {
-  EdgeParams params;
-  params.detector = detector;
+EdgeMap edges_of(const GrayImage& image) {
+  const EdgeParams params;
   const Gradient gradient = compute_gradient(image.view());
-  const GrayImage likely = test::make_image(
-      image.width, image.height, [&](double x, double y) { return gradient.magnitude.at(int(x), int(y)); });
-  return extract_edges(make_edge_detector(params)->detect({image.view(), gradient, likely.view()}), gradient,
+  return extract_edges(make_edge_detector(params)->detect({image.view(), gradient}), gradient,
                        params.min_chain);
 }
 
@@ -88,13 +84,6 @@ TEST(EdgeExtraction, EdgesAreThin) {
   EXPECT_LT(map.pixels.size(), size_t(2 * M_PI * 30 * 1.05));
 }
 
-TEST(EdgeExtraction, EdgeDrawingFindsTheSameCircle) {
-  const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190), "edge_drawing");
-  ASSERT_GT(map.pixels.size(), 120u);
-  for (const EdgePixel& e : map.pixels)
-    EXPECT_NEAR((e.position().cast<double>() - Eigen::Vector2d(60.2, 44.7)).norm(), 30, 0.6);
-}
-
 // The number of edge pixels must not follow the exposure.
 TEST(EdgeExtraction, EdgeCountIsSteadyUnderGain) {
   GrayImage image = test::textured_image(320, 240, 3);
@@ -120,13 +109,33 @@ TEST(EdgeExtraction, DegenerateImagesHaveNoEdges) {
   }
 }
 
-TEST(EdgeDetectors, EachOfTheListCanBeMadeByItsName) {
+TEST(EdgeDetectors, TheDefaultIsThere) {
   EXPECT_EQ(edge_detector_names().front(), EdgeParams().detector);
-  const GrayImage image = test::disc_image(121, 91, {60.2, 44.7}, 30, 60, 190);
-  for (const EdgeDetectorKind& kind : edge_detector_kinds()) {
-    EXPECT_FALSE(edges_of(image, kind.name).pixels.empty()) << kind.name;
-    EXPECT_NE(edge_detector_help().find(std::string(kind.name) + " (" + kind.what + ")"), std::string::npos);
+  EXPECT_EQ(basic_edge_detectors().front().name, EdgeParams().detector);
+}
+
+TEST(EdgeDetectors, OneThatIsNotInTheTableIsNamed) {
+  EdgeParams params;
+  params.detector = "network";
+  for (const auto& make : {+[](const EdgeParams& p) { make_edge_detector(p); },
+                           +[](const EdgeParams& p) { make_edge_probability(p); }}) {
+    try {
+      make(params);
+      FAIL();
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("without the detector 'network'"), std::string::npos);
+    }
   }
+}
+
+TEST(EdgeDetectors, AProgramAddsItsOwn) {
+  EdgeDetectorTable table = basic_edge_detectors();
+  table.push_back({"mine", "Canny by another name", table.front().make});
+  EdgeParams params;
+  params.detector = "mine";
+  EXPECT_NE(make_edge_detector(params, table), nullptr);
+  EXPECT_EQ(make_edge_probability(params, table), nullptr);
+  EXPECT_EQ(edge_detector_help({table.back()}), "mine (Canny by another name)");
 }
 
 TEST(EdgeExtraction, UnknownDetectorNamesTheNearest) {

@@ -41,9 +41,9 @@ Eigen::Vector2d gradient_by_definition(const GrayImage& image, int x, int y) {
   return g;
 }
 
-class GradientTest : public ::testing::TestWithParam<std::pair<int, int>> {};
+class GradientSizes : public ::testing::TestWithParam<std::pair<int, int>> {};
 
-TEST_P(GradientTest, EqualsItsDefinitionUpToTheBorder) {
+TEST_P(GradientSizes, EqualsItsDefinitionUpToTheBorder) {
   const auto [width, height] = GetParam();
   for (const GrayImage& image : {noise(width, height, 5), test::textured_image(width, height, 3)}) {
     const Gradient g = compute_gradient(image.view());
@@ -59,7 +59,7 @@ TEST_P(GradientTest, EqualsItsDefinitionUpToTheBorder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, GradientTest,
+INSTANTIATE_TEST_SUITE_P(Sizes, GradientSizes,
                          ::testing::Values(std::pair{64, 48}, std::pair{101, 37}, std::pair{7, 5},
                                            std::pair{1, 9}, std::pair{9, 1}, std::pair{1, 1},
                                            std::pair{3, 3}));
@@ -121,7 +121,7 @@ std::vector<uint8_t> canny_by_definition(const Gradient& g, double low, double h
   return mask;
 }
 
-TEST(Canny, EqualsItsDefinition) {
+TEST(CannyDetector, EqualsItsDefinition) {
   EdgeParams params;
   const GrayImage image = test::textured_image(160, 120, 21);
   const Gradient g = compute_gradient(image.view());

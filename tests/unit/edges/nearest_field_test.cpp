@@ -40,9 +40,9 @@ struct Case {
   int width, height, count, radius;
 };
 
-class NearestFieldTest : public ::testing::TestWithParam<Case> {};
+class NearestFieldSizes : public ::testing::TestWithParam<Case> {};
 
-TEST_P(NearestFieldTest, EqualsBruteForceEverywhere) {
+TEST_P(NearestFieldSizes, EqualsBruteForceEverywhere) {
   const Case c = GetParam();
   const EdgeMap map = random_edges(c.width, c.height, c.count, 7);
   const NearestField field(map, c.radius);
@@ -60,7 +60,7 @@ TEST_P(NearestFieldTest, EqualsBruteForceEverywhere) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, NearestFieldTest,
+INSTANTIATE_TEST_SUITE_P(Sizes, NearestFieldSizes,
                          ::testing::Values(Case{97, 61, 150, 12}, Case{97, 61, 15, 15}, Case{64, 64, 2000, 3},
                                            Case{33, 7, 4, 15}, Case{1, 1, 1, 2}, Case{1, 40, 3, 12},
                                            Case{40, 1, 3, 12}, Case{50, 50, 0, 12}));

@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-using testing::some_similarity;
+using test::some_similarity;
 
 // Largest eigenvector of Horn's 4x4 matrix for the correlation sum src dst^T.
 Eigen::Matrix3d horn_rotation(const Eigen::Matrix3d& M) {
@@ -70,13 +70,13 @@ double brute_ate_blocks(const std::vector<MatchedPose>& matches, int block) {
 }
 
 std::vector<MatchedPose> match(const Trajectory& est, const Trajectory& gt) {
-  return associate(est, gt, testing::frames_of(gt)).matches;
+  return associate(est, gt, test::frames_of(gt)).matches;
 }
 
 // An estimate whose unit grows by half over the run, with noise.
 std::vector<MatchedPose> growing_scale(int frames) {
-  const Trajectory truth = testing::winding_drive(frames);
-  Trajectory est = testing::with_noise(testing::seen_through(some_similarity(), truth), 0.02, 3);
+  const Trajectory truth = test::winding_drive(frames);
+  Trajectory est = test::with_noise(test::seen_through(some_similarity(), truth), 0.02, 3);
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   const Trajectory before = est;
   for (size_t i = 1; i < est.poses.size(); ++i) {
@@ -90,8 +90,8 @@ std::vector<MatchedPose> growing_scale(int frames) {
 }
 
 TEST(AbsoluteError, VanishesForTheTruthSeenThroughASimilarity) {
-  const Trajectory truth = testing::winding_drive(300);
-  const auto e = ate_sim3(match(testing::seen_through(some_similarity(), truth), truth));
+  const Trajectory truth = test::winding_drive(300);
+  const auto e = ate_sim3(match(test::seen_through(some_similarity(), truth), truth));
   ASSERT_TRUE(e);
   EXPECT_LT(e->rmse, 1e-9);
   EXPECT_NEAR(e->scale, some_similarity().scale, 1e-10);
@@ -122,8 +122,8 @@ TEST(AbsoluteError, StatisticsOfKnownDistances) {
 }
 
 TEST(AbsoluteError, StraightLine) {
-  const Trajectory truth = testing::straight_drive(100);
-  const auto matches = match(testing::seen_through(some_similarity(), truth), truth);
+  const Trajectory truth = test::straight_drive(100);
+  const auto matches = match(test::seen_through(some_similarity(), truth), truth);
   EXPECT_LT(ate_sim3(matches)->rmse, 1e-9);
   EXPECT_LT(ate_se3(rescale_blocks(matches, 30, 1.0))->rmse, 1e-9);
 }
@@ -137,7 +137,7 @@ TEST(RescaleBlocks, AgreesWithTheDefinitionWrittenOut) {
 }
 
 TEST(RescaleBlocks, UndoesAScaleThatJumpsAtTheBlocks) {
-  const Trajectory truth = testing::winding_drive(600);
+  const Trajectory truth = test::winding_drive(600);
   std::vector<MatchedPose> matches = match(truth, truth);
   const double units[] = {0.5, 2.0, 7.0};
   Eigen::Vector3d position = Eigen::Vector3d::Zero();

@@ -2,15 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include "support/temp_folder.h"
 #include "synthetic.h"
 
 namespace edgevo {
 namespace {
 
+using test::input_error_of;
+using test::TempFolder;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using testing::input_error_of;
-using testing::TemporaryFolder;
 
 Timestamp at(double s) { return Timestamp::from_seconds(s); }
 
@@ -56,10 +57,10 @@ TEST(GroundTruth, SaysNothingInsideALongHole) {
 }
 
 TEST(Associate, MatchesAnEstimateOfAnotherRate) {
-  const Trajectory dense = testing::straight_drive(101, 0.1);  // 10 Hz, 0.1 m a step
+  const Trajectory dense = test::straight_drive(101, 0.1);  // 10 Hz, 0.1 m a step
   Trajectory estimate{"est.txt", TrajectoryFormat::kTum, {}};
   for (int i = 0; i < 20; ++i) estimate.poses.push_back({at(0.33 * i), SE3()});
-  const Association a = associate(estimate, dense, testing::frames_of(estimate));
+  const Association a = associate(estimate, dense, test::frames_of(estimate));
   ASSERT_EQ(a.matches.size(), 20u);
   for (int i = 0; i < 20; ++i) {
     EXPECT_NEAR(a.matches[size_t(i)].T_gt.translation().z(), 0.33 * i, 1e-9);
@@ -68,10 +69,10 @@ TEST(Associate, MatchesAnEstimateOfAnotherRate) {
 }
 
 TEST(Associate, KeepsFramesWithoutPoseAndPosesWithoutGroundTruth) {
-  const Trajectory truth = testing::straight_drive(10);
-  Trajectory estimate = testing::straight_drive(12);
+  const Trajectory truth = test::straight_drive(10);
+  Trajectory estimate = test::straight_drive(12);
   estimate.poses.erase(estimate.poses.begin() + 4);
-  const Association a = associate(estimate, truth, testing::frames_of(testing::straight_drive(12)));
+  const Association a = associate(estimate, truth, test::frames_of(test::straight_drive(12)));
   EXPECT_EQ(a.matches.size(), 9u);
   EXPECT_EQ(a.without_ground_truth, 2);
   ASSERT_EQ(a.frames.size(), 12u);
@@ -84,18 +85,18 @@ TEST(Associate, KeepsFramesWithoutPoseAndPosesWithoutGroundTruth) {
 }
 
 TEST(Associate, TooFewMatchesIsAnInputError) {
-  Trajectory late = testing::straight_drive(10);
+  Trajectory late = test::straight_drive(10);
   for (StampedPose& p : late.poses) p.time.ticks += 100 * Timestamp::kTicksPerSecond;
   const std::string error =
-      input_error_of([&] { associate(late, testing::straight_drive(10), testing::frames_of(late)); });
+      input_error_of([&] { associate(late, test::straight_drive(10), test::frames_of(late)); });
   EXPECT_THAT(error, HasSubstr("only 0 of its 10 poses"));
 }
 
 TEST(InputFrames, FramesCsvBesideTheTrajectoryComesFirst) {
-  TemporaryFolder run("run"), data("data");
-  Trajectory estimate = testing::straight_drive(5), truth = testing::straight_drive(9);
-  estimate.path = run.file("trajectory_tum.txt");
-  truth.path = data.file("groundtruth_tum.txt");
+  const TempFolder run, data;
+  Trajectory estimate = test::straight_drive(5), truth = test::straight_drive(9);
+  estimate.path = run / "trajectory_tum.txt";
+  truth.path = data / "groundtruth_tum.txt";
   data.write("times.txt", "0\n1\n2\n3\n4\n5\n6\n");
   EXPECT_THAT(find_input_frames(estimate, truth, {}).source, EndsWith("times.txt"));
   EXPECT_EQ(find_input_frames(estimate, truth, {}).times.size(), 7u);
@@ -108,12 +109,12 @@ TEST(InputFrames, FramesCsvBesideTheTrajectoryComesFirst) {
 }
 
 TEST(InputFrames, BrokenListsAreErrorsWithFileAndLine) {
-  TemporaryFolder run("broken");
-  Trajectory estimate = testing::straight_drive(5);
-  estimate.path = run.file("t.txt");
+  const TempFolder run;
+  Trajectory estimate = test::straight_drive(5);
+  estimate.path = run / "t.txt";
   const auto error = [&](const std::string& csv) {
     run.write("frames.csv", csv);
-    return input_error_of([&] { find_input_frames(estimate, testing::straight_drive(5), {}); });
+    return input_error_of([&] { find_input_frames(estimate, test::straight_drive(5), {}); });
   };
   EXPECT_THAT(error("index,when\n1,2\n"), HasSubstr("frames.csv:1: has no column named time"));
   EXPECT_THAT(error("index,time\n1,x\n"), HasSubstr("frames.csv:2: the time is not a number"));
@@ -123,13 +124,13 @@ TEST(InputFrames, BrokenListsAreErrorsWithFileAndLine) {
 }
 
 TEST(InputFrames, GroundTruthLinesServeWhenTheRatesAreAlike) {
-  Trajectory estimate = testing::straight_drive(10);
+  Trajectory estimate = test::straight_drive(10);
   estimate.poses.erase(estimate.poses.begin(), estimate.poses.begin() + 3);
-  EXPECT_EQ(find_input_frames(estimate, testing::straight_drive(12), {}).times.size(), 12u);
+  EXPECT_EQ(find_input_frames(estimate, test::straight_drive(12), {}).times.size(), 12u);
 }
 
 TEST(InputFrames, OtherwiseTheSpanOfTheTrajectory) {
-  Trajectory estimate = testing::straight_drive(30), thinned = estimate;
+  Trajectory estimate = test::straight_drive(30), thinned = estimate;
   thinned.poses.clear();
   for (int i = 0; i < 30; i += 3)
     if (i != 12) thinned.poses.push_back(estimate.poses[size_t(i)]);
@@ -139,7 +140,7 @@ TEST(InputFrames, OtherwiseTheSpanOfTheTrajectory) {
 }
 
 TEST(InputFrames, ATotalBelowTheNumberOfPosesIsRefused) {
-  const Trajectory t = testing::straight_drive(10);
+  const Trajectory t = test::straight_drive(10);
   EXPECT_THAT(input_error_of([&] { find_input_frames(t, t, 9); }), HasSubstr("holds 10 poses"));
 }
 

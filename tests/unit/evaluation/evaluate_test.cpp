@@ -9,13 +9,13 @@
 namespace edgevo {
 namespace {
 
+using test::input_error_of;
+using test::some_similarity;
 using ::testing::HasSubstr;
-using testing::input_error_of;
-using testing::some_similarity;
 
 TrajectoryEvaluation noisy_evaluation() {
-  const Trajectory truth = testing::winding_drive(300);
-  Trajectory est = testing::with_noise(testing::seen_through(some_similarity(), truth), 0.05, 9);
+  const Trajectory truth = test::winding_drive(300);
+  Trajectory est = test::with_noise(test::seen_through(some_similarity(), truth), 0.05, 9);
   est.poses.erase(est.poses.begin() + 100, est.poses.begin() + 130);
   est.poses.erase(est.poses.begin(), est.poses.begin() + 5);
   return evaluate(est, truth, {});
@@ -41,16 +41,16 @@ TEST(Evaluate, NoiseComesOutAsItWentIn) {
 }
 
 TEST(Evaluate, FramesTotalOverridesTheCount) {
-  const Trajectory truth = testing::winding_drive(100);
+  const Trajectory truth = test::winding_drive(100);
   EvaluationOptions options;
   options.frames_total = 200;
   EXPECT_NEAR(evaluate(truth, truth, options).coverage.completion_percent, 50.0, 1e-12);
 }
 
 TEST(Evaluate, KittiAgainstKitti) {
-  Trajectory truth = testing::winding_drive(250);
+  Trajectory truth = test::winding_drive(250);
   truth.format = TrajectoryFormat::kKitti;
-  Trajectory est = testing::seen_through(some_similarity(), truth);
+  Trajectory est = test::seen_through(some_similarity(), truth);
   const TrajectoryEvaluation e = evaluate(est, truth, {});
   EXPECT_LT(e.ate_sim3.rmse, 1e-9);
   EXPECT_EQ(e.coverage.input_frames, 250);
@@ -60,8 +60,8 @@ TEST(Evaluate, KittiAgainstKitti) {
 }
 
 TEST(Evaluate, KittiAgainstTumNeedsAsManyLines) {
-  const Trajectory truth = testing::winding_drive(50);
-  Trajectory est = testing::seen_through(some_similarity(), truth);
+  const Trajectory truth = test::winding_drive(50);
+  Trajectory est = test::seen_through(some_similarity(), truth);
   est.format = TrajectoryFormat::kKitti;
   for (size_t i = 0; i < est.poses.size(); ++i) est.poses[i].time = Timestamp::from_seconds(double(i));
   EXPECT_LT(evaluate(est, truth, {}).ate_sim3.rmse, 1e-9);
@@ -70,7 +70,7 @@ TEST(Evaluate, KittiAgainstTumNeedsAsManyLines) {
 }
 
 TEST(Evaluate, TrajectoriesThatDoNotMoveAreRefused) {
-  const Trajectory truth = testing::winding_drive(20);
+  const Trajectory truth = test::winding_drive(20);
   Trajectory still = truth;
   still.path = "still.txt";
   for (StampedPose& p : still.poses)
@@ -81,13 +81,13 @@ TEST(Evaluate, TrajectoriesThatDoNotMoveAreRefused) {
 }
 
 TEST(Evaluate, TwoPosesAreTooFew) {
-  Trajectory two = testing::winding_drive(20);
+  Trajectory two = test::winding_drive(20);
   two.poses.resize(2);
-  EXPECT_THAT(input_error_of([&] { evaluate(two, testing::winding_drive(20), {}); }),
+  EXPECT_THAT(input_error_of([&] { evaluate(two, test::winding_drive(20), {}); }),
               HasSubstr("only 2 of its 2 poses"));
 }
 
-TEST(Report, JsonHoldsTheNumbersOfTheValue) {
+TEST(EvaluationReport, JsonHoldsTheNumbersOfTheValue) {
   const TrajectoryEvaluation e = noisy_evaluation();
   const nlohmann::json j = nlohmann::json::parse(to_json(e));
   EXPECT_EQ(j["ate_sim3"]["rmse_m"], e.ate_sim3.rmse);
@@ -99,22 +99,22 @@ TEST(Report, JsonHoldsTheNumbersOfTheValue) {
   EXPECT_EQ(j["coverage"]["completion_percent"], e.coverage.completion_percent);
 }
 
-TEST(Report, FiguresThatDoNotExistAreNullAndDashes) {
-  const Trajectory short_run = testing::winding_drive(50);
+TEST(EvaluationReport, FiguresThatDoNotExistAreNullAndDashes) {
+  const Trajectory short_run = test::winding_drive(50);
   const TrajectoryEvaluation e = evaluate(short_run, short_run, {});
   EXPECT_TRUE(nlohmann::json::parse(to_json(e))["kitti"].is_null());
   EXPECT_THAT(to_table(e), ::testing::ContainsRegex("t_rel +-  %"));
 }
 
-TEST(Report, TableStatesAlignmentUnitAndCount) {
+TEST(EvaluationReport, TableStatesAlignmentUnitAndCount) {
   const std::string table = to_table(noisy_evaluation());
   for (const char* text : {"Sim(3), Umeyama", "SE(3), Umeyama", "265 poses", "cm/m", "every 200 input frames",
                            "30 without a pose after the first", "lines of the ground truth"})
     EXPECT_THAT(table, HasSubstr(text));
 }
 
-TEST(Report, PathsThatAreNotUtf8DoNotBreakJson) {
-  Trajectory t = testing::winding_drive(20);
+TEST(EvaluationReport, PathsThatAreNotUtf8DoNotBreakJson) {
+  Trajectory t = test::winding_drive(20);
   t.path = "caf\xe9.txt";
   EXPECT_NO_THROW(nlohmann::json::parse(to_json(evaluate(t, t, {}))));
 }

@@ -12,8 +12,8 @@ constexpr double kCap = 30;
 
 // A straight drive whose estimate advances `factor` m a frame where the truth advances 1 m.
 Association straight(int frames, double factor) {
-  Trajectory truth = testing::straight_drive(frames);
-  return associate(testing::straight_drive(frames, factor), truth, testing::frames_of(truth));
+  Trajectory truth = test::straight_drive(frames);
+  return associate(test::straight_drive(frames, factor), truth, test::frames_of(truth));
 }
 
 void remove_poses(Association* a, int begin, int end) {
@@ -139,14 +139,14 @@ TEST(KittiRelative, RotationIsInDegreesAHundredMetres) {
 }
 
 TEST(ScaleCurve, ShowsAUnitThatGrows) {
-  const Trajectory truth = testing::straight_drive(300);
+  const Trajectory truth = test::straight_drive(300);
   Trajectory est = truth;
   double z = 0;
   for (int i = 1; i < 300; ++i) {
     z += 1.0 + (i > 150 ? 0.2 : 0.0);
     est.poses[size_t(i)].T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, z));
   }
-  const Association a = associate(est, truth, testing::frames_of(truth));
+  const Association a = associate(est, truth, test::frames_of(truth));
   const std::vector<ScalePoint> curve = scale_curve(a.matches, 50, 1.0);
   ASSERT_EQ(curve.size(), 11u);
   EXPECT_NEAR(curve.front().relative_scale, 1.0, 1e-9);

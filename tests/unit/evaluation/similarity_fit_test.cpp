@@ -26,7 +26,7 @@ double residual(const Sim3& S, const Points& src, const Points& dst) {
 }
 
 TEST(SimilarityFit, RecoversAKnownSimilarity) {
-  const Sim3 truth = testing::some_similarity();
+  const Sim3 truth = test::some_similarity();
   const Points src = random_points(50, 1);
   const auto fit = fit_sim3(src, mapped(truth, src));
   ASSERT_TRUE(fit);
@@ -35,7 +35,7 @@ TEST(SimilarityFit, RecoversAKnownSimilarity) {
 }
 
 TEST(SimilarityFit, RecoversAKnownRigidMotion) {
-  const Sim3 truth{1.0, testing::some_similarity().rigid};
+  const Sim3 truth{1.0, test::some_similarity().rigid};
   const Points src = random_points(50, 2);
   const auto fit = fit_se3(src, mapped(truth, src));
   ASSERT_TRUE(fit);
@@ -45,7 +45,7 @@ TEST(SimilarityFit, RecoversAKnownRigidMotion) {
 
 TEST(SimilarityFit, NoNeighbourFitsNoisyPointsBetter) {
   const Points src = random_points(40, 3);
-  const Points dst = mapped(testing::some_similarity(), src) + 0.3 * random_points(40, 4);
+  const Points dst = mapped(test::some_similarity(), src) + 0.3 * random_points(40, 4);
   const Sim3 best = *fit_sim3(src, dst);
   const double least = residual(best, src, dst);
   Random random(5);
@@ -70,7 +70,7 @@ TEST(SimilarityFit, NeverMirrors) {
 TEST(SimilarityFit, AStraightLineHasAScale) {
   Points src = Points::Zero(3, 20);
   for (int i = 0; i < 20; ++i) src(2, i) = i;
-  const Sim3 truth = testing::some_similarity();
+  const Sim3 truth = test::some_similarity();
   const auto fit = fit_sim3(src, mapped(truth, src));
   ASSERT_TRUE(fit);
   EXPECT_NEAR(fit->scale, truth.scale, 1e-10);

@@ -1,10 +1,6 @@
 #pragma once
 // A made-up drive with a pose a frame, and what tests do to it.
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -12,7 +8,7 @@
 #include "edgevo/core/random.h"
 #include "edgevo/evaluation/evaluate.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 /// A winding drive: frame i at i * 0.1 s, about `step_m` a frame, turning and climbing gently.
 inline Trajectory winding_drive(int frames, double step_m = 1.0) {
@@ -65,28 +61,6 @@ inline InputFrames frames_of(const Trajectory& t) {
   return input;
 }
 
-/// A folder of its own for one test, removed afterwards.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() /
-              ("edgevo_" + name + "_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name)) << text;
-    return file(name);
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// The message of the InputError that `action` throws; empty if it throws none.
 template <class Action>
 std::string input_error_of(Action&& action) {
@@ -98,4 +72,4 @@ std::string input_error_of(Action&& action) {
   return {};
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -3,13 +3,14 @@
 
 #include <gmock/gmock.h>
 
+#include "support/temp_folder.h"
 #include "synthetic.h"
 
 namespace edgevo {
 namespace {
 
+using test::input_error_of;
 using ::testing::HasSubstr;
-using testing::input_error_of;
 using ::testing::StartsWith;
 
 std::string error_of(const std::string& text) {
@@ -56,8 +57,8 @@ TEST(Trajectory, ErrorsNameFileAndLine) {
 
 TEST(Trajectory, AMissingFileOrAFolderIsAnInputError) {
   EXPECT_THAT(input_error_of([] { read_trajectory("/nonexistent/t.txt"); }), HasSubstr("cannot be read"));
-  testing::TemporaryFolder folder("trajectory");
-  EXPECT_THAT(input_error_of([&] { read_trajectory(folder.file(".")); }), HasSubstr("cannot be read"));
+  const test::TempFolder folder;
+  EXPECT_THAT(input_error_of([&] { read_trajectory(folder / "."); }), HasSubstr("cannot be read"));
   EXPECT_THAT(input_error_of([&] { read_trajectory(folder.write("empty.txt", "")); }),
               HasSubstr("holds no pose"));
 }

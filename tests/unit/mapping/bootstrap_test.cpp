@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "support/sweep_scene.h"
 
@@ -12,7 +13,6 @@ namespace edgevo {
 namespace {
 
 using test::HollowScene;
-using test::median;
 using test::sweep_pose;
 using ::testing::HasSubstr;
 
@@ -24,11 +24,11 @@ constexpr double kRotationShare = 0.35;
 
 Timestamp time_of(int frame) { return Timestamp::from_seconds(0.1 * frame); }
 
-class BootstrapTest : public ::testing::Test {
+class BootstrapOnSweep : public ::testing::Test {
  protected:
   // The images are small, hence the motion asked for is larger than the default: else a pixel's tenth would
   // count for too much.
-  BootstrapTest() { params.min_disparity = 0.06, params.min_parallax_deg = 2; }
+  BootstrapOnSweep() { params.min_disparity = 0.06, params.min_parallax_deg = 2; }
 
   Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole, params, seed}; }
   // Frame k of the sweep, seen under a gain.
@@ -69,7 +69,7 @@ void expect_direction(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double
       << a.transpose() << " against " << b.transpose();
 }
 
-TEST_F(BootstrapTest, RecoversTheMotionUpToScale) {
+TEST_F(BootstrapOnSweep, RecoversTheMotionUpToScale) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap);
   ASSERT_GE(r.views.size(), 2u);
@@ -80,10 +80,10 @@ TEST_F(BootstrapTest, RecoversTheMotionUpToScale) {
   EXPECT_NEAR(T.translation().norm() / T_truth.translation().norm() / scale(r), 1, kRotationShare);
 }
 
-TEST_F(BootstrapTest, RecoversDepthsUpToScale) {
+TEST_F(BootstrapOnSweep, RecoversDepthsUpToScale) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap);
-  ASSERT_GE(int(r.corners.size()), params.min_tracks / 2);
+  ASSERT_GE(int(r.corners.size()), kMinBootstrapCorners / 2);
   const double unit = scale(r);
   std::vector<double> error_first, error_last, depth;
   for (const BootstrapCorner& c : r.corners) {
@@ -93,13 +93,13 @@ TEST_F(BootstrapTest, RecoversDepthsUpToScale) {
     error_last.push_back(
         std::abs(c.idepth_last * unit / scene.idepth(sweep_pose(r.views.back().frame_index), c.px_last) - 1));
   }
-  EXPECT_NEAR(median(depth), params.median_depth, 1e-9);
+  EXPECT_NEAR(median(depth), kFirstMedianDepth, 1e-9);
   EXPECT_LT(median(error_first), 0.06);
   EXPECT_LT(median(error_last), 0.06);
   EXPECT_GE(r.parallax_deg, params.min_parallax_deg);
 }
 
-TEST_F(BootstrapTest, PlacesEveryViewInBetween) {
+TEST_F(BootstrapOnSweep, PlacesEveryViewInBetween) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap);
   ASSERT_GE(r.views.size(), 3u);
@@ -115,7 +115,7 @@ TEST_F(BootstrapTest, PlacesEveryViewInBetween) {
   }
 }
 
-TEST_F(BootstrapTest, AFlickeringExposureDoesNoHarm) {
+TEST_F(BootstrapOnSweep, AFlickeringExposureDoesNoHarm) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap, 0, true);
   const SE3 T_truth = truth(r, r.views.back());
@@ -124,7 +124,7 @@ TEST_F(BootstrapTest, AFlickeringExposureDoesNoHarm) {
   expect_direction(r.views.back().T_cam_first.translation(), T_truth.translation(), 8);
 }
 
-TEST_F(BootstrapTest, TheSameSeedGivesTheSameResult) {
+TEST_F(BootstrapOnSweep, TheSameSeedGivesTheSameResult) {
   Bootstrap a = make(3), b = make(3);
   const BootstrapResult ra = run(&a), rb = run(&b);
   ASSERT_EQ(ra.views.size(), rb.views.size());
@@ -134,7 +134,7 @@ TEST_F(BootstrapTest, TheSameSeedGivesTheSameResult) {
     EXPECT_EQ(ra.corners[i].idepth_first, rb.corners[i].idepth_first);
 }
 
-TEST_F(BootstrapTest, ResetTakesANewFirstView) {
+TEST_F(BootstrapOnSweep, ResetTakesANewFirstView) {
   Bootstrap bootstrap = make();
   (void)add(&bootstrap, 0);
   (void)add(&bootstrap, 1);
@@ -144,14 +144,14 @@ TEST_F(BootstrapTest, ResetTakesANewFirstView) {
 
 // ---- not ready ----
 
-TEST_F(BootstrapTest, TheFirstFrameIsOnlyTaken) {
+TEST_F(BootstrapOnSweep, TheFirstFrameIsOnlyTaken) {
   Bootstrap bootstrap = make();
   const BootstrapStatus status = add(&bootstrap, 0);
   EXPECT_FALSE(status.result);
   EXPECT_EQ(status.reason, "first view taken");
 }
 
-TEST_F(BootstrapTest, SaysThatThereIsNoMotionAtAStandstill) {
+TEST_F(BootstrapOnSweep, SaysThatThereIsNoMotionAtAStandstill) {
   Bootstrap bootstrap = make();
   for (int k = 0; k < 8; ++k) {
     const BootstrapStatus status =
@@ -162,7 +162,7 @@ TEST_F(BootstrapTest, SaysThatThereIsNoMotionAtAStandstill) {
   }
 }
 
-TEST_F(BootstrapTest, GivesNoMapFromPureRotation) {
+TEST_F(BootstrapOnSweep, GivesNoMapFromPureRotation) {
   Bootstrap bootstrap = make();
   int enough_motion = 0;
   for (int k = 0; k < 15; ++k) {
@@ -179,7 +179,7 @@ TEST_F(BootstrapTest, GivesNoMapFromPureRotation) {
   EXPECT_GT(enough_motion, 3);
 }
 
-TEST_F(BootstrapTest, SaysThatABlankImageHasNoCorners) {
+TEST_F(BootstrapOnSweep, SaysThatABlankImageHasNoCorners) {
   Bootstrap bootstrap = make();
   const auto blank =
       PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) {
@@ -193,7 +193,7 @@ TEST_F(BootstrapTest, SaysThatABlankImageHasNoCorners) {
   EXPECT_EQ(run(&bootstrap, 3).views.front().frame_index, 3);
 }
 
-TEST_F(BootstrapTest, SaysThatCornersAreTooFew) {
+TEST_F(BootstrapOnSweep, SaysThatCornersAreTooFew) {
   Bootstrap bootstrap = make();
   const auto discs =
       PyramidBuilder(scene.camera, EdgeParams()).build(test::disc_image(320, 240, {160, 120}, 30, 60, 200));
@@ -202,7 +202,7 @@ TEST_F(BootstrapTest, SaysThatCornersAreTooFew) {
   EXPECT_THAT(status.reason, ::testing::ContainsRegex("only [0-9]+ corners in the image"));
 }
 
-TEST_F(BootstrapTest, StartsAnewWhenTheCornersAreGone) {
+TEST_F(BootstrapOnSweep, StartsAnewWhenTheCornersAreGone) {
   Bootstrap bootstrap = make();
   (void)add(&bootstrap, 0);
   const HollowScene other(99);
@@ -211,7 +211,7 @@ TEST_F(BootstrapTest, StartsAnewWhenTheCornersAreGone) {
   EXPECT_THAT(status.reason, HasSubstr("new first view"));
 }
 
-TEST_F(BootstrapTest, TakesANewFirstViewAfterTooManyFrames) {
+TEST_F(BootstrapOnSweep, TakesANewFirstViewAfterTooManyFrames) {
   params = BootstrapParams();
   params.max_frames = 5;
   Bootstrap bootstrap = make();
@@ -230,7 +230,7 @@ TEST_F(BootstrapTest, TakesANewFirstViewAfterTooManyFrames) {
 
 // Every other strip of the first image is displaced, as if shadows had moved on: half of its corners agree
 // with no later view.
-TEST_F(BootstrapTest, GivesUpAFirstViewThatDisagreesWithAllOthers) {
+TEST_F(BootstrapOnSweep, GivesUpAFirstViewThatDisagreesWithAllOthers) {
   GrayImage torn = scene.render(sweep_pose(0));
   const GrayImage whole = torn;
   constexpr int kStrip = 40, kShift = 9;
@@ -251,7 +251,26 @@ TEST_F(BootstrapTest, GivesUpAFirstViewThatDisagreesWithAllOthers) {
   EXPECT_GT(status.result->views.front().frame_index, 0);
 }
 
-TEST_F(BootstrapTest, KeepsMemoryBounded) {
+// The nearest third of the image goes dark: what is left there to be followed has moved less than the median.
+TEST_F(BootstrapOnSweep, LostCornersCountAsMovedFurther) {
+  params.min_disparity = 0.4;  // never enough: the reason tells the median motion
+  const auto median_motion = [&](bool count_lost_corners) {
+    params.count_lost_corners = count_lost_corners;
+    Bootstrap bootstrap = make();
+    (void)add(&bootstrap, 0);
+    GrayImage dark = scene.render(sweep_pose(4));
+    for (int y = 0; y < dark.height; ++y)
+      std::fill_n(dark.pixels.begin() + ptrdiff_t(y) * dark.width, dark.width / 3, uint8_t(0));
+    const BootstrapStatus status =
+        bootstrap.add(4, time_of(4), PyramidBuilder(scene.camera, EdgeParams()).build(dark));
+    double px = 0;
+    EXPECT_EQ(std::sscanf(status.reason.c_str(), "median motion %lf px", &px), 1) << status.reason;
+    return px;
+  };
+  EXPECT_GT(median_motion(true), median_motion(false));
+}
+
+TEST_F(BootstrapOnSweep, KeepsMemoryBounded) {
   params.min_disparity = 0.4;  // never enough
   Bootstrap bootstrap = make();
   std::vector<std::weak_ptr<const FramePyramid>> pyramids;

@@ -8,7 +8,7 @@ namespace edgevo {
 namespace {
 
 TEST(CorrectPixel, CorrectedNormalsAreThoseOfCorrectedEdges) {
-  const Pinhole c = ba_scene::pinhole();
+  const Pinhole c = test::pinhole();
   const Eigen::Vector2d px(1100, 40), along(0.6, 0.8), normal(-0.8, 0.6);
   ImageMotion motion;
   motion.velocity << 1, 2, -5, 0.2, 0.3, 0.4;

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/mapping/idepth_prior.h"
 #include "support/plane_scene.h"
 
 namespace edgevo {
@@ -66,7 +65,7 @@ ImmaturePoint point(double idepth, double sigma, int good = 0) {
   return p;
 }
 
-TEST(Fusion, TheFirstDepthReplacesTheRange) {
+TEST(FuseDepth, TheFirstDepthReplacesTheRange) {
   ImmaturePoint p = point(0.3, 0.1);
   fuse(found(0.2, 0.01), &p);
   EXPECT_EQ(p.idepth, 0.2);
@@ -74,7 +73,7 @@ TEST(Fusion, TheFirstDepthReplacesTheRange) {
   EXPECT_EQ(p.good, 1);
 }
 
-TEST(Fusion, LaterDepthsAreTheProductOfGaussians) {
+TEST(FuseDepth, LaterDepthsAreTheProductOfGaussians) {
   ImmaturePoint p = point(0.2, 0.03, 1);
   fuse(found(0.23, 0.02), &p);
   const double a = 1 / (0.03 * 0.03), b = 1 / (0.02 * 0.02);
@@ -84,7 +83,7 @@ TEST(Fusion, LaterDepthsAreTheProductOfGaussians) {
   EXPECT_EQ(p.bad, 0);
 }
 
-TEST(Fusion, MeasurementsOfOneDepthConverge) {
+TEST(FuseDepth, MeasurementsOfOneDepthConverge) {
   Random random(9);
   constexpr double kTruth = 0.25, kSigma = 0.02;
   double chi_square = 0;
@@ -99,7 +98,7 @@ TEST(Fusion, MeasurementsOfOneDepthConverge) {
               4 * std::sqrt(2.0 / kTrials));  // four deviations of a chi-square of that many trials
 }
 
-TEST(Fusion, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
+TEST(FuseDepth, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
   ImmaturePoint p = point(0.2, 0.01, 2);
   fuse(found(0.3, 0.01), &p);
   EXPECT_EQ(p.idepth, 0.2);
@@ -109,7 +108,7 @@ TEST(Fusion, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
   EXPECT_FALSE(p.dead);
 }
 
-TEST(Fusion, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
+TEST(FuseDepth, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
   ImmaturePoint p = point(0.2, 0.1);
   fuse(not_found(EpipolarOutcome::kOutOfView), &p);
   fuse(not_found(EpipolarOutcome::kNoBaseline), &p);
@@ -120,7 +119,7 @@ TEST(Fusion, AmbiguousAndUnmatchedSearchesAreOutliersUnseenOnesAreNot) {
   EXPECT_EQ(p.bad, 2);
 }
 
-TEST(Fusion, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
+TEST(FuseDepth, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
   for (int good = 0; good < 3; ++good) {
     ImmaturePoint p = point(0.2, 0.1, good);
     for (int i = 0; i < 2 + good; ++i) fuse(not_found(EpipolarOutcome::kNoMatch), &p);
@@ -155,11 +154,10 @@ ImmaturePoint on_edge(const EdgeMap& edges, int edge_pixel, double idepth, doubl
 DepthFilterParams smoothing(double weight) {
   DepthFilterParams params;
   params.smoothing_weight = weight;
-  params.smoothing_reach_px = 14;
   return params;
 }
 
-TEST(Smoothing, PullsByTheWeightTowardsTheNeighbours) {
+TEST(SmoothDepths, PullsByTheWeightTowardsTheNeighbours) {
   const EdgeMap edges = two_edges();
   std::vector<ImmaturePoint> p = {on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01),
                                   on_edge(edges, 16, 0.206, 0.02)};
@@ -180,22 +178,22 @@ void expect_no_pull(const EdgeMap& edges, const ImmaturePoint& a, const Immature
   EXPECT_EQ(p[1].idepth, b.idepth);
 }
 
-TEST(Smoothing, DoesNotPullAcrossEdges) {
+TEST(SmoothDepths, DoesNotPullAcrossEdges) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 39, 0.20, 0.01), on_edge(edges, 79, 0.21, 0.01));
 }
 
-TEST(Smoothing, DoesNotPullBeyondItsReach) {
+TEST(SmoothDepths, DoesNotPullBeyondItsReach) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 15, 0.21, 0.01));
 }
 
-TEST(Smoothing, DoesNotPullWhatDisagrees) {
+TEST(SmoothDepths, DoesNotPullWhatDisagrees) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.24, 0.01));
 }
 
-TEST(Smoothing, DeadAndUnmeasuredPointsNeitherPullNorMove) {
+TEST(SmoothDepths, DeadAndUnmeasuredPointsNeitherPullNorMove) {
   const EdgeMap edges = two_edges();
   const ImmaturePoint alive = on_edge(edges, 0, 0.20, 0.01);
   ImmaturePoint dead = on_edge(edges, 8, 0.21, 0.01), unmeasured = dead;
@@ -205,7 +203,7 @@ TEST(Smoothing, DeadAndUnmeasuredPointsNeitherPullNorMove) {
   expect_no_pull(edges, alive, unmeasured);
 }
 
-TEST(Smoothing, OffWithZeroWeight) {
+TEST(SmoothDepths, OffWithZeroWeight) {
   const EdgeMap edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01), 0.0);
 }
@@ -297,30 +295,6 @@ TEST_F(ImmaturePoints, NoneInABlankImage) {
         return 90;
       }));
   EXPECT_TRUE(make(1).empty());
-}
-
-// ---- where to search ----
-
-TEST(IdepthPrior, SearchesAroundTheDepthsNearbyAndElsewhereAroundTheMedian) {
-  const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
-  const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 9.0);
-  prior.add({50, 50}, 0.2);
-  prior.add({60, 45}, 0.3);
-  prior.add({200, 200}, 0.1);
-  const IdepthRange near = prior.range({55, 55}), elsewhere = prior.range({300, 20});
-  EXPECT_DOUBLE_EQ(near.low, params.prior_low * 0.2);
-  EXPECT_DOUBLE_EQ(near.high, params.prior_high * 0.3);
-  EXPECT_DOUBLE_EQ(elsewhere.likely, 0.2);
-  EXPECT_LT(elsewhere.low, 0.1 * near.low);
-  EXPECT_GT(elsewhere.high, 2 * near.high);
-}
-
-TEST(IdepthPrior, WhereNothingIsKnownTheEarlierMedianServes) {
-  const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
-  const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 0.5);
-  EXPECT_DOUBLE_EQ(prior.range({55, 55}).likely, 0.5);
 }
 
 }  // namespace

@@ -35,9 +35,8 @@ Errors search_all(const PlaneScene& scene, const FramePyramid& host, const Frame
     };
     if (!scene.camera.pinhole.contains(image(truth), 10)) continue;
     ++errors.searched;
-    const EpipolarMatch m =
-        search_epipolar(host, target, px, pixels[i].normal().cast<double>(), T_target_host,
-                        {0.5 * truth, 2 * truth}, params, AssociationParams());
+    const EpipolarMatch m = search_epipolar(host, target, px, pixels[i].normal().cast<double>(),
+                                            T_target_host, {0.5 * truth, 2 * truth}, params);
     if (m.outcome != EpipolarOutcome::kFound) continue;
     const double px_per_idepth = (image(1.01 * truth) - image(0.99 * truth)).norm() / (0.02 * truth);
     errors.px.push_back((m.idepth - truth) * px_per_idepth);
@@ -119,7 +118,7 @@ TEST(EpipolarSearch, ASecondCameraUnderAnotherExposureFindsTheSame) {
 
 // ---- outcomes without a depth ----
 
-class Outcomes : public ::testing::Test {
+class EpipolarOutcomes : public ::testing::Test {
  protected:
   std::shared_ptr<const FramePyramid> build(const GrayImage& image) const {
     return PyramidBuilder(scene.camera, EdgeParams()).build(image);
@@ -133,7 +132,7 @@ class Outcomes : public ::testing::Test {
       if (!scene.camera.pinhole.contains(e.position().cast<double>(), 60)) continue;
       ++*all;
       n += search_epipolar(host, target, e.position().cast<double>(), e.normal().cast<double>(),
-                           T_target_host, range, DepthFilterParams(), AssociationParams())
+                           T_target_host, range, DepthFilterParams())
                .outcome == outcome;
     }
     return n;
@@ -150,7 +149,7 @@ class Outcomes : public ::testing::Test {
   PlaneScene scene;
 };
 
-TEST_F(Outcomes, NoBaselineAtAStandstillAndInPureRotation) {
+TEST_F(EpipolarOutcomes, NoBaselineAtAStandstillAndInPureRotation) {
   const auto host = scene.pyramid(SE3());
   expect_all(EpipolarOutcome::kNoBaseline, *host, *host, SE3());
   const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitY())),
@@ -158,7 +157,7 @@ TEST_F(Outcomes, NoBaselineAtAStandstillAndInPureRotation) {
   expect_all(EpipolarOutcome::kNoBaseline, *host, *scene.pyramid(turn.inverse()), turn);
 }
 
-TEST_F(Outcomes, OutOfViewWhereTheCameraLooksAway) {
+TEST_F(EpipolarOutcomes, OutOfViewWhereTheCameraLooksAway) {
   const auto host = scene.pyramid(SE3());
   for (double angle : {1.4, -1.4, 3.0}) {
     const SE3 away(Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY())),
@@ -167,7 +166,7 @@ TEST_F(Outcomes, OutOfViewWhereTheCameraLooksAway) {
   }
 }
 
-TEST_F(Outcomes, NoMatchInABlankImage) {
+TEST_F(EpipolarOutcomes, NoMatchInABlankImage) {
   const auto blank = build(test::make_image(320, 240, [](double, double) { return 90; }));
   int all = 0;
   const auto count_of = [&](EpipolarOutcome outcome) {
@@ -178,19 +177,19 @@ TEST_F(Outcomes, NoMatchInABlankImage) {
   EXPECT_EQ(no_match + along, all);
 }
 
-TEST_F(Outcomes, NoMatchOnEdgesOfTheOtherPolarity) {
+TEST_F(EpipolarOutcomes, NoMatchOnEdgesOfTheOtherPolarity) {
   const auto step = [&](double dark, double bright) {
     return build(test::slanted_step(320, 240, {160, 120}, Eigen::Vector2d::UnitX(), dark, bright));
   };
   expect_all(EpipolarOutcome::kNoMatch, *step(60, 180), *step(180, 60), sideways(-0.3));
 }
 
-TEST_F(Outcomes, EdgesAlongTheEpipolarLineAreNotSearched) {
+TEST_F(EpipolarOutcomes, EdgesAlongTheEpipolarLineAreNotSearched) {
   const auto level = build(test::slanted_step(320, 240, {160, 120}, Eigen::Vector2d::UnitY(), 60, 180));
   expect_all(EpipolarOutcome::kAlongLine, *level, *level, sideways(-0.3));
 }
 
-TEST_F(Outcomes, AmbiguousAmongEqualStripes) {
+TEST_F(EpipolarOutcomes, AmbiguousAmongEqualStripes) {
   const auto stripes = build(test::make_image(
       320, 240, [](double x, double) { return 128 + 90 * std::tanh(4 * std::sin(x * M_PI / 20)); }));
   // 0.6 x 260 px x (0.1 ... 0.6): 16 to 94 pixels to the left, where stripes stand at 40 and 80; near the
@@ -198,14 +197,14 @@ TEST_F(Outcomes, AmbiguousAmongEqualStripes) {
   expect_all(EpipolarOutcome::kAmbiguous, *stripes, *stripes, sideways(-0.6), 0.8, {0.1, 0.6});
 }
 
-TEST_F(Outcomes, OneStripeInRangeIsNotAmbiguous) {
+TEST_F(EpipolarOutcomes, OneStripeInRangeIsNotAmbiguous) {
   const auto step = build(test::slanted_step(320, 240, {160, 120}, Eigen::Vector2d::UnitX(), 60, 180));
   const auto moved = build(test::slanted_step(320, 240, {140, 120}, Eigen::Vector2d::UnitX(), 60, 180));
   expect_all(EpipolarOutcome::kFound, *step, *moved, sideways(-0.3), 0.95, {0.1, 0.6});
 }
 
 // Nothing that the odometry can come to ask makes it fail or return numbers that are not finite.
-TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
+TEST_F(EpipolarOutcomes, AnyMotionGivesFiniteNumbers) {
   const auto host = scene.pyramid(SE3());
   Random random(2);
   int found = 0;
@@ -217,7 +216,7 @@ TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
     const double low = random.uniform(1e-4, 1);
     const EpipolarMatch m =
         search_epipolar(*host, *host, e.position().cast<double>(), e.normal().cast<double>(), SE3::exp(xi),
-                        {low, low * random.uniform(1, 100)}, DepthFilterParams(), AssociationParams());
+                        {low, low * random.uniform(1, 100)}, DepthFilterParams());
     if (m.outcome != EpipolarOutcome::kFound) continue;
     ++found;
     EXPECT_TRUE(std::isfinite(m.idepth) && m.idepth > 0);
@@ -229,7 +228,7 @@ TEST_F(Outcomes, AnyMotionGivesFiniteNumbers) {
 
 // ---- over several frames ----
 
-TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
+TEST(UpdateDepths, SigmaShrinksAndDepthConverges) {
   const PlaneScene scene;
   Keyframe host;
   host.pyramid = scene.pyramid(SE3());
@@ -257,8 +256,7 @@ TEST(DepthUpdates, SigmaShrinksAndDepthConverges) {
   std::vector<double> sigma_early, sigma_late, early;
   for (int k = 1; k <= 6; ++k) {
     const SE3 T_world_target(Eigen::Matrix3d::Identity(), {0.06 * k, 0.02 * k, 0});
-    update_depths(*scene.pyramid(T_world_target), T_world_target.inverse(), params, AssociationParams(),
-                  &host);
+    update_depths(*scene.pyramid(T_world_target), T_world_target.inverse(), params, &host);
     if (k == 2) early = error(&sigma_early);
   }
   const std::vector<double> late = error(&sigma_late);

@@ -8,14 +8,13 @@
 namespace edgevo {
 namespace {
 
-using test::median;
-using test::params_with;
+using test::seven_keyframes;
 using test::Sweep;
 using test::true_window;
 
 TEST(Window, TheCloudLiesInTheNewestFrame) {
   Window window = true_window(5, 0.0);
-  window.activate(2, 2);
+  window.activate({2, 2});
   const auto cloud = window.cloud(window.newest());
   ASSERT_GT(cloud.size(), 150u);
   std::vector<double> relative, off_edge;
@@ -39,10 +38,10 @@ TEST(Window, TheCloudLiesInTheNewestFrame) {
 }
 
 TEST(Window, TheCloudHoldsAtMostItsLimit) {
-  WindowParams params = params_with();
+  WindowParams params = seven_keyframes();
   params.max_cloud_points = 90;
   Window window = true_window(5, 0.0, params);
-  window.activate(2, 2);
+  window.activate({2, 2});
   EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
@@ -59,9 +58,16 @@ TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
   }
 }
 
+TEST(Window, WithoutImmaturePointsTheTrackerGetsOnlyThoseOfKnownDepth) {
+  WindowParams params = seven_keyframes();
+  params.track_immature_points = false;
+  Window window = true_window(3, 0.0, params);  // no point is active
+  EXPECT_TRUE(window.tracking_cloud(window.newest()).empty());
+}
+
 TEST(Window, TheCloudOfAnOlderKeyframeIsWhatThatOneSees) {
   Window window = true_window(5, 0.0);
-  window.activate(2, 2);
+  window.activate({2, 2});
   const Keyframe& older = window.keyframes()[1];
   const std::vector<CloudPoint> cloud = window.cloud(older);
   EXPECT_GT(cloud.size(), 50u);

@@ -1,7 +1,6 @@
 #pragma once
 // A window of keyframes of the sweep, for the tests of the window.
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "edgevo/mapping/window.h"
@@ -11,9 +10,8 @@ namespace edgevo::test {
 
 constexpr int kFramesApart = 4;  // frames of the sweep from keyframe to keyframe
 
-inline WindowParams params_with(const std::string& gauge = "fixed") {
+inline WindowParams seven_keyframes() {
   WindowParams p;
-  p.gauge = gauge;
   p.keyframes = 7;
   return p;
 }
@@ -21,7 +19,7 @@ inline WindowParams params_with(const std::string& gauge = "fixed") {
 inline Matrix6d tracking_covariance() { return 1e-5 * Matrix6d::Identity(); }
 
 /// `n` keyframes at their true poses, points not yet activated.
-inline Window true_window(int n, double depth_noise, const WindowParams& params = params_with()) {
+inline Window true_window(int n, double depth_noise, const WindowParams& params = seven_keyframes()) {
   Window window(Sweep::pinhole(), params, AssociationParams());
   Random random(17);
   for (int k = 0; k < n; ++k) window.add(true_keyframe(k, kFramesApart * k, depth_noise, &random));
@@ -34,6 +32,7 @@ inline double idepth_error(const Window& window) {
   for (const Keyframe& k : window.keyframes())
     for (const MapPoint& p : k.points)
       relative.push_back(std::abs(p.idepth / Sweep::idepth(k.frame_index, p.px) - 1));
+  EXPECT_FALSE(relative.empty()) << "no active point";
   return median(relative);
 }
 

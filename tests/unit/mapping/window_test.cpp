@@ -13,8 +13,7 @@ namespace {
 
 using test::idepth_error;
 using test::kFramesApart;
-using test::median;
-using test::params_with;
+using test::seven_keyframes;
 using test::Sweep;
 using test::sweep_pose;
 using test::tracking_covariance;
@@ -24,7 +23,7 @@ using test::true_window;
 
 TEST(Window, ActivatesPointsThatKeyframesMatch) {
   Window window = true_window(4, 0.02);
-  const int n = window.activate(2, 2);
+  const int n = window.activate({2, 2});
   EXPECT_GT(n, 200);
   EXPECT_EQ(n, window.active_points());
   for (const Keyframe& k : window.keyframes())
@@ -38,10 +37,10 @@ TEST(Window, ActivatesPointsThatKeyframesMatch) {
 }
 
 TEST(Window, ActivationIsSpreadOverTheNewestImage) {
-  const WindowParams params = params_with();
+  const WindowParams params = seven_keyframes();
   Window window = true_window(4, 0.0, params);
-  ASSERT_GT(window.activate(2, 2), 200);
-  const CellGrid grid(320, 240, params.activation_cell_px);
+  ASSERT_GT(window.activate({2, 2}), 200);
+  const CellGrid grid(320, 240, kActivationCellPx);
   std::vector<int> count(size_t(grid.size()), 0);
   for (const Keyframe& k : window.keyframes()) {
     const SE3 T = relative_pose(window.newest(), k);
@@ -56,37 +55,37 @@ TEST(Window, ActivationIsSpreadOverTheNewestImage) {
 
 TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
   Window window = true_window(4, 0.02);
-  EXPECT_EQ(window.activate(4, 2), 0);  // three good measurements each
+  EXPECT_EQ(window.activate({4, 2}), 0);  // three good measurements each
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.idepth_sigma = p.idepth;
-  EXPECT_EQ(window.activate(2, 2), 0);
+  EXPECT_EQ(window.activate({2, 2}), 0);
 }
 
 // Two keyframes show each point in one other view: it is not lost for want of a second one that has not been
 // taken yet.
 TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
   Window window = true_window(2, 0.02);
-  EXPECT_EQ(window.activate(2, 2), 0);
+  EXPECT_EQ(window.activate({2, 2}), 0);
   for (const Keyframe& k : window.keyframes())
     EXPECT_TRUE(
         std::none_of(k.immature.begin(), k.immature.end(), [](const ImmaturePoint& p) { return p.dead; }));
   Random random(17);
   window.add(test::true_keyframe(2, 2 * kFramesApart, 0.02, &random));
   window.newest().immature.clear();
-  EXPECT_GT(window.activate(2, 2), 150);
+  EXPECT_GT(window.activate({2, 2}), 150);
 }
 
 TEST(Window, ActivationStopsAtTheLimit) {
-  WindowParams params = params_with();
+  WindowParams params = seven_keyframes();
   params.max_points = 120;
   Window window = true_window(4, 0.02, params);
-  EXPECT_EQ(window.activate(2, 2), 120);
-  EXPECT_EQ(window.activate(2, 2), 0);
+  EXPECT_EQ(window.activate({2, 2}), 120);
+  EXPECT_EQ(window.activate({2, 2}), 0);
 }
 
-// ---- loans ----
+// ---- tentative points ----
 
-constexpr int kLoans = 100;
+constexpr int kBudget = 100;
 
 // Two keyframes: each point has one match at most.
 Window window_of_two() {
@@ -111,78 +110,78 @@ int count_immature(const Window& window, const Test& test) {
 }
 
 // At 320x240 a quarter of the cells of 14 pixels is less than 500.
-TEST(Window, LendsAsManyPointsAsTrackingLacks) {
+TEST(Window, ActivatesAsManyTentativePointsAsTrackingLacks) {
   Window window = window_of_two();
-  const int cells = CellGrid(320, 240, params_with().activation_cell_px).size();
+  const int cells = CellGrid(320, 240, kActivationCellPx).size();
   EXPECT_EQ(window.points_lacking(), cells / 4) << "there is none";
-  EXPECT_EQ(window.activate(1, 1, window.points_lacking()), cells / 4);
+  EXPECT_EQ(window.activate({1, 1, window.points_lacking()}), cells / 4);
   EXPECT_EQ(window.active_points(), cells / 4);
-  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.lent && !p.dead; }), cells / 4);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.tentative && !p.dead; }), cells / 4);
   EXPECT_EQ(window.points_lacking(), 0);
 }
 
-TEST(Window, ALentPointStaysWhereTheNextKeyframeMatchesIt) {
+TEST(Window, ATentativePointStaysWhereTheNextKeyframeMatchesIt) {
   Window window = window_of_two();
-  const int lent = window.activate(1, 1, kLoans);
+  const int tentative = window.activate({1, 1, kBudget});
   add_third(&window);
   window.associate_newest(tracking_covariance());
-  window.take_back();
+  window.demote_unconfirmed();
   const int stayed = window.active_points();
-  EXPECT_GT(stayed, lent / 2);
+  EXPECT_GT(stayed, tentative / 2);
   for (const Keyframe& k : window.keyframes())
     for (const MapPoint& p : k.points) {
-      EXPECT_FALSE(p.lent);
+      EXPECT_FALSE(p.tentative);
       EXPECT_GE(p.observations.size(), 2u);
     }
   EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), stayed);
 }
 
-TEST(Window, ALentPointThatNothingConfirmsGoesBackAndIsNotLost) {
-  Window window = window_of_two(), never_lent = window_of_two();
-  ASSERT_GT(window.activate(1, 1, kLoans), 50);
+TEST(Window, ATentativePointThatNothingConfirmsIsImmatureAgain) {
+  Window window = window_of_two(), untouched = window_of_two();
+  ASSERT_GT(window.activate({1, 1, kBudget}), 50);
   add_third(&window);
-  add_third(&never_lent);
-  window.take_back();  // nothing was matched in the third
+  add_third(&untouched);
+  window.demote_unconfirmed();  // nothing was matched in the third
   EXPECT_EQ(window.active_points(), 0);
-  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.lent || p.dead; }), 0);
-  EXPECT_EQ(window.activate(1, 2), never_lent.activate(1, 2));
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.tentative || p.dead; }), 0);
+  EXPECT_EQ(window.activate({1, 2}), untouched.activate({1, 2}));
 }
 
-TEST(Window, APointOfTwoDepthsIsNotLent) {
+TEST(Window, APointOfTwoDepthsIsNotTentative) {
   Window window = true_window(2, 0.02);
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.good = 2;
-  ASSERT_EQ(window.activate(1, 1, kLoans), kLoans);
+  ASSERT_EQ(window.activate({1, 1, kBudget}), kBudget);
   add_third(&window);
-  window.take_back();  // nothing was matched in the third
-  EXPECT_EQ(window.active_points(), kLoans);
+  window.demote_unconfirmed();  // nothing was matched in the third
+  EXPECT_EQ(window.active_points(), kBudget);
 }
 
-TEST(Window, AnImmaturePointGivenUpWhileItsPointWasLentStaysGivenUp) {
+TEST(Window, AnImmaturePointGivenUpWhileItsPointWasTentativeStaysGivenUp) {
   Window window = window_of_two();
-  const int lent = window.activate(1, 1, kLoans);
+  const int tentative = window.activate({1, 1, kBudget});
   for (Keyframe& k : window.keyframes())
-    for (ImmaturePoint& p : k.immature) p.dead = p.lent;  // as the depth filter does
+    for (ImmaturePoint& p : k.immature) p.dead = p.tentative;  // as the depth filter does
   add_third(&window);
-  window.take_back();
+  window.demote_unconfirmed();
   EXPECT_EQ(window.active_points(), 0);
-  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), lent);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), tentative);
 }
 
-TEST(Window, ALentPointThatTheAdjustmentDroppedIsGone) {
+TEST(Window, ATentativePointThatTheAdjustmentDroppedIsGone) {
   Window window = window_of_two();
-  const int lent = window.activate(1, 1, kLoans);
+  const int tentative = window.activate({1, 1, kBudget});
   for (Keyframe& k : window.keyframes()) k.points.clear();
-  window.take_back();
-  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), lent);
-  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.lent; }), 0);
+  window.demote_unconfirmed();
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), tentative);
+  EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.tentative; }), 0);
 }
 
 // ---- association ----
 
 TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
   Window window = true_window(4, 0.0);
-  window.activate(2, 2);
+  window.activate({2, 2});
   const int points = window.active_points();
   Random random(3);
   window.add(test::true_keyframe(9, 4 * kFramesApart, 0.0, &random));
@@ -204,7 +203,7 @@ TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
 
 TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
   Window window = true_window(4, 0.0);
-  window.activate(2, 2);
+  window.activate({2, 2});
   Random random(3);
   Keyframe blank = test::true_keyframe(9, 4 * kFramesApart, 0.0, &random);
   blank.immature.clear();
@@ -221,13 +220,9 @@ TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
 
 // ---- leaving ----
 
-class WindowGauge : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Both, WindowGauge, ::testing::Values("fixed", "prior"),
-                         [](const auto& info) { return std::string(info.param); });
-
-TEST_P(WindowGauge, TheOldestLeavesNoTrace) {
-  Window window = true_window(6, 0.02, params_with(GetParam()));
-  window.activate(2, 2);
+TEST(Window, TheOldestLeavesNoTrace) {
+  Window window = true_window(6, 0.02);
+  window.activate({2, 2});
   window.adjust();
   const size_t hosted = window.keyframes().front().points.size();
   const Keyframe oldest = window.remove_oldest();
@@ -241,9 +236,9 @@ TEST_P(WindowGauge, TheOldestLeavesNoTrace) {
     }
 }
 
-TEST_P(WindowGauge, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
-  Window window = true_window(6, 0.02, params_with(GetParam()));
-  window.activate(2, 2);
+TEST(Window, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
+  Window window = true_window(6, 0.02);
+  window.activate({2, 2});
   window.adjust();
   window.remove_oldest();
   for (int i = 0; i < 3; ++i) window.adjust();

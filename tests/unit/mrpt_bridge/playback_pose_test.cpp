@@ -1,11 +1,13 @@
 #include "edgevo/mrpt_bridge/playback_pose.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "edgevo/core/random.h"
 #include "edgevo/mrpt_bridge/conversions.h"
+#include "support/numerical_jacobian.h"
+#include "support/pose_matchers.h"
 
 namespace edgevo {
 namespace {
@@ -28,13 +30,8 @@ TEST(VehiclePose, JacobianAgreesWithDifferences) {
   for (int trial = 0; trial < 50; ++trial) {
     const SE3 T = SE3::exp(random_tangent(&random, 3, 0.8));
     const Matrix6d J = d_mrpt_pose_d_right_tangent(T);
-    constexpr double h = 1e-6;
-    for (int i = 0; i < 6; ++i) {
-      const Vector6d step = h * Vector6d::Unit(i);
-      const Vector6d numeric =
-          (mrpt_coordinates(T * SE3::exp(step)) - mrpt_coordinates(T * SE3::exp(-step))) / (2 * h);
-      EXPECT_LT((numeric - J.col(i)).norm(), 1e-8) << "trial " << trial << " column " << i;
-    }
+    const auto coordinates = [&](const Vector6d& d) { return mrpt_coordinates(T * SE3::exp(d)); };
+    EXPECT_THAT(J, test::JacobianNear(test::numerical_jacobian<6>(coordinates), 1e-8)) << "trial " << trial;
   }
 }
 

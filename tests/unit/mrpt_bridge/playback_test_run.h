@@ -8,7 +8,7 @@
 #include "edgevo/core/records.h"
 #include "support/temp_folder.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 inline EdgePoint edge_point(const Pinhole& pinhole, const SE3& T_world_cam, const Eigen::Vector3d& p_world) {
   const Eigen::Vector3d p_cam = T_world_cam.inverse() * p_world;
@@ -64,4 +64,4 @@ class FolderTest : public ::testing::Test {
   const std::filesystem::path folder_ = temp_.path();
 };
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

@@ -24,11 +24,11 @@
 namespace edgevo {
 namespace {
 
+using test::small_run;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::small_run;
 
-class PlaybackWriterTest : public testing::FolderTest {
+class PlaybackFiles : public test::FolderTest {
  protected:
   static Frame frame(int index) {
     Frame f;
@@ -71,7 +71,7 @@ class PlaybackWriterTest : public testing::FolderTest {
   }
 };
 
-TEST_F(PlaybackWriterTest, HoldsEveryImagePoseAndKeyframeInOrderOfTime) {
+TEST_F(PlaybackFiles, HoldsEveryImagePoseAndKeyframeInOrderOfTime) {
   const edgevo::Run run = small_run();
   write(run);
   const auto all = read();
@@ -81,7 +81,7 @@ TEST_F(PlaybackWriterTest, HoldsEveryImagePoseAndKeyframeInOrderOfTime) {
   EXPECT_EQ(from_mrpt(all.back()->timestamp), run.frames.back().time);
 }
 
-TEST_F(PlaybackWriterTest, ImagesAreByReferenceAndLossless) {
+TEST_F(PlaybackFiles, ImagesAreByReferenceAndLossless) {
   write(small_run());
   const auto images = read_all<mrpt::obs::CObservationImage>();
   ASSERT_EQ(images.size(), 8u);
@@ -93,7 +93,7 @@ TEST_F(PlaybackWriterTest, ImagesAreByReferenceAndLossless) {
   EXPECT_EQ(images[2]->cameraParams.k1(), -0.1);
 }
 
-TEST_F(PlaybackWriterTest, PosesAreTheVehicles) {
+TEST_F(PlaybackFiles, PosesAreTheVehicles) {
   const edgevo::Run run = small_run();
   write(run);
   const auto poses = read_all<mrpt::obs::CObservationRobotPose>();
@@ -109,7 +109,7 @@ TEST_F(PlaybackWriterTest, PosesAreTheVehicles) {
 }
 
 // What MRPT's own maps make of pose and scan must be the world points.
-TEST_F(PlaybackWriterTest, PointsLandInPlaceInMrptsMaps) {
+TEST_F(PlaybackFiles, PointsLandInPlaceInMrptsMaps) {
   edgevo::Run run = small_run();
   run.scale_source = "odometry";
   run.T_vehicle_cam = SE3(T_zup_world().rotation(), Eigen::Vector3d(0.5, 0.1, 1.2));  // with a lever arm
@@ -124,11 +124,11 @@ TEST_F(PlaybackWriterTest, PointsLandInPlaceInMrptsMaps) {
     mrpt::maps::CSimplePointsMap points;
     points.insertionOptions.minDistBetweenLaserPoints = 0;
     points.insertObservation(*obs, vehicle);
-    ASSERT_EQ(points.size(), testing::world_points().size());
+    ASSERT_EQ(points.size(), test::world_points().size());
     mrpt::maps::COctoMap octomap(0.1);
     octomap.insertObservation(*obs, vehicle);
     for (size_t i = 0; i < points.size(); ++i) {
-      const Eigen::Vector3d expected = T_map_world(run) * testing::world_points()[i];
+      const Eigen::Vector3d expected = T_map_world(run) * test::world_points()[i];
       float x, y, z;
       points.getPoint(i, x, y, z);
       EXPECT_LT((Eigen::Vector3d(x, y, z) - expected).norm(), 1e-3);
@@ -140,7 +140,7 @@ TEST_F(PlaybackWriterTest, PointsLandInPlaceInMrptsMaps) {
   EXPECT_EQ(scans, 3u);
 }
 
-TEST_F(PlaybackWriterTest, LinksLeaveTheSourceAlone) {
+TEST_F(PlaybackFiles, LinksLeaveTheSourceAlone) {
   write_png(path("source.png"), frame(1).image);
   PlaybackWriter linking(folder_.string(), camera());
   linking.add_frame_link(0, path("source.png"));
@@ -152,7 +152,7 @@ TEST_F(PlaybackWriterTest, LinksLeaveTheSourceAlone) {
   EXPECT_EQ(read_gray_image(path("playback_Images/frame_000000.png")).pixels, frame(0).image.pixels);
 }
 
-TEST_F(PlaybackWriterTest, LinksHoldWhenSourceAndRunMoveTogether) {
+TEST_F(PlaybackFiles, LinksHoldWhenSourceAndRunMoveTogether) {
   namespace fs = std::filesystem;
   fs::create_directories(path("tree/data"));
   write_png(path("tree/data/source.png"), frame(1).image);
@@ -162,7 +162,7 @@ TEST_F(PlaybackWriterTest, LinksHoldWhenSourceAndRunMoveTogether) {
             frame(1).image.pixels);
 }
 
-TEST_F(PlaybackWriterTest, CopiesStandAlone) {
+TEST_F(PlaybackFiles, CopiesStandAlone) {
   write_png(path("source.png"), frame(1).image);
   PlaybackWriter writer(path("out"), camera());
   writer.add_frame_copy(3, path("source.png"));
@@ -172,7 +172,7 @@ TEST_F(PlaybackWriterTest, CopiesStandAlone) {
   EXPECT_EQ(writer.image_path(4), "");
 }
 
-TEST_F(PlaybackWriterTest, TakesOverTheImagesThatAreThere) {
+TEST_F(PlaybackFiles, TakesOverTheImagesThatAreThere) {
   PlaybackWriter(folder_.string(), camera()).add_frame(frame(12));
   PlaybackWriter(folder_.string(), camera()).add_frame(frame(1234567));
   PlaybackWriter writer(folder_.string(), camera());
@@ -181,20 +181,20 @@ TEST_F(PlaybackWriterTest, TakesOverTheImagesThatAreThere) {
   EXPECT_EQ(writer.image_path(1234567), "") << "a frame that the run does not hold";
 }
 
-TEST_F(PlaybackWriterTest, SameRunSameBytes) {
+TEST_F(PlaybackFiles, SameRunSameBytes) {
   write(small_run());
   const std::string first = bytes("playback.rawlog");
   write(small_run());
   EXPECT_EQ(bytes("playback.rawlog"), first);
 }
 
-TEST_F(PlaybackWriterTest, EmptyRunGivesAReadableFile) {
+TEST_F(PlaybackFiles, EmptyRunGivesAReadableFile) {
   write(edgevo::Run());
   EXPECT_TRUE(read().empty());
   EXPECT_GT(bytes("playback.rawlog").size(), 0u);
 }
 
-TEST_F(PlaybackWriterTest, FullDiskIsTold) {
+TEST_F(PlaybackFiles, FullDiskIsTold) {
   std::filesystem::create_symlink("/dev/full", path("playback.rawlog"));
   try {
     write(small_run());
@@ -204,7 +204,7 @@ TEST_F(PlaybackWriterTest, FullDiskIsTold) {
   }
 }
 
-TEST_F(PlaybackWriterTest, ImageThatCannotBeWrittenIsTold) {
+TEST_F(PlaybackFiles, ImageThatCannotBeWrittenIsTold) {
   PlaybackWriter writer(folder_.string(), camera());
   std::filesystem::create_directories(path("playback_Images/frame_000000.png/in_the_way"));
   EXPECT_THROW(writer.add_frame(frame(0)), InputError);

@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-TEST(Conversions, TimeIsExactToTheTick) {
+TEST(MrptConversions, TimeIsExactToTheTick) {
   for (int64_t ticks :
        {int64_t{0}, int64_t{1}, int64_t{-7}, int64_t{13050311021753041}, int64_t{99999999999999999}})
     EXPECT_EQ(from_mrpt(to_mrpt(Timestamp{ticks})).ticks, ticks);
@@ -16,7 +16,7 @@ TEST(Conversions, TimeIsExactToTheTick) {
   EXPECT_DOUBLE_EQ(mrpt::Clock::toDouble(to_mrpt(Timestamp::from_seconds(1305031102.5))), 1305031102.5);
 }
 
-TEST(Conversions, PoseKeepsItsMeaning) {
+TEST(MrptConversions, PoseKeepsItsMeaning) {
   Random random(3);
   for (int i = 0; i < 100; ++i) {
     Vector6d xi;
@@ -30,13 +30,13 @@ TEST(Conversions, PoseKeepsItsMeaning) {
   }
 }
 
-TEST(Conversions, ForwardMountIsMrptsForwardCamera) {
+TEST(MrptConversions, ForwardMountIsMrptsForwardCamera) {
   const double deg = M_PI / 180;
   const mrpt::poses::CPose3D forward(0, 0, 0, -90 * deg, 0, -90 * deg);
   EXPECT_NEAR((from_mrpt(forward).matrix() - T_vehicle_cam_forward().matrix()).norm(), 0, 1e-15);
 }
 
-TEST(Conversions, CameraIsExact) {
+TEST(MrptConversions, CameraIsExact) {
   const Camera camera{{517.3, 516.4, 318.6, 255.3, 640, 480}, {0.26, -0.95, -0.005, 0.0026, 1.16}};
   const Camera back = from_mrpt(to_mrpt(camera), "here");
   EXPECT_EQ(back.pinhole.fx, 517.3);
@@ -52,7 +52,7 @@ TEST(Conversions, CameraIsExact) {
   EXPECT_EQ(back.distortion.k3, 1.16);
 }
 
-TEST(Conversions, OtherLensModelsAreRefused) {
+TEST(MrptConversions, OtherLensModelsAreRefused) {
   mrpt::img::TCamera camera = to_mrpt(Camera{{500, 500, 320, 240, 640, 480}, {}});
   camera.setDistortionKannalaBrandt(0.1, 0, 0, 0);
   EXPECT_THROW(from_mrpt(camera, "here"), InputError);
@@ -61,7 +61,7 @@ TEST(Conversions, OtherLensModelsAreRefused) {
   EXPECT_THROW(from_mrpt(camera, "here"), InputError);
 }
 
-TEST(Conversions, PixelsAreExact) {
+TEST(MrptConversions, PixelsAreExact) {
   GrayImage image{5, 3, {}};
   for (int i = 0; i < 15; ++i) image.pixels.push_back(uint8_t(17 * i));
   const GrayImage back = from_mrpt(to_mrpt(image), "here");

@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-class SceneWriterTest : public testing::FolderTest {
+class SceneWriter : public test::FolderTest {
  protected:
   mrpt::opengl::COpenGLScene written(const edgevo::Run& run, const SceneOptions& options = {}) const {
     write_scene(run, PointFilter(), path("scene.3Dscene"), options);
@@ -26,8 +26,8 @@ class SceneWriterTest : public testing::FolderTest {
   }
 };
 
-TEST_F(SceneWriterTest, HoldsTrajectoryKeyframesAndEdges) {
-  auto scene = written(testing::small_run());
+TEST_F(SceneWriter, HoldsTrajectoryKeyframesAndEdges) {
+  auto scene = written(test::small_run());
   const auto trajectory = object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0");
   const auto keyframes = object<mrpt::opengl::CSetOfLines>(scene, "keyframes");
   const auto edges = object<mrpt::opengl::CPointCloudColoured>(scene, "edges");
@@ -42,11 +42,11 @@ TEST_F(SceneWriterTest, HoldsTrajectoryKeyframesAndEdges) {
 }
 
 // Path, frusta and lines stand in one world, that of the map: x forward, y left, z up.
-TEST_F(SceneWriterTest, PathAndLinesStandAsTheEdgesDo) {
-  edgevo::Run run = testing::small_run();
+TEST_F(SceneWriter, PathAndLinesStandAsTheEdgesDo) {
+  edgevo::Run run = test::small_run();
   EdgeLine line;
   for (const Eigen::Vector3d& p_world : {Eigen::Vector3d(-2, 1, 11), Eigen::Vector3d(1.5, -1, 9)}) {
-    const EdgePoint p = testing::edge_point(run.pinhole, run.keyframes[1].T_world_cam, p_world);
+    const EdgePoint p = test::edge_point(run.pinhole, run.keyframes[1].T_world_cam, p_world);
     line.vertices.push_back({p.px, p.idepth, p.idepth_sigma, 40, 200});
   }
   run.keyframes[1].lines = {line};
@@ -73,25 +73,25 @@ TEST_F(SceneWriterTest, PathAndLinesStandAsTheEdgesDo) {
   EXPECT_NEAR(edges.max.z, 1, 1e-4);
 }
 
-TEST_F(SceneWriterTest, SegmentsAreNotJoinedByALine) {
-  edgevo::Run run = testing::small_run();
+TEST_F(SceneWriter, SegmentsAreNotJoinedByALine) {
+  edgevo::Run run = test::small_run();
   for (size_t i = 4; i < run.frames.size(); ++i) run.frames[i].segment = 1;
   auto scene = written(run);
   EXPECT_EQ(object<mrpt::opengl::CSetOfLines>(scene, "trajectory 0")->size(), 2u);
   EXPECT_EQ(object<mrpt::opengl::CSetOfLines>(scene, "trajectory 1")->size(), 3u);
 }
 
-TEST_F(SceneWriterTest, ManyPointsAreThinnedOut) {
+TEST_F(SceneWriter, ManyPointsAreThinnedOut) {
   SceneOptions options;
   options.max_points = 4;
-  auto scene = written(testing::small_run(), options);
+  auto scene = written(test::small_run(), options);
   EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 4u);
 }
 
 // Whatever the unit is: the whole lies in front of the camera of the scene, and fills its view.
-TEST_F(SceneWriterTest, CameraSeesAll) {
+TEST_F(SceneWriter, CameraSeesAll) {
   for (const double unit : {0.01, 1.0, 300.0}) {
-    edgevo::Run run = testing::small_run();
+    edgevo::Run run = test::small_run();
     for (auto& frame : run.frames)
       if (frame.T_world_cam)
         frame.T_world_cam = SE3(frame.T_world_cam->rotation(), unit * frame.T_world_cam->translation());
@@ -111,13 +111,13 @@ TEST_F(SceneWriterTest, CameraSeesAll) {
   }
 }
 
-TEST_F(SceneWriterTest, EmptyRunGivesAScene) {
+TEST_F(SceneWriter, EmptyRunGivesAScene) {
   auto scene = written(edgevo::Run());
   EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 0u);
 }
 
-TEST_F(SceneWriterTest, FullDiskIsTold) {
-  EXPECT_THROW(write_scene(testing::small_run(), PointFilter(), "/dev/full"), InputError);
+TEST_F(SceneWriter, FullDiskIsTold) {
+  EXPECT_THROW(write_scene(test::small_run(), PointFilter(), "/dev/full"), InputError);
 }
 
 }  // namespace

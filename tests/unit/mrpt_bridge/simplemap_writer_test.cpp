@@ -13,7 +13,7 @@
 namespace edgevo {
 namespace {
 
-class SimplemapWriterTest : public testing::FolderTest {
+class SimplemapWriter : public test::FolderTest {
  protected:
   mrpt::maps::CSimpleMap written(const edgevo::Run& run) const {
     write_simplemap(run, PointFilter(), path("keyframes.simplemap"));
@@ -23,8 +23,8 @@ class SimplemapWriterTest : public testing::FolderTest {
   }
 };
 
-TEST_F(SimplemapWriterTest, PointsLandInPlaceInMrptsMaps) {
-  const edgevo::Run run = testing::small_run();
+TEST_F(SimplemapWriter, PointsLandInPlaceInMrptsMaps) {
+  const edgevo::Run run = test::small_run();
   const auto map = written(run);
   ASSERT_EQ(map.size(), 3u);
   mrpt::maps::CSimplePointsMap points;
@@ -32,7 +32,7 @@ TEST_F(SimplemapWriterTest, PointsLandInPlaceInMrptsMaps) {
   points.loadFromSimpleMap(map);
   mrpt::maps::COctoMap octomap(0.1);
   octomap.loadFromSimpleMap(map);
-  const auto world = testing::world_points();
+  const auto world = test::world_points();
   ASSERT_EQ(points.size(), 3 * world.size());
   for (size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d expected = T_zup_world() * world[i % world.size()];
@@ -48,8 +48,8 @@ TEST_F(SimplemapWriterTest, PointsLandInPlaceInMrptsMaps) {
   }
 }
 
-TEST_F(SimplemapWriterTest, PosesAreTheCamerasZUp) {
-  const edgevo::Run run = testing::small_run();
+TEST_F(SimplemapWriter, PosesAreTheCamerasZUp) {
+  const edgevo::Run run = test::small_run();
   const auto map = written(run);
   const auto [pose, observations] = map.get(2);
   mrpt::poses::CPose3D mean;
@@ -58,16 +58,16 @@ TEST_F(SimplemapWriterTest, PosesAreTheCamerasZUp) {
   EXPECT_EQ(observations->size(), 1u);
 }
 
-TEST_F(SimplemapWriterTest, KeyframesWithoutGoodPointsAreLeftOut) {
-  edgevo::Run run = testing::small_run();
+TEST_F(SimplemapWriter, KeyframesWithoutGoodPointsAreLeftOut) {
+  edgevo::Run run = test::small_run();
   for (EdgePoint& p : run.keyframes[1].points) p.observations = 0;
   EXPECT_EQ(written(run).size(), 2u);
 }
 
-TEST_F(SimplemapWriterTest, EmptyRunGivesAnEmptyMap) { EXPECT_EQ(written(edgevo::Run()).size(), 0u); }
+TEST_F(SimplemapWriter, EmptyRunGivesAnEmptyMap) { EXPECT_EQ(written(edgevo::Run()).size(), 0u); }
 
-TEST_F(SimplemapWriterTest, FullDiskIsTold) {
-  EXPECT_THROW(write_simplemap(testing::small_run(), PointFilter(), "/dev/full"), InputError);
+TEST_F(SimplemapWriter, FullDiskIsTold) {
+  EXPECT_THROW(write_simplemap(test::small_run(), PointFilter(), "/dev/full"), InputError);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "pole_and_wall.h"
 #include "support/temp_folder.h"
-#include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
@@ -21,9 +21,9 @@ std::unique_ptr<octomap::ColorOcTree> written(const edgevo::Run& run) {
 }
 
 TEST(ColorOctree, OccupiedVoxelsHaveTheGrayOfTheirEdges) {
-  auto scene = testing::pole_and_wall(2, 5);
-  scene.run.keyframes[0].lines = {testing::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam,
-                                                     {1.05, 0.05, 5.05}, {2.05, 0.05, 5.05}, 2)};
+  auto scene = test::pole_and_wall(2, 5);
+  scene.run.keyframes[0].lines = {test::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam,
+                                                  {1.05, 0.05, 5.05}, {2.05, 0.05, 5.05}, 2)};
   const auto tree = written(scene.run);
   ASSERT_TRUE(tree);
   const auto gray_at = [&](const Eigen::Vector3d& p_world) {

@@ -9,18 +9,18 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/occupancy/edge_ply.h"
 #include "edgevo/occupancy/octree_map.h"
+#include "pole_and_wall.h"
 #include "support/temp_folder.h"
 #include "support/text.h"
-#include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
 
-using testing::content;
+using test::content;
 using ::testing::HasSubstr;
 
 edgevo::Run made_run() {
-  edgevo::Run run = testing::pole_and_wall(6, 5).run;
+  edgevo::Run run = test::pole_and_wall(6, 5).run;
   run.scale_source = "camera_height=1.65";
   run.scale.factor = 2.1, run.scale.sigma = 0.012;
   Eigen::Matrix3d R;
@@ -28,11 +28,11 @@ edgevo::Run made_run() {
   run.T_vehicle_cam = SE3(R, {0.3, 0.1, 1.2});
   run.keyframes.back().segment = 1;
   run.keyframes[2].lines = {
-      testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
-      testing::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
+      test::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
+      test::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
   run.keyframes[2].lines[1].is_outline = true;
   run.keyframes[3].lines = {
-      testing::edge_line(run.pinhole, run.keyframes[3].T_world_cam, {0, 0, 5}, {0.4, 0, 6}, 4)};
+      test::edge_line(run.pinhole, run.keyframes[3].T_world_cam, {0, 0, 5}, {0.4, 0, 6}, 4)};
   return run;
 }
 

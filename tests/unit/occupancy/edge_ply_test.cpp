@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "pole_and_wall.h"
 #include "support/temp_folder.h"
-#include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
@@ -58,18 +58,16 @@ Ply read_ply(const std::string& path) {
 
 edgevo::Run two_keyframes() {
   edgevo::Run run;
-  run.pinhole = testing::test_pinhole();
+  run.pinhole = test::test_pinhole();
   run.keyframes.resize(2);
   run.keyframes[1].T_world_cam =
       SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())), {1, 0.5, -2});
   for (int k = 0; k < 2; ++k) {
-    EdgePoint p =
-        testing::edge_point(run.pinhole, run.keyframes[k].T_world_cam, {0.5, -0.25, 8}, 0.02, 3 + k);
+    EdgePoint p = test::edge_point(run.pinhole, run.keyframes[k].T_world_cam, {0.5, -0.25, 8}, 0.02, 3 + k);
     p.gray = uint8_t(100 + 100 * k);
     run.keyframes[k].points = {p};
   }
-  run.keyframes[0].points.push_back(
-      testing::edge_point(run.pinhole, SE3(), {0, 0, 5}, 0.02, 1));  // seen once
+  run.keyframes[0].points.push_back(test::edge_point(run.pinhole, SE3(), {0, 0, 5}, 0.02, 1));  // seen once
   return run;
 }
 
@@ -99,8 +97,8 @@ TEST(EdgePly, LinesComeAfterThePointsWithTheirEdges) {
   const std::string path = folder / "edges.ply";
   edgevo::Run run = two_keyframes();
   run.keyframes[1].lines = {
-      testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
-      testing::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
+      test::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
+      test::edge_line(run.pinhole, run.keyframes[1].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
   EXPECT_EQ(write_edge_ply(run, PointFilter(), path), 2);
   const Ply ply = read_ply(path);
   ASSERT_EQ(ply.vertices.size(), 2u + 5u + 3u);

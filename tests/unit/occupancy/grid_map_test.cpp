@@ -5,18 +5,18 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
+#include "pole_and_wall.h"
 #include "support/temp_folder.h"
 #include "support/text.h"
-#include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
 
-using testing::content;
+using test::content;
 using ::testing::HasSubstr;
 
 struct MadeGrid {
-  testing::PoleAndWall scene = testing::pole_and_wall(1, 5);
+  test::PoleAndWall scene = test::pole_and_wall(1, 5);
   OccupancyParams params;
   OccupancyGrid grid;
 
@@ -55,7 +55,7 @@ TEST(GridMap, OnlyTheBandOfHeightsCounts) {
 }
 
 TEST(GridMap, FollowsTheGroundUphill) {
-  auto scene = testing::pole_and_wall(2, 5);
+  auto scene = test::pole_and_wall(2, 5);
   edgevo::Run run = scene.run;
   KeyframeRecord high = run.keyframes[0];  // the same scene again, 20 ahead and 5 higher
   high.T_world_cam = SE3(Eigen::Quaterniond::Identity(), {0, -5, 20});
@@ -72,7 +72,7 @@ TEST(GridMap, FollowsTheGroundUphill) {
 
 // Something wrong stands in the way that was driven: the pole, and the vehicle went through it.
 TEST(GridMap, TheDrivenWayIsFree) {
-  testing::PoleAndWall scene = testing::pole_and_wall(1, 5);
+  test::PoleAndWall scene = test::pole_and_wall(1, 5);
   for (int i = 0; i < 9; ++i) {
     FrameRecord frame;
     frame.index = i;

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "synthetic_run.h"
+#include "pole_and_wall.h"
 
 namespace edgevo {
 namespace {
@@ -18,10 +18,10 @@ std::vector<std::string> cells_of(const std::string& row) {
 
 TEST(LineTable, OneRowALine) {
   edgevo::Run run;
-  run.pinhole = testing::test_pinhole();
+  run.pinhole = test::test_pinhole();
   run.keyframes.resize(2);
   run.keyframes[1].frame_index = 7;
-  run.keyframes[1].lines = {testing::edge_line(run.pinhole, SE3(), {0, 0, 6}, {0.5, 0, 6}, 5)};
+  run.keyframes[1].lines = {test::edge_line(run.pinhole, SE3(), {0, 0, 6}, {0.5, 0, 6}, 5)};
   std::istringstream text(line_table_csv(run));
   std::string header, row, more;
   std::getline(text, header);

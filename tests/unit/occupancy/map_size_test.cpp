@@ -4,7 +4,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/occupancy/octree_map.h"
-#include "synthetic_run.h"
+#include "pole_and_wall.h"
 
 namespace edgevo {
 namespace {
@@ -27,7 +27,7 @@ std::string complaint(const Run& run, const std::string& resolution, double free
 }
 
 TEST(MapSize, IsNeitherMuchTooSmallNorMuchTooLarge) {
-  const edgevo::Run run = testing::pole_and_wall(2, 2).run;
+  const edgevo::Run run = test::pole_and_wall(2, 2).run;
   for (const char* resolution : {"0.4", "0.2", "0.1"}) {
     const OctreeStats made = OctreeMap(run, params_at(resolution)).stats();
     const double voxels = double(made.occupied_voxels + made.free_voxels);
@@ -38,7 +38,7 @@ TEST(MapSize, IsNeitherMuchTooSmallNorMuchTooLarge) {
 }
 
 TEST(MapSize, WhatCannotBeHeldIsRefusedWithAResolutionThatCan) {
-  const edgevo::Run run = testing::pole_and_wall(3, 3).run;
+  const edgevo::Run run = test::pole_and_wall(3, 3).run;
   EXPECT_EQ(complaint(run, "0.1", 1e9), "");
   const std::string message = complaint(run, "0.002", 1e9);
   EXPECT_THAT(message, HasSubstr("run: voxels of 0.0020 would take about"));
@@ -49,12 +49,12 @@ TEST(MapSize, WhatCannotBeHeldIsRefusedWithAResolutionThatCan) {
 }
 
 TEST(MapSize, WhatReachesOnlyAroundTheOriginIsRefused) {
-  const edgevo::Run run = testing::pole_and_wall(3, 3).run;
+  const edgevo::Run run = test::pole_and_wall(3, 3).run;
   EXPECT_THAT(complaint(run, "0.0001", 1e18), HasSubstr("reach only 3.3 from the origin"));
 }
 
 TEST(MapSize, AVoxelThatHoldsTheWholeRunIsRefused) {
-  const edgevo::Run run = testing::pole_and_wall(3, 3).run;
+  const edgevo::Run run = test::pole_and_wall(3, 3).run;
   EXPECT_THAT(complaint(run, "1000", 1e9), HasSubstr("run: one voxel of that size would hold the whole run"));
   EXPECT_EQ(complaint(run, "auto", 1e9), "");
 }

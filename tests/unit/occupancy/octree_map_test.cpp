@@ -9,16 +9,16 @@
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "pole_and_wall.h"
 #include "support/temp_folder.h"
 #include "support/text.h"
-#include "synthetic_run.h"
 
 namespace edgevo {
 namespace {
 
-using testing::content;
+using test::content;
+using test::pole_and_wall;
 using ::testing::HasSubstr;
-using testing::pole_and_wall;
 
 OccupancyParams fixed_size(const char* resolution = "0.1") {
   OccupancyParams params;
@@ -87,7 +87,7 @@ TEST(OctreeMap, LonePointsCarveNothing) {
     auto scene = pole_and_wall(1, 5);
     for (int i = 0; i < points; ++i)
       scene.run.keyframes[0].points.push_back(
-          testing::edge_point(scene.run.pinhole, SE3(), {1.12 + 0.1 * i, 0.05, 14}, 0.001, 5));
+          test::edge_point(scene.run.pinhole, SE3(), {1.12 + 0.1 * i, 0.05, 14}, 0.001, 5));
     return at(OctreeMap(scene.run, fixed_size()).tree(), scene.run,
               {1.12 * 12.05 / 14, 0.05 * 12.05 / 14, 12.05}) == Voxel::kFree;
   };
@@ -98,9 +98,9 @@ TEST(OctreeMap, LonePointsCarveNothing) {
 
 TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
   edgevo::Run run;
-  run.pinhole = testing::test_pinhole();
+  run.pinhole = test::test_pinhole();
   run.keyframes.resize(1);
-  run.keyframes[0].points = {testing::edge_point(run.pinhole, SE3(), {0.05, 0.05, 10}, 0.04, 5)};
+  run.keyframes[0].points = {test::edge_point(run.pinhole, SE3(), {0.05, 0.05, 10}, 0.04, 5)};
   OccupancyParams params = fixed_size();  // three sigmas: 1.2
   params.carve_neighbours = 0;
   const OctreeMap map(run, params);
@@ -113,7 +113,7 @@ TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
 TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
   auto scene = pole_and_wall(6, 5);
   const Eigen::Vector3d a(-0.95, 0.05, 5.05), b(0.95, 0.05, 5.05);
-  EdgeLine bar = testing::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
+  EdgeLine bar = test::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
   bar.keyframes = 6;
   scene.run.keyframes[0].lines = {bar};
   const OctreeMap map(scene.run, fixed_size());
@@ -125,7 +125,7 @@ TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
 Voxel far_bar(double relative_sigma, double forward_later) {
   auto scene = pole_and_wall(2, 5);
   const Eigen::Vector3d a(-0.95, 0.05, 18.05), b(0.95, 0.05, 18.05);
-  EdgeLine bar = testing::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
+  EdgeLine bar = test::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
   for (EdgeVertex& v : bar.vertices) v.idepth_sigma = float(relative_sigma) * v.idepth;
   scene.run.keyframes[0].lines = {bar};
   scene.run.keyframes[1].T_world_cam =
@@ -171,7 +171,7 @@ TEST(OctreeMap, SegmentsDoNotEraseEachOther) {
     keyframe.segment = 1;
     keyframe.points.clear();
     for (const auto& p : second.wall)
-      keyframe.points.push_back(testing::edge_point(run.pinhole, keyframe.T_world_cam, 1.3 * p, 0.01, 4));
+      keyframe.points.push_back(test::edge_point(run.pinhole, keyframe.T_world_cam, 1.3 * p, 0.01, 4));
     run.keyframes.push_back(keyframe);
   }
   EXPECT_EQ(occupied_share(OctreeMap(run, fixed_size()).tree(), run, first.wall), 1.0);
@@ -266,11 +266,11 @@ TEST(OctreeMap, FullDiskIsTold) {
 
 TEST(OctreeMap, PointsOutOfTheTreeAreCountedNotCarved) {
   edgevo::Run run;
-  run.pinhole = testing::test_pinhole();
+  run.pinhole = test::test_pinhole();
   run.keyframes.resize(1);
   run.keyframes[0].T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, 1e6));
   run.keyframes[0].points = {
-      testing::edge_point(run.pinhole, run.keyframes[0].T_world_cam, {0, 0, 1e6 + 5}, 0.01, 5)};
+      test::edge_point(run.pinhole, run.keyframes[0].T_world_cam, {0, 0, 1e6 + 5}, 0.01, 5)};
   const OctreeMap map(run, fixed_size());
   EXPECT_EQ(map.stats().out_of_bounds, 1);
   EXPECT_EQ(map.tree().size(), 0u);

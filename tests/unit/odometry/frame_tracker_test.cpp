@@ -35,7 +35,7 @@ class FrameTracker : public ::testing::Test {
   MotionModel motion;
   OdometryParams params;
   Random random{1};
-  KeyframePolicy keyframes{scene.pyramid(SE3())->finest().pinhole, params.mapping.keyframe};
+  KeyframePolicy keyframes{scene.pyramid(SE3())->finest().pinhole, params.keyframe};
   const SE3 truth = kStep * kStep * kStep;
 };
 
@@ -78,6 +78,62 @@ TEST_F(FrameTracker, ASlowShutterMovesThePose) {
   const auto pyramid = scene.pyramid(truth.inverse());
   const Track global = track(*pyramid), rolling = track(*pyramid, false, {0.05, {}});
   EXPECT_GT((global.result.T_cur_ref.translation() - rolling.result.T_cur_ref.translation()).norm(), 2e-3);
+}
+
+// All edges run along the motion, which they do not show: after one odd step the camera is expected to go on
+// like that, and only its steps before say otherwise.
+class AlongTheEdges : public ::testing::Test {
+ protected:
+  AlongTheEdges() {
+    camera.pinhole = {260, 260, 159.5, 119.5, 320, 240};
+    pyramid = PyramidBuilder(camera, EdgeParams()).build(test::make_image(320, 240, [](double x, double) {
+      return 128 + 90 * std::sin(x / 6.0);
+    }));
+    std::vector<CloudPoint> points;
+    for (size_t i = 0; i < pyramid->finest().edges.pixels.size(); i += 4) {
+      const EdgePixel& e = pyramid->finest().edges.pixels[i];
+      points.push_back(
+          {camera.pinhole.ray(e.position().cast<double>()), 0.2, 0.001, e.position(), e.normal()});
+    }
+    reference.cloud = make_reference_cloud(pyramid, points, false);
+    reference.T_keyframe_world[0] = SE3();
+    motion.begin_frame(Timestamp::from_seconds(0));
+    motion.restart(SE3());
+    for (int i = 1; i <= 40; ++i) take_step(i, 0.01 + 0.0005 * (i % 3 - 1));
+    motion.change_reference(motion.T_last_ref().inverse());
+    take_step(41, 0.1, true);
+    motion.begin_frame(Timestamp::from_seconds(4.2));
+  }
+
+  // `is_odd`: it does not count for how steady the camera is.
+  void take_step(int frame, double length, bool is_odd = false) {
+    motion.begin_frame(Timestamp::from_seconds(0.1 * frame));
+    motion.follow(SE3::exp(twist(0, length, 0, 0, 0, 0)) * motion.T_last_ref(), is_odd);
+  }
+  Track track(const OdometryParams& params) {
+    const KeyframePolicy keyframes(camera.pinhole, params.keyframe);
+    return track_frame({*pyramid, reference, motion, keyframes, params, {}, false, &random});
+  }
+  double step_of(const Track& t) const {
+    return (t.result.T_cur_ref * motion.T_last_ref().inverse()).translation().y();
+  }
+
+  Camera camera;
+  std::shared_ptr<const FramePyramid> pyramid;
+  Reference reference;
+  MotionModel motion;
+  Random random{1};
+};
+
+TEST_F(AlongTheEdges, TheMedianMotionIsTheBetterGuess) {
+  OdometryParams params;
+  const Track with_prior = track(params);
+  params.alignment.use_median_motion_prior = false;
+  const Track without = track(params);
+  EXPECT_TRUE(with_prior.took_usual_step);
+  EXPECT_NEAR(step_of(with_prior), 0.01, 0.005);
+  EXPECT_FALSE(without.took_usual_step);
+  EXPECT_NEAR(step_of(without), 0.1, 0.02);
 }
 
 TEST_F(FrameTracker, TheMeasuredMotionKeepsTheDepthsThatWereExpected) {

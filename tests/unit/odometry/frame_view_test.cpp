@@ -81,7 +81,8 @@ TEST(FrameView, SettledAndUnsettledKeyframesAreAllThatWereMade) {
     const FrameRecord& record = odometry.process(sweep_frame(k));
     if (auto changed = odometry.unsettled_keyframes(window.version)) window = std::move(*changed);
     EXPECT_FALSE(odometry.unsettled_keyframes(window.version)) << "nothing has changed since";
-    if (record.T_world_cam_live && !record.keyframe_rule.empty() && record.keyframe_rule != "return")
+    if (record.T_world_cam_live && record.keyframe_reason != KeyframeReason::kNone &&
+        record.keyframe_reason != KeyframeReason::kReturn)
       called.insert(record.index);
     std::set<int> there;
     for (const KeyframeRecord& kf : odometry.settled_keyframes().keyframes) there.insert(kf.frame_index);

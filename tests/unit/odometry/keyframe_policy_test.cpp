@@ -24,20 +24,22 @@ ReferenceCloud grid_cloud(const Pinhole& camera) {
 
 constexpr int kLong = 1000;  // frames since the last keyframe
 
-// What the rules see, and which one fires; flows at the width of these images, which is the reference width.
+// What the criteria see, and which one calls; flows at the width of these images, which is the reference
+// width.
 struct Seen : KeyframeView {
-  std::string rule;
+  std::string reason;
   bool needed = false;
 };
 
-class Decision : public ::testing::Test {
+class KeyframeReasons : public ::testing::Test {
  protected:
   Seen decide(const SE3& T_cam_ref, int frames = 1) const {
     return decide(camera, grid_cloud(camera), T_cam_ref, frames);
   }
   Seen decide(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref, int frames) const {
     Seen seen{look_at_keyframe(pinhole, cloud, T_cam_ref, frames), "", false};
-    if (const char* rule = fired_rule(seen, params)) seen.rule = rule, seen.needed = true;
+    seen.reason = to_string(reason_for_keyframe(seen, params));
+    seen.needed = !seen.reason.empty();
     return seen;
   }
   static SE3 move(double x, double y, double z, double turn = 0) {
@@ -48,39 +50,39 @@ class Decision : public ::testing::Test {
   KeyframeParams params;
 };
 
-TEST_F(Decision, NoneAtAStandstill) {
+TEST_F(KeyframeReasons, NoneAtAStandstill) {
   const Seen d = decide(SE3(), kLong);
   EXPECT_FALSE(d.needed);
   EXPECT_EQ(d.flow_px, 0);
   EXPECT_EQ(d.view_share, 1);
 }
 
-TEST_F(Decision, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
+TEST_F(KeyframeReasons, InPureRotationOneOnlyWhereTheSceneLeavesTheView) {
   for (double turn : {0.02, 0.1, 0.3, 0.5, 0.8, 2.0}) {
     const Seen d = decide(move(0, 0, 0, turn), kLong);
-    EXPECT_EQ(d.rule, d.view_share < params.min_turn_share ? "rotation" : "") << turn;
+    EXPECT_EQ(d.reason, d.view_share < params.min_turn_share ? "rotation" : "") << turn;
     EXPECT_EQ(d.flow_px, 0);
   }
   EXPECT_GT(decide(move(0, 0, 0, 0.1)).view_share, params.min_turn_share);
   EXPECT_LT(decide(move(0, 0, 0, 0.8)).view_share, params.min_turn_share);
 }
 
-TEST_F(Decision, NoneForAShakeBelowTheSmallestFlow) {
+TEST_F(KeyframeReasons, NoneForAShakeBelowTheSmallestFlow) {
   const Seen d = decide(move(0.02, 0, 0), kLong);
   EXPECT_GT(d.flow_px, 0);
   EXPECT_LT(d.flow_px, params.min_flow_px);
   EXPECT_FALSE(d.needed);
 }
 
-TEST_F(Decision, ForwardMotionMakesOneAtOnce) {
+TEST_F(KeyframeReasons, ForwardMotionMakesOneAtOnce) {
   EXPECT_FALSE(decide(move(0, 0, -0.2)).needed);
   const Seen d = decide(move(0, 0, -1.2));
   EXPECT_GT(d.flow_px, params.flow_px);
-  EXPECT_EQ(d.rule, "parallax");
+  EXPECT_EQ(d.reason, "parallax");
 }
 
 // Driving in, near things leave the view; backing away, as much comes into it that the cloud does not know.
-TEST_F(Decision, TheFlowIsTheSameOnTheWayBack) {
+TEST_F(KeyframeReasons, TheFlowIsTheSameOnTheWayBack) {
   for (const SE3& T : {move(0, 0, 0.8), move(0.1, -0.05, -0.4, 0.05), move(0.2, 0, 0.1, 0.3)}) {
     const Seen out = decide(T), back = decide(T.inverse());
     EXPECT_NEAR(out.flow_px, back.flow_px, 1e-9);
@@ -90,7 +92,7 @@ TEST_F(Decision, TheFlowIsTheSameOnTheWayBack) {
 
 // What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each
 // step.
-TEST_F(Decision, BackingAwayMakesOneSooner) {
+TEST_F(KeyframeReasons, BackingAwayMakesOneSooner) {
   const auto flow_at_the_next = [&](const Eigen::Vector3d& direction) {
     Seen d;
     for (double way = 0.02; way < 3 && !d.needed; way += 0.02) {
@@ -103,9 +105,11 @@ TEST_F(Decision, BackingAwayMakesOneSooner) {
   EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitX()), params.flow_px, 4);
   EXPECT_LT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.8 * params.flow_px);
   EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
+  params.shorten_in_opening_view = false;
+  EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitZ()), params.flow_px, 2);
 }
 
-TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
+TEST_F(KeyframeReasons, SidewaysFlowIsThatOfTheDepths) {
   // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
   const ReferenceCloud cloud = grid_cloud(camera);
   double square = 0;
@@ -114,13 +118,13 @@ TEST_F(Decision, SidewaysFlowIsThatOfTheDepths) {
   EXPECT_NEAR(decide(move(0.1, 0, 0)).flow_px, std::sqrt(square), 1e-9);
 }
 
-TEST_F(Decision, SlowMotionMakesOneAfterSomeFrames) {
+TEST_F(KeyframeReasons, SlowMotionMakesOneAfterSomeFrames) {
   const SE3 slow = move(0.06, 0, 0);
   EXPECT_FALSE(decide(slow, params.max_frames - 1).needed);
-  EXPECT_EQ(decide(slow, params.max_frames).rule, "long since");
+  EXPECT_EQ(decide(slow, params.max_frames).reason, "long since");
 }
 
-TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
+TEST_F(KeyframeReasons, TurningAwayWithSomeMotionMakesOne) {
   const Seen away = decide(move(0.06, 0, 0, 0.5));
   EXPECT_LT(away.view_share, params.min_view_share);
   EXPECT_TRUE(away.needed);
@@ -129,29 +133,29 @@ TEST_F(Decision, TurningAwayWithSomeMotionMakesOne) {
 
 // A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more
 // slowly.
-TEST_F(Decision, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
+TEST_F(KeyframeReasons, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   const SE3 turning = move(0.06, 0, 0, 0.25);
   const Seen d = decide(turning, 1);
   ASSERT_GT(d.view_share, params.min_view_share);
   ASSERT_LT(1 - 2 * (1 - d.view_share), params.min_view_share);
-  EXPECT_EQ(d.rule, "view leaves");
+  EXPECT_EQ(d.reason, "view leaves");
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
 // A turn faster still leaves the map behind within a few frames: each is a keyframe.
-TEST_F(Decision, EachFrameOfAFastTurnMakesOne) {
+TEST_F(KeyframeReasons, EachFrameOfAFastTurnMakesOne) {
   params.min_view_share = 0.7;
   const SE3 turning = move(0.06, 0, 0, 0.12);
   const Seen d = decide(turning, 1);
   ASSERT_GT(1 - 2 * (1 - d.view_share), params.min_view_share) << "the next frame would see enough";
   ASSERT_GT(1 - d.view_share, params.max_view_loss);
-  EXPECT_EQ(d.rule, "fast turn");
+  EXPECT_EQ(d.reason, "fast turn");
   EXPECT_FALSE(decide(turning, 2).needed) << "half as fast";
   params.max_view_loss = 1;
   EXPECT_FALSE(decide(turning, 1).needed);
 }
 
-TEST_F(Decision, FollowsTheWidthOfTheImage) {
+TEST_F(KeyframeReasons, FollowsTheWidthOfTheImage) {
   const Pinhole half{360, 360, 310, 93.75, 621, 188};
   for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
     const Seen at_half = decide(half, grid_cloud(half), move(t, 0, 0), 1);
@@ -159,11 +163,11 @@ TEST_F(Decision, FollowsTheWidthOfTheImage) {
   }
 }
 
-TEST_F(Decision, NoneWithoutPoints) {
+TEST_F(KeyframeReasons, NoneWithoutPoints) {
   EXPECT_FALSE(decide(camera, ReferenceCloud(), move(1, 0, 0), kLong).needed);
 }
 
-TEST_F(Decision, NoneWhereEverythingIsBehind) {
+TEST_F(KeyframeReasons, NoneWhereEverythingIsBehind) {
   const Seen d = decide(move(0, 0, -50), kLong);
   EXPECT_FALSE(d.needed);
   EXPECT_EQ(d.flow_px, 0);
@@ -180,7 +184,7 @@ Reference row_of_keyframes(const Pinhole& camera) {
   return reference;
 }
 
-TEST_F(Decision, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
+TEST_F(KeyframeReasons, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
   const Reference reference = row_of_keyframes(camera);
   params.min_view_share = 0.3;
   for (const double back : {0.0, 0.9, 1.1, 2.0}) {
@@ -190,14 +194,14 @@ TEST_F(Decision, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
   }
 }
 
-TEST_F(Decision, AKeyframeThatLooksElsewhereIsNotNear) {
+TEST_F(KeyframeReasons, AKeyframeThatLooksElsewhereIsNotNear) {
   Reference reference = row_of_keyframes(camera);
   reference.T_keyframe_world[2] = move(0, 0, 0, 2.0) * reference.T_keyframe_world[2];
   params.min_view_share = 0.3;
   EXPECT_NE(find_nearest_keyframe(camera, reference, move(2, 0, 0), params).id, 2);
 }
 
-TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
+TEST_F(KeyframeReasons, BackMeansNearerByHalfAndTheReferenceLeft) {
   EXPECT_TRUE(is_back({2, 3.0, 10.0}, 4, params));
   EXPECT_FALSE(is_back({2, 3.0, 10.0}, 2, params)) << "it is the reference";
   EXPECT_FALSE(is_back({2, 3.0, 5.0}, 4, params)) << "hardly nearer";
@@ -208,7 +212,7 @@ TEST_F(Decision, BackMeansNearerByHalfAndTheReferenceLeft) {
 
 // Nearest and reference are measured alike: standing at the reference, it is the nearest, and its flow is
 // that of the nearest.
-TEST_F(Decision, TheFlowOfTheReferenceIsMeasuredAsThatOfTheNearest) {
+TEST_F(KeyframeReasons, TheFlowOfTheReferenceIsMeasuredAsThatOfTheNearest) {
   params.min_view_share = 0.3;
   const NearestKeyframe nearest =
       find_nearest_keyframe(camera, row_of_keyframes(camera), move(0.2, 0, 0), params);
@@ -224,7 +228,7 @@ TrackResult tracked_at(const SE3& T_cam_ref) {
   return r;
 }
 
-class Policy : public Decision {
+class KeyframeActions : public KeyframeReasons {
  protected:
   Reference reference() const {
     Reference r;
@@ -235,16 +239,16 @@ class Policy : public Decision {
   KeyframePolicy policy{camera, params};
 };
 
-TEST_F(Policy, AnActionHasAReason) {
+TEST_F(KeyframeActions, AnActionHasAReason) {
   EXPECT_EQ(policy.decide(tracked_at(SE3()), reference(), false).action, KeyframeDecision::Action::kNone);
   EXPECT_FALSE(policy.follows_keyframe());
   const KeyframeDecision made = policy.decide(tracked_at(move(0, 0, -1.2)), reference(), false);
   EXPECT_EQ(made.action, KeyframeDecision::Action::kMake);
-  EXPECT_EQ(made.rule, "parallax");
+  EXPECT_EQ(made.reason, KeyframeReason::kParallax);
   EXPECT_TRUE(policy.follows_keyframe());
 }
 
-TEST_F(Policy, WaitsForTheMappingAndCounts) {
+TEST_F(KeyframeActions, WaitsForTheMappingAndCounts) {
   for (int i = 1; i <= 3; ++i) {
     EXPECT_EQ(policy.decide(tracked_at(move(0, 0, -1.2)), reference(), true).action,
               KeyframeDecision::Action::kPostpone);
@@ -255,13 +259,17 @@ TEST_F(Policy, WaitsForTheMappingAndCounts) {
   EXPECT_EQ(policy.postponed(), 0);
 }
 
-TEST_F(Policy, ReturnsToAnOlderKeyframe) {
+TEST_F(KeyframeActions, ReturnsToAnOlderKeyframe) {
   params.min_view_share = 0.3;
   KeyframePolicy by_share(camera, params);
   Reference row = row_of_keyframes(camera);
   const KeyframeDecision d = by_share.decide(tracked_at(move(2, 0, 0)), row, false);
   EXPECT_EQ(d.action, KeyframeDecision::Action::kReturn);
+  EXPECT_EQ(d.reason, KeyframeReason::kReturn);
   EXPECT_EQ(d.return_to, 2);
+  params.return_to_keyframes = false;
+  KeyframePolicy never(camera, params);
+  EXPECT_NE(never.decide(tracked_at(move(2, 0, 0)), row, false).action, KeyframeDecision::Action::kReturn);
 }
 
 }  // namespace

@@ -26,31 +26,38 @@ const Reference kInView = reference(1500, 0.6), kAway = reference(50, 0.03), kDa
 const TrackResult kExplained = with_matches(0.9), kUnexplained = with_matches(0.5);
 
 TEST(MapCoverage, AMapInViewIsInViewWhateverTheMatches) {
-  MapCoverage coverage;
+  MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kInView, kUnexplained), Event::kInView);
 }
 
 TEST(MapCoverage, BadLightIsNoTurn) {
-  MapCoverage coverage;
+  MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(coverage.look(kDark, kUnexplained), Event::kInView) << "few points, but they are in view";
 }
 
 TEST(MapCoverage, ATurnThatTheMapStillExplainsIsFollowed) {
-  MapCoverage coverage;
+  MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kAway, kExplained), std::nullopt);
 }
 
 TEST(MapCoverage, TwelveMoreUnexplainedFramesThanOthers) {
-  MapCoverage coverage;
+  MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 11; ++i) EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt) << i;
   EXPECT_EQ(coverage.look(kAway, kExplained), std::nullopt);
   EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt);
   EXPECT_EQ(coverage.look(kAway, with_matches(0.9, 1.5)), Event::kOutOfView) << "matched, but a pixel off";
 }
 
+TEST(MapCoverage, WithoutABootstrapTheMapIsNeverOutOfView) {
+  RecoveryParams params;
+  params.bootstrap_out_of_view = false;
+  MapCoverage coverage(params);
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt) << i;
+}
+
 TEST(MapCoverage, ALookAtTheMapForgets) {
-  MapCoverage coverage;
+  MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 20; ++i) (void)coverage.look(kAway, kUnexplained);
   EXPECT_EQ(coverage.look(kInView, kUnexplained), Event::kInView);
   EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt);

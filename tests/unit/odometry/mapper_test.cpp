@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "support/pose_matchers.h"
 #include "sweep_driver.h"
 
 namespace edgevo {
@@ -14,9 +15,8 @@ using test::Sweep;
 using test::sweep_pose;
 using test::SweepDriver;
 
-MappingParams params_with(const std::string& gauge) {
+MappingParams seven_keyframes() {
   MappingParams p;
-  p.window.gauge = gauge;
   p.window.keyframes = 7;
   return p;
 }
@@ -30,7 +30,7 @@ double step_scale(const SweepDriver& driver, const Keyframe& a, const Keyframe& 
 }
 
 TEST(Mapper, BuildsAMapFromABootstrap) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto reference = driver.mapper.reference();
   ASSERT_TRUE(reference);
@@ -42,25 +42,21 @@ TEST(Mapper, BuildsAMapFromABootstrap) {
   std::vector<double> relative;
   for (const CloudPoint& p : reference->cloud.points)
     relative.push_back(std::abs(p.idepth / Sweep::idepth(8, p.px.cast<double>()) - 1));
-  EXPECT_LT(test::median(relative), 0.05);
+  EXPECT_LT(median(relative), 0.05);
 }
 
 TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
   BootstrapResult bootstrap = test::true_bootstrap(0, 8);
   for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
     bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
-  Mapper mapper(Sweep::pinhole(), params_with("fixed"), AssociationParams(), false, 1);
+  Mapper mapper(Sweep::pinhole(), test::window_only(seven_keyframes()), {});
   EXPECT_NE(mapper.initialise(bootstrap), "");
   EXPECT_EQ(mapper.next_id(), 0);
   EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // and is none the worse for it
 }
 
-class MapperGauge : public ::testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Both, MapperGauge, ::testing::Values("fixed", "prior"),
-                         [](const auto& info) { return std::string(info.param); });
-
-TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
-  SweepDriver driver(params_with(GetParam()));
+TEST(Mapper, FifteenKeyframesKeepTheScale) {
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   int last_id = driver.mapper.next_id() - 1;
   std::vector<Keyframe> retired;
@@ -87,14 +83,13 @@ TEST_P(MapperGauge, FifteenKeyframesKeepTheScale) {
     EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
   // Where the run ends, after about 2.4 of way: within 5 %.
   const SE3 T_first_last = window.back().T_cam_world.inverse(), truth = sweep_pose(window.back().frame_index);
-  EXPECT_LT((T_first_last.translation() - truth.translation()).norm(), 0.12);
-  EXPECT_LT((T_first_last.inverse() * truth).angle(), 0.02);
+  EXPECT_THAT(T_first_last, test::SE3Near(truth, 0.12, 0.02));
 }
 
 // The fewer points the window lacks, the fewer candidates it makes.
 TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   const auto candidates = [](int max_points) {
-    MappingParams params = params_with("prior");
+    MappingParams params = seven_keyframes();
     params.window.max_points = max_points;
     params.depth_filter.cell_px = 4;
     SweepDriver driver(params);
@@ -111,27 +106,43 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
-// No point can be matched in as many keyframes as asked for: what keeps the map alive are points that are
-// lent to it.
-TEST(Mapper, AMapThatThinsOutIsLentPoints) {
-  MappingParams params = params_with("prior");
+// No point can be matched in as many keyframes as requested: tentative points keep the map alive.
+MappingParams params_of_a_sparse_map() {
+  MappingParams params = seven_keyframes();
   params.window.min_matches = 10;
+  return params;
+}
+
+TEST(Mapper, ASparseMapGetsTentativePoints) {
+  const MappingParams params = params_of_a_sparse_map();
   SweepDriver driver(params);
   ASSERT_EQ(driver.start(), "");
   for (int step = 1; step <= 15; ++step)
     driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
   EXPECT_GT(driver.mapper.reference()->known_points, 60);
-  // Of the last keyframe alone: earlier loans have been kept or given back.
-  const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, params.window.activation_cell_px);
-  int lent = 0;
+  // Of the last keyframe alone: earlier ones have been kept or demoted.
+  const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, kActivationCellPx);
+  int tentative = 0;
   for (const Keyframe& k : driver.mapper.window().keyframes())
-    for (const MapPoint& p : k.points) lent += p.lent;
-  EXPECT_GT(lent, 0);
-  EXPECT_LE(lent, grid.size() / 4);
+    for (const MapPoint& p : k.points) tentative += p.tentative;
+  EXPECT_GT(tentative, 0);
+  EXPECT_LE(tentative, grid.size() / 4);
+}
+
+TEST(Mapper, WithoutTentativePointsASparseMapGetsNone) {
+  MappingParams params = params_of_a_sparse_map();
+  params.window.use_tentative_points = false;
+  SweepDriver driver(params);
+  ASSERT_EQ(driver.start(), "");
+  const int before = driver.mapper.window().active_points();
+  driver.process(11, true);
+  EXPECT_LE(driver.mapper.window().active_points(), before);
+  for (const Keyframe& k : driver.mapper.window().keyframes())
+    for (const MapPoint& p : k.points) EXPECT_FALSE(p.tentative);
 }
 
 TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto before = driver.mapper.reference();
   const int id = before->keyframe_id;
@@ -147,7 +158,7 @@ TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
 }
 
 TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
   TrackedFrame late = driver.align(10, true);
@@ -158,7 +169,7 @@ TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
 }
 
 TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
-  SweepDriver driver(params_with("prior"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
   TrackedFrame frame = driver.align(12, true);
@@ -171,7 +182,7 @@ TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
 }
 
 TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const DepthFilterParams params;
@@ -185,7 +196,7 @@ TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
 }
 
 TEST(Mapper, ClosingRetiresEverything) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const size_t in_window = driver.mapper.window().keyframes().size();
@@ -201,7 +212,7 @@ TEST(Mapper, ClosingRetiresEverything) {
 }
 
 TEST(Mapper, TheUnitOfTheBootstrapStays) {
-  SweepDriver driver(params_with("fixed"));
+  SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(0, 8, 3.0), "");
   for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
   const auto& window = driver.mapper.window().keyframes();
@@ -210,7 +221,7 @@ TEST(Mapper, TheUnitOfTheBootstrapStays) {
 
 TEST(Mapper, TheSameSeedGivesTheSameMap) {
   const auto run = [](uint64_t seed) {
-    SweepDriver driver(params_with("fixed"), seed);
+    SweepDriver driver(seven_keyframes(), seed);
     EXPECT_EQ(driver.start(), "");
     for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
     std::vector<double> values;

@@ -13,7 +13,7 @@ namespace {
 // of length, not its own inverse depth.
 TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   RunRecords records(test::Sweep::pinhole());
-  records.begin_segment(0, test::true_bootstrap(0, 4), std::nullopt);
+  records.begin_segment(0, Sim3());
   Keyframe keyframe;
   keyframe.pyramid = test::Sweep::pyramid(0);
   MapPoint point;
@@ -21,11 +21,11 @@ TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   point.normal = {1, 0};
   point.idepth = 1e-3, point.idepth_sigma = 1e-4;
   keyframe.points = {point};
-  records.retire({keyframe}, 0);
+  records.map().retire({keyframe}, 0);
   RevisedKeyframe revised;
   revised.length_ratio = 2;
   revised.points = {{{100, 100}, 1e-6}};
-  records.revise({revised});
+  records.map().revise({revised});
   const edgevo::Run run = records.finish();
   ASSERT_EQ(run.keyframes.size(), 1u);
   const EdgePoint& moved = run.keyframes[0].points.at(0);
@@ -40,7 +40,7 @@ TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
   constexpr int kKeyframe = 7;
   const SE3 T_cam_ref(Eigen::Quaterniond::Identity(), {0, 0, -1});
   RunRecords records(test::Sweep::pinhole());
-  records.begin_segment(0, test::true_bootstrap(0, 4), std::nullopt);
+  records.begin_segment(0, Sim3());
   const auto track = [&](int index) {
     Frame frame;
     frame.index = index;
@@ -52,12 +52,12 @@ TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
   RevisedKeyframe revised;
   revised.id = kKeyframe;
   revised.length_ratio = 2;
-  records.revise({revised});
+  records.map().revise({revised});
   track(1);
   Keyframe keyframe;
   keyframe.id = kKeyframe, keyframe.frame_index = 100;
   keyframe.pyramid = test::Sweep::pyramid(0);
-  records.retire({keyframe}, 0);
+  records.map().retire({keyframe}, 0);
   const edgevo::Run run = records.finish();
   ASSERT_EQ(run.frames.size(), 2u);
   for (const int i : {0, 1}) {

@@ -9,11 +9,20 @@
 
 namespace edgevo::test {
 
+/// Parameters of a mapper that neither calibrates the camera nor makes lines.
+inline OdometryParams window_only(const MappingParams& mapping) {
+  OdometryParams params;
+  params.camera.refine = "none";
+  params.edge_map.mode = "off";
+  params.mapping = mapping;
+  return params;
+}
+
 /// Feeds frames of the sweep to a mapper: aligned to its reference, as the odometry does.
 class SweepDriver {
  public:
   SweepDriver(const MappingParams& params, uint64_t seed = 1)
-      : mapper(Sweep::pinhole(), params, AssociationParams(), false, seed) {}
+      : mapper(Sweep::pinhole(), window_only(params), {seed, false, {}}) {}
 
   std::string start(int first = 0, int last = 8, double unit = 1.0) {
     unit_ = unit;

@@ -145,7 +145,7 @@ TEST(MapView, TellsWhatWasLeftOut) {
 }
 
 TEST(MapView, HasThePointsOfTheMapFiles) {
-  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::SyntheticRun made = test::synthetic_run();
   const PointFilter filter;
   const std::vector<MapVertex> vertices = map_points(made.run, filter);
   EXPECT_EQ(int(vertices.size()), count_points(made.run, filter).kept);

@@ -36,7 +36,7 @@ RunInfo info_with_truth(const Run& run, const test::TempFolder& folder) {
 }
 
 TEST(RunReport, ComparesWithGroundTruth) {
-  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::SyntheticRun made = test::synthetic_run();
   const test::TempFolder folder;
   const RunInfo info = info_with_truth(made.run, folder);
   const std::string html = report_html({made.run, info, {}, {}, {}});
@@ -46,7 +46,7 @@ TEST(RunReport, ComparesWithGroundTruth) {
 }
 
 TEST(RunReport, ShowsTheErrorOverTimeAndTheDriftByLength) {
-  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::SyntheticRun made = test::synthetic_run();
   const test::TempFolder folder;
   const std::string html = report_html({made.run, info_with_truth(made.run, folder), {}, {}, {}});
   EXPECT_THAT(html, HasSubstr("distance from the truth, m over time"));
@@ -56,7 +56,7 @@ TEST(RunReport, ShowsTheErrorOverTimeAndTheDriftByLength) {
 }
 
 TEST(RunReport, ShowsTheMapInTheUnitOfItsPath) {
-  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::SyntheticRun made = test::synthetic_run();
   const test::TempFolder folder;
   const std::vector<MapVertex> points = map_points(made.run, PointFilter());
   const std::string plain = report_html({made.run, RunInfo(), {}, {}, {}, {}, points});
@@ -72,7 +72,7 @@ TEST(RunReport, ShowsTheMapInTheUnitOfItsPath) {
 }
 
 TEST(RunReport, LinksToItsSections) {
-  const testing::SyntheticRun made = testing::synthetic_run();
+  const test::SyntheticRun made = test::synthetic_run();
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
   for (const char* id :
        {"next", "trajectory", "space", "edges", "map", "states", "timing", "scale", "parameters"}) {
@@ -81,9 +81,9 @@ TEST(RunReport, LinksToItsSections) {
   }
 }
 
-TEST(RunReport, TellsWhichRulesCalledForKeyframes) {
-  testing::SyntheticRun made = testing::synthetic_run();
-  made.run.frames[5].keyframe_rule = "return";
+TEST(RunReport, TellsWhatCalledForKeyframes) {
+  test::SyntheticRun made = test::synthetic_run();
+  made.run.frames[5].keyframe_reason = KeyframeReason::kReturn;
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
   const std::string keyframes = std::to_string(made.run.keyframes.size());
   EXPECT_THAT(html, HasSubstr("<td>view leaves</td><td>" + keyframes + "</td><td>0</td>"));

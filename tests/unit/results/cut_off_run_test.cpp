@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/results/run_journal.h"
 #include "edgevo/results/run_params.h"
@@ -17,9 +17,9 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::content;
+using test::content;
+using test::lines_of;
 using ::testing::HasSubstr;
-using testing::lines_of;
 
 SE3 at(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
 
@@ -71,7 +71,7 @@ TEST(SettleFrames, ACorrectedCameraLeavesTheFirstPoseAtTheOrigin) {
   EXPECT_NEAR(cut_off.run.keyframes[1].T_world_cam.translation().x(), 9, 1e-12);
 }
 
-class CutOffRunTest : public WrittenRun {
+class CutOffRuns : public WrittenRun {
  protected:
   // The images and the journal of the first 40 frames, as a kill leaves them.
   void leave_half_a_run(const std::string& scale = "none") const {
@@ -85,7 +85,7 @@ class CutOffRunTest : public WrittenRun {
     RunJournal journal(folder_.string(), header);
     PlaybackWriter playback(folder_.string(), made_.camera);
     for (int i = 0; i < 40; ++i) {
-      playback.add_frame(testing::synthetic_frame(made_.camera, made_.run.frames[size_t(i)]));
+      playback.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[size_t(i)]));
       journal.add_frame(made_.run.frames[size_t(i)]);
     }
     SettledKeyframes settled;
@@ -94,7 +94,7 @@ class CutOffRunTest : public WrittenRun {
   }
 };
 
-TEST_F(CutOffRunTest, EveryFileOfARunIsWritten) {
+TEST_F(CutOffRuns, EveryFileOfARunIsWritten) {
   write(folder_, made_.run, made_.camera);
   const std::vector<std::string> whole = names_in(folder_.string());
   fs::remove_all(folder_);
@@ -115,7 +115,7 @@ TEST_F(CutOffRunTest, EveryFileOfARunIsWritten) {
               HasSubstr("no run was cut off here"));
 }
 
-TEST_F(CutOffRunTest, AGivenScaleIsApplied) {
+TEST_F(CutOffRuns, AGivenScaleIsApplied) {
   leave_half_a_run("factor=3");
   const edgevo::Run run = finish_cut_off_run(folder_.string());
   EXPECT_TRUE(run.is_metric());
@@ -123,7 +123,7 @@ TEST_F(CutOffRunTest, AGivenScaleIsApplied) {
               0.6, 0.01);
 }
 
-TEST_F(CutOffRunTest, TheNextRunMayTakeItsPlace) {
+TEST_F(CutOffRuns, TheNextRunMayTakeItsPlace) {
   leave_half_a_run();
   EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }), HasSubstr("edgevo finish"));
   finish_cut_off_run(folder_.string());

@@ -5,7 +5,7 @@
 
 #include "earlier_run.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/output_place.h"
+#include "edgevo/files/output_folder.h"
 #include "growing_file.h"
 #include "written_run.h"
 
@@ -13,11 +13,11 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::content;
+using test::content;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-class EarlierRunTest : public WrittenRun {
+class EarlierRuns : public WrittenRun {
  protected:
   // A metric run of a vehicle has two files more.
   edgevo::Run metric_run() const {
@@ -38,7 +38,7 @@ class EarlierRunTest : public WrittenRun {
   }
 };
 
-TEST_F(EarlierRunTest, ARunThatDoesNotBeginChangesNothing) {
+TEST_F(EarlierRuns, ARunThatDoesNotBeginChangesNothing) {
   write(folder_, made_.run, made_.camera);
   const std::vector<std::string> before = names_in(folder_.string());
   const std::string poses = trajectory();
@@ -49,7 +49,7 @@ TEST_F(EarlierRunTest, ARunThatDoesNotBeginChangesNothing) {
   EXPECT_FALSE(fs::exists(temp_ / "new"));
 }
 
-TEST_F(EarlierRunTest, NothingOfItIsLeftAfterTheNextRun) {
+TEST_F(EarlierRuns, NothingOfItIsLeftAfterTheNextRun) {
   write(folder_, metric_run(), made_.camera);
   ASSERT_TRUE(fs::exists(folder_ / "scale.csv"));
   write_file((folder_ / "my_notes.txt").string(), "by hand");
@@ -62,7 +62,7 @@ TEST_F(EarlierRunTest, NothingOfItIsLeftAfterTheNextRun) {
   EXPECT_EQ(content(folder_ / "my_notes.txt"), "by hand");
 }
 
-TEST_F(EarlierRunTest, ItIsKeptWhereTheNextRunHasNoPose) {
+TEST_F(EarlierRuns, ItIsKeptWhereTheNextRunHasNoPose) {
   write(folder_, made_.run, made_.camera);
   const std::string poses = trajectory();
   for (int again = 0; again < 2; ++again) {
@@ -75,7 +75,7 @@ TEST_F(EarlierRunTest, ItIsKeptWhereTheNextRunHasNoPose) {
   EXPECT_FALSE(fs::exists(folder_ / kEarlierRun));
 }
 
-TEST_F(EarlierRunTest, AFolderOfSomethingElseIsRefused) {
+TEST_F(EarlierRuns, AFolderOfSomethingElseIsRefused) {
   fs::create_directories(folder_);
   write_file((folder_ / "thesis.tex").string(), "years");
   write_file((folder_ / "summary.yaml").string(), "mine");
@@ -87,7 +87,7 @@ TEST_F(EarlierRunTest, AFolderOfSomethingElseIsRefused) {
   EXPECT_EQ(content(folder_ / "thesis.tex"), "years");
 }
 
-TEST_F(EarlierRunTest, ARunThatWasCutOffIsNotWrittenOver) {
+TEST_F(EarlierRuns, ARunThatWasCutOffIsNotWrittenOver) {
   fs::create_directories(folder_);
   write_file((folder_ / kRunJournal).string(), "what it had");
   EXPECT_THAT(
@@ -96,7 +96,7 @@ TEST_F(EarlierRunTest, ARunThatWasCutOffIsNotWrittenOver) {
   EXPECT_EQ(content(folder_ / kRunJournal), "what it had");
 }
 
-TEST_F(EarlierRunTest, TwoRunsDoNotWriteIntoOneFolder) {
+TEST_F(EarlierRuns, TwoRunsDoNotWriteIntoOneFolder) {
   fs::create_directories(folder_);
   GrowingFile journal;
   ASSERT_TRUE(journal.open((folder_ / kRunJournal).string()));

@@ -5,9 +5,9 @@
 #include <regex>
 #include <set>
 
+#include "edgevo/benchmark/bench_table.h"
+#include "edgevo/benchmark/trial.h"
 #include "edgevo/core/input_file.h"
-#include "edgevo/evaluation/bench_table.h"
-#include "edgevo/evaluation/trial.h"
 #include "edgevo/occupancy/line_table.h"
 #include "edgevo/results/run_files.h"
 #include "edgevo/results/run_text.h"
@@ -16,9 +16,9 @@
 namespace edgevo {
 namespace {
 
-using testing::cells_of;
-using testing::content;
-using testing::lines_of;
+using test::cells_of;
+using test::content;
+using test::lines_of;
 
 // Words of the page in backquotes; a table's row may name several in one pair.
 std::set<std::string> named_words(const std::string& page) {

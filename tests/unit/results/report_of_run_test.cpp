@@ -7,7 +7,7 @@
 namespace edgevo {
 namespace {
 
-using testing::content;
+using test::content;
 using ::testing::HasSubstr;
 
 using ReportOfRun = WrittenRun;

@@ -21,7 +21,7 @@ TEST(RunFolder, OneFailureDoesNotKeepTheOthersFromBeingTried) {
   folder.attempt("a", [](const std::string&) { throw std::runtime_error("a call\nits stack"); });
   folder.attempt("b", [](const std::string& path) { write_file(path, "b"); });
   folder.attempt("c", [](const std::string& path) { throw InputError(path, "is not to be", "leave it"); });
-  EXPECT_EQ(testing::content(folder.path_of("b")), "b");
+  EXPECT_EQ(test::content(folder.path_of("b")), "b");
   EXPECT_THAT(folder.not_written(), ElementsAre("a", "c"));
   try {
     folder.tell_failures();

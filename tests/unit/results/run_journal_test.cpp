@@ -14,14 +14,14 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::content;
+using test::content;
 using ::testing::HasSubstr;
 
 constexpr int kSettleLater = 6;  // keyframes that are still in the window
 
-class RunJournalTest : public WrittenRun {
+class RunJournals : public WrittenRun {
  protected:
-  RunJournalTest() { fs::create_directories(folder_); }
+  RunJournals() { fs::create_directories(folder_); }
 
   static EdgeLine some_line() {
     EdgeLine line;
@@ -66,7 +66,7 @@ class RunJournalTest : public WrittenRun {
   }
 };
 
-TEST_F(RunJournalTest, GivesEverythingBack) {
+TEST_F(RunJournals, GivesEverythingBack) {
   {
     RunJournal journal(folder_.string(), header());
     write_all(&journal);
@@ -92,7 +92,7 @@ TEST_F(RunJournalTest, GivesEverythingBack) {
   EXPECT_EQ(content(temp_ / "read.ply"), content(temp_ / "written.ply"));
 }
 
-TEST_F(RunJournalTest, PosesThatABootstrapFoundLaterAreInIt) {
+TEST_F(RunJournals, PosesThatABootstrapFoundLaterAreInIt) {
   RunJournal journal(folder_.string(), header());
   std::vector<FrameRecord> frames(made_.run.frames.begin(), made_.run.frames.begin() + 6);
   for (FrameRecord& f : frames) f.T_world_cam_live = std::nullopt;
@@ -104,7 +104,7 @@ TEST_F(RunJournalTest, PosesThatABootstrapFoundLaterAreInIt) {
   EXPECT_EQ(so_far().frames[3].T_world_cam_live->translation().z(), 3);
 }
 
-TEST_F(RunJournalTest, GivesTheLatencyOfAFrameBack) {
+TEST_F(RunJournals, GivesTheLatencyOfAFrameBack) {
   FrameRecord frame = made_.run.frames[5];
   frame.latency_ms = 12.5;
   RunJournal journal(folder_.string(), header());
@@ -116,7 +116,7 @@ TEST_F(RunJournalTest, GivesTheLatencyOfAFrameBack) {
   EXPECT_FALSE(back.frames[1].latency_ms);
 }
 
-TEST_F(RunJournalTest, GivesTheLinesOfAKeyframeBack) {
+TEST_F(RunJournals, GivesTheLinesOfAKeyframeBack) {
   SettledKeyframes settled;
   settled.keyframes = {made_.run.keyframes[0]};
   settled.keyframes[0].lines = {some_line()};
@@ -130,7 +130,7 @@ TEST_F(RunJournalTest, GivesTheLinesOfAKeyframeBack) {
   EXPECT_FALSE(line.is_straight);
 }
 
-TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
+TEST_F(RunJournals, ACorrectedCameraMovesAllKeyframesOrNone) {
   SettledKeyframes settled;
   settled.keyframes = {made_.run.keyframes[0], made_.run.keyframes[1]};
   {
@@ -152,7 +152,7 @@ TEST_F(RunJournalTest, ACorrectedCameraMovesAllKeyframesOrNone) {
   EXPECT_EQ(read().run.keyframes.size(), 2u);
 }
 
-TEST_F(RunJournalTest, TheWindowFollowsTheSettledKeyframes) {
+TEST_F(RunJournals, TheWindowFollowsTheSettledKeyframes) {
   const auto& made = made_.run.keyframes;
   RunJournal journal(folder_.string(), header());
   journal.add_keyframes({0, {made[0], made[1]}});
@@ -171,7 +171,7 @@ TEST_F(RunJournalTest, TheWindowFollowsTheSettledKeyframes) {
   EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-TEST_F(RunJournalTest, AWindowOfBeforeACorrectionIsNotMixedWithOneOfAfterIt) {
+TEST_F(RunJournals, AWindowOfBeforeACorrectionIsNotMixedWithOneOfAfterIt) {
   const auto& made = made_.run.keyframes;
   RunJournal journal(folder_.string(), header());
   journal.add_keyframes({0, {made[0]}});
@@ -185,7 +185,7 @@ TEST_F(RunJournalTest, AWindowOfBeforeACorrectionIsNotMixedWithOneOfAfterIt) {
   EXPECT_EQ(so_far().keyframes.size(), 3u);
 }
 
-TEST_F(RunJournalTest, AWindowThatIsNotWholeCostsTheWindowOnly) {
+TEST_F(RunJournals, AWindowThatIsNotWholeCostsTheWindowOnly) {
   RunJournal journal(folder_.string(), header());
   journal.add_keyframes({0, {made_.run.keyframes[0]}});
   journal.add_window({0, 1, {made_.run.keyframes[1]}});
@@ -196,7 +196,7 @@ TEST_F(RunJournalTest, AWindowThatIsNotWholeCostsTheWindowOnly) {
   }
 }
 
-TEST_F(RunJournalTest, EndsAnywhereAndIsReadUpToThere) {
+TEST_F(RunJournals, EndsAnywhereAndIsReadUpToThere) {
   {
     RunJournal journal(folder_.string(), header());
     write_all(&journal);
@@ -213,7 +213,7 @@ TEST_F(RunJournalTest, EndsAnywhereAndIsReadUpToThere) {
   EXPECT_GE(frames, made_.run.frames.size() - 1);
 }
 
-TEST_F(RunJournalTest, DamageEndsItAndIsNeverTakenForAFrame) {
+TEST_F(RunJournals, DamageEndsItAndIsNeverTakenForAFrame) {
   {
     RunJournal journal(folder_.string(), header());
     write_all(&journal);
@@ -236,7 +236,7 @@ TEST_F(RunJournalTest, DamageEndsItAndIsNeverTakenForAFrame) {
   EXPECT_LT(refused, 30);
 }
 
-TEST_F(RunJournalTest, WhatIsNoneIsRefused) {
+TEST_F(RunJournals, WhatIsNoneIsRefused) {
   EXPECT_THAT(message_of([&] { read(); }), HasSubstr("no run was cut off here"));
   put("a letter");
   EXPECT_THAT(message_of([&] { read(); }), HasSubstr("is not whole, or of another version"));
@@ -245,7 +245,7 @@ TEST_F(RunJournalTest, WhatIsNoneIsRefused) {
   EXPECT_THAT(message_of([&] { RunJournal(folder_.string(), header()); }), HasSubstr("cannot be written"));
 }
 
-TEST_F(RunJournalTest, AFullDiskEndsTheJournalNotTheRun) {
+TEST_F(RunJournals, AFullDiskEndsTheJournalNotTheRun) {
   fs::create_symlink("/dev/full", folder_ / kRunJournal);
   RunJournal journal(folder_.string(), header());
   write_all(&journal);

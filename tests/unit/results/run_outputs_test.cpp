@@ -22,12 +22,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using mrpt::containers::yaml;
-using testing::content;
+using test::content;
+using test::lines_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::lines_of;
 
-using RunOutputsTest = WrittenRun;
+using RunOutputFolder = WrittenRun;
 
 const char* const kFiles[] = {"trajectory_tum.txt",
                               "trajectory_live_tum.txt",
@@ -44,7 +44,7 @@ const char* const kFiles[] = {"trajectory_tum.txt",
 
 // A file that nobody lists is one that nobody owns; one that is listed and not in the README is one that
 // nobody finds.
-TEST_F(RunOutputsTest, TheListNamesEveryFileThatIsThereAndTheReadmeThoseOfTheList) {
+TEST_F(RunOutputFolder, TheListNamesEveryFileThatIsThereAndTheReadmeThoseOfTheList) {
   write(folder_, made_.run, made_.camera);
   std::set<std::string> listed, written;
   for (const RunFile& file : run_files()) listed.insert(file.name);
@@ -57,13 +57,13 @@ TEST_F(RunOutputsTest, TheListNamesEveryFileThatIsThereAndTheReadmeThoseOfTheLis
     EXPECT_THAT(readme, HasSubstr('`' + name)) << "the table of a run's files";
 }
 
-TEST_F(RunOutputsTest, WritesEveryFile) {
+TEST_F(RunOutputFolder, WritesEveryFile) {
   write(folder_ / "new/parents", made_.run, made_.camera);
   for (const char* file : kFiles) EXPECT_GT(content(folder_ / "new/parents" / file).size(), 100u) << file;
   EXPECT_TRUE(fs::exists(folder_ / "new/parents/playback_Images/frame_000044.png"));
 }
 
-TEST_F(RunOutputsTest, SameRunSameBytes) {
+TEST_F(RunOutputFolder, SameRunSameBytes) {
   write(folder_ / "a", made_.run, made_.camera);
   write(folder_ / "b", made_.run, made_.camera);
   for (const char* file : kFiles) {
@@ -72,7 +72,7 @@ TEST_F(RunOutputsTest, SameRunSameBytes) {
   }
 }
 
-TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
+TEST_F(RunOutputFolder, EmptyRunIsWrittenWithANote) {
   edgevo::Run run;
   run.pinhole = made_.run.pinhole;
   write(folder_, run, made_.camera);
@@ -81,10 +81,10 @@ TEST_F(RunOutputsTest, EmptyRunIsWrittenWithANote) {
   EXPECT_THAT(s["map"]["note"].as<std::string>(), HasSubstr("valid but empty"));
 }
 
-TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
+TEST_F(RunOutputFolder, OneFullFileIsToldAndTheOthersAreWritten) {
   RunOutputs outputs(folder_.string(), made_.camera, {});
   for (const FrameRecord& frame : made_.run.frames)
-    ASSERT_TRUE(outputs.add_frame(testing::synthetic_frame(made_.camera, frame)));
+    ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, frame)));
   fs::create_symlink("/dev/full", folder_ / "frames.csv");
   EXPECT_EQ(message_of([&] { outputs.finish(made_.run, {}); }),
             (folder_ / "frames.csv").string() +
@@ -99,13 +99,13 @@ TEST_F(RunOutputsTest, OneFullFileIsToldAndTheOthersAreWritten) {
   }
 }
 
-TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
+TEST_F(RunOutputFolder, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
   RunOutputs outputs(folder_.string(), made_.camera, {});
-  ASSERT_TRUE(outputs.add_frame(testing::synthetic_frame(made_.camera, made_.run.frames[0])));
+  ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[0])));
   fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
   int added = 0;
   for (const FrameRecord& frame : made_.run.frames) {
-    if (!outputs.add_frame(testing::synthetic_frame(made_.camera, frame))) break;
+    if (!outputs.add_frame(test::synthetic_frame(made_.camera, frame))) break;
     ++added;
   }
   EXPECT_EQ(added, 3);
@@ -115,13 +115,13 @@ TEST_F(RunOutputsTest, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
   EXPECT_GT(content(folder_ / "playback.rawlog").size(), 1000u);
 }
 
-TEST_F(RunOutputsTest, OutputFolderThatIsAFileIsRefused) {
+TEST_F(RunOutputFolder, OutputFolderThatIsAFileIsRefused) {
   std::ofstream(folder_) << "a file";
   EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, {}); }), HasSubstr("is a file"));
   EXPECT_EQ(content(folder_), "a file");
 }
 
-TEST_F(RunOutputsTest, WrongOccupancyParametersAreToldBeforeTheRun) {
+TEST_F(RunOutputFolder, WrongOccupancyParametersAreToldBeforeTheRun) {
   MapParams map;
   map.occupancy.resolution = "fine";
   EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, map); }),
@@ -130,7 +130,7 @@ TEST_F(RunOutputsTest, WrongOccupancyParametersAreToldBeforeTheRun) {
 }
 
 // A small file system: the images fill it, and yet the text files have their room. Needs the right to mount.
-TEST_F(RunOutputsTest, FullFileSystemKeepsWhatFitted) {
+TEST_F(RunOutputFolder, FullFileSystemKeepsWhatFitted) {
   fs::create_directories(folder_);
   if (mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=6500k") != 0)
     GTEST_SKIP() << "NOT TESTED: a full file system (mount refused: " << std::strerror(errno)

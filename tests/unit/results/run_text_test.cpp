@@ -9,16 +9,16 @@
 namespace edgevo {
 namespace {
 
-using testing::cells_of;
-using testing::lines_of;
+using test::cells_of;
+using test::lines_of;
 using ::testing::StartsWith;
 
-class RunTextTest : public ::testing::Test {
+class RunText : public ::testing::Test {
  protected:
-  const testing::SyntheticRun made_ = testing::synthetic_run();
+  const test::SyntheticRun made_ = test::synthetic_run();
 };
 
-TEST_F(RunTextTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
+TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
   const auto rows = lines_of(frames_csv(made_.run));
   ASSERT_EQ(rows.size(), 46u);
   EXPECT_EQ(rows[0],
@@ -33,7 +33,7 @@ TEST_F(RunTextTest, FramesCsvHasARowForEveryFrameAndTimesLast) {
   for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 14u) << row;
 }
 
-TEST_F(RunTextTest, TumTrajectoriesHoldTheFramesThatHavePoses) {
+TEST_F(RunText, TumTrajectoriesHoldTheFramesThatHavePoses) {
   const auto final_lines = lines_of(trajectory_tum(made_.run, PoseKind::kFinal));
   const auto live_lines = lines_of(trajectory_tum(made_.run, PoseKind::kLive));
   EXPECT_EQ(final_lines.size(), 4u + 40);
@@ -45,7 +45,7 @@ TEST_F(RunTextTest, TumTrajectoriesHoldTheFramesThatHavePoses) {
             "1.000000000");
 }
 
-TEST_F(RunTextTest, TumQuaternionsHaveAPositiveW) {
+TEST_F(RunText, TumQuaternionsHaveAPositiveW) {
   edgevo::Run run;
   run.frames.resize(1);
   run.frames[0].T_world_cam = SE3(Eigen::Quaterniond(-0.8, 0.6, 0, 0), Eigen::Vector3d(1, -2, 3));
@@ -54,7 +54,7 @@ TEST_F(RunTextTest, TumQuaternionsHaveAPositiveW) {
       "0.0000000 1.000000000 -2.000000000 3.000000000 -0.600000000 0.000000000 0.000000000 0.800000000");
 }
 
-TEST_F(RunTextTest, KittiTrajectoryStandsStillWhereThereIsNoPose) {
+TEST_F(RunText, KittiTrajectoryStandsStillWhereThereIsNoPose) {
   const auto rows = lines_of(trajectory_kitti(made_.run));
   ASSERT_EQ(rows.size(), 45u);
   for (int i = 20; i < 25; ++i) EXPECT_EQ(rows[size_t(i)], rows[19]);

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <mrpt/containers/yaml.h>
 
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/drive/keeping_up.h"
-#include "edgevo/report/latency_figures.h"
 #include "edgevo/results/run_text.h"
 #include "edgevo/results/yaml_writer.h"
 #include "written_run.h"
@@ -12,14 +12,14 @@ namespace edgevo {
 namespace {
 
 using mrpt::containers::yaml;
-using testing::cells_of;
-using testing::content;
+using test::cells_of;
+using test::content;
+using test::lines_of;
 using ::testing::HasSubstr;
-using testing::lines_of;
 
-using SummaryTest = WrittenRun;
+using Summary = WrittenRun;
 
-TEST_F(SummaryTest, SummaryIsYamlWithTheCounts) {
+TEST_F(Summary, SummaryIsYamlWithTheCounts) {
   write(folder_, made_.run, made_.camera);
   const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
   EXPECT_EQ(s["command"].as<std::string>(), "edgevo run a \"quoted\" folder");
@@ -64,7 +64,7 @@ edgevo::Run kept_up(edgevo::Run run) {
   return run;
 }
 
-TEST_F(SummaryTest, LatencyOfARealtimeRun) {
+TEST_F(Summary, LatencyOfARealtimeRun) {
   const edgevo::Run run = kept_up(made_.run);
   write(folder_, run, made_.camera);
   const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
@@ -86,7 +86,7 @@ TEST_F(SummaryTest, LatencyOfARealtimeRun) {
               HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames handed over late, 1 dropped"));
 }
 
-TEST_F(SummaryTest, ASynchronousRunHasNoLatency) {
+TEST_F(Summary, ASynchronousRunHasNoLatency) {
   EXPECT_EQ(latency_statement(made_.run), "");
   EXPECT_FALSE(latency_figures(made_.run));
   write(folder_, made_.run, made_.camera);

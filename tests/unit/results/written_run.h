@@ -19,7 +19,7 @@ class WrittenRun : public ::testing::Test {
   static void write(const std::filesystem::path& folder, const edgevo::Run& run, const Camera& camera) {
     RunOutputs outputs(folder.string(), camera, {});
     for (const FrameRecord& frame : run.frames)
-      if (!outputs.add_frame(testing::synthetic_frame(camera, frame))) break;
+      if (!outputs.add_frame(test::synthetic_frame(camera, frame))) break;
     RunInfo info;
     info.command_line = {"edgevo", "run", "a \"quoted\" folder"};
     info.source_kind = "synthetic";
@@ -39,7 +39,7 @@ class WrittenRun : public ::testing::Test {
 
   test::TempFolder temp_;
   const std::filesystem::path folder_ = temp_ / "out";  // not there yet
-  const testing::SyntheticRun made_ = testing::synthetic_run();
+  const test::SyntheticRun made_ = test::synthetic_run();
 };
 
 }  // namespace edgevo

@@ -6,9 +6,9 @@
 namespace edgevo {
 namespace {
 
-using testing::drive_over_ground;
-using testing::GroundDrive;
-using testing::MadeRun;
+using test::drive_over_ground;
+using test::GroundDrive;
+using test::MadeRun;
 
 const ScaleSource kHeight{ScaleSource::Kind::kCameraHeight, 1.65, "camera_height=1.65"};
 
@@ -25,7 +25,7 @@ double true_length(const MadeRun& made) { return 0.5 * double(made.truth.size() 
 TEST(CameraHeight, LengthsComeOutInMetres) {
   const MadeRun made = in_metres({});
   EXPECT_TRUE(made.run.is_metric());
-  EXPECT_NEAR(testing::length_of(made.run), true_length(made), 0.01 * true_length(made));
+  EXPECT_NEAR(test::length_of(made.run), true_length(made), 0.01 * true_length(made));
   EXPECT_LT(std::abs(made.run.scale.factor / 2 - 1), 3 * made.run.scale.sigma);
   EXPECT_LT(made.run.scale.sigma, 0.03);
 }
@@ -43,7 +43,7 @@ TEST(CameraHeight, DriftIsTakenOutWhereItAroseInPosesAndPoints) {
   GroundDrive drive;
   drive.metres_per_unit_begin = 1.8, drive.metres_per_unit_end = 2.3;
   const MadeRun made = in_metres(drive);
-  EXPECT_LT(testing::largest_error(made.run, made.truth), 0.02 * true_length(made));
+  EXPECT_LT(test::largest_error(made.run, made.truth), 0.02 * true_length(made));
   for (const size_t k : {size_t(0), made.run.keyframes.size() - 1}) {
     const KeyframeRecord& keyframe = made.run.keyframes[k];
     const auto& frame = *made.run.frames[size_t(keyframe.frame_index)].T_world_cam;

@@ -6,7 +6,7 @@
 
 #include "edgevo/core/records.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 struct GroundDrive {
   int frames = 300;
@@ -104,4 +104,4 @@ inline double largest_error(const Run& run, const std::vector<SE3>& truth) {
   return largest;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

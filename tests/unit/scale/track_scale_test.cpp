@@ -6,9 +6,9 @@
 namespace edgevo {
 namespace {
 
-using testing::drive_over_ground;
-using testing::GroundDrive;
-using testing::MadeRun;
+using test::drive_over_ground;
+using test::GroundDrive;
+using test::MadeRun;
 
 const ScaleSource kOdometry{ScaleSource::Kind::kOdometry, 0, "odometry"};
 
@@ -48,12 +48,12 @@ MadeRun in_metres(const GroundDrive& drive, const TrackNoise& noise) {
 TEST(TrackScale, ExactTrackGivesTheExactScale) {
   const MadeRun made = in_metres({}, {});
   EXPECT_NEAR(made.run.scale.factor, 2, 1e-6);
-  EXPECT_LT(testing::largest_error(made.run, made.truth), 1e-3);
+  EXPECT_LT(test::largest_error(made.run, made.truth), 1e-3);
 }
 
 TEST(TrackScale, StepsWithTwoPercentOfNoise) {
   const MadeRun made = in_metres({}, {0.02, 0, 1});
-  EXPECT_NEAR(testing::length_of(made.run), 149.5, 0.01 * 149.5);
+  EXPECT_NEAR(test::length_of(made.run), 149.5, 0.01 * 149.5);
   EXPECT_LT(std::abs(made.run.scale.factor / 2 - 1), 3 * made.run.scale.sigma + 1e-3);
 }
 
@@ -61,7 +61,7 @@ TEST(TrackScale, GpsOfOneMetreAndADrift) {
   GroundDrive drive;
   drive.metres_per_unit_begin = 1.9, drive.metres_per_unit_end = 2.1;
   const MadeRun made = in_metres(drive, {0, 1.0, 2});
-  EXPECT_NEAR(testing::length_of(made.run), 149.5, 0.02 * 149.5);
+  EXPECT_NEAR(test::length_of(made.run), 149.5, 0.02 * 149.5);
   EXPECT_GT(made.run.scale.sigma, 0.001);
 }
 

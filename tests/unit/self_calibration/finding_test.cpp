@@ -14,7 +14,7 @@ State state_after(State before, double estimate, double sigma) {
   return weigh(before, estimate, 0, sigma, kCriteria).state;
 }
 
-TEST(Weigh, TellsFourStatesApart) {
+TEST(WeighFinding, TellsFourStatesApart) {
   EXPECT_EQ(state_after(State::kTooEarly, 0.02, 0.005), State::kNotObservable);
   EXPECT_EQ(state_after(State::kTooEarly, 0.002, 0.001), State::kInsignificant);
   EXPECT_EQ(state_after(State::kTooEarly, 0.03, 0.001), State::kAtLimit);
@@ -22,7 +22,7 @@ TEST(Weigh, TellsFourStatesApart) {
 }
 
 // Applied, it takes an estimate that can be trusted and says "none" to take it back.
-TEST(Weigh, WhatIsAppliedStays) {
+TEST(WeighFinding, WhatIsAppliedStays) {
   EXPECT_EQ(state_after(State::kApplied, 0.002, 0.001),
             State::kApplied);                                             // 2 sigma: not enough to begin with
   EXPECT_EQ(state_after(State::kApplied, 0.02, 0.005), State::kApplied);  // not observed this time
@@ -31,20 +31,18 @@ TEST(Weigh, WhatIsAppliedStays) {
   EXPECT_EQ(state_after(State::kApplied, 0.001, 0.001), State::kInsignificant);
 }
 
-TEST(Weigh, AsksHowFarTheFilesNumberIs) {
+TEST(WeighFinding, AsksHowFarTheFilesNumberIs) {
   EXPECT_EQ(weigh(State::kTooEarly, 0.02, 0.019, 0.001, kCriteria).state, State::kInsignificant);
 }
 
 // Matches are biased alike however many there are of them: a formal deviation of next to nothing is not
 // believed.
-TEST(Sigmas, BiasedMatchesAddToThem) {
-  SelfCalibrationParams p;
-  p.model_sigma = 0.003, p.readout_model_sigma = 0.004;
-  EXPECT_DOUBLE_EQ(k1_sigma(0, p, 30), 0.003);
-  EXPECT_DOUBLE_EQ(k1_sigma(0, p, 120), 0.003 / 4);
-  EXPECT_DOUBLE_EQ(k1_sigma(0.004, p, 30), 0.005);
-  EXPECT_DOUBLE_EQ(readout_sigma(0, p, 30), 0.004);
-  EXPECT_DOUBLE_EQ(readout_sigma(0, p, 120), 0.004 / 2);
+TEST(FindingSigmas, BiasedMatchesAddToThem) {
+  EXPECT_DOUBLE_EQ(k1_sigma(0, 30), 0.004);
+  EXPECT_DOUBLE_EQ(k1_sigma(0, 120), 0.004 / 4);
+  EXPECT_DOUBLE_EQ(k1_sigma(0.003, 30), 0.005);
+  EXPECT_DOUBLE_EQ(readout_sigma(0, 30), 0.0015);
+  EXPECT_DOUBLE_EQ(readout_sigma(0, 120), 0.0015 / 2);
 }
 
 }  // namespace

@@ -5,23 +5,24 @@
 #include <gtest/gtest.h>
 
 #include "support/bundle_adjustment_scene.h"
+#include "support/numerical_jacobian.h"
 
 namespace edgevo {
 namespace {
 
 CameraProblem camera_scene(uint64_t seed) {
-  ba_scene::SceneOptions o;
+  test::SceneOptions o;
   o.noise_px = 0.1;
   o.share_2d = 0.3;
   o.fixed_point_share = 0.1;
   o.seed = seed;
   CameraProblem problem;
-  problem.file = ba_scene::make_scene(o);
+  problem.file = test::make_scene(o);
   for (const BaPoint& p : problem.file.points) problem.px_host.push_back(problem.file.pinhole.project(p.ray));
   Random random(seed + 100);
   for (size_t i = 0; i < problem.file.poses.size(); ++i) {
     ImageMotion motion;
-    motion.velocity = ba_scene::random_tangent(&random, 1, 0.3);
+    motion.velocity = test::random_tangent(&random, 1, 0.3);
     motion.idepth.setConstant(0.1);
     problem.motion.push_back(motion);
   }
@@ -30,7 +31,7 @@ CameraProblem camera_scene(uint64_t seed) {
 
 double profile_cost(const CameraProblem& problem, const ba::Unknowns& k, BaProblem* solution) {
   *solution = corrected(problem, correction(k));
-  return make_bundle_adjuster("schur")->solve(solution, ba_scene::to_the_end()).final_cost;
+  return make_bundle_adjuster("schur")->solve(solution, test::to_the_end()).final_cost;
 }
 
 TEST(ProfileCost, GradientIsTheNumericOne) {
@@ -40,16 +41,14 @@ TEST(ProfileCost, GradientIsTheNumericOne) {
     BaProblem solution, unused;
     profile_cost(problem, k, &solution);
     const ba::ProfileStep s =
-        ba::profile_step(solution, camera_derivative(problem, correction(k)), ba_scene::to_the_end());
+        ba::profile_step(solution, camera_derivative(problem, correction(k)), test::to_the_end());
     ASSERT_TRUE(s.usable);
-    for (int i = 0; i < ba::kUnknowns; ++i) {
-      const ba::Unknowns step = 1e-4 * ba::Unknowns::Unit(i);
-      const double numeric =
-          (profile_cost(problem, k + step, &unused) - profile_cost(problem, k - step, &unused)) / 2e-4;
-      // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in
-      // the residual.
-      EXPECT_NEAR(s.gradient[i], numeric, 0.02 * std::abs(numeric)) << i;
-    }
+    const auto cost = [&](const ba::Unknowns& d) { return profile_cost(problem, k + d, &unused); };
+    const auto numeric = test::numerical_jacobian<ba::kUnknowns>(cost);
+    // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in
+    // the residual.
+    for (int i = 0; i < ba::kUnknowns; ++i)
+      EXPECT_NEAR(s.gradient[i], numeric(0, i), 0.02 * std::abs(numeric(0, i))) << i;
   }
 }
 
@@ -57,7 +56,7 @@ TEST(ProfileCost, RatesPredictTheNextSolution) {
   const CameraProblem problem = camera_scene(4);
   BaProblem here, there;
   profile_cost(problem, {0, 0}, &here);
-  const ba::ProfileStep s = ba::profile_step(here, camera_derivative(problem, {}), ba_scene::to_the_end());
+  const ba::ProfileStep s = ba::profile_step(here, camera_derivative(problem, {}), test::to_the_end());
   for (const ba::Unknowns& change :
        {ba::Unknowns(1e-3, 0), ba::Unknowns(0, 1e-3), ba::Unknowns(1e-3, -1e-3)}) {
     profile_cost(problem, change, &there);
@@ -65,7 +64,7 @@ TEST(ProfileCost, RatesPredictTheNextSolution) {
     const Eigen::VectorXd moved = s.pose_rate * change;
     for (size_t i = 0; i < here.poses.size(); ++i)
       predicted.poses[i].T_cam_world = SE3::exp(moved.segment<6>(6 * i)) * here.poses[i].T_cam_world;
-    EXPECT_LT(ba_scene::pose_difference(predicted, there), 0.1 * ba_scene::pose_difference(here, there))
+    EXPECT_LT(test::pose_difference(predicted, there), 0.1 * test::pose_difference(here, there))
         << change.transpose();
   }
 }
@@ -77,7 +76,7 @@ CameraEstimate estimate(const CameraProblem& problem, bool k1, bool readout,
   search.free << k1, readout;
   search.prior_sigma << 1e3, 1e3;
   search.limit << 0.1, 0.1;
-  return estimate_camera(problem, search, ba_scene::to_the_end());
+  return estimate_camera(problem, search, test::to_the_end());
 }
 
 TEST(ProfileCost, NewtonFindsTheMinimum) {

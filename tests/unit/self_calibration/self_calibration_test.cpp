@@ -22,7 +22,7 @@ struct DriveOptions {
 // A drive with gentle turns through points on both sides. Points are hosted by keyframes and matched, along
 // random normals, in the keyframes around. Estimates stand where a window would leave them: near the truth.
 std::vector<Keyframe> make_drive(const DriveOptions& o) {
-  const Pinhole camera = ba_scene::pinhole();
+  const Pinhole camera = test::pinhole();
   Random random(o.seed);
   std::vector<SE3> T_world_cam(o.keyframes);
   for (int i = 1; i < o.keyframes; ++i) {
@@ -84,7 +84,7 @@ struct Outcome {
 Outcome calibrate(const DriveOptions& o, const SelfCalibrationParams& params = {}) {
   Outcome out;
   out.drive = make_drive(o);
-  SelfCalibration calibration(ba_scene::pinhole(), params);
+  SelfCalibration calibration(test::pinhole(), params);
   const size_t first_of_window = out.drive.size() - 12;
   for (size_t i = 0; i < first_of_window; ++i) calibration.remember(out.drive[i]);
   std::vector<const Keyframe*> window;
@@ -133,6 +133,14 @@ TEST(SelfCalibration, FindsARollingShutter) {
     }
 }
 
+TEST(SelfCalibration, WithoutOverRelaxationTheEstimateIsApplied) {
+  DriveOptions o;
+  o.readout_s = 0.02;
+  SelfCalibrationParams params;
+  params.over_relax_readout = false;
+  EXPECT_NEAR(calibrate(o, params).state.shutter.readout_s, 0.02, 0.001);
+}
+
 // From few keyframes, long before k1 is looked for.
 TEST(SelfCalibration, ARollingShutterShowsEarly) {
   DriveOptions o;
@@ -170,7 +178,7 @@ TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
   rolling.keyframes = 14, rolling.readout_s = 0.02;
   still.keyframes = 60;
   const std::vector<Keyframe> mistaken = make_drive(rolling);
-  SelfCalibration calibration(ba_scene::pinhole(), {});
+  SelfCalibration calibration(test::pinhole(), {});
   ASSERT_TRUE(calibration.estimate(range(mistaken, 0, mistaken.size()), BaOptions(), true));
   const ImageCorrection mistake = calibration.state().correction();
   ASSERT_GT(mistake.readout_s, 0.015);
@@ -178,9 +186,9 @@ TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
   std::vector<Keyframe> drive = make_drive(still);
   for (Keyframe& k : drive)
     for (MapPoint& p : k.points) {
-      p.px = correct_pixel(ba_scene::pinhole(), {}, mistake, k.motion, p.px);
+      p.px = correct_pixel(test::pinhole(), {}, mistake, k.motion, p.px);
       for (Observation& seen : p.observations)
-        seen.match.px = correct_pixel(ba_scene::pinhole(), {}, mistake,
+        seen.match.px = correct_pixel(test::pinhole(), {}, mistake,
                                       drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
     }
   const auto revision = calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
@@ -201,12 +209,12 @@ TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
   const ImageCorrection none, applied{0, params.readout_s};
   for (Keyframe& k : drive)
     for (MapPoint& p : k.points) {
-      p.px = correct_pixel(ba_scene::pinhole(), none, applied, k.motion, p.px);
+      p.px = correct_pixel(test::pinhole(), none, applied, k.motion, p.px);
       for (Observation& seen : p.observations)
-        seen.match.px = correct_pixel(ba_scene::pinhole(), none, applied,
+        seen.match.px = correct_pixel(test::pinhole(), none, applied,
                                       drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
     }
-  SelfCalibration calibration(ba_scene::pinhole(), params);
+  SelfCalibration calibration(test::pinhole(), params);
   calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
   EXPECT_NEAR(calibration.state().shutter.estimate, 0.02, 0.001);
 }
@@ -287,7 +295,7 @@ TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
   constexpr size_t kKnown = 45, kWindow = 12;
-  SelfCalibration beside(ba_scene::pinhole(), {}), at_once(ba_scene::pinhole(), {});
+  SelfCalibration beside(test::pinhole(), {}), at_once(test::pinhole(), {});
   for (size_t i = 0; i < kKnown - kWindow; ++i) beside.remember(drive[i]), at_once.remember(drive[i]);
   ASSERT_TRUE(at_once.estimate(range(drive, kKnown - kWindow, kKnown), BaOptions(), true));
 
@@ -320,7 +328,7 @@ TEST(SelfCalibration, AnEstimateThatNobodyTakesDoesNoHarm) {
   DriveOptions o;
   o.keyframes = 30;
   const std::vector<Keyframe> drive = make_drive(o);
-  SelfCalibration calibration(ba_scene::pinhole(), {});
+  SelfCalibration calibration(test::pinhole(), {});
   calibration.begin(range(drive, 0, 30), BaOptions());
   calibration.forget();
   EXPECT_FALSE(calibration.is_running());
@@ -336,7 +344,7 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
   ASSERT_TRUE(out.revision);
   const MapRevision& r = *out.revision;
   BaProblem window;
-  window.pinhole = ba_scene::pinhole();
+  window.pinhole = test::pinhole();
   window.prior = r.prior;
   const int first = int(out.drive.size()) - 12;
   for (size_t i = first; i < out.drive.size(); ++i) {
@@ -362,7 +370,7 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
   const BaProblem before = window;
   const BaResult result = make_bundle_adjuster("schur")->solve(&window, BaOptions());
   ASSERT_TRUE(result.usable);
-  EXPECT_LT(ba_scene::pose_difference(before, window), 0.01);  // of steps of one metre
+  EXPECT_LT(test::pose_difference(before, window), 0.01);  // of steps of one metre
 }
 
 TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
@@ -372,7 +380,7 @@ TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
   DriveOptions o;
   o.keyframes = 72;
   const std::vector<Keyframe> drive = make_drive(o);
-  SelfCalibration calibration(ba_scene::pinhole(), params);
+  SelfCalibration calibration(test::pinhole(), params);
   int estimates = 0;
   for (size_t i = 0; i + 12 < drive.size(); ++i) {
     calibration.remember(drive[i]);
@@ -390,7 +398,7 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
   DriveOptions o;
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
-  SelfCalibration calibration(ba_scene::pinhole(), {});
+  SelfCalibration calibration(test::pinhole(), {});
   ASSERT_TRUE(calibration.estimate(range(drive, 0, 60), BaOptions(), true));
   const CameraRefinement found = calibration.state();
   calibration.forget();

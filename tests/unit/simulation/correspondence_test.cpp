@@ -138,11 +138,19 @@ TEST(Correspondence, MeetsTheSamePointOfTheOtherView) {
   EXPECT_GT(compared, 10);
 }
 
+// A grid of them, which need not lie on edges.
+std::vector<Eigen::Vector2d> some_pixels(const GrayImage& image) {
+  std::vector<Eigen::Vector2d> pixels;
+  for (int y = 2; y < image.height; y += 7)
+    for (int x = 2; x < image.width; x += 7) pixels.emplace_back(x + 0.25, y);
+  return pixels;
+}
+
 TEST(CorrespondenceExport, OneFileAPair) {
   const test::TempFolder folder;
   const SceneRenderer renderer(load_scene("corridor"));
   int done = 0;
-  export_correspondences(renderer, folder.path(), 3, 5, [&](int d) { done = d; });
+  export_correspondences(renderer, folder.path(), 3, 5, some_pixels, [&](int d) { done = d; });
   EXPECT_EQ(done, 1);
   std::istringstream text(read_file(folder / "correspondences/000003.csv", ""));
   std::string line;
@@ -158,7 +166,7 @@ TEST(CorrespondenceExport, OneFileAPair) {
   EXPECT_GT(visible, rows / 2);
   EXPECT_THROW(read_file(folder / "correspondences/000004.csv", ""), InputError)
       << "the last frame has no next one";
-  EXPECT_THROW(export_correspondences(renderer, folder.path(), 3, 4), InputError);
+  EXPECT_THROW(export_correspondences(renderer, folder.path(), 3, 4, some_pixels), InputError);
 }
 
 }  // namespace

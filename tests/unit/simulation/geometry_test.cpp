@@ -117,7 +117,7 @@ TEST(PixelCentres, CornerIsSeenWhereTheLensPutsIt) {
   EXPECT_NEAR(seen.y(), expected.y(), 0.1);
 }
 
-TEST(Depth, IsTheDistanceAlongTheAxis) {
+TEST(RenderedDepth, IsTheDistanceAlongTheAxis) {
   Camera camera;
   camera.pinhole = {100, 100, 31.5, 31.5, 64, 64};
   const std::vector<float> depth = SceneRenderer(test::white_square(camera)).render_depth(0);

@@ -20,9 +20,9 @@ double mean(const GrayImage& image) {
   return std::accumulate(image.pixels.begin(), image.pixels.end(), 0.0) / double(image.pixels.size());
 }
 
-class EveryKind : public ::testing::TestWithParam<std::string> {};
+class RelightKinds : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(EveryKind, SameBytesInAnyOrderAndOtherSeedDiffers) {
+TEST_P(RelightKinds, SameBytesInAnyOrderAndOtherSeedDiffers) {
   GrayImage image = flat(0);
   for (size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = uint8_t((i * 7) % 256);
   const Relight a(GetParam(), 3), b(GetParam(), 3), other(GetParam(), 4);
@@ -34,7 +34,7 @@ TEST_P(EveryKind, SameBytesInAnyOrderAndOtherSeedDiffers) {
   EXPECT_EQ(other.apply(image, 40, 4.0).pixels != later.pixels, follows_seed);
 }
 
-INSTANTIATE_TEST_SUITE_P(Relight, EveryKind, ::testing::ValuesIn(relight_kinds()));
+INSTANTIATE_TEST_SUITE_P(Relight, RelightKinds, ::testing::ValuesIn(relight_kinds()));
 
 TEST(Relight, JumpsAreSuddenAndLarge) {
   const Relight jumps("jumps", 1);

@@ -186,7 +186,7 @@ double mean_gray(const GrayImage& image) {
 
 // A season changes leaves and light, and neither the way nor the ground: bare trees let the bright sky
 // through.
-TEST(Season, ChangesWhatIsSeenAndNotTheWay) {
+TEST(SceneSeason, ChangesWhatIsSeenAndNotTheWay) {
   const SceneRenderer none(load_scene("lakeshore")), summer(load_scene("lakeshore:summer")),
       winter(load_scene("lakeshore:winter"));
   EXPECT_EQ(winter.scene().name, "lakeshore:winter");
@@ -210,7 +210,7 @@ TEST(Season, ChangesWhatIsSeenAndNotTheWay) {
   }
 }
 
-TEST(Season, UnknownOnesAndWorldsWithoutThem) {
+TEST(SceneSeason, UnknownOnesAndWorldsWithoutThem) {
   EXPECT_THAT(scene_error("lakeshore:wintr"),
               AllOf(HasSubstr("'wintr' is no season"), HasSubstr("'winter'")));
   EXPECT_THAT(scene_error("desk:winter"), HasSubstr("has no seasons"));

@@ -86,7 +86,7 @@ Camera small_camera() {
   return camera;
 }
 
-TEST(Exposure, OfACameraAtRestChangesNothing) {
+TEST(ExposureTime, OfACameraAtRestChangesNothing) {
   Scene scene = test::white_square(small_camera());
   scene.noise_sigma = 2;
   const GrayImage sharp = SceneRenderer(scene).render_image(0);
@@ -113,7 +113,7 @@ Blob blob(const GrayImage& image) {
   return b;
 }
 
-TEST(Exposure, SpreadsAlongTheMotionAboutTheSameCentre) {
+TEST(ExposureTime, SpreadsAlongTheMotionAboutTheSameCentre) {
   Scene scene = test::white_square(small_camera());
   const GrayImage sharp = SceneRenderer(scene).render_image(0);
   constexpr double kSpeed = 3;  // m/s, to the right: 3 * 0.04 / 4 * 410 = 12.3 px of blur

@@ -32,14 +32,14 @@ double share_near(const cv::Mat& of, const cv::Mat& to) {
   return double(cv::countNonZero((of != 0) & wide)) / cv::countNonZero(of);
 }
 
-class LastingEdgesTest : public ::testing::Test {
+class LastingEdges : public ::testing::Test {
  protected:
   static void SetUpTestSuite() { found_ = lasting_edges(beginning_of_desk(), 3); }
   static std::vector<LabelledFrame> found_;
 };
-std::vector<LabelledFrame> LastingEdgesTest::found_;
+std::vector<LabelledFrame> LastingEdges::found_;
 
-TEST_F(LastingEdgesTest, LieOnTrueEdges) {
+TEST_F(LastingEdges, LieOnTrueEdges) {
   const SceneRenderer renderer(beginning_of_desk());
   ASSERT_GE(found_.size(), 4u);
   for (const LabelledFrame& f : found_) {
@@ -51,11 +51,11 @@ TEST_F(LastingEdgesTest, LieOnTrueEdges) {
   }
 }
 
-TEST_F(LastingEdgesTest, ThereAreManyInTheMiddleOfTheRun) {
+TEST_F(LastingEdges, ThereAreManyInTheMiddleOfTheRun) {
   EXPECT_GT(cv::countNonZero(found_[found_.size() / 2].label), 2000);
 }
 
-TEST_F(LastingEdgesTest, SameSeedGivesTheSame) {
+TEST_F(LastingEdges, SameSeedGivesTheSame) {
   const std::vector<LabelledFrame> again = lasting_edges(beginning_of_desk(), 3);
   ASSERT_EQ(again.size(), found_.size());
   for (size_t i = 0; i < again.size(); ++i) {

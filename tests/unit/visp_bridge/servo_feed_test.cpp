@@ -12,10 +12,10 @@
 namespace edgevo {
 namespace {
 
-using testing::at;
+using test::at;
+using test::lost;
+using test::tracked;
 using ::testing::HasSubstr;
-using testing::lost;
-using testing::tracked;
 
 double distance(const vpHomogeneousMatrix& M, const SE3& T) {
   return (to_se3(M).matrix() - T.matrix()).norm();
@@ -29,7 +29,7 @@ TEST(ServoFeed, IsNotUsableBeforeAnImage) {
 
 TEST(ServoFeed, HandsOutTheNewestPoseWithItsAge) {
   ServoFeed feed;
-  const SE3 T = SE3::exp(testing::kMotion);
+  const SE3 T = SE3::exp(test::kMotion);
   feed.publish(tracked(0, 10, T));
   const ServoPose pose = feed.pose(at(10.05));
   EXPECT_TRUE(pose.usable) << pose.reason;
@@ -42,10 +42,10 @@ TEST(ServoFeed, HandsOutTheNewestPoseWithItsAge) {
 TEST(ServoFeed, CarriesThePoseOnAtConstantVelocity) {
   ServoFeed feed;
   feed.publish(tracked(0, 10.0, SE3()));
-  feed.publish(tracked(1, 10.1, SE3::exp(0.1 * testing::kMotion)));
+  feed.publish(tracked(1, 10.1, SE3::exp(0.1 * test::kMotion)));
   const ServoPose pose = feed.pose(at(10.17));
-  EXPECT_LT(distance(pose.cMw, SE3::exp(0.17 * testing::kMotion)), 1e-9);
-  EXPECT_LT(distance(pose.cMw_at_image, SE3::exp(0.1 * testing::kMotion)), 1e-12);
+  EXPECT_LT(distance(pose.cMw, SE3::exp(0.17 * test::kMotion)), 1e-9);
+  EXPECT_LT(distance(pose.cMw_at_image, SE3::exp(0.1 * test::kMotion)), 1e-12);
   EXPECT_NEAR(pose.predicted_s, 0.07, 1e-6);
   EXPECT_GT(pose.covariance[0][0], feed.pose(at(10.1)).covariance[0][0]) << "a prediction is less certain";
 }
@@ -56,8 +56,8 @@ TEST(ServoFeed, DoesNotPredictForLong) {
   options.max_prediction_s = 0.2;
   ServoFeed feed(options);
   feed.publish(tracked(0, 10.0, SE3()));
-  feed.publish(tracked(1, 10.1, SE3::exp(0.1 * testing::kMotion)));
-  EXPECT_LT(distance(feed.pose(at(12)).cMw, SE3::exp(0.3 * testing::kMotion)), 1e-9);
+  feed.publish(tracked(1, 10.1, SE3::exp(0.1 * test::kMotion)));
+  EXPECT_LT(distance(feed.pose(at(12)).cMw, SE3::exp(0.3 * test::kMotion)), 1e-9);
 }
 
 TEST(ServoFeed, StaleAndLostAreNotUsable) {
@@ -77,7 +77,7 @@ TEST(ServoFeed, ResumesInTheSameMapAndWithoutAVelocityFromBefore) {
   feed.publish(tracked(0, 10, SE3()));
   const int version = feed.pose(at(10)).map_version;
   feed.publish(lost(1, 10.1, "dark"));
-  feed.publish(tracked(2, 10.2, SE3::exp(testing::kMotion)));
+  feed.publish(tracked(2, 10.2, SE3::exp(test::kMotion)));
   const ServoPose pose = feed.pose(at(10.25));
   EXPECT_TRUE(pose.usable);
   EXPECT_EQ(pose.predicted_s, 0);

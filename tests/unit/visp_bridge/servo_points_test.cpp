@@ -10,8 +10,8 @@
 namespace edgevo {
 namespace {
 
-using testing::at;
-using testing::tracked;
+using test::at;
+using test::tracked;
 
 const Pinhole kPinhole{500, 500, 319.5, 239.5, 640, 480};
 
@@ -37,7 +37,7 @@ ServoPose pose_at(const SE3& T_cam_map, std::vector<CloudPoint> cloud, int segme
                   ServoFeed* feed = nullptr) {
   ServoFeed own;
   NewestPose view = tracked(0, 10, T_cam_map, segment);
-  view.reference = testing::reference_with(std::move(cloud));
+  view.reference = test::reference_with(std::move(cloud));
   (feed ? *feed : own).publish(view);
   return (feed ? *feed : own).pose(at(10));
 }
@@ -64,7 +64,7 @@ TEST(ServoPoints, TheSamePointsInTheSameOrderFromAnotherPose) {
   const ServoPose taught = pose_at({}, grid());
   points.choose(taught, 8);
   const auto before = points.features(taught);
-  const SE3 T = SE3::exp(0.3 * testing::kMotion);
+  const SE3 T = SE3::exp(0.3 * test::kMotion);
   const auto after = points.features(pose_at(T, grid()));
   ASSERT_EQ(after.size(), before.size());
   for (size_t i = 0; i < before.size(); ++i) {
@@ -103,7 +103,7 @@ TEST(ServoPoints, SigmasAreThoseOfThePoseAndTheDepth) {
   ServoPoints points(kPinhole);
   std::vector<CloudPoint> cloud = grid();
   for (CloudPoint& p : cloud) p.idepth_sigma = 0.02 * p.idepth;
-  const SE3 T = SE3::exp(0.5 * testing::kMotion);
+  const SE3 T = SE3::exp(0.5 * test::kMotion);
   const ServoPose pose = pose_at(T, cloud);
   points.choose(pose, 4);
   for (const ServoPoint& told : points.features(pose)) {

@@ -2,7 +2,7 @@
 // Results of an odometry that never ran, for the tests of the servo feed.
 #include "edgevo/odometry/newest_pose.h"
 
-namespace edgevo::testing {
+namespace edgevo::test {
 
 inline const Vector6d kMotion = (Vector6d() << 0.2, -0.1, 0.05, 0.1, 0.3, -0.2).finished();
 
@@ -40,4 +40,4 @@ inline NewestPose lost(int index, double seconds, const std::string& why) {
   return view;
 }
 
-}  // namespace edgevo::testing
+}  // namespace edgevo::test

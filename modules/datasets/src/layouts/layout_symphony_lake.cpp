@@ -10,9 +10,9 @@
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/datasets/camera_file.h"
+#include "edgevo/symphony_lake/survey_geometry.h"
 #include "layout.h"
 #include "symphony_archive.h"
-#include "symphony_geometry.h"
 #include "symphony_lists.h"
 #include "tum_text.h"
 
@@ -26,7 +26,9 @@ constexpr double kSettled = 1e-3;      // radians of tilt: less than a pixel of 
 constexpr double kSteadyMount = 0.02;  // radians: a degree, within which the axes of a map are level
 constexpr double kZoomed_px = 1;  // at the border of the image, by which one camera for all rows may be wrong
 
-std::string list_path(const std::string& folder) { return (fs::path(folder) / kSurveyList).string(); }
+std::string list_path(const std::string& folder) {
+  return (fs::path(folder) / symphony::kSurveyList).string();
+}
 
 bool is_symphony_layout(const std::string& folder) { return !existing(list_path(folder)).empty(); }
 
@@ -88,7 +90,7 @@ NameOf naming_of(const std::string& folder, const SurveyRows& survey) {
   throw InputError(folder,
                    "none of its " + std::to_string(survey.rows.size()) + " images is there, neither as " +
                        symphony::older_name(first) + " nor as " + symphony::newer_name(first),
-                   "put the folders of the images beside " + std::string(kSurveyList));
+                   "put the folders of the images beside " + std::string(symphony::kSurveyList));
 }
 
 // ---- camera ----
@@ -153,7 +155,7 @@ std::string describe_truth(const std::string& folder, const SurveyRows& survey) 
   if (!map.empty())
     return map + " (poses of the boat in the plane, laser and GPS, with pan and tilt of the camera)";
   if (!survey.has_position) return "none: " + missing + ", and the rows have no x, y, theta";
-  return "coarse, by GPS and compass (x, y, theta of " + std::string(kSurveyList) + "): " + missing;
+  return "coarse, by GPS and compass (x, y, theta of " + std::string(symphony::kSurveyList) + "): " + missing;
 }
 
 // The boat by its GPS antenna and compass.

@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/report/chart.h"
-#include "edgevo/report/latency_figures.h"
 #include "edgevo/report/page.h"
 #include "edgevo/report/palette.h"
-#include "edgevo/report/stage_times.h"
 #include "frame_times.h"
 
 namespace edgevo {

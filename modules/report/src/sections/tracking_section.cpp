@@ -60,16 +60,18 @@ std::string drawn_if_any(const TimeChart& chart) {
   return std::any_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); }) ? draw(chart) : "";
 }
 
-// Why there are as many keyframes as there are: frames by the rule that called for one.
-std::string keyframe_rules(const Run& run) {
-  std::map<std::string, std::pair<int, int>> count;  // keyframes, other frames
-  for (const FrameRecord& f : run.frames)
-    if (!f.keyframe_rule.empty())
-      ++(f.is_keyframe ? count[f.keyframe_rule].first : count[f.keyframe_rule].second);
+// Why there are as many keyframes as there are: frames by what called for one.
+std::string keyframe_reasons(const Run& run) {
+  std::map<std::string_view, std::pair<int, int>> count;  // by name: keyframes, other frames
+  for (const FrameRecord& f : run.frames) {
+    if (f.keyframe_reason == KeyframeReason::kNone) continue;
+    auto& [keyframes, others] = count[to_string(f.keyframe_reason)];
+    ++(f.is_keyframe ? keyframes : others);
+  }
   if (count.empty()) return "";
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [rule, n] : count)
-    rows.push_back({rule, std::to_string(n.first), std::to_string(n.second)});
+  for (const auto& [reason, n] : count)
+    rows.push_back({std::string(reason), std::to_string(n.first), std::to_string(n.second)});
   return table_html({"keyframe called for by", "keyframes", "put off, or returned to one"}, rows);
 }
 
@@ -89,7 +91,7 @@ std::string tracking_section(const Run& run) {
       chart_of(run, "edge pixels", palette::kSlate, [](const auto& f) { return double(f.edges); });
   return section_html("states", "Tracking over the run",
                       state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) +
-                          draw(edges) + keyframe_rules(run));
+                          draw(edges) + keyframe_reasons(run));
 }
 
 }  // namespace edgevo

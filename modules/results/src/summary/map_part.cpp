@@ -29,10 +29,7 @@ void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   y->integer("voxel_points_out_of_bounds", map.out_of_bounds);
   y->integer("voxel_rays", map.rays);
   y->integer("voxels_occupied", map.occupied_voxels);
-  y->integer("voxels_filled", map.filled_voxels);
   y->integer("voxels_free", map.free_voxels);
-  y->integer("fill_patches", map.patches_filled);
-  y->integer("fill_patches_opened", map.patches_opened);
   y->text("grid", grid.statement);
   y->integer("grid_width", grid.width);
   y->integer("grid_height", grid.height);

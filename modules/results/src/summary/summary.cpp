@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <set>
 
-#include "edgevo/report/warnings.h"
+#include "edgevo/core/run_statistics.h"
+#include "edgevo/core/run_warnings.h"
 #include "edgevo_build_info.h"
 #include "summary_parts.h"
 
@@ -56,16 +57,11 @@ void write_scale(const Run& run, YamlWriter* y) {
   y->close();
 }
 
-int with_pose(const Run& run) {
-  return int(std::count_if(run.frames.begin(), run.frames.end(),
-                           [](const auto& f) { return f.T_world_cam.has_value(); }));
-}
-
 void write_frames(const Run& run, YamlWriter* y) {
   const auto in_state = [&](TrackingState s) {
     return std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == s; });
   };
-  const int posed = with_pose(run);
+  const int posed = count(run).with_pose;
   y->open("frames");
   y->integer("total", long(run.frames.size()));
   y->integer("bootstrapping", in_state(TrackingState::kBootstrapping));

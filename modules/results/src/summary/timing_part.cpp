@@ -1,7 +1,6 @@
 #include <algorithm>
 
-#include "edgevo/report/latency_figures.h"
-#include "edgevo/report/stage_times.h"
+#include "edgevo/core/run_statistics.h"
 #include "summary_parts.h"
 
 namespace edgevo {

@@ -37,7 +37,7 @@ struct TranslationPrior {
 /// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per
 /// usable patch (mean square of normalised differences; above 1 means: no overlap).
 double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
-                     const AlignmentParams& params, SE3* T_cur_ref);
+                     SE3* T_cur_ref);
 
 /// Improves T_cur_ref on one level by Eq. (edgeerror), with Eq. (photometricerror) added on level 0 if params
 /// ask for it; with a `prior`, its cost and information are in the result's too.

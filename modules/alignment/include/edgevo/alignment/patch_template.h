@@ -17,6 +17,9 @@ constexpr int kPatchPixels = kPatchSide * kPatchSide;  ///< 25
 /// Of the difference of two patches of unit deviation that have nothing in common.
 constexpr double kUnrelatedMeanSquare = 2.0;
 
+/// Huber width on the rms of a patch difference, in deviations of the patch.
+constexpr double kPatchHuber = 0.5;
+
 /// A patch of the reference image, ready to be compared.
 struct PatchTemplate {
   bool usable = false;                    ///< inside the image and not flat

@@ -45,6 +45,24 @@ struct PoseCandidate {
 PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
+/// How well the image supports a pose, the worst first.
+enum class TrackingQuality {
+  /// The pose is not finite.
+  kDiverged,
+  /// Fewer than AlignmentParams::min_visible map points lie in view.
+  kFewPoints,
+  /// The inlier share is below AlignmentParams::lost_share.
+  kUnsupported,
+  /// The inlier share is below AlignmentParams::degraded_share.
+  kWeak,
+  kGood,
+};
+/// The quality decides whether a frame has a pose, whether more hypotheses are tried, and the state of the
+/// frame.
+TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params);
+/// Is there no pose?
+inline bool is_lost(TrackingQuality quality) { return quality < TrackingQuality::kWeak; }
+
 /// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the
 /// motion is. A pose that left the prior it was held to is a compromise that neither image nor motion asks
 /// for, and never wins: on a drive that speeds up evenly it would hold the camera back a little in frame
@@ -58,9 +76,9 @@ class PoseJudge {
   explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {})
       : params_(params), likelihood_(std::move(likelihood)) {}
 
-  /// Explains the image well enough to look no further, as far as the image goes.
+  /// The pose is good enough to look no further, as far as the image goes.
   bool fits(const PoseCandidate& pose) const;
-  /// Explains so little that there is no pose.
+  /// The image supports it so little that there is no pose.
   bool is_lost(const PoseCandidate& pose) const;
   /// Higher is better; below 0: lost.
   double score(const PoseCandidate& pose) const;
@@ -70,8 +88,22 @@ class PoseJudge {
   Likelihood likelihood_;
 };
 
+/// What a hypothesis rests on.
+enum class ProposerKind {
+  /// Motions that continue the last ones (motion_hypotheses()).
+  kStarts,
+  /// Rotations around the predicted pose (rotation_search.h).
+  kRotations,
+  /// The median motion of a camera that moves evenly.
+  kMedianMotion,
+  /// Corners, followed from the reference.
+  kCorners,
+};
+
 /// One who knows where the camera may be.
 struct Proposer {
+  /// Told with the pose that won (PoseChoice).
+  ProposerKind kind;
   /// Asked before each of its hypotheses but the first of all: is it called for, after what was found so far?
   std::function<bool(const PoseCandidate& best)> is_called_for;
   /// Its hypotheses, likeliest first; made when the first of them is called for.
@@ -80,9 +112,9 @@ struct Proposer {
 
 /// The pose that won, and what it took to find it.
 struct PoseChoice {
-  PoseCandidate pose;        ///< the winner
-  int proposer = -1;         ///< index of the one whose hypothesis won
-  int hypotheses_tried = 0;  ///< 1: the first was good
+  PoseCandidate pose;                         ///< the winner
+  ProposerKind kind = ProposerKind::kStarts;  ///< of the proposer whose hypothesis won
+  int hypotheses_tried = 0;                   ///< 1: the first was good
 };
 
 /// The best of all that is called for; of equals the first. The first proposer has a hypothesis.

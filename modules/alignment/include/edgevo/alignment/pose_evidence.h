@@ -6,7 +6,7 @@
 // that find an edge of the same direction within the robust width (huber_px) of where the pose puts them
 // speak for it. At a wrong pose nearly as few do as by chance, whatever the light: a count of edge matches
 // within the wider gates of the alignment, by contrast, still finds half of them in foliage
-// (share/lab/2026-11-22_tracking_verdict.md has the figures).
+// (share/lab/archive/2026-11-22_tracking_verdict.md has the figures).
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/alignment/pose_covariance.h"
 #include "edgevo/alignment/reference_cloud.h"

@@ -3,7 +3,6 @@
 // predicted, further than the patches of the coarse start reach (about two of that level's pixels).
 #include <vector>
 
-#include "edgevo/alignment/alignment_params.h"
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/core/se3.h"
 
@@ -13,6 +12,6 @@ namespace edgevo {
 /// The score is the mean robust patch difference; patches out of view count as unrelated. Cost: 200 patches x
 /// 209 rotations, about 4 ms: for lost frames.
 std::vector<SE3> search_rotation(const FramePyramid& current, const ReferenceCloud& cloud,
-                                 const SE3& T_predicted, const AlignmentParams& params);
+                                 const SE3& T_predicted);
 
 }  // namespace edgevo

@@ -27,7 +27,7 @@ Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge);
 /// search_rotation() around `T_predicted`, if no pose fits by then. Keeps references to all but
 /// `T_predicted`.
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
-                           const PoseJudge& judge, const AlignmentParams& params);
+                           const PoseJudge& judge);
 
 /// These two, judged by the image alone. `starts` is not empty; the first is the constant-velocity
 /// prediction.

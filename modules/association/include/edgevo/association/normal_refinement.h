@@ -2,10 +2,12 @@
 // One-dimensional Lucas-Kanade along an edge normal: moves a match along its normal until the warped host
 // patch of intensity, at zero mean and unit deviation, fits best. Removes the pull of the nearest neighbour
 // towards the prediction.
-#include "edgevo/association/association_params.h"
 #include "edgevo/association/warp.h"
 
 namespace edgevo {
+
+/// The patches of a refinement have 2 r + 1 pixels a side.
+constexpr int kRefinementRadius = 4;
 
 /// A host patch ready for refinement along one direction of the target image.
 struct NormalTemplate {
@@ -26,10 +28,9 @@ struct NormalRefinement {
   double move_px = 0;     ///< along the normal, signed
   double zncc_loss = 2;   ///< 1 - ZNCC at the end
 };
-/// At most params.refine_iterations steps, stops at 0.02 px; not accepted where it moves over
-/// refine_max_move_px or the patch does not fit (refine_max_zncc_loss).
+/// At most 12 steps, stops at 0.02 px; not accepted where it moves over 3 px or the patch does not fit (ZNCC
+/// below 0.85).
 NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
-                                     const Eigen::Vector2d& start, const Eigen::Vector2d& normal,
-                                     const AssociationParams& params);
+                                     const Eigen::Vector2d& start, const Eigen::Vector2d& normal);
 
 }  // namespace edgevo

@@ -11,14 +11,17 @@ namespace edgevo {
 /// Defaults: depth known to 15 % (one sigma) and matched in two keyframes; the depth of a point seen once is
 /// confirmed by nothing.
 struct PointFilter {
-  double max_relative_sigma = 0.15;  ///< idepth_sigma / idepth
-  int min_observations = 2;          ///< keyframes that matched the point
+  /// share of the inverse depth
+  double max_relative_sigma = 0.15;
+  /// keyframes
+  int min_observations = 2;
 
   /// Names, ranges and texts of the fields (params.h).
   void visit(ParamVisitor& v) {
-    v.number("max_relative_sigma", max_relative_sigma, 0.001, 10,
+    v.number(kAdvanced, "max_relative_sigma", max_relative_sigma, 0.001, 10,
              "largest idepth_sigma/idepth of a point in the map files");
-    v.integer("min_observations", min_observations, 0, 1000, "keyframes that must have matched a point");
+    v.integer(kAdvanced, "min_observations", min_observations, 0, 1000,
+              "keyframes that must have matched a point");
   }
   /// good enough for the map files
   bool keeps(const EdgePoint& p) const { return is_valid(p) && is_certain(p) && is_confirmed(p); }

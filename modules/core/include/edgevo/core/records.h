@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/keyframe_reason.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
@@ -24,10 +25,9 @@ struct FrameRecord {
   TrackingState state = TrackingState::kBootstrapping;  ///< the verdict
   int segment = -1;          ///< number of the connected stretch of trajectory, from 0; -1: none
   bool is_keyframe = false;  ///< it was made one
-  /// The rule that called for a keyframe (odometry/src/keyframe_policy.cpp), "bootstrap", or "return": to an
-  /// older keyframe. With !is_keyframe it was called for while the mapping was busy with another. Empty:
-  /// nothing called.
-  std::string keyframe_rule;
+  /// What called for a keyframe. With !is_keyframe it was called for while the mapping was busy with another,
+  /// or it is kReturn.
+  KeyframeReason keyframe_reason = KeyframeReason::kNone;
   int reference_keyframe = -1;  ///< Run::keyframes index that the final pose hangs on; -1: no pose
   double inlier_share =
       0;  ///< share of the map points in view that speak for the pose (alignment/pose_evidence.h), [0, 1]

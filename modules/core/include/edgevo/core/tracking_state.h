@@ -1,5 +1,5 @@
 #pragma once
-// The verdict for a frame.
+// The tracking status of a frame.
 #include <string_view>
 
 namespace edgevo {
@@ -9,7 +9,7 @@ enum class TrackingState {
   kBootstrapping,  ///< no map yet; a pose may be filled in afterwards
   kTracking,       ///< pose and map are good
   kDegraded,       ///< a pose, but with few inliers or badly observed directions: use with its covariance
-  kLost,           ///< no pose; the segment is closed and a new bootstrap begins
+  kLost,           ///< no pose; the old map is tried for some frames more while a bootstrap runs
 };
 
 /// "BOOTSTRAPPING", "TRACKING", "DEGRADED", "LOST".

@@ -25,7 +25,7 @@ Camera parse_camera(const std::string& text, const std::string& where);
 /// A calibration as YAML that one file gives to all: ROS (camera_calibration_parsers, camera_info_manager),
 /// OpenCV (cv::FileStorage; matrices by `fs["camera_matrix"] >> mat`), MRPT (TCamera::FromYAML) and
 /// parse_camera above. Numbers are read back as the same doubles. `comment`: lines for the reader, may be
-/// empty. camera.residual_k1 must be 0 (fold_residual.h).
+/// empty. camera.residual_k1 must be 0 (calibration/fold_residual.h).
 std::string camera_yaml(const Camera& camera, const std::string& comment);
 
 }  // namespace edgevo

@@ -9,7 +9,7 @@ namespace edgevo {
 /// The scale at which images of this width are worked on: 1 up to 2482 px, beyond that the one that makes
 /// them 1241 px wide. 1241 is what accuracy and time were measured with and thresholds in pixels are stated
 /// for (share/doc/numbers.md); more than twice that, a whole pyramid level, is where poses began to be lost
-/// (share/lab/2026-11-24_image_scale.md).
+/// (share/lab/archive/2026-11-24_image_scale.md).
 double usual_image_scale(int width);
 
 /// `inner` with its images scaled by `scale` (0.01 to 1; areas are averaged), and with the camera of these.

@@ -5,7 +5,7 @@
 // keyframes host are first projected into it: an edge pixel whose depth they tell, and the views confirm, is
 // explained and needs no search; a vertex that should be seen and is not is missed. What is left becomes new
 // lines, hosted here. Where this keyframe tells a depth much better than the old host did, because it is
-// nearer, its line takes the old one's place. A line is settled when `fusion_keyframes` more have passed:
+// nearer, its line takes the old one's place. A line is settled when twelve more have passed:
 // vertices missed more often than seen go.
 //
 // Memory: the images of the few newest keyframes, and the lines. One thread; with a thread of its own the

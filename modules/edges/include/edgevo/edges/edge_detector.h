@@ -1,7 +1,8 @@
 #pragma once
 // Edge detectors behind one interface: each marks edge pixels in a mask; thinning, sub-pixel positions and
-// linking are common to all (edge_extraction.h). A new one is a file in src/detectors/ and its lines in
-// detector_list.* there.
+// linking are common to all (edge_extraction.h). What a program offers is a table that it hands to the
+// pyramid builder: canny alone, which needs no further library, or all of edgevo (detectors/all_detectors.h),
+// or with one of its own.
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ class EdgeDetector {
   virtual Plane<uint8_t> detect(const EdgeImage& image) = 0;
 };
 
-/// A detector that there is.
+/// A detector that a program offers.
 struct EdgeDetectorKind {
   const char* name;  ///< as edges.detector and --detector give it
   const char* what;  ///< in a few words, for --help
@@ -37,14 +38,24 @@ struct EdgeDetectorKind {
       nullptr;  ///< null: it needs none
 };
 
-/// All of them, the default first.
-const std::vector<EdgeDetectorKind>& edge_detector_kinds();
-/// Their names: what edges.detector may be.
-std::vector<std::string> edge_detector_names();
-/// "canny (...), edge_drawing (...)".
-std::string edge_detector_help();
+/// The detectors that a program offers.
+using EdgeDetectorTable = std::vector<EdgeDetectorKind>;
 
-/// The one that params.detector names. Throws InputError for an unknown name.
-std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params);
+/// Canny alone.
+const EdgeDetectorTable& basic_edge_detectors();
+
+/// "canny (...), edge_drawing (...)".
+std::string edge_detector_help(const EdgeDetectorTable& table);
+
+/// The one that params.detector names. Throws InputError for an unknown name, and for one that is not in the
+/// table.
+std::unique_ptr<EdgeDetector> make_edge_detector(const EdgeParams& params,
+                                                 const EdgeDetectorTable& table = basic_edge_detectors());
+
+/// The probability that params.detector rests on; null for a detector that looks at the gradient alone.
+/// Throws InputError as make_edge_detector, and for a model or a folder that is missing or damaged. One
+/// object a thread.
+std::unique_ptr<EdgeProbability> make_edge_probability(
+    const EdgeParams& params, const EdgeDetectorTable& table = basic_edge_detectors());
 
 }  // namespace edgevo

@@ -2,15 +2,13 @@
 // How likely each pixel of an image lies on an edge, by what was learned or computed before: the first half
 // of the detectors that do not look at the gradient alone (paper, Sec. V: structured forests, HED). The
 // second half, which pixels are then edges and where exactly they lie, is the image's own gradient's again
-// (src/detectors/probable_edges.h).
+// (modules/detectors).
 //
 // It is taken from the image as the camera took it, once a frame: undistortion, rolling shutter and the
 // coarser levels of the pyramid then move and halve it as they do the image, so that a probability from a
 // file serves as well as one computed here, and a frame that is rectified anew costs no second look.
-#include <memory>
 #include <string>
 
-#include "edgevo/edges/edge_params.h"
 #include "edgevo/edges/plane.h"
 
 namespace edgevo {
@@ -25,9 +23,5 @@ class EdgeProbability {
   /// What it is, for a journal: the model's file and a checksum of its bytes, or the folder.
   virtual std::string description() const = 0;
 };
-
-/// The one that params.detector rests on; null for a detector that looks at the gradient alone. Throws
-/// InputError for a model or a folder that is missing or damaged. One object a thread.
-std::unique_ptr<EdgeProbability> make_edge_probability(const EdgeParams& params);
 
 }  // namespace edgevo

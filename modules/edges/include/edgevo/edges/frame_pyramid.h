@@ -40,12 +40,15 @@ struct FramePyramid {
 /// Turns frames into pyramids. Holds the detector and the undistortion maps; one object a thread.
 class PyramidBuilder {
  public:
-  /// Throws InputError for an unknown detector, a model or folder that it cannot use, or an unusable camera.
-  PyramidBuilder(const Camera& camera, const EdgeParams& params);
+  /// Throws InputError for an unknown detector or one that `detectors` lacks, a model or folder that it
+  /// cannot use, or an unusable camera.
+  PyramidBuilder(const Camera& camera, const EdgeParams& params,
+                 const EdgeDetectorTable& detectors = basic_edge_detectors());
   ~PyramidBuilder();
   PyramidBuilder(PyramidBuilder&&) noexcept;
   /// One that is asked to rebuild() only, which takes no model: the probability is in the pyramid.
-  static PyramidBuilder for_rebuilding(const Camera& camera, const EdgeParams& params);
+  static PyramidBuilder for_rebuilding(const Camera& camera, const EdgeParams& params,
+                                       const EdgeDetectorTable& detectors = basic_edge_detectors());
 
   /// Pinhole of the undistorted images.
   const Pinhole& pinhole() const;
@@ -66,7 +69,7 @@ class PyramidBuilder {
   std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
 
  private:
-  PyramidBuilder(const Camera& camera, const EdgeParams& params,
+  PyramidBuilder(const Camera& camera, const EdgeParams& params, std::unique_ptr<EdgeDetector> detector,
                  std::unique_ptr<EdgeProbability> probability);
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -13,6 +13,11 @@
 
 namespace edgevo {
 
+/// Corners that must survive; of those that are triangulated half as many.
+constexpr int kMinBootstrapCorners = 80;
+/// Median depth of the first map: this sets the arbitrary unit of length.
+constexpr double kFirstMedianDepth = 10.0;
+
 /// A frame of the bootstrap with its pose; the first view is the origin.
 struct BootstrapView {
   int frame_index = 0;                          ///< in the source

@@ -32,13 +32,14 @@ struct CellGrid {
 
 /// One observation of every living immature point of `host` in a frame at T_target_host.
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
-                   const AssociationParams& association, Keyframe* host);
+                   Keyframe* host);
 
 /// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills
 /// points with more outliers than 2 + agreements.
 void fuse(const EpipolarMatch& measurement, ImmaturePoint* point);
 
-/// Pulls inverse depths towards those of their neighbours on the same edge that agree with them.
+/// Pulls inverse depths towards those of their neighbours on the same edge that agree with them: depth is
+/// smooth along an edge but for jumps. A weight of 0 does nothing.
 void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
                         std::vector<ImmaturePoint>* points);
 

@@ -40,7 +40,7 @@ struct EpipolarMatch {
 EpipolarMatch search_epipolar(const FramePyramid& host, const FramePyramid& target,
                               const Eigen::Vector2d& px_host, const Eigen::Vector2d& normal_host,
                               const SE3& T_target_host, const IdepthRange& range,
-                              const DepthFilterParams& params, const AssociationParams& association);
+                              const DepthFilterParams& params);
 
 /// Inverse depth at which the ray (rotated into the target: R x) meets target pixel `px`, using the image
 /// axis along which the epipolar line runs; not finite where there is no baseline.

@@ -1,21 +1,28 @@
 #pragma once
-// What the window already knows about depth in an image: smallest and largest inverse depth near a pixel.
+// What the window already knows about depth in an image: smallest and largest inverse depth near a pixel. A
+// new point is searched around these: its neighbours mostly lie on the same surface, and a short search has
+// fewer wrong matches than one around the median of the image.
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/core/rule.h"
 #include "edgevo/mapping/depth_filter.h"
 
 namespace edgevo {
+
+/// Search range around the inverse depths that are known nearby, `low` to `high`.
+inline IdepthRange range_around(double low, double high) {
+  constexpr double kLowFactor = 0.4, kHighFactor = 2.5;
+  return {kLowFactor * low, kHighFactor * high};
+}
 
 /// Depths known in one image, by cell.
 class IdepthPrior {
  public:
   /// `median_before`: the median inverse depth of an earlier image, for one in which nothing is known.
   IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params, double median_before)
-      : params_(params),
+      : use_neighbours_(params.use_neighbour_depths),
         grid_(pinhole.width, pinhole.height, params.cell_px),
         low_(grid_.size(), kNone),
         high_(grid_.size(), 0),
@@ -41,8 +48,8 @@ class IdepthPrior {
         low = std::min(low, low_[r * grid_.columns + c]);
         high = std::max(high, high_[r * grid_.columns + c]);
       }
-    if (high > 0 && rule("depths nearby")) return {params_.prior_low * low, params_.prior_high * high};
-    return {params_.far_low * median(), params_.far_high * median(), median()};
+    if (high > 0 && use_neighbours_) return range_around(low, high);
+    return {kFarLow * median(), kFarHigh * median(), median()};
   }
 
   /// Median inverse depth of the image, or of the earlier one where nothing is known.
@@ -55,9 +62,11 @@ class IdepthPrior {
   }
 
  private:
+  // Search range where nothing is near, times the median inverse depth.
+  static constexpr double kFarLow = 0.02, kFarHigh = 8.0;
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 
-  const DepthFilterParams& params_;
+  bool use_neighbours_;
   CellGrid grid_;
   std::vector<double> low_, high_, all_;
   double median_;

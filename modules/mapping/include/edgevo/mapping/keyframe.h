@@ -28,7 +28,7 @@ struct MapPoint {
   int edge_pixel = -1;                    ///< index into the host's EdgeMap
   std::vector<Observation> observations;  ///< ascending keyframe_id
   int misses = 0;                         ///< keyframes that should have seen it and did not
-  bool lent = false;                      ///< by an immature point that lives on (Window::activate)
+  bool tentative = false;                 ///< its immature point lives on (Window::activate)
 
   /// Its match in a keyframe; null where there is none.
   const Observation* find(int keyframe_id) const {
@@ -54,7 +54,7 @@ struct ImmaturePoint {
   double idepth_guess = 0;  ///< from its surroundings, before any observation
   int good = 0, bad = 0;    ///< depth observations that agreed, and that did not
   int age = 0;              ///< keyframes since it was made
-  bool lent = false;        ///< a MapPoint stands in for it until the next keyframe (Window::activate)
+  bool tentative = false;   ///< until the next keyframe there is a MapPoint of it, too (Window::activate)
   bool dead = false;        ///< given up, or made a MapPoint: it goes
 };
 

@@ -5,100 +5,101 @@
 
 namespace edgevo {
 
-/// Parameters of the two-view bootstrap. Pixels: at full resolution.
+/// Parameters of the two-view bootstrap.
 struct BootstrapParams {
-  int max_corners = 1200;         ///< tracked from the first view
-  double min_disparity = 0.016;   ///< median, share of the image width
-  double min_parallax_deg = 0.7;  ///< median, rotation taken out
-  double ransac_px = 0.7;         ///< inlier threshold of the essential matrix
-  int min_tracks = 80;            ///< corners that must survive
-  double min_inlier_share = 0.6;  ///< of the corners, that must agree with the essential matrix
-  int max_frames = 90;            ///< then a new first view is taken
-  double median_depth = 10.0;     ///< of the first map; this sets the arbitrary unit
+  /// share of the image width
+  double min_disparity = 0.016;
+  /// degrees
+  double min_parallax_deg = 0.7;
+  /// frames
+  int max_frames = 90;
+  /// Corners that were lost count as moved further than the median (median_motion in src/corner_tracking.h).
+  bool count_lost_corners = true;
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
-/// Parameters of new points and of their depth.
+/// Parameters of new points and of their depth. Pixels: at full resolution.
 struct DepthFilterParams {
-  int max_new_points = 1200;  ///< a keyframe
-  double candidates_per_point =
-      4;  ///< new points for each that the window lacks; some never get a depth, some leave the view before
-  int cell_px = 12;                          ///< one new point a cell
-  double prior_low = 0.4, prior_high = 2.5;  ///< search range around the depths seen nearby
-  double far_low = 0.02, far_high = 8.0;     ///< where none is near: times the median inverse depth
-  double min_epipolar_cosine = 0.25;         ///< edges more parallel to the epipolar line give no depth
-  double min_normal_cosine = 0.7;            ///< orientation gate, signed
-  double max_edge_distance_px = 1.5;         ///< from the epipolar line to an edge that is a candidate
-  double max_cost = 0.30;                    ///< patch cost of an acceptable match
-  double max_cost_ratio = 0.75;              ///< best over second best further than 2.5 px away
-  /// position noise of an edge along its normal, and of the epipolar line
-  double sigma_edge_px = 0.5, sigma_epipolar_px = 0.3;
-  bool refine = true;              ///< one-dimensional refinement along the normal at the found crossing
-  int max_age_keyframes = 4;       ///< immature points older than this are dropped
-  double smoothing_weight = 0.3;   ///< pull of the neighbours along the edge, [0, 1]
-  double smoothing_reach_px = 14;  ///< neighbours further along the edge do not count
+  /// points
+  int max_new_points = 1200;
+  /// factor
+  double candidates_per_point = 4;
+  /// px
+  int cell_px = 12;
+  /// patch cost
+  double max_cost = 0.30;
+  /// ratio
+  double max_cost_ratio = 0.75;
+  /// px
+  double sigma_edge_px = 0.5;
+  /// on or off
+  bool refine = true;
+  /// [0, 1]
+  double smoothing_weight = 0.3;
+  /// A new point is searched around the depths known nearby, not around the median (idepth_prior.h).
+  bool use_neighbour_depths = true;
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
-};
-
-/// When a frame becomes a keyframe (odometry/src/keyframe_policy.h).
-struct KeyframeParams {
-  double flow_px = 40;  ///< rms flow by translation alone, at 1241 pixels width; scales with the width. Half
-                        ///< of it where the view opens
-  double min_flow_px = 4;  ///< below it no keyframe: standstill, or a rotation that keeps the map in view
-  double min_view_share = 0.75;  ///< of the cloud; a keyframe before less is in view
-  double max_view_loss =
-      0.075;  ///< of the cloud, each frame since the last keyframe: a fast turn leaves the map behind
-  double min_turn_share =
-      0.55;  ///< of the cloud in view; below it a keyframe even without translation, to follow a rotation
-  int max_frames = 200;  ///< a keyframe after so many, if there was motion
-
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
 /// Parameters of the sliding window and its bundle adjustment.
 struct WindowParams {
-  int keyframes = 12;                   ///< in the window
-  int max_points = 2000;                ///< active, in the window
-  double max_projected_sigma_px = 1.5;  ///< an immature point joins below it
-  int min_matches = 2;                  ///< keyframes that must match a point before it joins
-  int activation_cell_px = 14;          ///< points are spread over cells of this size
-  std::string solver = "schur";         ///< a name that make_bundle_adjuster() knows
-  std::string gauge = "prior";          ///< "fixed": two oldest poses; "prior": marginalisation prior
-  int ba_iterations = 4;                ///< before the matches are updated
-  int ba_update_iterations = 4;         ///< after that
-  double ba_huber = 1.5;                ///< Huber width in sigmas
-  bool photometric = false;             ///< image-gradient cost in the BA, Eq. (photometricerror)
-  double photometric_sigma = 0.5;       ///< of a normalised patch difference, in deviations
-  double corner_sigma_px = 0.5;         ///< one standard deviation of a corner
-  int max_cloud_points = 1500;          ///< that a frame is tracked against
+  /// keyframes
+  int keyframes = 12;
+  /// points
+  int max_points = 2000;
+  /// px
+  double max_projected_sigma_px = 1.5;
+  /// keyframes
+  int min_matches = 2;
+  /// a name that make_bundle_adjuster() knows
+  std::string solver = "schur";
+  /// iterations
+  int ba_iterations = 4;
+  /// iterations
+  int ba_update_iterations = 4;
+  /// standard deviations
+  double ba_huber = 1.5;
+  /// points
+  int max_cloud_points = 1500;
+  /// Where few points are seen, one depth and one match activate a point until the next keyframe.
+  bool use_tentative_points = true;
+  /// A frame is tracked against immature points, too, where few points of known depth are in view.
+  bool track_immature_points = true;
+  /// Matches many standard deviations off are dropped after the adjustment.
+  bool drop_outlier_matches = true;
+  /// Points that several keyframes should have seen and did not are dropped.
+  bool drop_missed_points = true;
+  /// Pairs of corners (group corners) are residuals of the adjustment.
+  bool adjust_corners = true;
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
 /// When corners give a motion hypothesis: corner_motion.h.
 struct CornerParams {
-  double max_inlier_share = 0.7;    ///< of a keyframe right after another one: large motion; below it corners
-                                    ///< give a hypothesis. 0: never
-  int max_corners = 450;            ///< tracked from the last keyframe
-  int min_agreeing = 60;            ///< inliers
-  double min_agreeing_share = 0.7;  ///< of the corners that could be tracked
-  double ransac_px = 1.0;           ///< inlier threshold of the essential matrix
-  double min_parallax_deg = 0.3;    ///< median over the inliers, rotation taken out
+  /// [0, 1]
+  double max_inlier_share = 0.7;
+  /// corners
+  int min_agreeing = 60;
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
-/// The groups of params/default.yaml under `mapping`.
+/// The groups of params/default.yaml under `mapping`, but for `keyframe` (odometry/keyframe_params.h).
 struct MappingParams {
   BootstrapParams bootstrap;       ///< the first map of a segment
   DepthFilterParams depth_filter;  ///< new points
-  KeyframeParams keyframe;         ///< when a frame becomes one
   WindowParams window;             ///< keyframes and their adjustment
   CornerParams corners;            ///< motion hypotheses from corners
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
 }  // namespace edgevo

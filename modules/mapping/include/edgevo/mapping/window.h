@@ -15,6 +15,11 @@
 
 namespace edgevo {
 
+struct CellGrid;
+
+/// Active points are spread over cells of this size, pixels.
+constexpr int kActivationCellPx = 14;
+
 /// Health of the window after an adjustment.
 struct WindowStats {
   int observations = 0;             ///< matches that were adjusted
@@ -22,6 +27,16 @@ struct WindowStats {
   int matched_in_newest = 0;        ///< of these points
   int photometric = 0;              ///< matches with a 2-D residual
   double cost_per_observation = 0;  ///< robust, in sigmas squared
+};
+
+/// Which immature points become active, and how many.
+struct ActivationPolicy {
+  /// Depth observations of a point that agree.
+  int min_depths = 2;
+  /// Keyframes that match it.
+  int min_matches = 2;
+  /// Points that are activated at most.
+  int budget = std::numeric_limits<int>::max();
 };
 
 /// The sliding window of one segment. Not for several threads at a time.
@@ -45,14 +60,14 @@ class Window {
   /// the number of matches.
   int associate_newest(const Matrix6d& pose_covariance);
 
-  /// Turns immature points into active ones where they are certain enough (at least `min_good` depth
-  /// observations, `min_matches` keyframes that match), spread over the newest image, `at_most` of them. Two
+  /// Turns immature points into active ones where they are certain enough, spread over the newest image. Two
   /// depths are of two images; one and a match may be of the same, so that nothing has checked it: a point
-  /// with one depth is only lent, until take_back(), and its immature point lives on. Returns how many.
-  int activate(int min_good, int min_matches, int at_most = std::numeric_limits<int>::max());
-  /// Ends the loans of before the newest keyframe: a point that a second keyframe matches, too, stays; the
-  /// others go back to being immature, but for those that the adjustment has dropped, which are gone.
-  void take_back();
+  /// with one depth is only tentative, until demote_unconfirmed(), and its immature point lives on. Returns
+  /// how many.
+  int activate(const ActivationPolicy& policy);
+  /// Decides on the tentative points of before the newest keyframe: one that a second keyframe matches, too,
+  /// stays; the others are immature again, but for those that the adjustment has dropped, which are gone.
+  void demote_unconfirmed();
   /// Points of known depth that the newest keyframe lacks for tracking: it should see 500, in a small image
   /// one for each four cells of the activation.
   int points_lacking() const;
@@ -93,6 +108,24 @@ class Window {
     Eigen::Vector2d px;
   };
   std::vector<Sight> in_sight(const ImmaturePoint& candidate, const std::vector<View>& views) const;
+  /// A keyframe whose immature points may become active.
+  struct CandidateHost {
+    Keyframe* keyframe;
+    std::vector<View> views;
+  };
+  /// An immature point that lies in a cell of the newest image.
+  struct Candidate {
+    CandidateHost* host;
+    ImmaturePoint* point;
+    int cell;
+    bool tried = false;
+  };
+  std::vector<int> count_active(const CellGrid& grid) const;
+  void add_candidates(const ActivationPolicy& policy, const CellGrid& grid, CandidateHost* host,
+                      std::vector<Candidate>* candidates) const;
+  bool is_certain(const Candidate& candidate) const;
+  MapPoint match_candidate(const Candidate& candidate, const std::vector<Sight>& sights) const;
+  bool try_activate(const ActivationPolicy& policy, const Candidate& candidate);
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const View& view) const;
   /// The window as a problem, and how to find one's way back from it.
   struct Adjustment {
@@ -101,16 +134,20 @@ class Window {
     std::vector<int> match_index;   ///< of each match, point by point: its place in problem.observations
   };
   Adjustment build_adjustment();
+  void add_point(int host, MapPoint* point, Adjustment* adjustment) const;
   void add_corners(BaProblem* problem) const;
-  void add_photometric(const Keyframe& host, const MapPoint& point, int target_index,
-                       BaProblem* problem) const;
   void take_result(const BaResult& result, const Adjustment& adjustment);
   void update_matches(const BaResult& result, const Adjustment& adjustment);
+  Match match_again(const Keyframe& host, const MapPoint& point, int keyframe_id,
+                    const std::vector<View>& views) const;
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
+  BaPrior marginalise_oldest();
+  static void drop_matches_in(int keyframe_id, Keyframe* host);
+  CloudPoint own_point(const MapPoint& point) const;
+  std::optional<CloudPoint> seen_point(const Keyframe& reference, const SE3& T_reference_host,
+                                       const MapPoint& point) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
-  bool try_activate(const ImmaturePoint& candidate, const std::vector<Sight>& sights, int min_matches,
-                    Keyframe* host) const;
 
   Pinhole pinhole_;
   WindowParams params_;

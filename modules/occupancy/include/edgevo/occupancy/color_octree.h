@@ -9,9 +9,8 @@
 namespace edgevo {
 
 /// Writes an .ot file with the occupied voxels of `map`, made from `run` with the same `filter`: each has the
-/// mean gray of the points and lines within, those of filled walls are orange (255 140 0), free space is left
-/// out. Cost: one look-up for each vertex and
-/// each voxel between two. Throws InputError when it cannot be written.
+/// mean gray of the points and lines within, free space is left out. Cost: one look-up for
+/// each vertex and each voxel between two. Throws InputError when it cannot be written.
 void write_color_octree(const Run& run, const PointFilter& filter, const OctreeMap& map,
                         const std::string& path);
 

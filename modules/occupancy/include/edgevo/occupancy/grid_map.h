@@ -23,13 +23,17 @@ namespace edgevo {
 /// Lengths in camera heights over the ground, so that the defaults hold whatever the unit of the run is: with
 /// a camera at 1.65 m the band is from 0.3 to 1.8 m.
 struct GridParams {
-  std::string camera_height = "auto";  ///< over the ground, unit of the run
-  double band_low = 0.18;              ///< the grid shows what stands higher than this
-  double band_high = 1.1;              ///< and lower than this
-  double driven_width =
-      1.1;  ///< the way that was driven is free, so wide: 1.8 m with a camera at 1.65 m; 0: as the map says
+  /// length or "auto"
+  std::string camera_height = "auto";
+  /// camera heights
+  double band_low = 0.18;
+  /// camera heights
+  double band_high = 1.1;
+  /// camera heights
+  double driven_width = 1.1;
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
   /// The given height; 0 stands for "auto". Throws InputError for anything but "auto" and positive numbers.
   double given_camera_height() const;
   /// Throws InputError also for an empty band.

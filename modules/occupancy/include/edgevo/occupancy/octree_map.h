@@ -18,15 +18,11 @@
 //    that graze its voxel.
 //  - Segments are mapped apart and joined by "occupied in any, else free in any": between segments neither
 //    scale nor place is measured, so that a ray of one proves nothing about the edges of another.
-//  - OccupancyParams::fill: what lies between straight edges that frame a wall without texture is occupied,
-//    where it is unknown, with a lower probability. A patch needs two parallel lines that three keyframes saw
-//    together and a third that closes one of its open sides; a certain point that is seen through it, or the
-//    way of the camera, opens it. Off by default: share/lab/2026-11-25_walls_without_texture.md.
 // Between edges lies unknown space. A planner has to choose whether unknown is free; free voxels here are
 // really seen ones.
 //
 // Cost: about as many voxel visits as rays times range over resolution; see
-// share/lab/2026-11-21_octomap_insertion.md. Not thread-safe; no
+// share/lab/archive/2026-11-21_octomap_insertion.md. Not thread-safe; no
 // OpenMP, whose number of threads octomap's own insertion would reset. A run without points gives an empty,
 // valid map.
 #include <cstdint>
@@ -45,8 +41,6 @@ class OcTree;
 
 namespace edgevo {
 
-class WallPatch;
-
 /// What went into the map, for summary.yaml.
 struct OctreeStats {
   PointCounts points;            ///< which of them were mapped, and why not
@@ -59,9 +53,6 @@ struct OctreeStats {
   int beyond_range = 0;   ///< kept points and vertices of lines not marked because they lie beyond max_range
   int out_of_bounds = 0;  ///< kept points outside the octree (32768 voxels from the origin)
   int64_t occupied_voxels = 0, free_voxels = 0;  ///< of the finest size
-  int64_t filled_voxels = 0;  ///< of the occupied ones: no edge, but a wall framed by edges
-  int patches_filled = 0;     ///< walls framed by edges
-  int patches_opened = 0;     ///< framed likewise, but something was seen or driven through them
 };
 
 /// Told with the number of keyframes inserted so far.
@@ -76,9 +67,8 @@ class OctreeMap {
   OctreeMap(OctreeMap&&) noexcept;
   OctreeMap& operator=(OctreeMap&&) noexcept;
 
-  const octomap::OcTree& tree() const { return *tree_; }      ///< log-odds; valid while this object lives
-  const octomap::OcTree& filled() const { return *filled_; }  ///< the filled voxels alone, unmerged
-  const OctreeStats& stats() const { return stats_; }         ///< what went into it
+  const octomap::OcTree& tree() const { return *tree_; }  ///< log-odds; valid while this object lives
+  const OctreeStats& stats() const { return stats_; }     ///< what went into it
 
   /// Occupied or free only, the smallest and most widely read format. Throws InputError when it cannot be
   /// written.
@@ -87,9 +77,7 @@ class OctreeMap {
   void write_ot(const std::string& path) const;
 
  private:
-  void fill(const std::vector<WallPatch>& walls, const OccupancyParams& params);
-
-  std::unique_ptr<octomap::OcTree> tree_, filled_;
+  std::unique_ptr<octomap::OcTree> tree_;
   OctreeStats stats_;
   std::string comments_;
 };

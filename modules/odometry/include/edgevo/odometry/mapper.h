@@ -12,6 +12,7 @@
 #include "edgevo/edge_map/edge_mapper.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/window.h"
+#include "edgevo/odometry/odometry_params.h"
 #include "edgevo/odometry/reference.h"
 #include "edgevo/odometry/tracking_check.h"
 #include "edgevo/self_calibration/self_calibration.h"
@@ -42,21 +43,25 @@ struct MapUpdate {
   StageTimes times;      ///< of the stages that ran
 };
 
+/// Builds a pyramid again from its source image, whose motion is given, for another correction of the camera.
+using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
+    const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
+
+/// How the mapping of a run works; what it estimates is in OdometryParams.
+struct MapperOptions {
+  /// Of the run.
+  uint64_t seed = 1;
+  /// Self-calibration and edge map in threads of their own: mapping goes on meanwhile, but when they end, and
+  /// with it the result, depends on the machine. Keyframes may be left out of the edge map.
+  bool own_threads = false;
+  /// Needed with self-calibration.
+  RebuildPyramid rebuild;
+};
+
 /// Window, self-calibration and edge map of a run.
 class Mapper {
  public:
-  /// `gradient_patches`: references get patches of gradients for the photometric cost; `seed`: of the run.
-  Mapper(const Pinhole& pinhole, const MappingParams& params, const AssociationParams& association,
-         bool gradient_patches, uint64_t seed);
-
-  /// Lets be found what the camera file does not say; `rebuild` builds a pyramid again from its source image,
-  /// whose motion is given. In a thread of its own the mapping goes on meanwhile, but when it ends, and with
-  /// it the result, depends on the machine.
-  using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
-      const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
-  /// before the first frame
-  void enable_self_calibration(const SelfCalibrationParams& params, const RebuildPyramid& rebuild,
-                               bool own_thread);
+  Mapper(const Pinhole& pinhole, const OdometryParams& params, const MapperOptions& options);
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
   /// between them. Returns an empty string, or why they make no map.
@@ -78,36 +83,48 @@ class Mapper {
   /// Of the segments closed since the last call.
   std::vector<HostedLines> take_lines() { return std::exchange(lines_, {}); }
 
-  /// Lines of the keyframes that leave the window; in a thread of its own, keyframes may be left out.
-  void enable_edge_map(const EdgeMapParams& params, bool own_thread);
-
  private:
+  // The steps of a bootstrap.
+  void add_first_keyframes(const BootstrapResult& bootstrap);
   std::vector<ImmaturePoint> first_points(const Keyframe& keyframe,
                                           const std::vector<BootstrapCorner>& corners, bool is_last);
+  void filter_first_depths(const BootstrapResult& bootstrap);
+  // The steps of a frame.
+  TrackedFrame corrected(const TrackedFrame& tracked) const;
+  void filter_depths(const TrackedFrame& frame, const SE3& T_cam_world, StageTimes* times);
+  void return_to(int keyframe_id, StageTimes* times);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
+  // The steps of a keyframe.
+  void add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world);
+  void associate(const TrackedFrame& frame, StageTimes* times);
+  void activate_points(StageTimes* times);
+  WindowStats adjust(StageTimes* times);
+  void check_tracking(const TrackedFrame& frame);
+  void remove_oldest(StageTimes* times);
+  void map_edges(StageTimes* times);
+  void calibrate_if_due(StageTimes* times);
+  void seed_and_publish(StageTimes* times);
+
+  void smooth_depths();
   int new_points_wanted() const;
+  void drop_old_points();
   void seed_points(Keyframe* keyframe);
   void calibrate_on_the_way();
   void calibrate(bool at_end);
   std::vector<const Keyframe*> window_pointers() const;
   BaOptions calibration_options() const;
-  std::shared_ptr<const FramePyramid> corrected(const TrackedFrame& tracked) const;
-  void check_tracking(const TrackedFrame& frame);
   void publish(const Keyframe& keyframe);
-  void return_to(int keyframe_id);
-  void map_edges(const Keyframe& keyframe);
 
   Pinhole pinhole_;
   MappingParams params_;
   AssociationParams association_;
   bool gradient_patches_;
+  MapperOptions options_;
   Random random_;
   Window window_;
   std::shared_ptr<const Reference> reference_;
   SelfCalibration calibration_;
-  RebuildPyramid rebuild_;
-  bool calibration_has_thread_ = false;
-  std::unique_ptr<EdgeMapper> edge_mapper_;
+  EdgeMapper edge_mapper_;
   std::vector<Keyframe> retired_;
   std::vector<HostedLines> lines_;
   std::vector<RevisedKeyframe> revised_;

@@ -11,9 +11,10 @@
 #include <string>
 
 #include "edgevo/core/image.h"
+#include "edgevo/core/live_keyframes.h"
 #include "edgevo/core/records.h"
+#include "edgevo/edges/edge_detector.h"
 #include "edgevo/odometry/frame_view.h"
-#include "edgevo/odometry/live_view.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
 
@@ -29,13 +30,15 @@ struct OdometryOptions {
   /// one; then tracking waits for it. 1: nearly the map of a synchronous run. More: fewer waits where frames
   /// come at their own time, on an older map; with 8 a drive at 1 m a frame runs out of it.
   int max_frames_ahead = 1;
+  /// Which detectors edges.detector may name.
+  EdgeDetectorTable detectors = basic_edge_detectors();
   std::function<void(const std::string&)> log;  ///< one line at each change of state; may be empty
 };
 
 /// A run of one camera. One thread.
 class Odometry {
  public:
-  /// Throws InputError for an unusable camera or detector.
+  /// Throws InputError for an unusable camera, or a detector that is unusable or not in the table.
   Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options);
   ~Odometry();
 

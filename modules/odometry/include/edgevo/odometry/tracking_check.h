@@ -2,7 +2,7 @@
 // How far off are tracked poses, measured while running? The adjustment moves each new keyframe from where
 // tracking had put it. That move, against the covariance that tracking told, says how much the reference's
 // own error adds, which no residual of tracking shows: factor = 1.15 max(0.7, mean of normalised_error_square
-// / 5). Measured on rendered scenes: share/lab/2026-11-22_pose_covariance.md.
+// / 5). Measured on rendered scenes: share/lab/archive/2026-11-22_pose_covariance.md.
 #include "edgevo/core/se3.h"
 
 namespace edgevo {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/core/live_keyframes.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/vehicle_track.h"
-#include "edgevo/odometry/live_view.h"
 #include "edgevo/report/run_info.h"
 
 namespace edgevo {

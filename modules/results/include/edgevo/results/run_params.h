@@ -1,12 +1,12 @@
 #pragma once
-// All that --params and --set of `edgevo run` can name; params/default.yaml lists it.
+// All that --params and --set of `edgevo run` can name; `edgevo help parameters --all` lists it.
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/results/run_maps.h"
 #include "edgevo/scale/scale_params.h"
 
 namespace edgevo {
 
-/// The groups of params/default.yaml.
+/// The groups of parameters.
 struct RunParams {
   OdometryParams odometry;  ///< camera to edge_map
   ScaleParams scale;        ///< the metre

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "edgevo/core/image_source.h"
-#include "edgevo/odometry/odometry.h"
 #include "edgevo/scale/live_scale.h"
 #include "edgevo/scale/run_scale.h"
 
@@ -23,9 +22,10 @@ class RunScaling {
   RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
              const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params);
 
-  /// After each frame.
-  void add_frame(const FrameRecord& frame, const Odometry& odometry);
-  /// The same, with the keyframes that have settled since the frame before.
+  /// The scale is measured, and wants each frame and keyframe while the run goes on.
+  bool is_estimated() const { return requested_.is_estimated(); }
+  /// After each frame, with the keyframes that have settled since the frame before. Nothing unless
+  /// is_estimated().
   void add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled);
   /// What the sensor recorded that the scale is measured by; empty where it needs none.
   const VehicleTrack& track() const { return track_; }
@@ -38,7 +38,6 @@ class RunScaling {
   ScaleParams params_;
   VehicleTrack track_;
   LiveScale live_;
-  size_t settled_ = 0;  ///< keyframes fed so far
 };
 
 }  // namespace edgevo

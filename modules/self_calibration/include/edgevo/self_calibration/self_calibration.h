@@ -34,27 +34,26 @@ namespace edgevo {
 
 /// Parameters of the self-calibration.
 struct SelfCalibrationParams {
-  std::string refine = "all";  ///< "none": the camera file is taken as it is; "k1", "readout": only that
-  int min_keyframes = 30;      ///< at the first checkpoint; each next one at twice as many
-  int checkpoints = 3;         ///< the last one is the most expensive, about a second at 120 keyframes
-  double prior_sigma = 0.01;   ///< of k1 before anything was seen
-  double max_k1 = 0.03;        ///< an estimate at this limit is not believed
-  double significance = 3.0;   ///< standard deviations
-  /// What biased matches add to the standard deviation, at 30 keyframes; falls with their number.
-  double model_sigma = 0.004;
-  /// Of a rolling shutter, where it is known: the last row is taken this much later than the first.
+  /// "none", "k1", "readout" or "all"
+  std::string refine = "all";
+  /// keyframes
+  int min_keyframes = 30;
+  /// standard deviations
+  double significance = 3.0;
+  /// s
   double readout_s = 0;
-  double readout_prior_sigma = 0.03;    ///< of the read-out time before anything was seen, seconds
-  double max_readout_s = 0.1;           ///< an estimate at this limit is not believed
-  double readout_model_sigma = 0.0015;  ///< as model_sigma, in seconds
+  /// A change of the read-out time is applied with a third more: matches of crooked rows hold on to them.
+  bool over_relax_readout = true;
 
   /// Rows may have a time of their own.
   bool knows_rolling() const { return readout_s != 0 || refines_readout(); }
-  bool refines_k1() const { return refine == "k1" || refine == "all"; }  ///< k1 is estimated
-  /// the read-out time is estimated
+  /// k1 is estimated.
+  bool refines_k1() const { return refine == "k1" || refine == "all"; }
+  /// The read-out time is estimated.
   bool refines_readout() const { return refine == "readout" || refine == "all"; }
 
-  void visit(ParamVisitor& v);  ///< names, ranges and texts of the fields (core/params.h)
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
 };
 
 /// The self-calibration of one run. One thread calls; an estimate may run in another.

@@ -2,7 +2,7 @@
 // Renders the frames of a scene, with exact depth and pose.
 //
 // A software renderer of its own, measured against MRPT's off-screen OpenGL (see
-// share/lab/2026-11-21_own_renderer.md): it filters textures, gives
+// share/lab/archive/2026-11-21_own_renderer.md): it filters textures, gives
 // the same bytes on every machine, samples through the lens distortion itself instead of warping an image,
 // and is as fast.
 //

@@ -1,0 +1,22 @@
+#include "bench_host.h"
+
+#include <memory>
+
+#include "progress.h"
+#include "signals.h"
+#include "version.h"
+
+namespace edgevo::app {
+
+BenchHost bench_host() {
+  BenchHost host;
+  host.version = version();
+  host.listen_to_signals = listen_to_signals;
+  host.stop = interrupted;
+  host.progress = [](const std::string& what, std::optional<int> total) -> ProgressLine {
+    return [line = std::make_shared<Progress>(what, total)](int done) { line->update(done); };
+  };
+  return host;
+}
+
+}  // namespace edgevo::app

@@ -1,0 +1,61 @@
+#include "edgevo/benchmark/trial.h"
+
+#include "edgevo/core/run_statistics.h"
+
+namespace edgevo {
+
+void Trial::visit(KeyVisitor& v) {
+  // No limits: they were written by us.
+  constexpr int kMany = std::numeric_limits<int>::max();
+  constexpr double kLarge = std::numeric_limits<double>::max();
+  v.integer("frames", frames, 0, kMany, "put in");
+  v.number("completion_percent", completion_percent, 0, 100, "frames with a pose");
+  v.integer("segments", segments, 0, kMany, "connected stretches of trajectory");
+  v.number("cpu_ms", cpu_ms, 0, kLarge, "of the odometry a frame");
+  v.boolean("evaluated", evaluated, "against ground truth");
+  v.text("note", note, {}, "why not");
+  v.number("path_m", path_m, 0, kLarge, "of the ground truth");
+  v.number("ate_m", ate_m, 0, kLarge, "RMSE after Sim(3)");
+  v.number("ate200_m", ate200_m, 0, kLarge, "scale re-corrected every 200 input frames");
+  v.number("drift_cm_per_m", drift_cm_per_m, 0, kLarge, "mean over stretches");
+  v.number("failure_percent", failure_percent, 0, 100,
+           "stretches above the cap of the drift, or without poses");
+  v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, a frame");
+  v.number("map_ms", map_ms, 0, kLarge, "all other stages, a frame");
+}
+
+namespace {
+
+bool is_tracking(const std::string& stage) {
+  return stage == "edges" || stage == "alignment" || stage == "corners";
+}
+
+}  // namespace
+
+Trial trial_of(const Run& run, double cpu_s) {
+  Trial trial;
+  const RunCounts counts = count(run);
+  trial.frames = counts.frames;
+  trial.segments = counts.segments;
+  for (const FrameRecord& frame : run.frames)
+    for (const auto& [stage, ms] : frame.stage_ms)
+      (is_tracking(stage) ? trial.track_ms : trial.map_ms) += ms / trial.frames;
+  if (trial.frames == 0) return trial;
+  trial.completion_percent = 100.0 * counts.with_pose / trial.frames;
+  trial.cpu_ms = 1000.0 * cpu_s / trial.frames;
+  return trial;
+}
+
+void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
+  trial->evaluated = true;
+  trial->ate_m = evaluation.ate_sim3.rmse;
+  trial->ate200_m = evaluation.ate_blocks.rmse;
+  if (!evaluation.drift) return;
+  trial->path_m = evaluation.drift->path_m;
+  trial->drift_cm_per_m = evaluation.drift->mean_cm_per_m;
+  const Drift& drift = *evaluation.drift;
+  if (drift.stretches > 0)
+    trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.stretches;
+}
+
+}  // namespace edgevo

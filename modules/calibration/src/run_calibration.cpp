@@ -1,0 +1,122 @@
+#include "edgevo/calibration/run_calibration.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/input_file.h"
+#include "edgevo/core/params.h"
+
+namespace edgevo {
+namespace {
+
+using State = CameraRefinement::State;
+
+constexpr int kLargestSide = 65535;  // pixels of a width or height: what image formats hold
+
+// Of every complaint about the folder.
+constexpr const char* kRemedy = "give the folder that a finished `edgevo run` of this version has written";
+
+// The text with all lines blank that do not belong to one of the two groups: the others keep their numbers.
+std::string camera_groups(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line[0] != ' ') inside = line == "camera:" || line == "self_calibration:";
+    kept += (inside ? line : "") + '\n';
+  }
+  return kept;
+}
+
+struct Numbers {
+  double largest = std::numeric_limits<double>::max();
+  void read(KeyVisitor& v, const char* key, double& value) const {
+    v.number(key, value, -largest, largest, "");
+  }
+};
+
+void visit_camera(KeyVisitor& v, Camera* camera) {
+  const auto g = v.group("camera");
+  Pinhole& p = camera->pinhole;
+  Distortion& d = camera->distortion;
+  v.integer("width", p.width, 1, kLargestSide, "");
+  v.integer("height", p.height, 1, kLargestSide, "");
+  const Numbers any;
+  for (const auto& [key, value] : {std::pair("fx", &p.fx), {"fy", &p.fy}, {"cx", &p.cx}, {"cy", &p.cy}})
+    any.read(v, key, *value);
+  for (const auto& [key, value] :
+       {std::pair("k1", &d.k1), {"k2", &d.k2}, {"p1", &d.p1}, {"p2", &d.p2}, {"k3", &d.k3}})
+    any.read(v, key, *value);
+}
+
+State state_of(const std::string& name) {
+  const auto& names = refinement_state_names();
+  return State(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
+  const auto g = v.group("self_calibration");
+  std::string result;  // the states in words
+  std::string shutter = to_string(State::kOff);
+  v.text("state", *state, refinement_state_names(), "");
+  v.text("result", result, {}, "");
+  const Numbers any;
+  any.read(v, "residual_k1", c->k1);
+  any.read(v, "estimate", c->estimate);
+  any.read(v, "standard_deviation", c->sigma);
+  v.integer("keyframes", c->keyframes, 0, std::numeric_limits<int>::max(), "");
+  CameraRefinement::Shutter& s = c->shutter;
+  v.text("shutter", shutter, refinement_state_names(), "");
+  v.text("shutter_result", result, {}, "");
+  any.read(v, "readout_s", s.readout_s);
+  any.read(v, "readout_estimate", s.estimate);
+  any.read(v, "readout_standard_deviation", s.sigma);
+  v.integer("readout_keyframes", s.keyframes, 0, std::numeric_limits<int>::max(), "");
+  s.state = state_of(shutter);
+}
+
+}  // namespace
+
+RunCalibration read_run_calibration(const std::string& run_folder) {
+  RunCalibration run;
+  run.path = (std::filesystem::path(run_folder) / "summary.yaml").string();
+  std::string state;
+  read_params(camera_groups(read_file(run.path, kRemedy)), run.path, [&](ParamVisitor& v) {
+    visit_camera(v, &run.camera);
+    visit_refinement(v, &state, &run.refinement);
+  });
+  if (run.camera.pinhole.width == 0) throw InputError(run.path, "holds no camera", kRemedy);
+  if (state.empty()) throw InputError(run.path, "does not tell the state of self_calibration", kRemedy);
+  run.camera.check(run.path);
+  run.refinement.state = state_of(state);
+  return run;
+}
+
+FoldedCamera corrected_camera(const RunCalibration& run) {
+  switch (run.refinement.state) {
+    case State::kOff:
+      throw InputError(run.path, "self-calibration was off", "run again without --set camera.refine=none");
+    case State::kTooEarly:
+      throw InputError(run.path, "the run was too short to calibrate the camera",
+                       "run on a longer sequence: 60 keyframes and more");
+    case State::kNotObservable:
+      throw InputError(run.path, "the motion does not tell the camera's distortion",
+                       "run on a sequence that moves forward over a longer way, past structure near and far");
+    case State::kAtLimit:
+      throw InputError(
+          run.path,
+          "the distortion that was found is at its limit: the camera file is wrong in some other way",
+          "calibrate the camera (edgevo calibrate --chessboard)");
+    case State::kInsignificant:
+    case State::kApplied:
+      break;
+  }
+  Camera camera = run.camera;
+  camera.residual_k1 = run.refinement.k1;
+  return fold_residual(camera, run.path);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,39 @@
+#include "bootstrapper.h"
+
+#include "bootstrap_placement.h"
+#include "segment_join.h"
+
+namespace edgevo {
+
+Bootstrapper::Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
+                           RunRecords* records)
+    : bootstrap_(pinhole, params.mapping.bootstrap, seed),
+      alignment_(params.alignment),
+      map_(map),
+      records_(records) {}
+
+BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
+  return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid);
+}
+
+std::string Bootstrapper::make_map(const BootstrapResult& views) {
+  const std::string problem = map_->make_map(views);
+  bootstrap_.reset();
+  return problem;
+}
+
+NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,
+                                       std::optional<double> scale) {
+  const std::vector<TimedPose> previous =
+      records_->last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
+  records_->begin_segment(segment, join_segment(previous, views, scale).T_world_map);
+  map_->begin_segment(segment);
+  NewSegment begun;
+  begun.reference = map_->reference();
+  place_bootstrap_frames(views, *begun.reference, segment, alignment_, records_);
+  const std::optional<SE3> before = records_->pose_before(views.views.back().frame_index, segment);
+  if (before) begun.motion = begun.reference->T_ref_world * before->inverse();
+  return begun;
+}
+
+}  // namespace edgevo

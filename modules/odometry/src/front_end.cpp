@@ -1,0 +1,102 @@
+#include "front_end.h"
+
+#include <utility>
+
+#include "edgevo/core/thread_clock.h"
+#include "see_points.h"
+#include "stage_timer.h"
+
+namespace edgevo {
+
+FrontEnd::FrontEnd(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
+    : params_(params),
+      builder_(camera, params.edges, options.detectors),
+      random_(Random::derive(options.seed, 3)),
+      keyframes_(camera.pinhole, params.keyframe),
+      coverage_(params.recovery) {}
+
+ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
+  const RowRectification rows{builder_.correction().readout_s, expected_motion(has_pose)};
+  newest_pyramid_ = builder_.build(frame, rows.expected);
+  return {frame, newest_pyramid_, rows, nullptr};
+}
+
+// What the rows of the next image are rectified for: the camera goes on as before.
+ImageMotion FrontEnd::expected_motion(bool has_pose) const {
+  const std::optional<Vector6d> twist = motion_.expected_twist();
+  if (builder_.correction().readout_s == 0 || !has_pose || !twist) return {};
+  return image_motion(builder_.pinhole(), reference_->cloud, motion_.predict(), *twist,
+                      reference_->median_idepth);
+}
+
+Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
+  const double start = thread_cpu_ms();
+  Track track =
+      track_frame({*now.pyramid, *reference_, motion_, keyframes_, params_, now.rows, was_lost, &random_});
+  FrameRecord& record = *now.record;
+  record.stage_ms.emplace_back(name_of(Stage::kAlignment), thread_cpu_ms() - start - track.corner_ms);
+  if (track.corner_ms > 0) record.stage_ms.emplace_back(name_of(Stage::kCorners), track.corner_ms);
+  record.inlier_share = track.result.evidence.inlier_share;
+  record.residual_px = track.result.stats.residual_px;
+  record.note = track.result.reason;
+  return track;
+}
+
+TrackedFrame FrontEnd::hand_over(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
+  motion_.follow(track.result.T_cur_ref, track.took_usual_step);
+  const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
+  now.record->keyframe_reason = decision.reason;
+  TrackedFrame tracked;
+  tracked.frame_index = now.frame.index;
+  tracked.time = now.frame.time;
+  tracked.pyramid = now.pyramid;
+  tracked.reference_id = reference_->keyframe_id;
+  tracked.T_cam_ref = track.result.T_cur_ref;
+  tracked.covariance = track.result.covariance;
+  tracked.corners = std::move(track.corners);
+  tracked.return_to = decision.return_to;
+  tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
+  if (tracked.make_keyframe && params_.camera.knows_rolling())
+    rectify_keyframe(now, track.twist, &tracked);
+  return tracked;
+}
+
+// What is measured in a keyframe stays: its rows are rectified again, for the motion that was found.
+void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked) {
+  const double start = thread_cpu_ms();
+  tracked->motion = measured_motion(builder_.pinhole(), *reference_, now.rows, tracked->T_cam_ref, twist);
+  if (now.rows.is_rolling()) {
+    tracked->pyramid = builder_.rebuild(*now.pyramid, tracked->motion);
+    for (CornerPair& c : tracked->corners)
+      c.to = shift_ray(builder_.pinhole(), now.rows.readout_s, now.rows.expected, tracked->motion, c.to);
+  }
+  // The first stage of a frame: Stage::kEdges.
+  now.record->stage_ms.front().second += thread_cpu_ms() - start;
+}
+
+void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
+  if (newest == reference_) return;
+  if (newest->camera.correction() != builder_.correction())
+    builder_.set_correction(newest->camera.correction());
+  if (reference_) {
+    const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
+    const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;
+    motion_.change_reference(T_old_world * newest->T_ref_world.inverse());
+  }
+  reference_ = std::move(newest);
+}
+
+void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::optional<SE3>& motion) {
+  reference_ = std::move(reference);
+  motion_.restart(motion);
+  keyframes_.restart();
+  coverage_.restart();
+}
+
+FrameView FrontEnd::view(double idepth_factor) const {
+  return {newest_pyramid_,
+          see_points(reference_->cloud, motion_.T_last_ref(), *newest_pyramid_, idepth_factor),
+          reference_->keyframe_id};
+}
+
+}  // namespace edgevo

@@ -1,0 +1,42 @@
+#include "segment_join.h"
+
+namespace edgevo {
+namespace {
+
+// Lengths a second below which a camera stands still.
+constexpr double kStill = 1e-9;
+
+// Of the bootstrap, in the unit of its map.
+double speed_of(const BootstrapResult& bootstrap) {
+  const BootstrapView& first = bootstrap.views.front();
+  const BootstrapView& last = bootstrap.views.back();
+  return last.T_cam_first.inverse().translation().norm() / seconds_between(first.time, last.time);
+}
+
+}  // namespace
+
+SegmentJoin join_segment(const std::vector<TimedPose>& previous, const BootstrapResult& bootstrap,
+                         std::optional<double> scale) {
+  using Method = SegmentJoin::Method;
+  SegmentJoin join;
+  if (previous.size() < 2) return join;
+  const TimedPose &oldest = previous.front(), &newest = previous.back();
+  const Eigen::Vector3d here = newest.T_world_cam.translation();
+  const Eigen::Vector3d velocity =
+      (here - oldest.T_world_cam.translation()) / seconds_between(oldest.time, newest.time);
+  const double gap = seconds_between(newest.time, bootstrap.views.front().time);
+  join.T_world_map.rigid = SE3(newest.T_world_cam.rotation(), here + gap * velocity);
+  const double new_speed = speed_of(bootstrap);
+  if (scale) {
+    join.method = Method::kDepthRatio;
+    join.T_world_map.scale = *scale;
+  } else if (velocity.norm() > kStill && new_speed > kStill) {
+    join.method = Method::kVelocity;
+    join.T_world_map.scale = velocity.norm() / new_speed;
+  } else {
+    join.method = Method::kStandstill;
+  }
+  return join;
+}
+
+}  // namespace edgevo

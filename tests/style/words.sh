@@ -1,0 +1,51 @@
+#!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
+# Words of this project's youth do not come back: tests/style/words.txt names each with the term to use instead.
+#
+#   tests/style/words.sh           looks through sources, tests and pages; lists what it finds, exit code 1
+#   tests/style/words.sh FILE...   looks through these files only
+#   tests/style/words.sh --check   tries the check itself on planted words
+set -eu
+here=$(cd "$(dirname "$0")/../.." && pwd)
+list=$here/tests/style/words.txt
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# What is looked through. Not: the archive of the lab book and the changelog, which tell what was.
+files() {
+  (cd "$here" && find README.md CONTRIBUTING.md CMakeLists.txt app modules tests params datasets share -type f \
+    \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' -o -name '*.txt' \
+    -o -name '*.yaml' -o -name '*.js' -o -name '*.html' \) \
+    ! -path 'share/lab/archive/*' ! -path 'tests/style/words.*' | sort)
+}
+
+# find_words FILE...: a line `FILE:LINE: "word": use TERM` for each.
+find_words() {
+  grep -v '^#' "$list" | perl -e '
+    my @banned;
+    while (<STDIN>) { chomp; my ($word, $term) = split /\t/; push @banned, [qr/(?<![A-Za-z0-9_])(?:$word)(?![A-Za-z0-9_])/i, $term] if $term; }
+    for my $path (@ARGV) {
+      open(my $file, "<", $path) or die "words.sh: $path: cannot be read\n";
+      while (my $line = <$file>) {
+        for my $b (@banned) {
+          print "$path:$.: \"$&\": use $b->[1]\n" if $line =~ $b->[0];
+        }
+      }
+    }' "$@"
+}
+
+check_itself() {
+  printf 'The point is lent.\nA silent talent.\nUsualStep usual;\n' >"$work/planted.txt"
+  cat >"$work/expected" <<END
+$work/planted.txt:1: "lent": use tentative point
+$work/planted.txt:3: "UsualStep": use median-motion prior
+END
+  find_words "$work/planted.txt" >"$work/found"
+  diff "$work/expected" "$work/found"
+}
+
+if [ "${1:-}" = --check ]; then check_itself; exit; fi
+cd "$here"
+if [ $# -gt 0 ]; then find_words "$@" >"$work/found"; else files | xargs sh -c '"$0" "$@"' "$0" >"$work/found" || true; fi
+cat "$work/found"
+if [ -s "$work/found" ]; then exit 1; fi

@@ -1,0 +1,105 @@
+#include "edgevo/calibration/run_calibration.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "support/temp_folder.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+using State = CameraRefinement::State;
+
+template <class Call>
+std::string error_of(Call&& call) {
+  try {
+    call();
+  } catch (const InputError& e) {
+    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << "more than one line: " << e.what();
+    return e.what();
+  }
+  return {};
+}
+
+// A summary.yaml in short: what else stands there need not even be the YAML that our strict reader knows.
+std::string summary(const std::string& state, const std::string& more = "") {
+  return "command: \"edgevo run a[1 # {\"\ncamera:\n  width: 640\n  height: 480\n  fx: 500.5\n  fy: 501\n  "
+         "cx: 320\n  cy: 240\n  k1: 0.1\n"
+         "self_calibration:\n  state: \"" +
+         state + "\"\n  result: \"words: of it\"\n" + more + "scale:\n  source: none\nnot_written: []\n";
+}
+
+class RunCalibrationFile : public ::testing::Test {
+ protected:
+  RunCalibration read(const std::string& text) {
+    write_file(folder.path() + "/summary.yaml", text);
+    return read_run_calibration(folder.path());
+  }
+  test::TempFolder folder;
+};
+
+TEST_F(RunCalibrationFile, TellsCameraAndFinding) {
+  const RunCalibration run = read(
+      summary("applied",
+              "  residual_k1: 0.01234\n  estimate: 0.01234\n  standard_deviation: 0.002\n  keyframes: 61\n"));
+  EXPECT_EQ(run.camera.pinhole.fx, 500.5);
+  EXPECT_EQ(run.camera.distortion.k1, 0.1);
+  EXPECT_EQ(run.refinement.state, State::kApplied);
+  EXPECT_EQ(run.refinement.k1, 0.01234);
+  EXPECT_EQ(run.refinement.sigma, 0.002);
+  EXPECT_EQ(run.refinement.keyframes, 61);
+  const FoldedCamera corrected = corrected_camera(run);
+  EXPECT_NEAR(corrected.camera.distortion.k1, 0.1123, 0.002);
+  EXPECT_LT(corrected.max_error_px, 0.01);
+}
+
+TEST_F(RunCalibrationFile, TellsTheShutter) {
+  const CameraRefinement::Shutter read_back =
+      read(summary(
+               "insignificant",
+               "  residual_k1: 0\n  shutter: \"applied\"\n  shutter_result: \"rows: rectified\"\n  "
+               "readout_s: 0.0221\n"
+               "  readout_estimate: 0.0217\n  readout_standard_deviation: 0.0015\n  readout_keyframes: 30\n"))
+          .refinement.shutter;
+  EXPECT_EQ(read_back.state, State::kApplied);
+  EXPECT_EQ(read_back.readout_s, 0.0221);
+  EXPECT_EQ(read_back.estimate, 0.0217);
+  EXPECT_EQ(read_back.sigma, 0.0015);
+  EXPECT_EQ(read_back.keyframes, 30);
+  EXPECT_EQ(read(summary("insignificant")).refinement.shutter.state, State::kOff)
+      << "a run of an earlier version";
+}
+
+TEST_F(RunCalibrationFile, AnInsignificantFindingLeavesTheCamera) {
+  const FoldedCamera corrected = corrected_camera(
+      read(summary("insignificant", "  residual_k1: 0\n  estimate: 0.0005\n  standard_deviation: 0.002\n")));
+  EXPECT_EQ(corrected.camera.distortion.k1, 0.1);
+  EXPECT_EQ(corrected.max_shift_px, 0);
+}
+
+TEST_F(RunCalibrationFile, WithoutAFindingItSaysWhatToDo) {
+  const auto error = [&](const char* state) {
+    return error_of([&] { corrected_camera(read(summary(state))); });
+  };
+  EXPECT_THAT(error("off"), HasSubstr("summary.yaml: self-calibration was off; run again"));
+  EXPECT_THAT(error("too_early"), HasSubstr("too short to calibrate the camera; run on a longer sequence"));
+  EXPECT_THAT(error("not_observable"), HasSubstr("does not tell the camera's distortion; run on"));
+}
+
+TEST_F(RunCalibrationFile, WhatIsNoSummaryIsToldWithItsPlace) {
+  EXPECT_THAT(error_of([&] { read_run_calibration(folder.path() + "/none"); }),
+              HasSubstr("none/summary.yaml: cannot be read"));
+  EXPECT_THAT(error_of([&] { read(summary("maybe")); }),
+              HasSubstr("summary.yaml:11: self_calibration.state: 'maybe' is not one of"));
+  EXPECT_THAT(error_of([&] { read("scale:\n  source: none\n"); }), HasSubstr("holds no camera"));
+  EXPECT_THAT(error_of([&] { read("camera:\n  width: 640\n  focal: 3\n"); }),
+              HasSubstr("summary.yaml:3: unknown parameter"));
+  EXPECT_THAT(error_of([&] { read("camera:\n  width: 640\n  height: 480\n"); }),
+              HasSubstr("state of self_calibration"));
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,35 @@
+#include "edgevo/core/run_warnings.h"
+
+#include <gmock/gmock.h>
+
+namespace edgevo {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+TEST(RunWarnings, NoneForAGoodRun) {
+  edgevo::Run run;
+  run.scale_source = "odometry";
+  run.scale.lowest = 0.95, run.scale.highest = 1.1;
+  run.camera.state = CameraRefinement::State::kApplied;
+  EXPECT_THAT(run_warnings(run), IsEmpty());
+}
+
+TEST(RunWarnings, AScaleThatVaries) {
+  edgevo::Run run;
+  run.scale_source = "camera_height=1.65";
+  run.scale.lowest = 0.9, run.scale.highest = 2.12;
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("from 0.90 to 2.12")));
+}
+
+TEST(RunWarnings, ACalibrationAtItsLimit) {
+  edgevo::Run run;
+  run.camera.state = CameraRefinement::State::kAtLimit;
+  run.camera.estimate = 0.03;
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("0.0300) is at its limit")));
+}
+
+}  // namespace
+}  // namespace edgevo

@@ -1,0 +1,70 @@
+#include "segment_join.h"
+
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+using Method = SegmentJoin::Method;
+using Eigen::Vector3d;
+
+// Heading of the camera before the join.
+const Eigen::Quaterniond kHeading(Eigen::AngleAxisd(0.3, Vector3d::UnitY()));
+
+// Poses a tenth of a second apart that move by `step`, the last of them at 1 s.
+std::vector<TimedPose> moving(const Vector3d& step, int poses = int(kJoinPoses)) {
+  std::vector<TimedPose> previous;
+  for (int i = 0; i < poses; ++i)
+    previous.push_back({Timestamp::from_seconds(1 + 0.1 * (i + 1 - poses)), SE3(kHeading, double(i) * step)});
+  return previous;
+}
+
+// Two views, the first at `begin` seconds and the last half a second after it, `length` further on.
+BootstrapResult bootstrap(double begin, double length) {
+  BootstrapResult result;
+  result.views.resize(2);
+  result.views.front().time = Timestamp::from_seconds(begin);
+  result.views.back().time = Timestamp::from_seconds(begin + 0.5);
+  result.views.back().T_cam_first = SE3(Eigen::Quaterniond::Identity(), Vector3d(0, 0, -length));
+  return result;
+}
+
+TEST(SegmentJoin, TheFirstSegmentLiesAtTheOrigin) {
+  const SegmentJoin join = join_segment({}, bootstrap(1, 1), std::nullopt);
+  EXPECT_EQ(join.method, Method::kOrigin);
+  EXPECT_EQ(join.T_world_map.scale, 1);
+  EXPECT_LT(join.T_world_map.rigid.log().norm(), 1e-12);
+}
+
+TEST(SegmentJoin, OnePoseHasNoVelocity) {
+  EXPECT_EQ(join_segment(moving({0, 0, 1}, 1), bootstrap(1.2, 1), 2.0).method, Method::kOrigin);
+}
+
+// 2 units a second before the join, and 2 * 3 units a second in the bootstrap.
+TEST(SegmentJoin, GoesOnAtConstantVelocityAndEqualSpeed) {
+  const std::vector<TimedPose> previous = moving({0.2, 0, 0});
+  const SegmentJoin join = join_segment(previous, bootstrap(1.3, 3), std::nullopt);
+  EXPECT_EQ(join.method, Method::kVelocity);
+  const Vector3d expected = previous.back().T_world_cam.translation() + 0.3 * Vector3d(2, 0, 0);
+  EXPECT_LT((join.T_world_map.rigid.translation() - expected).norm(), 1e-9);
+  EXPECT_LT(join.T_world_map.rigid.rotation().angularDistance(kHeading), 1e-9);
+  EXPECT_NEAR(join.T_world_map.scale, 2.0 / 6.0, 1e-9);
+}
+
+TEST(SegmentJoin, AGivenScaleIsTaken) {
+  const SegmentJoin given = join_segment(moving({0.2, 0, 0}), bootstrap(1.3, 3), 5.0);
+  const SegmentJoin guessed = join_segment(moving({0.2, 0, 0}), bootstrap(1.3, 3), std::nullopt);
+  EXPECT_EQ(given.method, Method::kDepthRatio);
+  EXPECT_EQ(given.T_world_map.scale, 5);
+  EXPECT_EQ(given.T_world_map.rigid.translation(), guessed.T_world_map.rigid.translation());
+}
+
+TEST(SegmentJoin, ACameraThatStoodStillTellsNoScale) {
+  const std::vector<TimedPose> still = moving(Vector3d::Zero());
+  EXPECT_EQ(join_segment(still, bootstrap(1.3, 3), std::nullopt).method, Method::kStandstill);
+  EXPECT_EQ(join_segment(still, bootstrap(1.3, 3), std::nullopt).T_world_map.scale, 1);
+  EXPECT_EQ(join_segment(moving({0.2, 0, 0}), bootstrap(1.3, 0), std::nullopt).method, Method::kStandstill);
+}
+
+}  // namespace
+}  // namespace edgevo
