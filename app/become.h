@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <filesystem>
 #include <string>
@@ -5,8 +6,8 @@
 
 namespace edgevo::app {
 
-/// Replaces this process by `program`, which is called with these words (the first is its name). Throws
-/// InputError with `remedy` where it cannot be run.
+/// Replaces this process with `program`, called with these words (the first is the program's name). Throws
+/// InputError with `remedy` if it cannot be run.
 [[noreturn]] void become(const std::filesystem::path& program, const std::vector<std::string>& words,
                          const std::string& remedy);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 
@@ -13,24 +14,28 @@ namespace edgevo::app {
 namespace {
 
 struct BenchArguments {
-  std::string list, out, data = ".", beside;
+  std::string list, out, data = ".", list_file;
   EngineOptions engine;
-  bool plan = false, table = false;  // steps of the engine, and its own call
+  bool plan = false;
+  // Steps that the engine calls.
+  bool table = false;
   std::string job, scene;
   int threads = 1;
 };
 
 void throw_if_incomplete(const BenchOutcome& outcome, int jobs, const std::string& out) {
   const int ended = outcome.ran + outcome.taken;
-  const std::string counts = std::to_string(ended) + " of " + std::to_string(jobs) + " jobs have ended";
-  if (interrupted()) throw InputError(out, "interrupted: " + counts, "call again to go on");
-  if (ended < jobs && outcome.first_failure.empty()) throw InputError(out, counts, "call again to go on");
+  const std::string counts = std::to_string(ended) + " of " + std::to_string(jobs) + " jobs are done";
+  if (interrupted())
+    throw InputError(out, "interrupted: " + counts, "run the same command again to continue");
+  if (ended < jobs && outcome.first_failure.empty())
+    throw InputError(out, counts, "run the same command again to continue");
   if (ended < jobs) throw InputError(out, counts + "; first failure: " + outcome.first_failure, "");
 }
 
 int plan_only(const BenchList& list, const BenchTarget& target) {
   const PlanSummary plan = plan_bench(list, target, bench_host());
-  std::printf("%s: %d of %d jobs are open, %d for the engine\n", plan.path.c_str(), plan.open_trials,
+  std::printf("%s: %d of %d jobs to do, %d for the workflow engine\n", plan.path.c_str(), plan.open_trials,
               list.jobs(), plan.engine_jobs);
   return 0;
 }
@@ -46,7 +51,7 @@ int run_all(const BenchList& list, const BenchTarget& target, const EngineOption
   const BenchOutcome outcome = run_bench(list, target, engine, host);
   if (engine.dry_run) return 0;
   const std::string table = write_bench_tables(list, outcome, target, host);
-  std::printf("%s\n%d jobs: %d run, %d had been run before; table.md and table.csv in %s\n", table.c_str(),
+  std::printf("%s\n%d jobs: %d run, %d done before; table.md and table.csv in %s\n", table.c_str(),
               list.jobs(), outcome.ran, outcome.taken, target.out.c_str());
   throw_if_incomplete(outcome, list.jobs(), target.out);
   return 0;
@@ -54,7 +59,7 @@ int run_all(const BenchList& list, const BenchTarget& target, const EngineOption
 
 int bench(const BenchArguments& args) {
   const BenchList list = read_bench_list(args.list);
-  const BenchTarget target{args.beside.empty() ? args.list : args.beside, args.out, args.data};
+  const BenchTarget target{args.list_file.empty() ? args.list : args.list_file, args.out, args.data};
   if (!args.job.empty()) return run_planned_job(list, target, args.job, bench_host());
   if (!args.scene.empty()) return render_planned_scene(list, target, args.scene, args.threads);
   if (args.table) return write_tables(list, target);
@@ -64,22 +69,23 @@ int bench(const BenchArguments& args) {
 
 void add_engine_options(CLI::App* command, BenchArguments* args) {
   command
-      ->add_option("--cores", args->engine.cores,
-                   "jobs at a time (default 1: times in the table are then those of a job alone)")
+      ->add_option(
+          "--cores", args->engine.cores,
+          "run N jobs at a time (default 1, so that the times in the table are those of a single job)")
       ->check(whole_number(1, 100000));
   command
-      ->add_option(
-          "--profile", args->engine.profile,
-          "where jobs run: local (default), slurm, kubernetes, or a folder with Snakemake's config.yaml")
+      ->add_option("--profile", args->engine.profile,
+                   "where to run the jobs: local (default), slurm, kubernetes, or a folder with a Snakemake "
+                   "config.yaml")
       ->check(path_given());
-  command->add_flag("--dry-run", args->engine.dry_run, "say what would be run, and run nothing");
+  command->add_flag("--dry-run", args->engine.dry_run, "list what would be run, and run nothing");
   command->add_flag("--plan", args->plan, "write OUT/workflow/plan.json for Snakemake, and run nothing");
 }
 
-// What share/workflow/Snakefile calls; not for users.
+// Options for share/workflow/Snakefile; not for users.
 void add_steps(CLI::App* command, BenchArguments* args) {
   const std::string hidden;
-  command->add_option("--beside", args->beside, "")->group(hidden);
+  command->add_option("--beside", args->list_file, "")->group(hidden);
   command->add_option("--job", args->job, "")->group(hidden);
   command->add_option("--scene", args->scene, "")->group(hidden);
   command->add_option("--threads", args->threads, "")->group(hidden)->check(whole_number(1, 1000));
@@ -89,17 +95,19 @@ void add_steps(CLI::App* command, BenchArguments* args) {
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("bench", "sequences x variants x seeds: runs, errors, one table");
+  CLI::App* command =
+      app.add_subcommand("bench", "run a benchmark (sequences x variants x seeds) and tabulate the errors");
   auto args = std::make_shared<BenchArguments>();
-  command->add_option("LIST", args->list, "YAML list of sequences, such as share/bench/rendered.yaml")
+  command->add_option("LIST", args->list, "YAML list of sequences, for example share/bench/rendered.yaml")
       ->required();
   command
       ->add_option("-o,--out", args->out,
-                   "folder for table and jobs; jobs that ended there before are not run again")
+                   "folder for the table and the jobs; jobs done there before are not run again")
       ->required()
       ->check(path_given());
   command
-      ->add_option("--data", args->data, "folder that the sources of LIST are in (default: the current one)")
+      ->add_option("--data", args->data,
+                   "folder that holds the sources of LIST (default: the current folder)")
       ->check(path_given());
   add_engine_options(command, args.get());
   add_steps(command, args.get());

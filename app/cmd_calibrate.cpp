@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -32,7 +33,7 @@ RunCalibration calibration_from(const CalibrateArguments& args) {
   const Camera camera = read_camera_file(args.camera_file);
   if (camera.pinhole.width != run.camera.pinhole.width || camera.pinhole.height != run.camera.pinhole.height)
     throw InputError(args.camera_file, "its image size is not that of the run",
-                     "give the camera file that the run was given");
+                     "give the camera file that the run used");
   run.camera = camera;
   return run;
 }
@@ -40,7 +41,7 @@ RunCalibration calibration_from(const CalibrateArguments& args) {
 std::string finding(const CameraRefinement& c) {
   if (c.state == CameraRefinement::State::kInsignificant)
     return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
-           ", " + std::to_string(c.keyframes) + " keyframes): the camera is left as it was";
+           ", " + std::to_string(c.keyframes) + " keyframes): the camera stays as it was";
   return "residual k1 " + fixed(c.k1, 4) + " +- " + fixed(c.sigma, 4) + " (one standard deviation), from " +
          std::to_string(c.keyframes) + " keyframes";
 }
@@ -54,7 +55,8 @@ void print_change(const Camera& before, const FoldedCamera& after) {
   print_lens("before", before.distortion);
   print_lens("after", after.camera.distortion);
   std::printf(
-      "image points move by up to %.2f px; this one lens is within %.4f px of both together, rms %.4f px\n",
+      "image points move by up to %.2f px; the new lens model fits both distortions within %.4f px, rms %.4f "
+      "px\n",
       after.max_shift_px, after.max_error_px, after.rms_error_px);
 }
 
@@ -71,7 +73,7 @@ int calibrate_from_run(const CalibrateArguments& args) {
   if (run.refinement.k1 != 0) print_change(run.camera, corrected);
   if (run.refinement.shutter.readout_s != 0)
     std::printf(
-        "the shutter rolls, read-out %.4f s: no camera file says that; give it with --set "
+        "rolling shutter, read-out time %.4f s: camera files cannot hold it; pass it with --set "
         "camera.readout_s=%.4f\n",
         run.refinement.shutter.readout_s, run.refinement.shutter.readout_s);
   print_use(args.out);
@@ -95,33 +97,33 @@ BoardViews views_from(const CalibrateArguments& args) {
   options.any_camera = true;
   const auto source = open_source(options);
   listen_to_signals();
-  Progress progress("looking for the board", source->size());
+  Progress progress("finding the board", source->size());
   return collect_views(*source, finder, [&, done = 0]() mutable {
     progress.update(++done);
     return !interrupted();
   });
 }
 
-std::string picture_beside(const std::string& camera_file) {
+std::string picture_path(const std::string& camera_file) {
   return std::filesystem::path(camera_file).replace_extension(".png").string();
 }
 
 void print_calibration(const CameraCalibration& c, const BoardViews& views) {
   const Pinhole& p = c.camera.pinhole;
-  std::printf("the board is in %d of %d images; %zu different views used, %zu left out for their residuals\n",
-              views.seen, views.images, c.views.size(), c.left_out.size());
+  std::printf("board found in %d of %d images; %zu distinct views used, %zu rejected for their residuals\n",
+              views.seen, views.images, c.views.size(), c.skipped.size());
   std::printf("fx %.2f fy %.2f +- %.2f px, cx %.2f cy %.2f +- %.2f px (one standard deviation)\n", p.fx, p.fy,
               c.sigma_f_px, p.cx, p.cy, c.sigma_c_px);
   const Distortion& d = c.camera.distortion;
   std::printf("k1 %.5f k2 %.5f p1 %.5f p2 %.5f k3 %.5f; residuals %.3f px rms\n", d.k1, d.k2, d.p1, d.p2,
               d.k3, c.rms_px);
-  for (const std::string& what : c.lacking) std::printf("lacking: %s\n", what.c_str());
+  for (const std::string& what : c.lacking) std::printf("missing: %s\n", what.c_str());
 }
 
 int calibrate_from_board(const CalibrateArguments& args) {
   const BoardViews views = views_from(args);
   const CameraCalibration c = calibrate_camera(views, args.source);
-  const std::string picture = picture_beside(args.out);
+  const std::string picture = picture_path(args.out);
   write_file(args.out,
              camera_yaml(c.camera, "Calibrated by edgevo: " + std::to_string(c.views.size()) +
                                        " views of a board, residuals " + fixed(c.rms_px, 3) + " px rms"));
@@ -155,9 +157,9 @@ void add_board_options(CLI::App& command, CalibrateArguments* args) {
       ->needs(charuco);
   command
       .add_option("--dictionary", args->dictionary,
-                  "of the markers: OpenCV's, such as 4x4_50 (default) or 6x6_250")
+                  "dictionary of the markers, as in OpenCV: 4x4_50 (default), 6x6_250, ...")
       ->needs(charuco);
-  command.add_option("--every", args->images.every, "of a video: only each N-th image")
+  command.add_option("--every", args->images.every, "use only every N-th image of a video")
       ->check(whole_number(1));
 }
 
@@ -165,22 +167,20 @@ void add_board_options(CLI::App& command, CalibrateArguments* args) {
 
 void add_calibrate_command(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
-      "calibrate",
-      "a camera file: from images of a chessboard, or with the lens distortion that a run has found");
+      "calibrate", "write a camera file: from images of a board, or with the lens distortion found by a run");
   auto args = std::make_shared<CalibrateArguments>();
   command
       ->add_option("SOURCE", args->source,
-                   "the folder of results of a finished `edgevo run`; with --chessboard or --charuco a "
-                   "folder of images or a "
-                   "video of the board")
+                   "results folder of a finished `edgevo run`; with --chessboard or --charuco, a folder of "
+                   "images or a video of the board")
       ->required();
   command
       ->add_option("-o,--out", args->out,
-                   "camera file to write (YAML); from a board also a picture of its residuals, .png")
+                   "camera file to write (YAML); from a board also a plot of the residuals (.png)")
       ->required()
       ->check(path_given());
   command->add_option("--camera", args->camera_file,
-                      "of a run: the camera file that it was given (default: as the run noted it)");
+                      "camera file that the run used (default: the camera in its summary.yaml)");
   add_board_options(*command, args.get());
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return calibrate(*args); }; });

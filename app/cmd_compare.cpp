@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -20,10 +21,10 @@ int compare(const CompareArguments& args) {
   const std::vector<ComparedRun> runs = compared_runs(args.runs, args.ground_truth, args.out);
   make_output_folder(std::filesystem::absolute(args.out).parent_path().string());
   write_file(args.out, compare_html(runs));
-  int spoilt = 0;
-  for (const ComparedRun& run : runs) spoilt += !run.problem.empty();
+  int problems = 0;
+  for (const ComparedRun& run : runs) problems += !run.problem.empty();
   std::printf("%s: %d run%s", args.out.c_str(), int(runs.size()), runs.size() == 1 ? "" : "s");
-  if (spoilt > 0) std::printf(", of which %d cannot be compared; their rows say why", spoilt);
+  if (problems > 0) std::printf(", of which %d cannot be compared; their rows say why", problems);
   std::printf("\n");
   return 0;
 }
@@ -32,18 +33,19 @@ int compare(const CompareArguments& args) {
 
 void add_compare_command(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
-      "compare", "several finished runs on one page: a table, the worst first, and their paths");
+      "compare", "compare finished runs on one page: a table, worst first, and their paths");
   auto args = std::make_shared<CompareArguments>();
   command
-      ->add_option("RUN", args->runs,
-                   "folders of finished runs, or folders that hold many, such as -o of `edgevo bench`")
+      ->add_option(
+          "RUN", args->runs,
+          "folders of finished runs, or folders that contain runs, such as the output of `edgevo bench`")
       ->required();
-  command->add_option("-o,--out", args->out, "page to write (HTML, one file)")
+  command->add_option("-o,--out", args->out, "page to write (a single HTML file)")
       ->required()
       ->check(path_given());
   command
       ->add_option("--truth", args->ground_truth,
-                   "ground truth of all of them (default: what each run noted)")
+                   "ground truth for all runs (default: the one recorded by each run)")
       ->check(path_given());
   command->callback([=] { *action = [=] { return compare(*args); }; });
 }

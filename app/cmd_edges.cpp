@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 #include <thread>
@@ -31,7 +32,7 @@ EdgeParams params_of(const EdgesArguments& args) {
   set_param("edges.detector=" + args.detector, visit);
   params.model = args.model;
   if (args.detector.find("precomputed") != std::string::npos)
-    throw InputError("--detector " + args.detector, "is what reads such images",
+    throw InputError("--detector " + args.detector, "reads such images and cannot make them",
                      "give the detector that makes them, such as network");
   return params;
 }
@@ -39,14 +40,14 @@ EdgeParams params_of(const EdgesArguments& args) {
 void throw_if_interrupted(const EdgeImageCounts& counts, const std::string& out) {
   if (interrupted())
     throw InputError(out, "interrupted after " + std::to_string(counts.all()) + " images",
-                     "call again to go on");
+                     "run the same command again to continue");
 }
 
 int edges(const EdgesArguments& args) {
   EdgeImageOptions options;
   options.edges = params_of(args);
   check_apart(args.source.path, args.out);
-  const std::unique_ptr<ImageSource> source = open_and_tell(args.source);
+  const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source);
   options.folder = args.out;
   options.source_path = args.source.path;
   options.threads = args.jobs;
@@ -60,12 +61,12 @@ int edges(const EdgesArguments& args) {
     counts = write_edge_images(*source, options);
   }
   throw_if_interrupted(counts, args.out);
-  if (counts.all() == counts.left_out)
-    throw InputError(args.source.path, "gave no frame", "see `edgevo info` for what is in it");
+  if (counts.all() == counts.skipped)
+    throw InputError(args.source.path, "has no frames", "see `edgevo info` for its contents");
   std::printf(
-      "%s: %d images of edge probability, %d of them had been there%s; contact_sheet.jpg shows some\n",
+      "%s: %d images of edge probability, %d of them from before%s; contact_sheet.jpg shows a selection\n",
       args.out.c_str(), counts.written + counts.kept, counts.kept,
-      counts.left_out > 0 ? (", " + std::to_string(counts.left_out) + " frame(s) left out").c_str() : "");
+      counts.skipped > 0 ? (", " + std::to_string(counts.skipped) + " frame(s) skipped").c_str() : "");
   return 0;
 }
 
@@ -73,28 +74,28 @@ int edges(const EdgesArguments& args) {
 
 void add_edges_command(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand(
-      "edges", "write the probability of an edge for every image, for --detector precomputed");
+      "edges", "write an edge probability image for each frame, for --detector precomputed");
   auto args = std::make_shared<EdgesArguments>();
   add_source_options(*command, &args->source);
   add_image_scale(*command, &args->source);
   command
       ->add_option("-o,--out", args->out,
-                   "folder for the images; those that are in it already are kept, so that an interrupted "
-                   "call can be gone on with")
+                   "folder for the images; images already there are kept, so that an interrupted call can be "
+                   "resumed")
       ->required()
       ->check(path_given());
   command
       ->add_option("--detector", args->detector,
-                   "whose probability: structured, network; of canny and edge_drawing the edge pixels")
+                   "detector: structured or network (probabilities), canny or edge_drawing (edge pixels)")
       ->capture_default_str();
-  command->add_option("--edge-model", args->model, "file of the detector, as for `edgevo run`")
+  command->add_option("--edge-model", args->model, "model file of the detector, as for `edgevo run`")
       ->check(path_given());
-  command->add_option("--jobs", args->jobs, "images at a time (default: as many as the machine has cores)")
+  command->add_option("--jobs", args->jobs, "process N images at a time (default: the number of cores)")
       ->check(whole_number(1, 256));
-  command->add_flag("--force", args->force, "write into a folder that holds something else");
+  command->add_flag("--force", args->force, "write into a folder that holds other files");
   command->footer(
-      "Then: edgevo run SOURCE --detector precomputed --edge-folder FOLDER -o OUT, with the same options of "
-      "SOURCE.");
+      "Next: edgevo run SOURCE --detector precomputed --edge-folder FOLDER -o OUT, with the same source "
+      "options.");
   command->callback([=] { *action = [=] { return edges(*args); }; });
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -38,17 +39,18 @@ int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source) {
 void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source) {
   auto args = std::make_shared<EvalArguments>();
   CLI::App* cmd =
-      app.add_subcommand("eval", "Compare a trajectory with ground truth: ATE, drift, scale, completion");
-  cmd->add_option("TRAJECTORY", args->trajectory, "TUM (8 numbers a line) or KITTI (12) trajectory")
+      app.add_subcommand("eval", "compare a trajectory with ground truth: ATE, drift, scale, completion");
+  cmd->add_option("TRAJECTORY", args->trajectory,
+                  "trajectory in TUM format (8 numbers per line) or KITTI format (12)")
       ->required();
   cmd->add_option("GROUNDTRUTH", args->ground_truth,
-                  "TUM or KITTI ground truth, or the folder of a data set; TUM may have a rate of its own")
+                  "ground truth in TUM or KITTI format, or a data set folder; TUM may have its own rate")
       ->required();
   cmd->add_flag("--json", args->json, "print JSON instead of a table");
   cmd->add_option(
          "--frames-total", args->frames_total,
-         "number of images that were put in, for completion and the blocks of ATE200; without it, frames.csv "
-         "beside TRAJECTORY, times.txt beside GROUNDTRUTH, or the ground truth's lines tell")
+         "number of input images, for completion and the blocks of ATE200 (default: from frames.csv next to "
+         "TRAJECTORY, times.txt next to GROUNDTRUTH, or the length of the ground truth)")
       ->check(whole_number(1));
   cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source); }; });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 
@@ -21,7 +22,7 @@ struct ImportArguments {
 void check_output(const ImportArguments& args) {
   if (!names_rawlog(args.rawlog))
     throw InputError(args.rawlog, "does not end in .rawlog",
-                     "name the output OUT.rawlog, so that the MRPT tools know it");
+                     "name the output OUT.rawlog, so that the MRPT tools recognise it");
   check_sequence_output(args.source.path, args.rawlog, args.force);
 }
 
@@ -41,12 +42,10 @@ int import(const ImportArguments& args) {
 }  // namespace
 
 void add_import_command(CLI::App& app, Action* action) {
-  CLI::App* command =
-      app.add_subcommand("import", "turn a source into an MRPT rawlog with its images beside it");
+  CLI::App* command = app.add_subcommand("import", "convert a source to an MRPT rawlog with external images");
   auto args = std::make_shared<ImportArguments>();
   add_source_options(*command, &args->source);
-  command->add_option("OUT.rawlog", args->rawlog, "the rawlog to write; its images go to OUT_Images")
-      ->required();
+  command->add_option("OUT.rawlog", args->rawlog, "rawlog to write; its images go to OUT_Images")->required();
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return import(*args); }; });
 }

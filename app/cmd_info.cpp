@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 
@@ -34,11 +35,12 @@ int info(const SourceOptions& options, bool check) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand("info", "tell what is in a source: frames, camera, times, labels");
+  CLI::App* command =
+      app.add_subcommand("info", "show the contents of a source: frames, camera, times, labels");
   auto options = std::make_shared<SourceOptions>();
   auto check = std::make_shared<bool>(false);
   add_source_options(*command, options.get());
-  command->add_flag("--check", *check, "read every image as well");
+  command->add_flag("--check", *check, "also read every image");
   command->callback([=] { *action = [=] { return info(*options, *check); }; });
 }
 

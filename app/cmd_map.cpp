@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -46,7 +47,7 @@ void print_map(const Run& run, const MapReport& report, const std::string& out) 
               report.grid->statement.c_str());
 }
 
-// The maps of one run do not go into the folder of another.
+// Maps of one run are not written into the folder of another.
 void check_output(const MapArguments& args) {
   std::error_code ignored;
   if (fs::equivalent(args.run, args.out, ignored)) return;
@@ -81,9 +82,9 @@ int map(const MapArguments& args) {
 
 void add_map_command(CLI::App& app, Action* action) {
   CLI::App* command =
-      app.add_subcommand("map", "octree and grid of a finished run again, at another resolution");
+      app.add_subcommand("map", "rebuild octree and grid of a finished run at another resolution");
   auto args = std::make_shared<MapArguments>();
-  command->add_option("RUN", args->run, "the folder of results of a finished `edgevo run`")->required();
+  command->add_option("RUN", args->run, "results folder of a finished `edgevo run`")->required();
   command
       ->add_option("-o,--out", args->out,
                    "folder for edges.bt, edges.ot, grid.yaml, grid.pgm, grid.gridmap.gz; may be RUN itself")
@@ -91,15 +92,15 @@ void add_map_command(CLI::App& app, Action* action) {
       ->check(path_given());
   command
       ->add_option("--resolution", args->resolution,
-                   "edge of a voxel and of a cell, unit of the run (default: as occupancy.resolution)")
+                   "size of voxels and cells, unit of the run (default: occupancy.resolution)")
       ->check(positive_number());
   command
-      ->add_option("--max-range", args->max_range, "nothing farther from the path is mapped, unit of the run")
+      ->add_option("--max-range", args->max_range,
+                   "largest distance from the path that is mapped, unit of the run")
       ->check(positive_number());
   command->add_option("--params", args->params_file,
-                      "YAML file of parameters; of it, occupancy and grid count");
-  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
-      ->take_all();
+                      "YAML file of parameters; only occupancy and grid are used");
+  command->add_option("--set", args->settings, "set a parameter, GROUP.KEY=VALUE; repeatable")->take_all();
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return map(*args); }; });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 
@@ -58,17 +59,17 @@ int relight(const RelightOptions& options) {
 }  // namespace
 
 void add_relight_command(CLI::App& app, Action* action) {
-  CLI::App* command =
-      app.add_subcommand("relight", "play a source under changed light into a folder or a rawlog");
+  CLI::App* command = app.add_subcommand(
+      "relight", "write a copy of a source under changed lighting, as a folder or a rawlog");
   auto options = std::make_shared<RelightOptions>();
   add_source_options(*command, &options->source);
   std::string kinds;
   for (const std::string& kind : relight_kinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
-  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")
+  command->add_option("-o,--out", options->out, "folder or OUT.rawlog to write")
       ->required()
       ->check(path_given());
-  command->add_option("--kind", options->kind, "one of " + kinds)->capture_default_str();
-  command->add_option("--seed", options->seed, "how the light changes follows from it")
+  command->add_option("--kind", options->kind, "kind of lighting change: " + kinds)->capture_default_str();
+  command->add_option("--seed", options->seed, "seed of the lighting changes")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))
       ->capture_default_str();
   add_force(*command, &options->force);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 
@@ -5,10 +6,10 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/detectors/all_detectors.h"
-#include "edgevo/drive/drive.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/results/run_outputs.h"
 #include "edgevo/results/run_params.h"
+#include "edgevo/run_loop/run_odometry.h"
 #include "edgevo/scale/run_scaling.h"
 #include "edgevo/viewer/run_view.h"
 #include "option_checks.h"
@@ -62,20 +63,20 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
   info.notes = {{"seed", std::to_string(args.seed)},
                 {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
-  for (const auto& told : to_be_told(source)) info.notes.push_back(told);
+  for (const auto& notice : source_notices(source)) info.notes.push_back(notice);
   return info;
 }
 
-// Hands each frame over to the scale, with the keyframes that have settled since the one before.
+// Feeds each frame to the scale estimator, with the keyframes that were marginalised since the previous one.
 class ScaleFeed {
  public:
   explicit ScaleFeed(RunScaling& scaling) : scaling_(scaling) {}
 
-  void add(const DrivenFrame& driven) {
+  void add(const ProcessedFrame& frame) {
     if (!scaling_.is_estimated()) return;
-    const SettledKeyframes settled = driven.odometry.settled_keyframes(fed_);
-    fed_ += settled.keyframes.size();
-    scaling_.add_frame(driven.record, settled.keyframes);
+    const MarginalisedKeyframes marginalised = frame.odometry.marginalised_keyframes(fed_);
+    fed_ += marginalised.keyframes.size();
+    scaling_.add_frame(frame.record, marginalised.keyframes);
   }
 
  private:
@@ -83,17 +84,18 @@ class ScaleFeed {
   size_t fed_ = 0;  // keyframes
 };
 
-// What is to be done after each frame: keep its image for the playback and what was found on disk, measure
-// the scale, show the frame, and show how far we are.
-std::function<bool(const DrivenFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
-                                                         RunView* view, std::optional<Progress>& progress) {
+// Work after each frame: store its image for the playback and its record on disk, update the scale, the
+// window and the progress line.
+std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
+                                                            RunView* view,
+                                                            std::optional<Progress>& progress) {
   return [&outputs, scale_feed = ScaleFeed(scaling), view, &progress,
-          done = 0](const DrivenFrame& driven) mutable {
-    if (!outputs.add_frame(driven.frame, driven.frame.image_path)) return false;
-    outputs.add_record(driven.record, driven.odometry);
-    scale_feed.add(driven);
+          done = 0](const ProcessedFrame& frame) mutable {
+    if (!outputs.add_frame(frame.frame, frame.frame.image_path)) return false;
+    outputs.add_record(frame.record, frame.odometry);
+    scale_feed.add(frame);
     if (progress) progress->update(++done);
-    return !view || view->show(driven, interrupted);
+    return !view || view->show(frame, interrupted);
   };
 }
 
@@ -101,13 +103,13 @@ std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& 
   if (!args.view) return nullptr;
   std::string why;
   auto view = RunView::open(source.T_vehicle_cam(), &why);
-  if (!view) std::fprintf(stderr, "edgevo: --view: %s; the run goes on without a window\n", why.c_str());
+  if (!view) std::fprintf(stderr, "edgevo: --view: %s; the run continues without a window\n", why.c_str());
   return view;
 }
 
-Drive drive_from(const RunArguments& args, ImageSource& source, const OdometryParams& params,
-                 RunScaling& scaling, RunOutputs& outputs) {
-  DriveOptions options;
+RunResult run_over(const RunArguments& args, ImageSource& source, const OdometryParams& params,
+                   RunScaling& scaling, RunOutputs& outputs) {
+  RunLoopOptions options;
   options.odometry.seed = args.seed;
   options.odometry.detectors = all_edge_detectors();
   options.odometry.realtime = args.realtime;
@@ -118,60 +120,60 @@ Drive drive_from(const RunArguments& args, ImageSource& source, const OdometryPa
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
   const auto view = view_from(args, source);
-  return drive(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
+  return run_odometry(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
 }
 
-// A run without a frame: nothing is written, and what the folder holds stays.
-[[noreturn]] void throw_without_frames(const RunArguments& args, const Drive& driven) {
-  if (driven.broken) std::rethrow_exception(driven.broken);
+// A run without a frame writes nothing and leaves the folder as it was.
+[[noreturn]] void throw_without_frames(const RunArguments& args, const RunResult& result) {
+  if (result.broken) std::rethrow_exception(result.broken);
   if (interrupted()) throw InputError(args.out, "interrupted before the first frame", "nothing was written");
-  throw InputError(args.source.path, "gave no frame", "see `edgevo info` for what is in it");
+  throw InputError(args.source.path, "has no frames", "see `edgevo info` for its contents");
 }
 
-void note_end(const Drive& driven, RunInfo* info) {
-  info->interrupted = driven.broken || interrupted();
-  if (driven.left_out == 0) return;
+void note_end(const RunResult& result, RunInfo* info) {
+  info->interrupted = result.broken || interrupted();
+  if (result.skipped == 0) return;
   info->notes.emplace_back(
-      "left_out", std::to_string(driven.left_out) +
-                      " frame(s) whose images could not be used; the first: " + driven.first_left_out);
+      "left_out", std::to_string(result.skipped) +
+                      " frame(s) whose images could not be used; the first: " + result.first_skipped);
 }
 
-void print_end(const Drive& driven) {
-  if (interrupted()) std::printf("interrupted after %zu frames\n", driven.run.frames.size());
-  if (driven.left_out > 0)
-    std::printf("%d of %zu frames left out; the first: %s\n", driven.left_out, driven.run.frames.size(),
-                driven.first_left_out.c_str());
+void print_end(const RunResult& result) {
+  if (interrupted()) std::printf("interrupted after %zu frames\n", result.run.frames.size());
+  if (result.skipped > 0)
+    std::printf("%d of %zu frames skipped; the first: %s\n", result.skipped, result.run.frames.size(),
+                result.first_skipped.c_str());
 }
 
 void print_failure(const RunArguments& args, const RunOutputs& outputs) {
   const std::string earlier = outputs.earlier_run();
   std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv%s\n",
                args.source.path.c_str(), args.out.c_str(),
-               earlier.empty() ? "" : ("; the run before is kept in " + earlier).c_str());
+               earlier.empty() ? "" : ("; the earlier run is kept in " + earlier).c_str());
 }
 
 int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
   const ScaleSource scale = parse_scale_source(args.scale);
   check_apart(args.source.path, args.out);
-  const std::unique_ptr<ImageSource> source = open_and_tell(args.source);
+  const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source);
   RunScaling scaling(scale, *source, params.scale);
   RunInfo info = describe(args, *source, params);
   RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
-  outputs.keep_journal({info, args.scale, scaling.track(), source->T_vehicle_cam()});
+  outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()});
   listen_to_signals();
-  Drive driven = drive_from(args, *source, params.odometry, scaling, outputs);
-  Run& result = driven.run;
-  if (result.frames.empty()) throw_without_frames(args, driven);
-  scaling.apply(&result);
-  note_end(driven, &info);
-  outputs.finish(result, info);
-  if (!args.quiet) print_end(driven);
-  if (!args.quiet) print_run(result, args.out);
-  if (driven.broken) std::rethrow_exception(driven.broken);
-  if (!result.scale.problem.empty())
-    throw InputError(args.out, "the results are in an arbitrary unit", result.scale.problem);
-  if (!count(result).mostly_failed()) return kDone;
+  RunResult result = run_over(args, *source, params.odometry, scaling, outputs);
+  Run& tracked = result.run;
+  if (tracked.frames.empty()) throw_without_frames(args, result);
+  scaling.apply(&tracked);
+  note_end(result, &info);
+  outputs.finish(tracked, info);
+  if (!args.quiet) print_end(result);
+  if (!args.quiet) print_run(tracked, args.out);
+  if (result.broken) std::rethrow_exception(result.broken);
+  if (!tracked.scale.problem.empty())
+    throw InputError(args.out, "the results are in an arbitrary unit", tracked.scale.problem);
+  if (!count(tracked).mostly_failed()) return kDone;
   print_failure(args, outputs);
   return kMostlyFailed;
 }
@@ -179,72 +181,67 @@ int run(const RunArguments& args) {
 }  // namespace
 
 void add_run_command(CLI::App& app, Action* action, std::vector<std::string> command_line) {
-  CLI::App* command = app.add_subcommand("run", "odometry: trajectory and edge map of a source");
+  CLI::App* command = app.add_subcommand("run", "run the odometry on a source: trajectory and edge map");
   auto args = std::make_shared<RunArguments>();
   args->command_line = std::move(command_line);
   add_source_options(*command, &args->source);
   add_image_scale(*command, &args->source);
   command
       ->add_option("-o,--out", args->out,
-                   "folder for the results; made if it is not there. An earlier run in it stays until this "
-                   "one has a pose")
+                   "folder for the results, created if missing; an earlier run in it is kept until this one "
+                   "has a pose")
       ->required()
       ->check(path_given());
-  command->add_option("--params", args->params_file,
-                      "YAML file of parameters; what it does not name keeps its default");
-  command->add_option("--set", args->settings, "one parameter, GROUP.KEY=VALUE; may be given again")
-      ->take_all();
+  command->add_option("--params", args->params_file, "YAML file of parameters; others keep their defaults");
+  command->add_option("--set", args->settings, "set a parameter, GROUP.KEY=VALUE; repeatable")->take_all();
   command->add_option("--detector", args->detector,
                       "edge detector: " + edge_detector_help(all_edge_detectors()));
   command
       ->add_option("--edge-model", args->edge_model,
-                   "for the detectors structured (a forest in OpenCV's format) and network (an .onnx with "
-                   "its .yaml beside it): "
-                   "another model than the one that comes with edgevo")
+                   "model for the detectors structured (a forest in OpenCV's format) and network (an .onnx "
+                   "with its .yaml next to it), instead of the one shipped with edgevo")
       ->check(path_given());
   command
       ->add_option("--edge-folder", args->edge_folder,
-                   "for the detector precomputed: the folder that `edgevo edges` has written")
+                   "folder written by `edgevo edges`, for the detector precomputed")
       ->check(path_given());
   command->add_option(
       "--edge-map", args->edge_map,
-      "lines of edges beside the points: off, keyframes (those of each), full (each 3D edge once; default)");
+      "edge lines besides the points: off, keyframes (per keyframe), full (each 3D edge once; default)");
   command
       ->add_option("--seed", args->seed,
-                   "seed of all random choices; a synchronous run with one seed is bit-identical")
+                   "seed of all random numbers; synchronous runs with the same seed are bit-identical")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option(
       "--scale", args->scale,
-      "where the metre comes from: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps, robot_pose "
-      "(of the rawlog), camera_height=METRES (over the ground it drives on)");
+      "source of metric scale: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps or "
+      "robot_pose (from the rawlog), camera_height=METRES (above the ground)");
   CLI::Option* realtime =
       command->add_flag("--realtime", args->realtime,
-                        "tracking and mapping in two threads, latencies measured; not bit-identical");
+                        "run tracking and mapping in two threads and measure latencies; not bit-identical");
   command
       ->add_option_function<std::string>(
           "--pace", [args](const std::string& text) { args->pace = parse_pace(text); },
-          "with --realtime: when frames of a recording are due: 30 (a second), 1x (as their times say), 0.5x "
-          "(half as fast); without it "
-          "each as soon as the one before is done")
+          "with --realtime, playback rate of a recording: 30 (frames per second), 1x (by its timestamps), "
+          "0.5x (half speed); default: each frame as soon as the previous one is done")
       ->needs(realtime);
-  command->add_flag(
-      "--view", args->view,
-      "a window with the edges and the map; space pauses, s steps, c colours, f follows, q ends the run");
+  command->add_flag("--view", args->view,
+                    "show edges and map in a window; space pauses, s steps, c changes colours, f follows the "
+                    "camera, q ends "
+                    "the run");
   command->add_option_function<std::string>(
       "--on-bad-frame", [args](const std::string& text) { args->on_bad_frame = parse_on_bad_frame(text); },
-      "an image that cannot be used: skip (default) leaves it out, as a camera that missed it would, since "
-      "one bad "
-      "image in hours must not cost the rest; frames.csv and summary.yaml name it. stop ends the run there, "
-      "with "
-      "all results so far. The first image has to be good either way");
+      "unusable image: skip (default) continues as if the camera had dropped it and notes it in frames.csv "
+      "and summary.yaml; stop ends the run there with all results so far. The first image must be usable "
+      "either way");
   command->add_flag("--copy-images", args->outputs.copy_images,
-                    "the images of the playback are copied, not linked: OUT then stands alone");
+                    "copy the images of the playback instead of linking them, so that OUT is self-contained");
   command->add_flag("--force", args->outputs.force,
-                    "write into a folder that holds something else than a run, or a run that was cut off");
+                    "write into a folder that holds other files or an interrupted run");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");
   command->footer(
-      "Ctrl-C ends the run with all results so far; the exit code is then what it is at the end of a "
-      "source. What a run that was killed had found, `edgevo finish OUT` writes.");
+      "Ctrl-C ends the run with all results so far; the exit code is the same as at the end of the source. "
+      "`edgevo finish OUT` writes the results of a run that was killed.");
   command->callback([=] { *action = [=] { return run(*args); }; });
 }
 

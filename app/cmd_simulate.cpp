@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -65,9 +66,9 @@ void write_folder(const SceneRenderer& renderer, const SimulateOptions& options,
 std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer,
                             const SimulateOptions& options, const FolderExport& range, Progress& progress) {
   if (options.depth)
-    throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or leave --depth out");
+    throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or omit --depth");
   if (options.edges)
-    throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or leave --edges out");
+    throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or omit --edges");
   RenderedSource source(renderer, range.begin, range.end);
   const int count = write_rawlog(source, options.out,
                                  ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
@@ -87,11 +88,11 @@ void write_correspondences(const SceneRenderer& renderer, const std::string& fol
   export_correspondences(renderer, folder, begin, end, find_edges, [&](int done) { progress.update(done); });
 }
 
-// A survey in the archive OUT, beside those that are there.
+// Adds a survey to the archive OUT.
 int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
   if (options.depth || options.correspondences)
     throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences",
-                     "leave out --layout, or these");
+                     "omit --layout, or these");
   const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
   const SurveyLocation survey{options.out, name, options.layout == kNewSurveys};
   check_folder_is_ours(survey.folder(), {"SOURCE.md"}, options.force);
@@ -112,7 +113,7 @@ int simulate(const SimulateOptions& options) {
   if (options.layout != "edgevo") return simulate_survey(options, range);
   if (options.correspondences && names_rawlog(options.out))
     throw InputError(options.out, "a rawlog does not hold correspondences",
-                     "name a folder, or leave --correspondences out");
+                     "name a folder, or omit --correspondences");
   check_sequence_output("", options.out, options.force);
   const auto renderer = std::make_shared<const SceneRenderer>(scene_from(options));
   const int count = (range.end < 0 ? renderer->size() : range.end) - range.begin;
@@ -136,44 +137,44 @@ int simulate(const SimulateOptions& options) {
 
 void add_simulate_command(CLI::App& app, Action* action) {
   CLI::App* command =
-      app.add_subcommand("simulate", "render a scene with exact ground truth into a folder or a rawlog");
+      app.add_subcommand("simulate", "render a scene with exact ground truth, as a folder or a rawlog");
   auto options = std::make_shared<SimulateOptions>();
   std::string known;
   for (const std::string& name : scene_names()) known += (known.empty() ? "" : ", ") + name;
-  command->add_option("SCENE", options->scene, "a YAML file, or one of: " + known)->required();
-  command->add_option("-o,--out", options->out, "folder, or OUT.rawlog, to write")
+  command->add_option("SCENE", options->scene, "name or YAML file of a scene; names: " + known)->required();
+  command->add_option("-o,--out", options->out, "folder or OUT.rawlog to write")
       ->required()
       ->check(path_given());
-  command
-      ->add_option("--seed", options->seed,
-                   "another world and motion of the same kind (default: the scene's own)")
+  command->add_option("--seed", options->seed, "seed of world and motion (default: that of the scene)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
-  command->add_option("--frames", options->frames, "A:B renders frames A to B-1");
+  command->add_option("--frames", options->frames, "render frames A to B-1, as A:B");
   command->add_option(
       "--season", options->season,
-      "spring, summer, autumn or winter: leaves and light, for lakeshore (also SCENE:SEASON)");
+      "season of lakeshore (leaves and light): spring, summer, autumn or winter; also as SCENE:SEASON");
   command
-      ->add_option("--layout", options->layout,
-                   "of the folder: edgevo, or a survey in the archive OUT as symphony_lake or, with the "
-                   "newer names, symphony_lake_new")
+      ->add_option(
+          "--layout", options->layout,
+          "layout of the output: edgevo (default), or a survey in the archive OUT as symphony_lake or "
+          "symphony_lake_new (newer names)")
       ->check(CLI::IsMember({"edgevo", kSurveys, kNewSurveys}));
   command->add_option("--survey", options->survey,
-                      "name of that survey, YYMMDD (default: a day of the season)");
+                      "name of the survey, YYMMDD (default: a day in the season)");
   command
       ->add_option("--rolling-shutter", options->rolling_shutter_s,
-                   "seconds from the first row of an image to the last (default: the scene's own, mostly 0)")
+                   "read-out time from the first image row to the last, seconds (default: that of the scene, "
+                   "usually 0)")
       ->check(number_from_zero());
   command
       ->add_option("--exposure", options->exposure_s,
-                   "seconds for which the shutter is open: blur along the true motion (default: the scene's "
-                   "own, mostly 0)")
+                   "exposure time, seconds, which blurs along the true motion (default: that of the scene, "
+                   "usually 0)")
       ->check(number_from_zero());
-  command->add_flag("--depth", options->depth, "write exact depth beside the images (PFM)");
+  command->add_flag("--depth", options->depth, "also write exact depth images (PFM)");
   command->add_flag("--edges", options->edges,
-                    "write the true edges and their kinds beside the images (edges/*.png: depth steps 255, "
-                    "creases 170, texture 85)");
+                    "also write the true edges and their kinds (edges/*.png: depth steps 255, creases 170, "
+                    "texture 85)");
   command->add_flag("--correspondences", options->correspondences,
-                    "write where each edge pixel of a frame is seen in the next one (correspondences/*.csv)");
+                    "also write the position of each edge pixel in the next frame (correspondences/*.csv)");
   add_force(*command, &options->force);
   command->callback([=] { *action = [=] { return simulate(*options); }; });
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -48,7 +49,7 @@ int study(StudyCommand command) {
     std::printf("%s: tables, plots and study.md\n", command.out.c_str());
   else
     std::printf(
-        "%s: tables and study.md; no plots: install gnuplot-nox and run `gnuplot plots.gnuplot` there\n",
+        "%s: tables and study.md; for plots install gnuplot-nox and run `gnuplot plots.gnuplot` there\n",
         command.out.c_str());
   return 0;
 }
@@ -60,19 +61,20 @@ void add_study_command(CLI::App& app, Action* action) {
       "study", "measure data association against exact depth and pose (the paper's section V-A)");
   auto c = std::make_shared<StudyCommand>();
   command->add_option("-o,--out", c->out, "folder to write")->required()->check(path_given());
-  command->add_option("--scene", c->scene, "rendered scene: a name that `simulate` knows, or a YAML file")
+  command->add_option("--scene", c->scene, "rendered scene: a name as for `edgevo simulate`, or a YAML file")
       ->capture_default_str();
   command->add_option("--source", c->source.path,
-                      "a Virtual KITTI sequence (1.3.1 or 2.0.3) instead of a rendered scene");
-  command->add_option("--sensor", c->source.sensor_label, "its camera, Camera_0 or Camera_1 (2.0.3)");
-  command->add_option("--frames", c->frames, "A:B uses frames A to B-1");
-  command->add_option("--pairs", c->options.pairs, "host frames, spread evenly")
+                      "Virtual KITTI sequence (1.3.1 or 2.0.3) to use instead of a rendered scene");
+  command->add_option("--sensor", c->source.sensor_label,
+                      "camera of the sequence, Camera_0 or Camera_1 (2.0.3)");
+  command->add_option("--frames", c->frames, "use frames A to B-1, as A:B");
+  command->add_option("--pairs", c->options.pairs, "number of host frames, spread evenly")
       ->check(whole_number(1, 100000))
       ->capture_default_str();
-  command->add_option("--points", c->options.points, "edge points in each")
+  command->add_option("--points", c->options.points, "number of edge points in each host frame")
       ->check(whole_number(20, 100000))
       ->capture_default_str();
-  command->add_option("--noise", c->options.noise, "standard deviation of the inverse depth, relative")
+  command->add_option("--noise", c->options.noise, "relative standard deviation of the inverse depth")
       ->check(number_between(0, 0.5))
       ->capture_default_str();
   command
@@ -83,9 +85,9 @@ void add_study_command(CLI::App& app, Action* action) {
   command->add_option("--max-distance", c->options.max_distance, "largest frame distance of the third curve")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  command->add_option("--light", c->options.light, "kind of lighting change, as of `relight`")
+  command->add_option("--light", c->options.light, "kind of lighting change, as for `edgevo relight`")
       ->capture_default_str();
-  command->add_option("--seed", c->options.seed, "of points, noise and light")
+  command->add_option("--seed", c->options.seed, "seed of points, noise and light")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()))
       ->capture_default_str();
   add_force(*command, &c->force);

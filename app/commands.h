@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The sub-commands of `edgevo`, in the program edgevo-commands (`eval` also in front_main.cpp). Each adds
-// itself to the parser with its options and, when it is the requested one, leaves its work in `*action`; the
-// action returns the exit code (0 done, 3 tracking failed for most of the sequence) and throws
-// edgevo::InputError for bad input (main makes that one line and exit code 2).
+// The sub-commands of `edgevo`, in the program edgevo-commands (`eval` also in front_main.cpp). Each function
+// adds a sub-command with its options to the parser; if that sub-command is requested, parsing stores its
+// work in
+// `*action`. The action returns the exit code (0 done, 3 tracking failed for most of the sequence) and throws
+// edgevo::InputError for bad input (main prints it as one line, exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
@@ -16,13 +18,13 @@ namespace edgevo::app {
 
 using Action = std::function<int()>;
 
-/// `command_line` goes into summary.yaml.
+/// Adds `run`; `command_line` is recorded in summary.yaml.
 void add_run_command(CLI::App& app, Action* action, std::vector<std::string> command_line);
 void add_finish_command(CLI::App& app, Action* action);
 void add_import_command(CLI::App& app, Action* action);
 void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
-/// `truth_of_source` reads the ground truth of a data set where GROUNDTRUTH is not a file.
+/// Adds `eval`; `truth_of_source` reads the ground truth of a data set if GROUNDTRUTH is not a file.
 void add_eval_command(CLI::App& app, Action* action,
                       std::function<Trajectory(const std::string& path)> truth_of_source);
 void add_simulate_command(CLI::App& app, Action* action);
@@ -33,7 +35,7 @@ void add_map_command(CLI::App& app, Action* action);
 void add_bench_command(CLI::App& app, Action* action);
 void add_table_command(CLI::App& app, Action* action);
 void add_compare_command(CLI::App& app, Action* action);
-/// Becomes the program edgevo-servo (servo_main.cpp).
+/// Adds `servo`, which replaces the process with the program edgevo-servo (servo_main.cpp).
 void add_servo_command(CLI::App& app, Action* action);
 
 }  // namespace edgevo::app

@@ -1,10 +1,11 @@
 #!/bin/sh
-# From images to a trajectory and a map; works from a bare clone.
+# SPDX-License-Identifier: BSD-3-Clause
+# Makes a trajectory and a map from images; works from a bare clone.
 #
 #   app/demo.sh             renders a street scene with exact ground truth and runs on that (a minute after the build)
-#   app/demo.sh SEQUENCE    runs on a dataset folder or a rawlog; what needs options is for `edgevo run` (see README.md)
+#   app/demo.sh SEQUENCE    runs on a dataset folder or a rawlog; for other sources call `edgevo run` (see README.md)
 #
-# Results lie in out/demo. Exit codes are those of `edgevo run`.
+# Results are in out/demo. Exit codes are those of `edgevo run`.
 set -eu
 cd_from=$(pwd)
 cd "$(dirname "$0")/.."
@@ -63,13 +64,13 @@ fi
 
 echo
 echo "Results:"
-show report.html "all of it on one page, for a browser"
+show report.html "all results on one page, for a browser"
 show trajectory_tum.txt "camera poses (TUM format)"
 show frames.csv "what happened in every frame"
 show edges.ply "3D edges, for any point cloud viewer"
 show edges.bt "OctoMap, for planners: octovis $out/edges.bt (Debian package octovis)"
 show playback.rawlog "images and poses: RawLogViewer $out/playback.rawlog"
 show keyframes.simplemap "keyframes: robot-map-gui $out/keyframes.simplemap"
-show scene.3Dscene "picture in 3D: SceneViewer3D $out/scene.3Dscene"
+show scene.3Dscene "3D view: SceneViewer3D $out/scene.3Dscene"
 show summary.yaml "parameters, counts, timing"
 exit $status

@@ -1,6 +1,7 @@
-// `edgevo`, the program that users call. What needs neither images nor maps it does itself, in a hundredth of
-// a second: --version, the help texts, eval on two files. For all else it becomes edgevo-commands
-// (main.cpp), which loads hundreds of shared libraries before it begins.
+// SPDX-License-Identifier: BSD-3-Clause
+// `edgevo`, the program that users call. It handles what needs neither images nor maps itself, within a
+// hundredth of a second: --version, the help texts, and eval on two files. For everything else it replaces
+// itself with edgevo-commands (main.cpp), which loads hundreds of shared libraries at its start.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -10,9 +11,8 @@
 
 #include "become.h"
 #include "commands.h"
-#include "edgevo/core/error.h"
-#include "edgevo/files/program_folder.h"
 #include "edgevo/evaluation/trajectory.h"
+#include "edgevo/files/program_folder.h"
 #include "help.h"
 #include "version.h"
 
@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr int kDone = 0, kBadInput = 2;
 
-using Words = std::vector<std::string>;  // of the command line, the program's name first
+using Words = std::vector<std::string>;  // the command line, starting with the program's name
 
-// Next to this program in a build; in an installation a folder that nobody's PATH names.
+// Next to this program in a build; in an installation, in a folder outside PATH.
 fs::path commands_program() {
   const fs::path here = program_folder(), name = "edgevo-commands";
   std::error_code ignored;
@@ -34,11 +34,11 @@ fs::path commands_program() {
 }
 
 [[noreturn]] void become_commands(const Words& words) {
-  become(commands_program(), words, "install or build edgevo anew");
+  become(commands_program(), words, "reinstall or rebuild edgevo");
 }
 
-// The sub-command whose help is asked for, "" for that of the program; none where something else is.
-std::optional<std::string> asked_help(const Words& words) {
+// The sub-command whose help is requested, "" for the program itself; none if the request is not for help.
+std::optional<std::string> requested_help(const Words& words) {
   const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
   if (words.size() == 2 && (words[1] == "help" || is_help(words[1]))) return "";
   if (words.size() != 3) return std::nullopt;
@@ -46,8 +46,8 @@ std::optional<std::string> asked_help(const Words& words) {
   return is_help(words[2]) ? std::optional(words[1]) : std::nullopt;
 }
 
-// What edgevo-commands wrote when it was built. Without a text (a word that is no sub-command, for example)
-// that program has the say.
+// Prints the text that edgevo-commands wrote during the build. Returns false if there is none, for example
+// for an unknown sub-command; edgevo-commands then reports the error.
 bool print_help(const std::string& command) {
   if (command.find_first_not_of("abcdefghijklmnopqrstuvwxyz") != std::string::npos) return false;
   std::ifstream file(data_folder() / "help" / help_file_name(command));
@@ -57,7 +57,7 @@ bool print_help(const std::string& command) {
   return true;
 }
 
-// The error messages of a wrong command line are those of edgevo-commands, which knows all sub-commands.
+// Errors on the command line are left to edgevo-commands, which knows all sub-commands.
 int eval(const Words& words) {
   CLI::App app;
   Action action;
@@ -75,7 +75,7 @@ int run(const Words& words) {
     std::puts(version_text().c_str());
     return kDone;
   }
-  const std::optional<std::string> command = asked_help(words);
+  const std::optional<std::string> command = requested_help(words);
   if (command && print_help(*command)) return kDone;
   if (words.size() > 1 && words[1] == "eval") return eval(words);
   become_commands(words);
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   try {
     return run(Words(argv, argv + argc));
   } catch (const std::bad_alloc&) {
-    std::fputs("edgevo: out of memory; end other programs and run again\n", stderr);
+    std::fputs("edgevo: out of memory; close other programs and try again\n", stderr);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "edgevo: %s\n", e.what());
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "help.h"
 
 #include <cstring>
@@ -12,7 +13,7 @@ bool is_command(const CLI::App& app, const std::string& word) {
   return !app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; }).empty();
 }
 
-// What `edgevo COMMAND --help` prints; empty where the command has no help of its own.
+// The output of `edgevo COMMAND --help`; empty if the command has no help of its own.
 std::string printed_help(CLI::App& app, const std::string& command) {
   std::vector<std::string> last_word_first{"--help"};
   if (!command.empty()) last_word_first.push_back(command);
@@ -34,7 +35,7 @@ void write_help_of(CLI::App& app, const std::string& command, const std::string&
 
 void add_help_command(CLI::App& app) {
   app.add_subcommand(
-      "help", "what a sub-command does, and its options; `help parameters`: what --set and --params take");
+      "help", "show the help of a sub-command; `help parameters`: list the parameters of --set and --params");
 }
 
 std::vector<char*> help_as_option(const CLI::App& app, int argc, char** argv) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "help_parameters.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ std::string parameters_text(const std::vector<ParamDescription>& params, bool al
   std::string text =
       "Parameters of `edgevo run`, set with --set KEY=VALUE or in a YAML file for --params.\n"
       "KEY: DEFAULT    [RANGE] or CHOICES\n";
-  text += section(params, kBasic, "for every user");
+  text += section(params, kBasic, "for all users");
   if (!all) {
     const auto others = std::count_if(params.begin(), params.end(),
                                       [](const ParamDescription& p) { return p.level != kBasic; });
@@ -63,8 +64,8 @@ bool print_parameters_help(int argc, const char* const* argv) {
   if (words.size() < 2 || words[0] != "help" || words[1] != "parameters") return false;
   for (size_t i = 2; i < words.size(); ++i)
     if (words[i] != "--all")
-      throw InputError("edgevo help parameters", "does not know '" + words[i] + "'",
-                       "write --all or nothing");
+      throw InputError("edgevo help parameters", "unknown argument '" + words[i] + "'",
+                       "give --all or nothing");
   std::fputs(parameters_text(parameters_of_run(), words.size() > 2).c_str(), stdout);
   return true;
 }

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What `edgevo help parameters` prints.
+// Output of `edgevo help parameters`.
 #include <string>
 #include <vector>
 
@@ -7,12 +8,12 @@
 
 namespace edgevo::app {
 
-/// The basic parameters, each with its default, its range and what it is; with `all` the advanced and the
-/// experimental ones too, level by level.
+/// The basic parameters, each with its default, range and description; with `all` also the advanced and the
+/// experimental ones, by level.
 std::string parameters_text(const std::vector<ParamDescription>& params, bool all);
 
-/// Answers `edgevo help parameters [--all]` on standard output. False: the command line asks for something
-/// else. Throws InputError for another word behind `parameters`.
+/// Handles `edgevo help parameters [--all]`: prints to standard output and returns true; returns false for
+/// any other command line. Throws InputError for an unknown word after `parameters`.
 bool print_parameters_help(int argc, const char* const* argv);
 
 }  // namespace edgevo::app

@@ -1,4 +1,6 @@
-// edgevo-commands: what `edgevo` (front_main.cpp) becomes for all that it does not do itself.
+// SPDX-License-Identifier: BSD-3-Clause
+// edgevo-commands: the program that replaces `edgevo` (front_main.cpp) for everything that it does not do
+// itself.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -24,8 +26,8 @@ int report(const char* message) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Monocular edge visual odometry: from the images of one moving camera to a trajectory and an edge "
-      "map.");
+      "Monocular edge visual odometry: computes a trajectory and an edge map from the images of one moving "
+      "camera.");
   app.name("edgevo");
   app.require_subcommand(1);
   app.set_version_flag("--version", edgevo::app::version_text());
@@ -67,7 +69,7 @@ int main(int argc, char** argv) {
   } catch (const edgevo::InputError& e) {
     return report(e.what());
   } catch (const std::bad_alloc&) {
-    return report("out of memory; use smaller images or a shorter stretch (--frames A:B)");
+    return report("out of memory; use smaller images or fewer frames (--frames A:B)");
   } catch (const std::exception& e) {
     return report(e.what());
   }

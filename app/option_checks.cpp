@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "option_checks.h"
 
 #include <charconv>
@@ -91,7 +92,7 @@ CLI::Validator path_given() {
 }
 
 void add_force(CLI::App& command, bool* force) {
-  command.add_flag("--force", *force, "write over what is there already, whatever it is");
+  command.add_flag("--force", *force, "overwrite existing files, whatever they are");
 }
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Checks of option values that say in words what is wanted, and a parse error as one line with a remedy.
+// Validators of option values with readable messages, and parse errors as one line with a remedy.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <limits>
@@ -7,21 +8,21 @@
 
 namespace edgevo::app {
 
-/// "must be a whole number from LEAST to MOST".
+/// Accepts a whole number from `least` to `most`.
 CLI::Validator whole_number(uint64_t least, uint64_t most = std::numeric_limits<int>::max());
-/// "must be a number larger than 0".
+/// Accepts a finite number larger than 0.
 CLI::Validator positive_number();
-/// "must be a number, 0 or larger".
+/// Accepts a finite number, 0 or larger.
 CLI::Validator number_from_zero();
-/// "must be a number from LEAST to MOST".
+/// Accepts a number from `least` to `most`.
 CLI::Validator number_between(double least, double most);
-/// "names no folder": an empty word, as an unset variable of a script leaves it.
+/// Refuses an empty path, as an unset variable in a script gives.
 CLI::Validator path_given();
 
-/// --force: what is there already may be written over.
+/// Adds --force, which allows overwriting existing files.
 void add_force(CLI::App& command, bool* force);
 
-/// What was wrong with the command line, with the nearest name for a misspelt command or option.
+/// One-line message for a parse error, with the nearest name for a misspelt command or option.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv);
 
 }  // namespace edgevo::app

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
@@ -5,7 +6,7 @@
 
 namespace edgevo::app {
 
-/// The lines on stdout that tell what a run has found and where it lies.
+/// Prints the counts of a run and the folder of its results to stdout, warnings to stderr.
 void print_run(const Run& run, const std::string& out);
 
 }  // namespace edgevo::app

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A progress line with rate and time left, on a terminal only.
+// Progress line with rate and remaining time, on a terminal only.
 #include <chrono>
 #include <optional>
 #include <string>
@@ -8,16 +9,17 @@ namespace edgevo::app {
 
 class Progress {
  public:
-  /// `what` opens the line; `total` frames if that is known. Silent when stderr is not a terminal.
+  /// The line starts with `what`; `total` is the number of frames, if known. Silent when stderr is not a
+  /// terminal.
   Progress(std::string what, std::optional<int> total);
-  /// Ends the line.
+  /// Ends the progress line with a newline.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `done` frames so far; redraws at most ten times a second.
+  /// Shows `done` frames; redraws at most ten times a second.
   void update(int done);
-  /// A line of its own, above the progress.
+  /// Prints a line above the progress line.
   void say(const std::string& line);
 
  private:

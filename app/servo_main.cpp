@@ -1,4 +1,5 @@
-// edgevo-servo: what `edgevo servo` runs. A program of its own, since it links ViSP and is therefore
+// SPDX-License-Identifier: BSD-3-Clause
+// edgevo-servo: the program behind `edgevo servo`. It is separate because it links ViSP and is therefore
 // distributed under the GPL (see LICENSE), which `edgevo` is not.
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -29,33 +30,35 @@ struct Options {
 
 void add_options(CLI::App& app, Options* o) {
   ServoParams& s = o->servo;
-  app.add_option("-o,--out", o->out, "folder for the results; made if it is not there")
+  app.add_option("-o,--out", o->out, "folder for the results, created if missing")
       ->required()
       ->check(path_given());
-  app.add_option("--law", s.law, "pbvs (to the taught pose) or ibvs (on the fed points)")
+  app.add_option("--law", s.law, "control law: pbvs (to the taught pose) or ibvs (on the tracked points)")
       ->check(CLI::IsMember({"pbvs", "ibvs"}));
-  app.add_option("--scale-error", s.scale_error, "the feed's metres over true metres (default 1)")
+  app.add_option("--scale-error", s.scale_error,
+                 "factor between the metres of the odometry and true metres (default 1)")
       ->check(number_between(0.05, 20));
   app.add_option("--light", s.light,
-                 "lighting changes during the motion: a kind of `edgevo relight`, for example mixed");
-  app.add_option("--blackout", s.blackout_s, "seconds without light, 1.5 s after the loop has begun")
+                 "lighting change during the motion: a kind of `edgevo relight`, for example mixed");
+  app.add_option("--blackout", s.blackout_s, "seconds of darkness, starting 1.5 s after the loop")
       ->check(number_between(0, 60));
-  app.add_option("--latency", o->latency,
-                 "of the odometry for an image: measured (default), cpu (its CPU time: for a machine that is "
-                 "busy with other work), "
-                 "or seconds: then a run is bit-identical");
-  app.add_option("--rate", s.rate_hz, "images and commands a second (default 20)")
+  app.add_option(
+      "--latency", o->latency,
+      "latency of the odometry per image: measured (default), cpu (its CPU time, for a machine busy "
+      "with other work), or a number of seconds, which makes runs bit-identical");
+  app.add_option("--rate", s.rate_hz, "images and commands per second (default 20)")
       ->check(number_between(1, 200));
-  app.add_option("--gain", s.gain, "lambda of the control law, 1/s (default 1)")
+  app.add_option("--gain", s.gain, "gain lambda of the control law, 1/s (default 1)")
       ->check(number_between(0.05, 10));
-  app.add_option("--points", s.points, "edge points that are fed (default 20)")->check(whole_number(4, 500));
-  app.add_option("--limit", s.limit_s, "seconds after which the loop is ended (default 25)")
+  app.add_option("--points", s.points, "number of edge points for the control law (default 20)")
+      ->check(whole_number(4, 500));
+  app.add_option("--limit", s.limit_s, "time limit of the loop, seconds (default 25)")
       ->check(number_between(1, 600));
-  app.add_option("--seed", s.seed, "seed of the odometry, the light and the start (default 1)")
+  app.add_option("--seed", s.seed, "seed of the odometry, the lighting and the start pose (default 1)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   app.add_option("--params", o->params_file,
-                 "YAML file of parameters of the odometry, over those of params/servo.yaml");
-  app.add_option("--set", o->settings, "one parameter of the odometry, GROUP.KEY=VALUE; may be given again")
+                 "YAML file of odometry parameters, applied on top of params/servo.yaml");
+  app.add_option("--set", o->settings, "set a parameter of the odometry, GROUP.KEY=VALUE; repeatable")
       ->take_all();
   add_force(app, &o->force);
   app.add_flag("--quiet", o->quiet, "print nothing but errors");
@@ -84,7 +87,7 @@ void check_light(const std::string& kind) {
   if (kind.empty() || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return;
   std::string known;
   for (const std::string& k : kinds) known += (known.empty() ? "" : ", ") + k;
-  throw InputError("--light " + kind, "is no kind of lighting change",
+  throw InputError("--light " + kind, "is not a kind of lighting change",
                    "did you mean " + nearest_name(kind, kinds) + "? known are " + known);
 }
 
@@ -108,14 +111,14 @@ int servo(Options o) {
   }
   write_servo_outputs(result, info, &folder);
   if (!result.failure.empty()) {
-    std::fprintf(stderr, "edgevo: the servo loop did not begin: %s; see %s/report.html\n",
+    std::fprintf(stderr, "edgevo: the servo loop did not start: %s; see %s/report.html\n",
                  result.failure.c_str(), o.out.c_str());
     return kNotConverged;
   }
   const LatencyFigures latency = latency_figures(result);
   if (!o.quiet)
     std::printf(
-        "%s: %s; ends %.2f mm, %.3f deg, %.2f px from the taught view (began %.0f mm, %.1f deg, %.0f px "
+        "%s: %s; ended %.2f mm, %.3f deg, %.2f px from the taught view (started %.0f mm, %.1f deg, %.0f px "
         "away)\n"
         "%.1f s, latency %.0f ms (median), %.0f ms (95 %%); stopped %d time(s), %.2f s\nresults in %s "
         "(report.html)\n",
@@ -135,15 +138,14 @@ int report(const std::string& message) {
 
 int main(int argc, char** argv) {
   using namespace edgevo::app;
-  CLI::App app("The part of edgevo that links ViSP; edgevo calls it.");
+  CLI::App app("The part of edgevo that links ViSP; called by edgevo.");
   app.name("edgevo");
   app.require_subcommand(1);
   CLI::App* command =
       app.add_subcommand("servo",
-                         "closed loop in the simulator: a camera over a rendered desk, steered by ViSP's "
-                         "control laws, with the odometry as its only sensor");
-  command->footer(
-      "Exit codes: 0 converged; 2 bad usage or bad input; 3 it did not converge, or never began.");
+                         "simulate visual servoing: a camera over a rendered desk, controlled by ViSP's "
+                         "control laws, with the odometry as the only sensor");
+  command->footer("Exit codes: 0 converged; 2 bad usage or bad input; 3 not converged, or not started.");
   Options options;
   options.command_line.assign(argv, argv + argc);
   add_options(*command, &options);
@@ -157,7 +159,7 @@ int main(int argc, char** argv) {
   } catch (const edgevo::InputError& e) {
     return report(e.what());
   } catch (const std::bad_alloc&) {
-    return report("out of memory; end other programs and run again");
+    return report("out of memory; close other programs and try again");
   } catch (const std::exception& e) {
     return report(e.what());
   }

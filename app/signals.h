@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 namespace edgevo::app {
 
-/// From here on SIGINT and SIGTERM (job schedulers end a run by it) no longer end the program: they are
-/// waited for by interrupted().
+/// Handles SIGINT and SIGTERM (sent by job schedulers): from now on they no longer end the program but set
+/// interrupted().
 void listen_to_signals();
-/// Such a signal has come.
+/// Whether such a signal was received.
 bool interrupted();
 
 }  // namespace edgevo::app

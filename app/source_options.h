@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The options by which every command that reads images names its source.
+// Source options, common to all commands that read images.
 #include <CLI/CLI.hpp>
 
 #include <memory>
@@ -8,18 +9,17 @@
 
 namespace edgevo::app {
 
-/// Adds SOURCE, --camera, --fov, --sensor, --frames, --every and --fps to `command`; they fill `*options`
-/// while it parses. A wrong --frames is an InputError.
+/// Adds SOURCE, --camera, --fov, --sensor, --frames, --every and --fps to `command`; parsing fills `*options`
+/// and throws InputError for a wrong --frames.
 void add_source_options(CLI::App& command, SourceOptions* options);
 
-/// Adds --image-scale; without it the scale is the usual one for the images' width.
+/// Adds --image-scale; its default depends on the width of the images.
 void add_image_scale(CLI::App& command, SourceOptions* options);
 
-/// How the camera was guessed and whether images were scaled: what a user must be told of a source, as name
-/// and value.
-std::vector<std::pair<std::string, std::string>> to_be_told(const ImageSource& source);
+/// What to report about a source, as name and value: assumptions about its camera and scaling of its images.
+std::vector<std::pair<std::string, std::string>> source_notices(const ImageSource& source);
 
-/// open_source(), and on stderr a line for each of these.
-std::unique_ptr<ImageSource> open_and_tell(const SourceOptions& options);
+/// Calls open_source() and prints the notices to stderr, one line each.
+std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options);
 
 }  // namespace edgevo::app

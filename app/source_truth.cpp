@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "source_truth.h"
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 namespace edgevo::app {
 namespace {
 
-// What the source says of its ground truth, where it says so.
+// The remark of the source on its ground truth, if there is one.
 std::string remark_of(const ImageSource& source) {
   for (const auto& [name, value] : source.details())
     if (name == "ground truth") return value;
@@ -18,7 +19,7 @@ std::string remark_of(const ImageSource& source) {
 
 }  // namespace
 
-// The path of what no file of trajectories holds tells what it is.
+// For ground truth that is in no trajectory file, `path` of the result describes where it comes from.
 Trajectory source_truth(const std::string& path) {
   SourceOptions options;
   options.path = source_folder(path);

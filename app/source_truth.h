@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
@@ -5,8 +6,7 @@
 
 namespace edgevo::app {
 
-/// The ground truth of a data set's folder, or the trajectory file that `path` names. Throws InputError where
-/// there is none.
+/// Ground truth of the data set folder or trajectory file at `path`. Throws InputError if there is none.
 Trajectory source_truth(const std::string& path);
 
 }  // namespace edgevo::app

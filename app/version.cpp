@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "version.h"
 
 #include "edgevo_build_info.h"

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
 namespace edgevo::app {
 
-/// "0.1.0 COMMIT BUILD_TYPE": what a result was made with, in a word or three.
+/// Version, commit and build type, as in "0.1.0 COMMIT BUILD_TYPE".
 std::string version();
-/// The same and the versions of the libraries that the program was built with, a few lines.
+/// Version, commit, build type, compiler and the versions of the libraries, on several lines.
 std::string version_text();
 
 }  // namespace edgevo::app

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the distribution packages that edgevo is built from (Debian 12 names). Quiet and quick when all is there.
 #
 #   share/install_dependencies.sh            install what is missing (as root, or through sudo)

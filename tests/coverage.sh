@@ -1,10 +1,11 @@
 #!/bin/sh
-# Which lines and branches of modules and app the unit tests execute, by module. Not part of the tests: it builds everything without
-# optimisation, in build/coverage.
+# SPDX-License-Identifier: BSD-3-Clause
+# Reports which lines and branches of modules and app the unit tests execute, by module. Not part of the tests: it builds everything
+# without optimisation in build/coverage.
 #
 #   tests/coverage.sh                     builds, runs the unit tests, prints the table
-#   tests/coverage.sh --all               the same with all tests: those of the programs, too
-#   tests/coverage.sh --report [BUILD]    the table of what has run already (default build/coverage)
+#   tests/coverage.sh --all               the same with all tests, including those of the programs
+#   tests/coverage.sh --report [BUILD]    the table of an earlier run (default build/coverage)
 #
 # The page with each line is BUILD/coverage/index.html. JOBS=N runs so many compilers at a time. Branches are those that a condition of
 # the source makes; those that exceptions make are not counted. Exit codes: 0 done, 1 a test failed; 77 gcovr is not installed.

@@ -1,9 +1,10 @@
 #!/bin/sh
-# The sources as .clang-format wants them, and no line of C++ longer than its 110 columns.
+# SPDX-License-Identifier: BSD-3-Clause
+# Checks that the sources are formatted by .clang-format and that no line of C++ exceeds 110 columns.
 #
-#   tests/format.sh          names each place that is not, exit code 1
-#   tests/format.sh --fix    formats the files where they are
-#   tests/format.sh --files  lists what is looked at
+#   tests/format.sh          lists each violation, exit code 1
+#   tests/format.sh --fix    formats the files in place
+#   tests/format.sh --files  lists the files that are checked
 #
 # Needs clang-format 14 (other versions break lines in other places). Exit code 77: it is not installed.
 set -eu
@@ -36,7 +37,7 @@ case "${1:-}" in
   --fix)
     tool=$(formatter) || exit $?
     files | xargs "$tool" -i
-    files | xargs "$tool" -i  # some comments settle at the second time
+    files | xargs "$tool" -i  # some comments need a second pass
     long_lines ;;
   "")
     tool=$(formatter) || exit $?

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Every relative link of the pages (*.md) leads to a file, and to a heading of it where it names one.
+# SPDX-License-Identifier: BSD-3-Clause
+# Checks that every relative link in the pages (*.md) leads to an existing file and heading.
 #
-#   tests/links.sh [FOLDER]    the repository by default; lists what is broken, exit code 1
-#   tests/links.sh --check     tries the check itself on pages that are right and wrong
+#   tests/links.sh [FOLDER]    the repository by default; lists broken links, exit code 1
+#   tests/links.sh --check     tests the check itself on correct and wrong pages
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)
@@ -12,7 +13,7 @@ pages() {
   (cd "$1" && find . \( -name build -o -name out -o -name shared -o -name '.?*' \) -prune -o -name '*.md' -print | sed 's|^\./||' | sort)
 }
 
-# Lines "H page slug" for headings and "L page line target file anchor" for links ("-" for none); code is left out.
+# Lines "H page slug" for headings and "L page line target file anchor" for links ("-" for none); code is skipped.
 # Slugs are GitHub's: lower case, no punctuation, hyphens for blanks, "-1" for the second of a kind.
 scan() {
   (cd "$1" && xargs awk '
@@ -70,4 +71,4 @@ if [ "${1:-}" = --check ]; then check_itself; exit; fi
 broken "${1:-$here}" >"$work/list"
 cat "$work/list"
 if [ -s "$work/list" ]; then exit 1; fi
-echo "$(grep -c '^L ' "$work/found") links of $(pages "${1:-$here}" | wc -l) pages lead somewhere"
+echo "$(grep -c '^L ' "$work/found") links of $(pages "${1:-$here}" | wc -l) pages are valid"

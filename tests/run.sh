@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds edgevo and runs its tests; works from a bare clone. The last lines are ctest's summary.
 #
 #   tests/run.sh              everything: Release build in build/release, all tests
@@ -23,7 +24,7 @@ case "${1:-}" in
     folder=build/asan
     benchmarks=OFF
     build_options="--preset asan"
-    # UBSan goes on after an error unless told; a test must not pass then.
+    # By default UBSan continues after an error; a test must not pass then.
     export UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1" ;;
   --sanitize-threads)
     folder=build/tsan
@@ -35,11 +36,11 @@ case "${1:-}" in
     exit 2 ;;
 esac
 [ "${CI:-}" = true ] && warnings=ON || warnings=OFF
-# ccache and precompiled headers do not go together (a header from its cache crashes GCC 12): either saves the time of the other.
+# ccache and precompiled headers are incompatible (a cached header crashes GCC 12); either saves about the same time.
 command -v ccache >/dev/null && launcher=ccache without_pch=ON || { launcher='' without_pch=OFF; }
 
 share/install_dependencies.sh --checks --workflow
-# Sources by eights (unity): half the time. That each compiles alone is seen by the preset dev.
+# Unity build (eight sources at once): half the time. The preset dev checks that each source compiles alone.
 cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks \
   -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch

@@ -1,10 +1,11 @@
 #!/bin/sh
-# clang-tidy with the checks of .clang-tidy over our sources; not part of the tests, since all of them take hours.
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs clang-tidy with the checks of .clang-tidy on our sources; not part of the tests, since all sources take hours.
 #
 #   tests/tidy.sh [BUILD]                    all of modules and app
-#   tests/tidy.sh [BUILD] FILE...            these
-#   tests/tidy.sh [BUILD] --changed [BASE]   what differs from BASE, uncommitted and new files included, headers through the sources of
-#                                            their name. Without BASE: from where the branch left origin/main; on main itself from HEAD~1
+#   tests/tidy.sh [BUILD] FILE...            these files
+#   tests/tidy.sh [BUILD] --changed [BASE]   files that differ from BASE, including uncommitted and new ones; headers through the sources
+#                                            with the same name. Without BASE: the merge base with origin/main; on main itself HEAD~1
 #
 # BUILD (default build/dev: each source by itself) was configured by CMake; it need not be built. JOBS=N runs so many at a time (default 1).
 # Exit codes: 0 nothing found; 1 findings, each a line "FILE:LINE:COLUMN: warning: ..."; 2 a source could not be read, or wrong use;
@@ -34,7 +35,7 @@ changed_files() {
     grep -E '^(modules|app|tests|share/training)/.*\.(h|cpp)$' || true
 }
 
-# The sources through which the files on stdin are seen: a header through the source or the test of its name.
+# Sources that cover the files on stdin: for a header, the source or the test with the same name.
 sources_of() {
   while read -r file; do
     case "$file" in
@@ -62,11 +63,11 @@ esac
 [ -f "$build/CMakeCache.txt" ] || fail "$build is not configured; cmake --preset dev"
 cmake -S . -B "$build" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 
-# GCC's options that clang does not know say nothing about the code.
+# Warnings about GCC options unknown to clang are irrelevant.
 printf '%s\n' "$@" | xargs -P "${JOBS:-1}" -n 1 "$tool" -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option \
   --extra-arg=-Wno-unused-command-line-argument >"$work/all" 2>"$work/messages" || true
 grep -E ': (warning|error): ' "$work/all" | sed "s,$PWD/,," | sort -u >"$work/found" || true
-# What stands in a header that nobody touched is not held against the change.
+# Findings in unchanged headers do not count.
 if [ -e "$work/changed" ]; then
   sed 's/$/:/' "$work/changed" | grep -F -f - "$work/found" >"$work/held" || true
   mv "$work/held" "$work/found"

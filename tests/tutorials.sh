@@ -1,8 +1,9 @@
 #!/bin/sh
-# tutorials.sh FOLDER [NAME...]: does what the tutorials of share/doc/tutorials say, word by word, each in FOLDER/NAME: writes the files
-# that they show, and runs their blocks marked `sh` one after the other. edgevo must be in the PATH; PREFIX is where it is installed (for
+# SPDX-License-Identifier: BSD-3-Clause
+# tutorials.sh FOLDER [NAME...]: follows the tutorials of share/doc/tutorials literally, each in FOLDER/NAME: writes the files that they
+# show and runs their blocks marked `sh` in order. edgevo must be in the PATH; PREFIX is where it is installed (for
 # embedding and servo_loop). Not part of the tests: it takes a quarter of an hour.
-# Exit codes: 0 all went through; 1 a command failed (named on stderr); 2 bad usage.
+# Exit codes: 0 all succeeded; 1 a command failed (named on stderr); 2 bad usage.
 set -eu
 [ $# -ge 1 ] || { echo "usage: tutorials.sh FOLDER [NAME...]" >&2; exit 2; }
 source=$(cd "$(dirname "$0")/.." && pwd)

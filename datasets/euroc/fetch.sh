@@ -1,7 +1,7 @@
 #!/bin/sh
-# One sequence of EuRoC, such as machine_hall/MH_01_easy or vicon_room1/V1_01_easy, into the folder TARGET.
+# Downloads a sequence of EuRoC, such as machine_hall/MH_01_easy or vicon_room1/V1_01_easy, into the folder TARGET.
 set -eu
-[ $# -eq 2 ] || { echo "usage: fetch.sh TARGET PLACE/SEQUENCE, for example fetch.sh ~/euroc machine_hall/MH_01_easy" >&2; exit 2; }
+[ $# -eq 2 ] || { echo "usage: fetch.sh TARGET GROUP/SEQUENCE, for example fetch.sh ~/euroc machine_hall/MH_01_easy" >&2; exit 2; }
 mkdir -p "$1"
 cd "$1"
 name="${2##*/}"

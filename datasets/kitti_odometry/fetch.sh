@@ -1,5 +1,5 @@
 #!/bin/sh
-# Gray images (22 GB), calibration and poses of KITTI odometry into the folder TARGET.
+# Downloads gray images (22 GB), calibration and poses of KITTI odometry into the folder TARGET.
 set -eu
 [ $# -eq 1 ] || { echo "usage: fetch.sh TARGET" >&2; exit 2; }
 mkdir -p "$1"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# One sequence of TUM RGB-D, such as freiburg1_xyz, into the folder TARGET.
+# Downloads a sequence of TUM RGB-D, such as freiburg1_xyz, into the folder TARGET.
 set -eu
 [ $# -eq 2 ] || { echo "usage: fetch.sh TARGET SEQUENCE, for example fetch.sh ~/tum freiburg1_xyz" >&2; exit 2; }
 mkdir -p "$1"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Images, depth and poses of one release of Virtual KITTI into the folder TARGET.
+# Downloads images, depth and poses of one release of Virtual KITTI into the folder TARGET.
 set -eu
 usage() { echo "usage: fetch.sh TARGET 1.3.1|2.0.3, for example fetch.sh ~/vkitti 2.0.3" >&2; exit 2; }
 [ $# -eq 2 ] || usage

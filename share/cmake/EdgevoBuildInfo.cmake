@@ -1,18 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes edgevo_build_info.h (versions for summary.yaml) and gives it to targets: edgevo_use_build_info(TARGET).
-# The git hash is that of configure time; sources without their own git history (a tarball) say "unknown".
+# The git hash is that at configure time, or "unknown" for sources without their own git history (a tarball).
 set(EDGEVO_GIT_HASH unknown)
 find_package(Git QUIET)
 if(GIT_FOUND)
   execute_process(COMMAND ${GIT_EXECUTABLE} rev-parse --show-toplevel WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     OUTPUT_VARIABLE git_toplevel OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  # A tarball unpacked inside another repository must not show that one's hash.
+  # A tarball unpacked inside another repository must not show the hash of that repository.
   if(git_toplevel AND git_toplevel STREQUAL PROJECT_SOURCE_DIR)
     execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --dirty --abbrev=12 --exclude=* WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
       OUTPUT_VARIABLE EDGEVO_GIT_HASH OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   endif()
 endif()
 
-# Sets EDGEVO_VERSION_<PACKAGE>; a package that is not used on this machine is "none".
+# Sets EDGEVO_VERSION_<PACKAGE>; "none" if the package is not installed.
 function(edgevo_package_version package)
   find_package(${package} QUIET ${ARGN})
   set(version none)

@@ -1,9 +1,10 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Build-wide settings: one place for the language level, warnings, sanitizers and the default build type.
 option(EDGEVO_BUILD_TESTS "Build the unit and integration tests" ON)
 option(EDGEVO_BUILD_BENCHMARKS "Build the Google Benchmark programs" ON)
 option(EDGEVO_WARNINGS_AS_ERRORS "Warnings are errors (our own CI)" OFF)
-option(EDGEVO_WITH_VISP "Build visp_bridge; what links ViSP is distributed under the GPL" ON)
-option(EDGEVO_COVERAGE "Count what tests execute (gcov; tests/coverage.sh)" OFF)
+option(EDGEVO_WITH_VISP "Build visp_bridge; programs that link ViSP are distributed under the GPL" ON)
+option(EDGEVO_COVERAGE "Measure test coverage (gcov; tests/coverage.sh)" OFF)
 set(EDGEVO_SANITIZE "" CACHE STRING "Sanitizers, comma separated: address,undefined or thread")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -20,7 +21,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 include(GNUInstallDirs)
 
 add_compile_options(-Wall -Wextra)
-# Contraction to fused multiply-add would let results depend on the compiler's choice of target.
+# With contraction to fused multiply-add, results would depend on the target chosen by the compiler.
 add_compile_options(-ffp-contract=off)
 if(EDGEVO_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
@@ -28,13 +29,13 @@ endif()
 if(EDGEVO_SANITIZE)
   add_compile_options(-fsanitize=${EDGEVO_SANITIZE} -fno-omit-frame-pointer)
   if(EDGEVO_SANITIZE MATCHES undefined)
-    # A check at every pointer makes Eigen's templates five times slower to compile; AddressSanitizer sees a bad one when it is followed.
+    # A check at every pointer makes Eigen's templates five times slower to compile; AddressSanitizer catches invalid pointers on access.
     add_compile_options(-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
   endif()
   add_link_options(-fsanitize=${EDGEVO_SANITIZE})
 endif()
 if(EDGEVO_COVERAGE)
-  # Counters are those of threads, too.
+  # Counters must be correct with threads.
   add_compile_options(--coverage -fprofile-update=atomic)
   add_link_options(--coverage)
 endif()

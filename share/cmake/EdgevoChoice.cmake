@@ -1,8 +1,9 @@
-# -DEDGEVO_BUILD_MODULES="odometry;scale": these modules and those that they need, as libraries, and nothing else: no programs, no tests.
-# So the core is built where neither MRPT nor OctoMap, ViSP or X11 is installed.
-set(EDGEVO_BUILD_MODULES "" CACHE STRING "Modules to build, those that they need come along; empty: all, programs and tests")
+# SPDX-License-Identifier: BSD-3-Clause
+# -DEDGEVO_BUILD_MODULES="odometry;scale" builds these modules and their dependencies as libraries, without programs and tests. This
+# allows building the core without MRPT, OctoMap, ViSP or X11.
+set(EDGEVO_BUILD_MODULES "" CACHE STRING "Modules to build, with their dependencies; empty: everything, with programs and tests")
 
-# The other modules that a module's CMakeLists.txt names.
+# Sets RESULT to the modules named in the CMakeLists.txt of a module.
 function(edgevo_needs_of module result)
   file(READ ${PROJECT_SOURCE_DIR}/modules/${module}/CMakeLists.txt text)
   string(REGEX MATCHALL "edgevo::[a-z_]+" needs "${text}")
@@ -10,7 +11,7 @@ function(edgevo_needs_of module result)
   set(${result} ${needs} PARENT_SCOPE)
 endfunction()
 
-# edgevo_chosen(RESULT MODULE...): of these, bottom to top, those that are to be built, in the same order.
+# edgevo_chosen(RESULT MODULE...): selects the modules to build from MODULE..., which are listed bottom to top, in the same order.
 function(edgevo_chosen result)
   foreach(module IN LISTS EDGEVO_BUILD_MODULES)
     if(NOT module IN_LIST ARGN)

@@ -1,10 +1,11 @@
-# What find_package(edgevo COMPONENTS ...) has to know: of each module which others it needs, and whose packages. It follows from what
-# the module links, so that no list has to be kept.
+# SPDX-License-Identifier: BSD-3-Clause
+# Data for find_package(edgevo COMPONENTS ...): the modules and packages that each module needs, derived from what it links, so that no
+# list has to be maintained.
 
 set(EDGEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgevo)
 
-# edgevo_package_of(LINK PACKAGE COMPONENT): the package that a link is of, and its component where the package is asked for by those
-# (MRPT); empty where there is none to look for.
+# edgevo_package_of(LINK PACKAGE COMPONENT): sets the package that provides a linked library and, for packages with components (MRPT), its
+# component; empty if there is no package to find.
 function(edgevo_package_of link package component)
   set(found)
   set(part)
@@ -24,7 +25,7 @@ function(edgevo_package_of link package component)
   set(${component} ${part} PARENT_SCOPE)
 endfunction()
 
-# edgevo_add_component(MODULE INSTALL_COMPONENT LINK...): remembers them, and exports the module's target in a file of its own.
+# edgevo_add_component(MODULE INSTALL_COMPONENT LINK...): records them and exports the target of the module in its own file.
 function(edgevo_add_component module install_component)
   set(needs)
   set(packages)
@@ -48,7 +49,7 @@ function(edgevo_add_component module install_component)
     COMPONENT ${install_component})
 endfunction()
 
-# edgevo_component_table(RESULT): as text for edgevoConfig.cmake; the modules bottom to top.
+# edgevo_component_table(RESULT): the table as text for edgevoConfig.cmake, with the modules bottom to top.
 function(edgevo_component_table result)
   get_property(modules GLOBAL PROPERTY EDGEVO_COMPONENTS)
   get_property(table GLOBAL PROPERTY EDGEVO_COMPONENT_TABLE)

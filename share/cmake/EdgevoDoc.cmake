@@ -1,5 +1,6 @@
-# The documentation as a site: cmake --build BUILD --target doc, then BUILD/doc/html/index.html. Needs doxygen and graphviz, and no
-# build of edgevo. The test doxygen_clean makes it with every warning an error.
+# SPDX-License-Identifier: BSD-3-Clause
+# The documentation as a web site: cmake --build BUILD --target doc, then open BUILD/doc/html/index.html. Needs doxygen and graphviz, but
+# no build of edgevo. The test doxygen_clean builds it with warnings as errors.
 set(EDGEVO_DOC_DIR ${PROJECT_BINARY_DIR}/doc)
 set(doc_input ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/share/doc)
 foreach(module IN LISTS EDGEVO_MODULES)
@@ -20,7 +21,7 @@ configure_file(${PROJECT_SOURCE_DIR}/share/doc/site/Doxyfile.in ${PROJECT_BINARY
 
 find_program(EDGEVO_DOXYGEN doxygen)
 if(NOT EDGEVO_DOXYGEN)
-  message(STATUS "edgevo: no target doc (it needs doxygen and graphviz)")
+  message(STATUS "edgevo: no target doc (needs doxygen and graphviz)")
   return()
 endif()
 add_custom_target(doc COMMAND ${CMAKE_COMMAND} -E make_directory ${EDGEVO_DOC_DIR}

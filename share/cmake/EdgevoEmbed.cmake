@@ -1,7 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # edgevo_embed_texts(TARGET FILE...)
 # Compiles text files into TARGET: "assets/page.css" becomes `extern const char* const kPageCss` of namespace edgevo::assets,
-# which the target declares in a header of its own. A changed file is taken in by the next build.
-# This file is also the script that writes the source: cmake -DFROM=... -DTO=... -DNAME=... -P EdgevoEmbed.cmake
+# which the target declares in its own header. The next build picks up changes of the file.
+# This file is also the script that generates the source: cmake -DFROM=... -DTO=... -DNAME=... -P EdgevoEmbed.cmake
 if(CMAKE_SCRIPT_MODE_FILE)
   file(READ ${FROM} text)
   file(WRITE ${TO} "namespace edgevo::assets {\nextern const char* const ${NAME};\nconst char* const ${NAME} = R\"embedded(${text})embedded\";\n}\n")

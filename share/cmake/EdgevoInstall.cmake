@@ -1,5 +1,5 @@
-# Install rules: the exported CMake package, parameters and what else stands beside the binaries. Components are those of
-# EdgevoPackages.cmake.
+# SPDX-License-Identifier: BSD-3-Clause
+# Install rules: the exported CMake package, parameters and other data files. Components are those of EdgevoPackages.cmake.
 include(CMakePackageConfigHelpers)
 edgevo_component_table(EDGEVO_COMPONENT_TABLE)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cmake.in
@@ -10,14 +10,14 @@ install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edg
 install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel)
 
 set(EDGEVO_DATA_DIR ${CMAKE_INSTALL_DATADIR}/edgevo)
-# Scripts in Python stay in the source tree: the package needs no Python.
+# Python scripts are not installed: the package needs no Python.
 install(DIRECTORY params datasets share/bench share/workflow DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program USE_SOURCE_PERMISSIONS
   PATTERN *.py EXCLUDE)
 install(PROGRAMS share/install_dependencies.sh DESTINATION ${EDGEVO_DATA_DIR} COMPONENT devel)
 file(GLOB EDGEVO_INI_FILES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/share/*.ini)
 install(FILES ${EDGEVO_INI_FILES} DESTINATION ${EDGEVO_DATA_DIR} COMPONENT program)
 
-# The pages lie as in the source tree, so that their links hold.
+# The pages are installed with the layout of the source tree, so that their links work.
 install(FILES LICENSE README.md CONTRIBUTING.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
 install(DIRECTORY share/doc share/lab share/bench share/workflow DESTINATION ${CMAKE_INSTALL_DOCDIR}/share COMPONENT doc
   FILES_MATCHING PATTERN *.md PATTERN *.gif PATTERN *.png)
@@ -31,7 +31,7 @@ foreach(page IN LISTS EDGEVO_PAGES)
   install(FILES ${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT doc)
 endforeach()
 
-# Models of detectors, found from the program (files/share_folder.h): beside an installation, and beside a build through a link.
+# Models of detectors, located relative to the program (files/share_folder.h): installed, and linked into the build folder.
 set(EDGEVO_MODELS ${PROJECT_SOURCE_DIR}/share/models)
 if(EXISTS ${EDGEVO_MODELS})
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/edgevo)

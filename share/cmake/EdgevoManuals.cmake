@@ -1,7 +1,8 @@
-# Manual pages and bash completion, written from the program's own --help, so that they cannot fall behind it.
+# SPDX-License-Identifier: BSD-3-Clause
+# Manual pages and bash completion, generated from --help, so that they are always up to date.
 find_program(EDGEVO_HELP2MAN help2man)
 if(NOT EDGEVO_HELP2MAN OR EDGEVO_SANITIZE)
-  message(STATUS "edgevo: no manual pages (they need help2man, and a program without sanitizers)")
+  message(STATUS "edgevo: no manual pages (they need help2man and a build without sanitizers)")
   return()
 endif()
 set(manuals ${PROJECT_BINARY_DIR}/manuals)

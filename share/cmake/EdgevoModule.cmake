@@ -1,7 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # edgevo_add_module(NAME [GPL] [PUBLIC targets...] [PRIVATE targets...])
-# One library edgevo::NAME from modules/NAME/{include,src}, folders within src included; PUBLIC and PRIVATE name what it links.
+# Adds the library edgevo::NAME from modules/NAME/{include,src}, including subfolders of src; PUBLIC and PRIVATE list what it links.
 # Installed, it is a component of find_package(edgevo) (EdgevoComponents.cmake).
-# GPL: it links ViSP, and is packaged apart from what is under the BSD licence.
+# GPL: the module links ViSP and is packaged separately from those under the BSD licence.
 function(edgevo_add_module name)
   cmake_parse_arguments(ARG "GPL" "" "PUBLIC;PRIVATE" ${ARGN})
   set(component devel)
@@ -28,7 +29,7 @@ function(edgevo_add_module name)
 endfunction()
 
 # edgevo_add_tests(MODULE [LINKS targets...])
-# One GoogleTest program test_MODULE from tests/unit/MODULE/*.cpp.
+# Adds the GoogleTest program test_MODULE from tests/unit/MODULE/*.cpp.
 function(edgevo_add_tests module)
   cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/unit/${module}/*.cpp)
@@ -37,15 +38,15 @@ function(edgevo_add_tests module)
   endif()
   add_executable(test_${module} ${sources})
   target_link_libraries(test_${module} PRIVATE edgevo::${module} ${ARG_LINKS} GTest::gmock GTest::gtest_main)
-  # A module's own tests see its private headers: what is hard to reach from outside is tested where it is.
+  # Tests of a module may include its private headers, to test internals directly.
   target_include_directories(test_${module} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules/${module}/src)
   target_compile_definitions(test_${module} PRIVATE EDGEVO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # What is tested is fully optimised; the tests themselves compile a third faster without.
+  # The tested code is fully optimised; the tests themselves compile a third faster with -O1.
   target_compile_options(test_${module} PRIVATE $<$<CONFIG:Release>:-O1>)
-  # A third of the time that the tests take to compile. Modules are compiled without: their headers must stand alone.
+  # Saves a third of the compile time of the tests. Modules are compiled without: their headers must be self-contained.
   target_precompile_headers(test_${module} PRIVATE <gtest/gtest.h> <Eigen/Dense>)
-  # One process for a module: what its tests render they share, and starting a program (hundreds of shared libraries) takes longer than
-  # most of them. test_MODULE --gtest_filter=SUITE.* runs some.
+  # One process per module: its tests share what they render, and starting a program (hundreds of shared libraries) takes longer than
+  # most tests. test_MODULE --gtest_filter=SUITE.* runs a part of them.
   if(EDGEVO_TESTS_ONE_BY_ONE)
     gtest_discover_tests(test_${module} TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES LABELS unit)
   else()

@@ -1,9 +1,10 @@
-# Debian packages, by CPack: share/packages/make.sh, or `cpack` in a build folder. Which package holds what, and why:
-# share/packages/README.md. Dependencies of programs are found by dpkg-shlibdeps; those of libraries are named here.
+# SPDX-License-Identifier: BSD-3-Clause
+# Debian packages, by CPack: share/packages/make.sh, or `cpack` in a build folder. Contents of the packages and
+# reasons: share/packages/README.md. dpkg-shlibdeps finds the dependencies of programs; those of libraries are listed here.
 set(release 1)
 set(version "${PROJECT_VERSION}-${release}")
 
-# Debian's convention for who makes a package.
+# Debian's environment variables for the maintainer of a package.
 if("$ENV{DEBFULLNAME}" STREQUAL "" OR "$ENV{DEBEMAIL}" STREQUAL "")
   set(maintainer "The edgevo authors <edgevo@localhost>")
 else()
@@ -14,7 +15,7 @@ string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, if
 # The licence as the indented text of a copyright file: everything above the note on ViSP.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE licence)
 string(REGEX REPLACE "\n---+\n.*" "" licence "${licence}")
-string(REGEX REPLACE "^[^\n]*\n\n[^\n]*\n\n" "" licence "${licence}")  # title and holders, which have fields of their own
+string(REGEX REPLACE "^[^\n]*\n\n[^\n]*\n\n" "" licence "${licence}")  # title and holders have fields of their own
 string(REGEX REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(STRIP "${licence}" licence)
 string(REGEX REPLACE "\n" "\n " licence "${licence}")
@@ -24,7 +25,7 @@ configure_file(${PROJECT_SOURCE_DIR}/share/packages/copyright.in ${packaging}/co
 configure_file(${PROJECT_SOURCE_DIR}/share/packages/copyright_visp.in ${packaging}/copyright_visp @ONLY)
 
 # edgevo_package(COMPONENT NAME SUMMARY TEXT [GPL] [SECTION s] [DEPENDS d] [RECOMMENDS r] [SUGGESTS s])
-# One package; each brings its copyright file and changelog, which a plain installation does not.
+# Adds a package with its copyright file and changelog, which a plain installation does not have.
 macro(edgevo_package component name summary text)
   cmake_parse_arguments(ARG "GPL" "SECTION;DEPENDS;RECOMMENDS;SUGGESTS;ARCHITECTURE" "" ${ARGN})
   string(TOUPPER ${component} upper)
@@ -74,16 +75,17 @@ class made for edges, for the programs of MRPT that build maps."
 if(TARGET edgevo-servo)
   edgevo_package(servo edgevo-servo "visual servoing on edge visual odometry, in a simulator"
     "The program behind `edgevo servo`: ViSP's control laws close a loop around a
-rendered camera, with the odometry as their only sensor. Apart from edgevo,
-since it links ViSP and is therefore under the GPL."
+rendered camera, with the odometry as their only sensor. Separate from
+edgevo, since it links ViSP and is therefore under the GPL."
     GPL SECTION science DEPENDS "edgevo (= ${version})")
   edgevo_package(visp_devel libedgevo-visp-dev "edge visual odometry: bridge to ViSP"
     "Static libraries, headers and CMake targets edgevo::visp_bridge and
-edgevo::servo, which feed ViSP's control laws from the odometry. Apart from
-libedgevo-dev, since what links ViSP is under the GPL."
+edgevo::servo, which feed ViSP's control laws from the odometry. Separate
+from libedgevo-dev, since programs that link ViSP are under the GPL."
     GPL SECTION libdevel DEPENDS "libedgevo-dev (= ${version}), libvisp-dev")
 endif()
-# Components of find_package(edgevo) look for what they link themselves: the odometry for what is depended on, others for more.
+# Components of find_package(edgevo) search for the packages that they link: those of the odometry are dependencies, the others
+# recommendations.
 set(libraries "libeigen3-dev, libopencv-dev, libceres-dev, zlib1g-dev")
 set(more_libraries "liboctomap-dev, libmrpt-maps-dev, libmrpt-gui-dev, libx11-dev, libexif-dev")
 edgevo_package(devel libedgevo-dev "edge visual odometry: libraries for C++"
@@ -96,7 +98,7 @@ edgevo_package(doc edgevo-doc "edge visual odometry: documentation"
 lab book, as Markdown in /usr/share/doc/edgevo."
   SECTION doc ARCHITECTURE all)
 
-# The loader learns of the plug-in.
+# Runs ldconfig for the plug-in.
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/share/packages/triggers)
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

@@ -1,10 +1,11 @@
-# sh draw_board.sh: in place of photographs, a chessboard of 9x6 inner corners from twelve sides in the folder board, as a camera with a
-# focal length of 400 px and images of 480x360 would see it. Needs ImageMagick. Used by share/doc/tutorials/own_camera.md.
+# SPDX-License-Identifier: BSD-3-Clause
+# sh draw_board.sh: draws a chessboard with 9x6 inner corners from twelve sides into the folder board, in place of photographs, as seen by
+# a camera with a focal length of 400 px and images of 480x360. Needs ImageMagick. Used by share/doc/tutorials/own_camera.md.
 set -eu
 awk 'BEGIN { print "P2 288 216 255"
   for (y = 0; y < 216; ++y) for (x = 0; x < 288; ++x) { i = int(x / 24); j = int(y / 24)
     print (i > 0 && i < 11 && j > 0 && j < 8 && (i + j) % 2 == 0) ? 25 : 230 } }' >board.pgm
-view() {  # TURN TIP X Y Z: where the corners of the picture are seen
+view() {  # YAW PITCH X Y Z: projections of the corners of the picture
   awk -v a="$1" -v b="$2" -v tx="$3" -v ty="$4" -v tz="$5" 'BEGIN { a *= 0.0174533; b *= 0.0174533
     for (k = 0; k < 4; ++k) { X = k % 2 ? 288 : 0; Y = k > 1 ? 216 : 0; x = (X - 144) / 800; y = (Y - 108) / 800
       p = x * cos(a) + y * sin(b) * sin(a) + tx; q = y * cos(b) + ty; r = -x * sin(a) + y * sin(b) * cos(a) + tz

@@ -1,12 +1,13 @@
-// The odometry in a loop over a rawlog, by MRPT's own classes.
+// SPDX-License-Identifier: BSD-3-Clause
+// The odometry in a loop over a rawlog, with MRPT's own classes.
 //
 //   mrpt_loop FILE.rawlog OUT.txt [FOLDER]
 //
-// OUT.txt: `t x y z yaw pitch roll` of the vehicle, as CPose3DInterpolator reads it. FOLDER: the files that
-// `edgevo run` writes: final trajectory, maps, report, summary.
+// OUT.txt: `t x y z yaw pitch roll` of the vehicle, as CPose3DInterpolator reads it. FOLDER gets the files
+// that `edgevo run` writes: final trajectory, maps, report, summary.
 //
-// Takes every CObservationImage, asks the odometry for the pose, and keeps the vehicle's path in MRPT's axes
-// (x forward, y left, z up). The same loop runs on a live sensor: replace the file by
+// Takes every CObservationImage, computes its pose by the odometry, and keeps the vehicle's path in MRPT's
+// axes (x forward, y left, z up). The same loop runs on a live sensor: replace the file by
 // CCameraSensor::getNextFrame().
 #include <edgevo/core/error.h>
 #include <edgevo/mrpt_bridge/conversions.h>
@@ -26,7 +27,7 @@ namespace {
 
 using mrpt::obs::CObservationImage;
 
-// MRPT 2.5.8 looks for the images of a rawlog in another folder only when it runs in there.
+// MRPT 2.5.8 finds the external images of a rawlog in another folder only with this base path.
 void set_image_folder(const std::filesystem::path& rawlog) {
   const std::filesystem::path folder = rawlog.parent_path() / (rawlog.stem().string() + "_Images");
   mrpt::img::CImage::setImagesPathBase(folder.string());
@@ -34,7 +35,7 @@ void set_image_folder(const std::filesystem::path& rawlog) {
 
 class VehicleOdometry {
  public:
-  /// `folder`: for the files of a run; empty: none are written.
+  /// `folder` receives the files of a run; if empty, none are written.
   explicit VehicleOdometry(std::string folder) : folder_(std::move(folder)) {}
 
   void add(const CObservationImage& image, const std::string& where) {
@@ -44,7 +45,7 @@ class VehicleOdometry {
     frame.time = edgevo::from_mrpt(image.timestamp);
     frame.image = edgevo::from_mrpt(image.image, where);
     const edgevo::FrameRecord& record = odometry_->process(frame);
-    if (outputs_ && !outputs_->add_frame(frame)) finish();  // which tells why it could not be written
+    if (outputs_ && !outputs_->add_frame(frame)) finish();  // reports why it could not be written
     if (!record.T_world_cam_live) return;  // bootstrapping or lost: no pose, and the path has a gap
     const mrpt::poses::CPose3D T_first_cam = edgevo::to_mrpt(*record.T_world_cam_live);
     path_.insert(image.timestamp, (mount_ + T_first_cam + (-mount_)).asTPose());

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A visual-servoing loop with edgevo as its sensor.
 //
-//   visp_loop SOURCE [PACE]        SOURCE: a folder, rawlog or video as `edgevo run` takes it; PACE 0.5:
-//   played at half its rate
+//   visp_loop SOURCE [PACE]
 //
-// Three threads, as on a robot: the camera pushes images, the odometry works on them, the loop asks for the
-// newest pose at 20 Hz. The first usable pose is taught as the goal; from then on PBVS steers back to it.
-// Where a robot would be, this prints.
+// SOURCE: a folder, rawlog or video, as for `edgevo run`. PACE: playback speed; 0.5 plays at half the rate.
+//
+// Three threads, as on a robot: the camera pushes images, the odometry processes them, and the loop
+// reads the newest pose at 20 Hz. The first usable pose is taught as the goal; from then on PBVS steers back
+// to it. Commands are printed instead of sent to a robot.
 #include <edgevo/core/error.h>
 #include <edgevo/datasets/open_source.h>
 #include <edgevo/visp_bridge/conversions.h>
@@ -33,7 +35,7 @@ edgevo::Timestamp now() {
       std::chrono::nanoseconds(Clock::now().time_since_epoch()).count());
 }
 
-// In place of a robot: on a real one, robot.setVelocity(vpRobot::CAMERA_FRAME, v).
+// Prints the commands; with a real robot, call robot.setVelocity(vpRobot::CAMERA_FRAME, v).
 class PrintingRobot {
  public:
   void set_velocity(const vpColVector& v) {
@@ -52,7 +54,7 @@ class PrintingRobot {
   std::string last_stop_;
 };
 
-// PBVS: the camera's pose in the taught camera's axes goes to the identity.
+// PBVS: drives the pose of the camera in the frame of the taught camera to the identity.
 class PositionLaw {
  public:
   explicit PositionLaw(const vpHomogeneousMatrix& cdMw)
@@ -77,7 +79,7 @@ class PositionLaw {
   vpServo task_;
 };
 
-// The camera thread: hands each image over at its time. Another program would grab from a device here.
+// The camera thread: delivers each image at its time. A real program would grab from a device here.
 void play(edgevo::ImageSource& source, double pace, edgevo::ServoOdometry* odometry) {
   std::optional<edgevo::Timestamp> first;
   const Clock::time_point begin = Clock::now();
@@ -98,7 +100,7 @@ void servo_loop(const edgevo::ServoFeed& feed, const std::atomic<bool>& images_e
     std::this_thread::sleep_until(tick);
     const edgevo::ServoPose pose = feed.pose(now());
     if (!pose.usable) {
-      robot.stop(pose.reason);  // lost, stale or not there yet: the robot must not move on
+      robot.stop(pose.reason);  // lost, stale or not available yet: the robot must stop
       if (images_end) return;
       continue;
     }
@@ -135,7 +137,7 @@ int run(const std::string& path, double pace) {
   servo_loop(feed, images_end);
   camera.join();
   const edgevo::Run result = odometry.finish();
-  std::printf("%zu images worked on, %d replaced by newer ones\n", result.frames.size(), odometry.replaced());
+  std::printf("%zu images processed, %d replaced by newer ones\n", result.frames.size(), odometry.replaced());
   if (broken) std::rethrow_exception(broken);
   return 0;
 }

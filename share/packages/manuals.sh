@@ -1,7 +1,8 @@
 #!/bin/sh
-# Manual pages and bash completion from what the program's --help says:
+# SPDX-License-Identifier: BSD-3-Clause
+# Generates manual pages and bash completion from --help:
 #   share/packages/manuals.sh EDGEVO OUT      writes OUT/man1/edgevo*.1.gz and OUT/completions/edgevo
-# Needs help2man. Sub-commands are those that EDGEVO lists; a program that was built without ViSP has no page for `servo`.
+# Needs help2man. Sub-commands are those that EDGEVO lists; a build without ViSP has no page for `servo`.
 set -eu
 export LC_ALL=C
 edgevo=$1 out=$2
@@ -24,7 +25,7 @@ options_of() { help_of "$@" | sed -n 's/^  \(-[^ ]*\).*/\1/p' | tr , '\n' | grep
 
 completion() {
   cat <<END
-# bash completion of edgevo $version, written from its --help
+# bash completion of edgevo $version, generated from its --help
 _edgevo() {
   local word=\${COMP_WORDS[COMP_CWORD]} commands="$(echo $commands)" options=
   COMPREPLY=()

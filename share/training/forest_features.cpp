@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "forest_features.h"
 
 #include <opencv2/imgproc.hpp>
@@ -8,7 +9,7 @@
 namespace edgevo::training {
 namespace {
 
-// Weights of a triangle over 2 radius + 1 pixels: rising to the middle and falling again, in sum 1.
+// Triangular weights over 2 radius + 1 pixels, with sum 1.
 std::vector<float> triangle(int radius) {
   if (radius == 1) return {0.25f, 0.5f, 0.25f};
   const float whole = float((radius + 1) * (radius + 1));
@@ -25,8 +26,8 @@ cv::Mat smoothed(const cv::Mat& map, int radius) {
   return result;
 }
 
-// Three equal channels of 0 to 1, as the detector gets a gray image, continued by what a patch reaches beyond
-// its middle.
+// Three equal channels of 0 to 1, as the detector receives a gray image, extended by the border of a patch
+// around its centre.
 cv::Mat as_colour(const cv::Mat& gray, int border) {
   cv::Mat colour, scaled, wide;
   cv::cvtColor(gray, colour, cv::COLOR_GRAY2RGB);
@@ -35,7 +36,7 @@ cv::Mat as_colour(const cv::Mat& gray, int border) {
   return wide;
 }
 
-// Row and column, in feature pixels, of the cells of the grid: evenly over the patch.
+// Row and column of the cells of the grid, feature pixels: evenly spaced over the patch.
 int cell_position(const ForestShape& s, int i) {
   const int half = cvRound(s.side() / (2.0 * s.grid));
   return int((i + 1) * (s.side() + 2 * half - 1) / (s.grid + 1.0) - half + 0.5f);
@@ -65,7 +66,7 @@ float FeatureMaps::value(const cv::Mat& map, int row, int col, int y, int x, int
   return map.ptr<float>(v)[u * shape_.channels() + channel];
 }
 
-// Ids count channel by channel; within one, the columns of the patch one after the other: OpenCV's order.
+// Ids ascend by channel, and within a channel column by column, as in OpenCV.
 float FeatureMaps::at(int row, int col, int id) const {
   const int side = shape_.side(), grid = shape_.grid;
   if (id < shape_.plain_features()) {

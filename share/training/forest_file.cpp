@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "forest_file.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ void write_options(cv::FileStorage& file, const ForestShape& s) {
        << s.gradient_smoothing << "regFeatureSmoothingRadius" << s.regular_smoothing
        << "ssFeatureSmoothingRadius" << s.similarity_smoothing << "gradientNormalizationRadius"
        << s.gradient_normalisation << "selfsimilarityGridSize" << s.grid << "numberOfTrees" << s.trees
-       << "numberOfTreesToEvaluate" << s.trees_asked << "}";
+       << "numberOfTreesToEvaluate" << s.trees_evaluated << "}";
 }
 
 template <class Part>
@@ -59,8 +60,7 @@ void write_answers(cv::FileStorage& file, const std::vector<Tree>& trees) {
 void write_forest(const std::string& path, std::vector<Tree> trees, const ForestShape& shape) {
   cv::FileStorage file(path, cv::FileStorage::WRITE);
   if (!file.isOpened())
-    throw InputError(path, "cannot be written",
-                     "name a file NAME.yml or NAME.yml.gz in a folder that is there");
+    throw InputError(path, "cannot be written", "give a file NAME.yml or NAME.yml.gz in an existing folder");
   make_equally_long(&trees);
   write_options(file, shape);
   write_rows(file, "childs", trees, [](const Tree& t) { return t.childs; });

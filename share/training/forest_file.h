@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A forest as OpenCV's ximgproc reads it (createStructuredEdgeDetection).
+// Writes a forest as read by OpenCV's ximgproc (createStructuredEdgeDetection).
 #include <string>
 #include <vector>
 
@@ -7,9 +8,9 @@
 
 namespace edgevo::training {
 
-/// Writes NAME.yml or NAME.yml.gz: the lists `childs`, `featureIds` and `thresholds`, a row for each tree,
-/// all of one length (leaves nobody reaches fill the shorter ones); `edgeBins`, the pixels that leaves mark,
-/// column by column; `edgeBoundaries`, where a node's begin, and the end. Throws InputError.
+/// Writes NAME.yml or NAME.yml.gz: the lists `childs`, `featureIds` and `thresholds` with one row per tree,
+/// all of equal length (padded with unreachable leaves); `edgeBins`, the pixels that leaves mark, column by
+/// column; `edgeBoundaries`, the first bin of each node, and the end. Throws InputError.
 void write_forest(const std::string& path, std::vector<Tree> trees, const ForestShape& shape);
 
 }  // namespace edgevo::training

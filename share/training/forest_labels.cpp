@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "forest_labels.h"
 
 #include <Eigen/Core>
@@ -9,7 +10,7 @@ namespace {
 constexpr int kCell = 4, kCells = kInner / kCell;
 using Counts = Eigen::Matrix<float, kCells * kCells, 1>;
 
-// Edge pixels by cell: an edge that lies a pixel aside is nearly the same answer.
+// Number of edge pixels per cell, so that an edge shifted by a pixel has almost the same label.
 Counts counts_of(const EdgePatch& patch) {
   Counts counts = Counts::Zero();
   for (int i = 0; i < kInner * kInner; ++i)
@@ -17,7 +18,7 @@ Counts counts_of(const EdgePatch& patch) {
   return counts;
 }
 
-// The direction in which they differ most.
+// Direction in which they differ most.
 Counts main_direction(const std::vector<Counts>& centred, Random& random) {
   constexpr int kMost = 256, kRounds = 20;
   const size_t step = std::max<size_t>(1, centred.size() / kMost);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "forest_tree.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ struct Split {
 // Gini impurity of two classes, times the number of examples.
 double impurity(double ones, double count) { return count > 0 ? 2 * ones * (count - ones) / count : 0; }
 
-// The best threshold of one feature: examples are sorted by it.
+// Best threshold of one feature, found by sorting the examples.
 void try_feature(int id, std::vector<std::pair<float, uint8_t>>& values, int least, Split* best) {
   std::sort(values.begin(), values.end());
   double all = 0, ones = 0;
@@ -38,7 +39,7 @@ class Grower {
   Tree grow(std::vector<const Example*> examples) {
     add_node();
     std::vector<Task> tasks{{0, 0, std::move(examples)}};
-    for (size_t i = 0; i < tasks.size(); ++i) {  // breadth first: children stand behind their parent
+    for (size_t i = 0; i < tasks.size(); ++i) {  // breadth first: children come after their parent
       const Task task = std::move(tasks[i]);
       split_or_end(task, &tasks);
     }
@@ -77,7 +78,7 @@ class Grower {
     const std::vector<uint8_t> classes = two_classes(answers_of(task), random_);
     const auto ones = std::count(classes.begin(), classes.end(), 1);
     if (ones == 0 || size_t(ones) == classes.size()) return best;
-    best.impurity = impurity(double(ones), double(classes.size())) * (1 - 1e-9);  // a split must gain
+    best.impurity = impurity(double(ones), double(classes.size())) * (1 - 1e-9);  // a split must improve
     std::vector<std::pair<float, uint8_t>> values(task.examples.size());
     for (int i = 0; i < limits_.features_tried; ++i) {
       const int id = random_.below(shape_.features());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Grows one tree of a structured forest.
 #include <memory>
@@ -8,30 +9,36 @@
 
 namespace edgevo::training {
 
-/// A patch of an image, with its true answer.
+/// Patch of an image with its true label.
 struct Example {
   const FeatureMaps* maps;
   int row, col;
   EdgePatch edges;
 };
 
+/// One tree of a forest, by node.
 struct Tree {
-  std::vector<int> childs;  ///< 0: a leaf; c: nodes c - 1 (feature below the threshold) and c
+  /// 0 for a leaf; c for an inner node with the children c - 1 (feature below the threshold) and c.
+  std::vector<int> childs;
   std::vector<int> feature_ids;
   std::vector<float> thresholds;
-  std::vector<EdgePatch> answers;  ///< of leaves; empty at others
+  /// Predicted edges of leaves; empty for inner nodes.
+  std::vector<EdgePatch> answers;
 };
 
+/// Limits of the growth of a tree.
 struct GrowthLimits {
   int depth = 14;
-  int least_examples = 8;    ///< in a leaf: fewer are chance
-  int features_tried = 120;  ///< at each node
+  /// Smallest number of examples in a leaf: fewer are chance.
+  int least_examples = 8;
+  /// Number of features tried at each node.
+  int features_tried = 120;
 };
 
-/// The node that the patch falls to.
+/// Leaf that the patch falls into.
 int walk(const Tree& tree, const FeatureMaps& maps, int row, int col);
 
-/// Cost: about 20 s for 30,000 examples.
+/// Grows a tree. Cost: about 20 s for 30,000 examples.
 Tree grow_tree(const std::vector<const Example*>& examples, const ForestShape& shape,
                const GrowthLimits& limits, Random random);
 

@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "lasting_edges.h"
 
 #include <opencv2/imgproc.hpp>
 
-#include "edgevo/drive/drive.h"
+#include "edgevo/run_loop/run_odometry.h"
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
 
 namespace edgevo::training {
 namespace {
 
-// The camera is known, and each keyframe keeps all of its own lines, however far: an edge lasts whether or not
-// its depth is well known.
+// The camera is known, and each keyframe keeps all of its own lines, however far: whether an edge lasts does
+// not depend on the accuracy of its depth.
 OdometryParams params_of_labels() {
   OdometryParams params;
   params.camera.refine = "none";
@@ -37,9 +38,10 @@ cv::Mat label_of(const KeyframeRecord& keyframe, cv::Size size) {
 std::vector<LabelledFrame> lasting_edges(const Scene& scene, uint64_t seed) {
   const auto renderer = std::make_shared<const SceneRenderer>(scene);
   RelitSource source(std::make_unique<RenderedSource>(renderer), Relight("mixed", seed));
-  DriveOptions options;
+  RunLoopOptions options;
   options.odometry.seed = seed;
-  const Drive driven = drive(source, params_of_labels(), options, [](const DrivenFrame&) { return true; });
+  const RunResult driven =
+      run_odometry(source, params_of_labels(), options, [](const ProcessedFrame&) { return true; });
   const Pinhole& image = scene.camera.pinhole;
   std::vector<LabelledFrame> all;
   for (const KeyframeRecord& k : driven.run.keyframes)

@@ -1,14 +1,15 @@
-"""The edge network: small enough for every frame of a live camera on one core.
+# SPDX-License-Identifier: BSD-3-Clause
+"""The edge network: small enough to process every frame of a live camera on one core.
 
 Gray image in, edge probability out, of the same size (sides are multiples of 4). A stem at half size, context at a quarter by
-depthwise convolutions that reach further each time, and back by transposed convolutions. Nothing in it that OpenCV 4.6 lacks.
+depthwise convolutions of increasing dilation, and back by transposed convolutions. OpenCV 4.6 supports all its layers.
 """
 import torch
 from torch import nn
 
 
 class Around(nn.Module):
-    """A look around (depthwise, `reach` pixels apart), then a mix of the channels, added to what was there."""
+    """A residual block: depthwise convolution with a dilation of `reach` pixels, then a mix of the channels."""
 
     def __init__(self, channels, reach):
         super().__init__()

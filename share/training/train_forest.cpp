@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // edgevo_train_forest OUT.yml.gz [SEED] [FRAMES] [train|lasting]: renders its training set and grows a
-// structured forest from it; FRAMES 0: as many as the plan has. The same seed gives the same file. Method:
+// structured forest from it. FRAMES 0 uses the number of the plan. The same seed gives the same file. Method:
 // Dollar and Zitnick, "Fast Edge Detection Using Structured Forests" (PAMI 2015).
 #include <cstdio>
 #include <cstdlib>
@@ -14,8 +15,8 @@
 namespace edgevo::training {
 namespace {
 
-constexpr int kPatches = 150;      // of each piece
-constexpr double kWithEdge = 0.6;  // of them, at an edge: else half of all would show nothing
+constexpr int kPatches = 150;      // per piece
+constexpr double kWithEdge = 0.6;  // share of them at an edge: otherwise half of all would be empty
 
 EdgePatch edges_at(const cv::Mat& label, int row, int col, const ForestShape& shape) {
   EdgePatch edges;
@@ -25,7 +26,7 @@ EdgePatch edges_at(const cv::Mat& label, int row, int col, const ForestShape& sh
   return edges;
 }
 
-// An edge through the middle of the patch.
+// Whether an edge passes through the centre of the patch.
 bool has_edge(const EdgePatch& edges) {
   for (int v = kInner / 2 - 2; v < kInner / 2 + 2; ++v)
     for (int u = kInner / 2 - 2; u < kInner / 2 + 2; ++u)
@@ -49,7 +50,7 @@ void add_examples(const Sample& sample, const FeatureMaps& maps, const ForestSha
   }
 }
 
-// Each tree sees half of the examples, so that trees differ.
+// Each tree uses half of the examples, so that trees differ.
 std::vector<const Example*> half_of(const std::deque<Example>& examples, Random& random) {
   std::vector<const Example*> chosen;
   for (const Example& e : examples)
@@ -86,7 +87,7 @@ void train(const std::string& out, uint64_t seed, int frames, const std::string&
 
 int main(int argc, char** argv) try {
   if (argc < 2)
-    throw edgevo::InputError("edgevo_train_forest", "names no file to write",
+    throw edgevo::InputError("edgevo_train_forest", "no output file is given",
                              "write edgevo_train_forest OUT.yml.gz [SEED] [FRAMES] [train|lasting]");
   edgevo::training::train(argv[1], argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1,
                           argc > 3 ? std::atoi(argv[3]) : 0, argc > 4 ? argv[4] : "train");

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Trains the edge network on the pieces that edgevo_training_set writes, and exports it for OpenCV's dnn.
 
     train_network.py TRAINING_SET OUT.onnx [--seed N] [--epochs N]
@@ -14,9 +15,9 @@ import torch
 
 from network import EdgeNetwork
 
-# (pixel - MEAN) / STD of gray levels 0 to 1: the same numbers stand in edge_network.yaml.
+# (pixel - MEAN) / STD of gray levels 0 to 1: the same numbers as in edge_network.yaml.
 MEAN, STD = 0.5, 0.25
-# How much more a missed edge pixel counts than a false one: they are few, some 8 % of all.
+# Weight of a missed edge pixel relative to a false one: edges are only about 8 % of all pixels.
 MISSED = 2.0
 
 
@@ -24,7 +25,7 @@ def read_samples(path):
     """Images and labels, count x height x width, uint8."""
     with open(path, "rb") as file:
         if file.readline() != b"edgevo training set 1\n":
-            raise SystemExit(f"{path}: is no training set; make one with edgevo_training_set")
+            raise SystemExit(f"{path}: is not a training set; make one with edgevo_training_set")
         count, width, height = map(int, file.readline().split())
         data = numpy.frombuffer(file.read(), numpy.uint8).reshape(count, 2, height, width)
     return data[:, 0], data[:, 1]
@@ -37,7 +38,7 @@ def as_batch(images, labels, order):
 
 
 def varied(gray, edge, draw):
-    """Mirrored, upside down, and in other contrast: what light does beyond `relight`."""
+    """Augmentation: mirrored, upside down, and with other contrast, beyond what `relight` changes."""
     if draw.random() < 0.5:
         gray, edge = gray.flip(3), edge.flip(3)
     if draw.random() < 0.25:

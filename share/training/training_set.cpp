@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "training_set.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -22,7 +23,7 @@ GrayImage as_image(const cv::Mat& mat) {
   return {mat.cols, mat.rows, std::vector<uint8_t>(mat.data, mat.data + mat.total())};
 }
 
-// A pinhole, so that labels and image lie on each other; the noise comes later.
+// A pinhole camera, so that labels and image coincide; noise is added later.
 Scene clean_scene(const World& world) {
   Scene scene = load_scene(world.scene, world.seed);
   scene.camera.distortion = {};
@@ -30,7 +31,7 @@ Scene clean_scene(const World& world) {
   return scene;
 }
 
-// Gray levels per pixel, the steepest of the 3x3 pixels around.
+// Largest slope of the 3x3 pixels around, gray levels per pixel.
 cv::Mat steepness(const cv::Mat& gray) {
   cv::Mat dx, dy, magnitude;
   cv::Sobel(gray, dx, CV_32F, 1, 0, 3, 0.125);
@@ -40,9 +41,9 @@ cv::Mat steepness(const cv::Mat& gray) {
   return magnitude;
 }
 
-// Gray levels per pixel of the clean image: what stands above the noise of `relight` (deviation 8). Nobody
-// can learn to see a step between two equal grays, and the grain of asphalt is gone with the next change of
-// light.
+// Smallest slope in the clean image, gray levels per pixel: above the noise of `relight` (standard deviation
+// 8). A step between two equal grays cannot be learned, and the grain of asphalt disappears with the next
+// change of light.
 constexpr float kLearnedSlope = 8;
 
 cv::Mat visible_edges(const cv::Mat& labels, const cv::Mat& clean) {
@@ -53,7 +54,7 @@ cv::Mat visible_edges(const cv::Mat& labels, const cv::Mat& clean) {
 
 // ---- labels ----
 
-// The place of the i-th of `wanted` at equal steps among `size`.
+// Index of the i-th of `wanted` items at equal steps among `size`.
 int at_equal_steps(int i, int wanted, size_t size) { return int((i + 0.5) * double(size) / wanted); }
 
 std::vector<LabelledFrame> with_true_edges(const SceneRenderer& renderer, int frames) {
@@ -69,8 +70,8 @@ std::vector<LabelledFrame> with_true_edges(const SceneRenderer& renderer, int fr
 std::vector<LabelledFrame> with_lasting_edges(const Scene& scene, int frames, uint64_t seed) {
   const std::vector<LabelledFrame> keyframes = lasting_edges(scene, seed);
   if (keyframes.empty())
-    throw InputError("scene " + scene.name, "its run made no keyframe, so that nothing lasts in it",
-                     "take another seed of the world");
+    throw InputError("scene " + scene.name, "its run made no keyframe, so it has no lasting edges",
+                     "use another seed of the world");
   std::vector<LabelledFrame> chosen;
   for (int i = 0; i < frames; ++i)
     chosen.push_back(keyframes[size_t(at_equal_steps(i, frames, keyframes.size()))]);
@@ -106,7 +107,7 @@ cv::Mat as_jpeg(const cv::Mat& gray, int quality) {
   return cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
 }
 
-// Lens, sensor and file: each with some images only, so that clean ones are among them.
+// Effects of lens, sensor and file, each on some images only, so that clean ones are among them.
 cv::Mat through_camera(cv::Mat gray, Random& random) {
   if (happens(random, 0.3)) cv::GaussianBlur(gray, gray, {}, random.uniform(0.4, 1.4));
   if (happens(random, 0.6)) gray = with_noise(gray, random.uniform(0.5, 4), random);
@@ -114,10 +115,10 @@ cv::Mat through_camera(cv::Mat gray, Random& random) {
   return gray;
 }
 
-// In any light, with what a camera adds.
+// In random light, with the effects of a camera.
 cv::Mat as_taken(const cv::Mat& clean, int index, Random& random) {
   const auto& kinds = relight_kinds();
-  const int kind = random.below(int(kinds.size()) + 1);  // one more: the light as it is
+  const int kind = random.below(int(kinds.size()) + 1);  // one more for unchanged light
   const cv::Mat lit =
       kind == int(kinds.size()) ? clean.clone() : in_other_light(clean, kinds[size_t(kind)], index, random);
   return through_camera(lit, random);
@@ -177,7 +178,7 @@ Plan plan_named(const std::string& name) {
   if (name == "train") return training_plan();
   if (name == "lasting") return lasting_plan();
   if (name == "test") return test_plan();
-  throw InputError("training set", "there is none named `" + name + "`", "name train, lasting or test");
+  throw InputError("training set", "there is none named `" + name + "`", "use train, lasting or test");
 }
 
 std::vector<Sample> make_samples(const Plan& plan) {

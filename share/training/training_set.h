@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What detectors are trained on: pieces of rendered frames under changed light, with the edges to be found.
+// Training data of detectors: pieces of rendered frames in changed light, with their edges.
 //
-// The worlds are other ones than those of datasets/scenes and of the benchmarks (other seeds); corridor is
-// held out as a kind. Everything follows from the seed: the same plan gives the same bytes.
+// The worlds differ from those of datasets/scenes and of the benchmarks (other seeds); corridor is held out
+// altogether. Everything depends on the seed only: the same plan gives the same bytes.
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <string>
@@ -10,42 +11,52 @@
 
 namespace edgevo::training {
 
+/// A rendered scene.
 struct World {
-  const char* scene;  ///< a name of datasets/scenes
+  /// Name in datasets/scenes.
+  const char* scene;
   uint64_t seed;
 };
 
-/// What counts as an edge: the true ones that the clean image shows (simulation/true_edge_labels.h), or those
+/// Definition of an edge: true edges visible in the clean image (simulation/true_edge_labels.h), or edges
 /// that a run in changing light found again (lasting_edges.h).
 enum class Label { kTrue, kLasting };
 
+/// Specification of a training set.
 struct Plan {
   std::vector<World> worlds;
   Label label = Label::kTrue;
-  int frames = 10;                ///< of each world (lasting: of its keyframes), at equal steps
-  int pieces = 3;                 ///< of each frame, each in other light
-  int width = 320, height = 240;  ///< of a piece, pixels
+  /// Number of frames of each world (lasting: of its keyframes), at equal steps.
+  int frames = 10;
+  /// Number of pieces of each frame, each in different light.
+  int pieces = 3;
+  /// Size of a piece, pixels.
+  int width = 320, height = 240;
   uint64_t seed = 1;
-  /// Empty: any light, with blur, noise and JPEG. Else kinds of relight, or "none" for the image as rendered:
-  /// a piece of each in each of these, nothing added.
+  /// If empty, random light with blur, noise and JPEG. Otherwise kinds of relight, or "none" for the image as
+  /// rendered: each piece appears in each of these, with nothing added.
   std::vector<std::string> lights = {};
 };
 
-/// "train": the worlds to train on, with their true edges; "lasting": the same with edges that last; "test":
-/// those that are kept for the test, with their true edges. Throws InputError for another word.
+/// Plan by name: "train" has the training worlds with true edges, "lasting" the same with lasting edges,
+/// "test" the held-out worlds with true edges. Throws InputError for another name.
 Plan plan_named(const std::string& name);
 
+/// One piece with its label.
 struct Sample {
-  cv::Mat gray;   ///< CV_8U, as a camera would give it
-  cv::Mat label;  ///< CV_8U, not 0: an edge (Label::kTrue: of which kind, TrueEdge)
+  /// Gray image, CV_8U, as from a camera.
+  cv::Mat gray;
+  /// Label image, CV_8U, nonzero at edge pixels (with Label::kTrue the kind of edge, TrueEdge).
+  cv::Mat label;
 };
 
-/// Samples by world, frame and piece. Throws InputError for a scene that is not there, and for one whose run
-/// has no keyframe. Cost: about 0.5 s a frame; of lasting edges one run through each world before.
+/// Renders the samples in order of world, frame and piece. Throws InputError for a missing scene, and for one
+/// whose run has no keyframe. Cost: about 0.5 s per frame; lasting edges need one run through each world
+/// first.
 std::vector<Sample> make_samples(const Plan& plan);
 
-/// "edgevo training set 1\nCOUNT WIDTH HEIGHT\n", then for each sample the bytes of the image and of the
-/// label. Throws InputError.
+/// Writes "edgevo training set 1\nCOUNT WIDTH HEIGHT\n", then for each sample the bytes of the image and of
+/// the label. Throws InputError.
 void write_samples(const std::string& path, const std::vector<Sample>& samples);
 
 }  // namespace edgevo::training

@@ -1,6 +1,7 @@
-// edgevo_training_set OUT [train|lasting|test] [SEED] [FRAMES]: pieces of rendered frames with their edges in
-// one file. train: the worlds to train on, in any light, with true edges; lasting: the same with the edges
-// that a run found again; test: the worlds that are kept, in each light in turn.
+// SPDX-License-Identifier: BSD-3-Clause
+// edgevo_training_set OUT [train|lasting|test] [SEED] [FRAMES]: writes pieces of rendered frames with their
+// edges to one file. train: the training worlds in random light with true edges; lasting: the same with the
+// edges that a run found again; test: the held-out worlds in each light in turn.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -10,7 +11,7 @@
 
 int main(int argc, char** argv) try {
   if (argc < 2)
-    throw edgevo::InputError("edgevo_training_set", "names no file to write",
+    throw edgevo::InputError("edgevo_training_set", "no output file is given",
                              "write edgevo_training_set OUT [train|lasting|test] [SEED] [FRAMES]");
   edgevo::training::Plan plan = edgevo::training::plan_named(argc > 2 ? argv[2] : "train");
   if (argc > 3) plan.seed = std::strtoull(argv[3], nullptr, 10);

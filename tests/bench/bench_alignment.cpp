@@ -1,5 +1,5 @@
-// Time of tracking one frame against a cloud, at 1241x376. Counters: share of inliers, starts that were
-// tried.
+// SPDX-License-Identifier: BSD-3-Clause
+// Time of tracking one frame against a cloud, at 1241x376. Counter: share of inliers.
 #include <benchmark/benchmark.h>
 
 #include "bench/bench_scene.h"

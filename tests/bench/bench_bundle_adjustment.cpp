@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time of one window solve by both solvers: 7 poses, 2500 points, about 10k and 15k observations, with noise
-// and outliers. Counters: observations of the window, iterations of the solve, milliseconds an iteration
+// and outliers. Counters: observations of the window, iterations of the solve, milliseconds per iteration
 // (set-up and results included).
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time of the edge map for one keyframe, at 1241x376: the depth of its edges from eight views, and the gray
 // levels on their sides.
 #include <benchmark/benchmark.h>
@@ -15,7 +16,7 @@ EdgeView view_of(int frame) {
           test::motion(0, frame), 1};
 }
 
-// Argument: views. Counters: edge pixels, share of those looked at that get a depth.
+// Argument: views. Counters: edge pixels, share of the evaluated ones that get a depth.
 void depths_of_a_keyframe(benchmark::State& state) {
   std::vector<EdgeView> views;
   for (int i = 1; i <= int(state.range(0)); ++i) views.push_back(view_of(i % 2 ? 2 * (i + 1) : -2 * i));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time of each step from an image to its edge pyramid, at 1241x376. Counter: edge pixels.
 #include <benchmark/benchmark.h>
 
@@ -34,20 +35,20 @@ void extract(benchmark::State& state) {
 }
 
 void nearest_field(benchmark::State& state) {
-  const EdgeMap& edges = test::pyramid(0)->finest().edges;
+  const ImageEdges& edges = test::pyramid(0)->finest().edges;
   for (auto _ : state) benchmark::DoNotOptimize(NearestField(edges, int(state.range(0))));
   state.counters["edges"] = double(edges.pixels.size());
 }
 
-enum class Look { kAsItIs, kLens, kLensAndRows };
+enum class Look { kAsIs, kLens, kLensAndRows };
 
-// With and without a lens and a rolling shutter to take out.
+// With and without a lens distortion and a rolling shutter to correct.
 void whole_pyramid(benchmark::State& state, Look look) {
   PyramidBuilder builder(test::scene().camera, EdgeParams());
   ImageMotion motion;
   motion.velocity << 0.5, 0.3, -8, 0.02, 0.05, 0.01;
   motion.idepth.setConstant(0.1);
-  if (look != Look::kAsItIs) builder.set_correction({0.01, look == Look::kLensAndRows ? 0.02 : 0.0});
+  if (look != Look::kAsIs) builder.set_correction({0.01, look == Look::kLensAndRows ? 0.02 : 0.0});
   size_t edges = 0;
   for (auto _ : state) edges = builder.build(test::image(0), motion)->finest().edges.pixels.size();
   state.counters["edges"] = double(edges);
@@ -58,7 +59,7 @@ BENCHMARK_CAPTURE(detect, canny, "canny")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(detect, edge_drawing, "edge_drawing")->Unit(benchmark::kMillisecond);
 BENCHMARK(extract)->Unit(benchmark::kMillisecond);
 BENCHMARK(nearest_field)->Arg(12)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(whole_pyramid, as_it_is, Look::kAsItIs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_pyramid, as_is, Look::kAsIs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(whole_pyramid, lens, Look::kLens)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(whole_pyramid, lens_and_rolling_shutter, Look::kLensAndRows)->Unit(benchmark::kMillisecond);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Time of the mapping of one keyframe, at 1241x376: association alone, one frame of the depth filter, and a
 // whole keyframe through the mapper.
 #include <benchmark/benchmark.h>
@@ -60,7 +61,7 @@ void update_depths_once(benchmark::State& state) {
   state.counters["found"] = double(found) / double(fresh.size());
 }
 
-// One keyframe in three frames through the mapper: depth filter, association, activation, bundle adjustment,
+// Every third frame a keyframe through the mapper: depth filter, association, activation, bundle adjustment,
 // new points. Counters: milliseconds of CPU time by stage, points and observations of the window; means over
 // the keyframes.
 void process_keyframe(benchmark::State& state) {

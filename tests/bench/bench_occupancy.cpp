@@ -1,5 +1,6 @@
-// Time of the edge map: rays a second into the octree, and the time of a keyframe at the end of a long run
-// against that at its start.
+// SPDX-License-Identifier: BSD-3-Clause
+// Time of the octree: rays inserted per second, and the time of a keyframe at the end of a long run compared
+// with that at its start.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -10,8 +11,8 @@ namespace {
 
 using namespace edgevo;
 
-// A drive of half a metre a keyframe between two fronts, 8 m to each side: points on them and on the ground,
-// 2 to 25 m away.
+// A vehicle moving half a metre per keyframe between two house fronts, 8 m to each side: points on them and
+// on the ground, 2 to 25 m away.
 Run long_drive(int keyframes, int points) {
   Run run;
   run.pinhole = {700, 700, 620, 188, 1241, 376};
@@ -49,7 +50,8 @@ OccupancyParams metres(double resolution) {
   return params;
 }
 
-// Range: resolution in centimetres. Counter: carving rays a second, marking and the final pruning included.
+// Range: resolution in centimetres. Counter: carving rays per second, including marking and the final
+// pruning.
 void insert_rays(benchmark::State& state) {
   const Run run = long_drive(40, 2000);
   int64_t rays = 0;
@@ -58,8 +60,8 @@ void insert_rays(benchmark::State& state) {
 }
 BENCHMARK(insert_rays)->Arg(20)->Arg(10)->Unit(benchmark::kMillisecond);
 
-// A run of 2000 keyframes. Counters: milliseconds a keyframe over its first and its last 200 (beginning with
-// the 200th, when the first voxels are there), as the builder notes them.
+// A run of 2000 keyframes. Counters: milliseconds per keyframe over its first and its last 200 (beginning
+// with the 200th, when the first voxels are there), as recorded by the builder.
 void long_run(benchmark::State& state) {
   const Run run = long_drive(2000, 300);
   double early = 0, late = 0;

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Images of the size of KITTI's, with about 20k edge pixels, for the benchmarks.
+// Images of KITTI's size with about 20k edge pixels, for the benchmarks.
 #include <map>
 #include <memory>
 #include <vector>
@@ -15,7 +16,7 @@ inline const test::HollowScene& scene() {
 }
 inline const Pinhole& pinhole() { return scene().camera.pinhole; }
 
-/// Frame `k` of the sweep with sensor noise; made once.
+/// Frame `k` of the sweep with sensor noise, rendered once.
 inline const GrayImage& image(int k) {
   static std::map<int, GrayImage> made;
   GrayImage& g = made[k];

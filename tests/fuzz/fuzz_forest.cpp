@@ -1,5 +1,6 @@
-// Mutated models of structured forests: refused, or harmless. OpenCV walks through an accepted one without a
-// check; here the same walks are taken with every index checked.
+// SPDX-License-Identifier: BSD-3-Clause
+// Mutated models of structured forests: refused, or harmless. OpenCV traverses an accepted model without
+// checks; the test makes the same traversals with every index checked.
 #include "forest_model.h"
 #include "fuzz/mutate.h"
 #include "support/tiny_forest.h"
@@ -28,7 +29,7 @@ void walk(const ForestModel& m, size_t tree) {
   std::vector<size_t> open{0};
   size_t steps = 0;
   while (!open.empty()) {
-    ASSERT_LE(++steps, 4 * nodes * nodes + 4) << "a walk without an end";
+    ASSERT_LE(++steps, 4 * nodes * nodes + 4) << "endless traversal";
     const size_t at = open.back();
     open.pop_back();
     const int child = m.childs.at(tree).at(at);
@@ -53,7 +54,7 @@ TEST(FuzzForest, Text) {
                                [](const std::string& text) { use(parse_forest(text, "f")); }));
 }
 
-// Deeper than what a reader of text reaches: numbers of the model itself.
+// Numbers of the model itself, beyond what mutated text reaches.
 TEST(FuzzForest, Numbers) {
   Random random(102);
   int accepted = 0, refused = 0;

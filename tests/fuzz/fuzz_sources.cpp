@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whole sources on disk with one file mutated: opened, described, read to the end.
 #include <zlib.h>
 
@@ -37,7 +38,7 @@ void use_source(const SourceOptions& options) {
   }
 }
 
-// Mutates `file` under the source's folder, again and again.
+// Mutates `file` in the folder of the source, `rounds` times.
 FuzzCounts fuzz_file(const std::string& root, const std::string& file, int rounds, uint64_t seed) {
   SourceOptions options;
   options.path = root;
@@ -47,7 +48,7 @@ FuzzCounts fuzz_file(const std::string& root, const std::string& file, int round
     use_source(options);
   });
   write_text(path, valid);
-  use_source(options);  // the valid one is
+  use_source(options);  // the valid file is accepted
   return counts;
 }
 
@@ -155,10 +156,10 @@ TEST(FuzzSources, Euroc) {
 
 TEST(FuzzSources, SymphonyLake) {
   TempFolder folder;
-  const SurveyLocation place = test::write_survey(folder.path(), "141107", kImages);
+  const SurveyLocation survey = test::write_survey(folder.path(), "141107", kImages);
   uint64_t seed = 70;
   for (const char* file : {"image_auxilliary.csv", "../../Maps/141107/optposes.csv"})
-    test::expect_both(fuzz_file(place.folder(), file, 1000, ++seed));
+    test::expect_both(fuzz_file(survey.folder(), file, 1000, ++seed));
 }
 
 class FuzzRawlog : public ::testing::Test {
@@ -188,7 +189,7 @@ class FuzzRawlog : public ::testing::Test {
 TEST_F(FuzzRawlog, CompressedBytes) { EXPECT_LT(run(read_text(options_.path), 2000, 60).accepted, 100); }
 
 // Between the objects, where no length can be hit: unknown classes, versions and end marks. (What MRPT reads
-// inside an object is guarded by the checksum: a wrong length there would ask for gigabytes.)
+// inside an object is guarded by the checksum: a wrong length there would allocate gigabytes.)
 TEST_F(FuzzRawlog, ObjectHeaders) {
   const std::string payload = test::inflate(options_.path);
   const std::string name = "CObservationImage";

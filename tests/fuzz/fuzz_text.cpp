@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Parsers of text.
 #include <gtest/gtest.h>
 

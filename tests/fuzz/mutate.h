@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Seeded mutations of bytes: the same on every machine.
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ inline std::string interesting_token(Random* random) {
   return i == kCount ? std::string(1, '\0') : kTokens[i];
 }
 
-/// Changes, inserts or takes out a few bytes.
+/// Changes, inserts or removes a few bytes.
 inline void damage_once(Random* random, std::string* bytes) {
   const int size = int(bytes->size());
   if (size == 0) {
@@ -53,21 +54,21 @@ inline void damage_once(Random* random, std::string* bytes) {
   }
 }
 
-/// One to four changes, or, one time in four, the bytes cut short. Not both: a rawlog that is cut has no
-/// checksum left that would tell of other damage, and MRPT then asks for as much memory as the damaged
-/// lengths say.
+/// Makes one to four changes or, one time in four, truncates the bytes. Not both: a truncated rawlog has no
+/// checksum to reveal other damage, and MRPT would then allocate as much memory as the damaged lengths say.
 inline std::string mutate(Random* random, std::string bytes) {
   if (random->below(4) == 0) return bytes.substr(0, size_t(random->below(int(bytes.size()))));
   for (int n = 1 + random->below(4); n > 0; --n) damage_once(random, &bytes);
   return bytes;
 }
 
-/// How often `parse` succeeded and threw InputError over `rounds` mutations of `valid`; anything else it
-/// throws fails the test (through GoogleTest) with the input at hand.
+/// Numbers of inputs that were accepted and refused.
 struct FuzzCounts {
   int accepted = 0, refused = 0;
 };
 
+/// Calls `parse` on `rounds` mutations of `valid` and counts successes and InputErrors; any other exception
+/// fails the test (through GoogleTest) with the input that caused it.
 template <class Parse>
 FuzzCounts fuzz(const std::string& valid, int rounds, uint64_t seed, const Parse& parse) {
   FuzzCounts counts;
@@ -89,7 +90,7 @@ FuzzCounts fuzz(const std::string& valid, int rounds, uint64_t seed, const Parse
   return counts;
 }
 
-/// Both must happen, else the mutations are too weak or the valid input is not.
+/// Expects that both occurred; otherwise the mutations are too weak or the valid input is not valid.
 inline void expect_both(const FuzzCounts& counts) {
   EXPECT_GT(counts.accepted, 0);
   EXPECT_GT(counts.refused, 0);

@@ -1,7 +1,8 @@
-// add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED: the rawlog with wheel odometry, GPS and robot
-// poses beside its images, made from the ground truth of the camera (TUM). Each step of the odometry has 2 %
-// of noise, each GPS fix 0.5 m; the robot poses are exact. The vehicle's origin is the camera's, whose mount
-// is that of a camera that looks ahead.
+// SPDX-License-Identifier: BSD-3-Clause
+// add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED: adds wheel odometry, GPS and robot poses to a
+// rawlog of images, made from the ground truth of the camera (TUM). Each step of the odometry has 2 % of
+// noise, each GPS fix 0.5 m; the robot poses are exact. The origin of the vehicle is the camera, which looks
+// forward.
 #include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
@@ -23,7 +24,7 @@ namespace {
 using namespace edgevo;
 using namespace mrpt::obs;
 
-// East and north of a point at 43 degrees north as latitude and longitude, by the radii of the earth there.
+// East and north of a point at 43 degrees north as latitude and longitude, by the radii of the Earth there.
 CObservationGPS gps_fix(const Eigen::Vector3d& p) {
   constexpr double kLatitude = 43.0, kMeridian = 6365000.0, kParallel = 4672600.0;
   gnss::Message_NMEA_GGA gga;

@@ -1,5 +1,6 @@
-# The program as its users call it, on short rendered sequences: cli_NAME.sh EDGEVO SCENES (see cli_common.sh). They are not
-# run at the same time as others where they measure seconds (RUN_SERIAL).
+# SPDX-License-Identifier: BSD-3-Clause
+# The program as its users call it, on short rendered sequences: cli_NAME.sh EDGEVO SCENES (see cli_common.sh). Tests that measure
+# seconds run alone (RUN_SERIAL).
 set(cli_scenes ${CMAKE_CURRENT_BINARY_DIR}/cli_scenes)
 
 function(edgevo_add_cli_test name)
@@ -9,13 +10,13 @@ endfunction()
 
 edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)
 foreach(name IN ITEMS simulate relight study run_eval reproducible blackout bad_arguments bad_input bad_files broken_source disk_full
-    output_folder cut_off degenerate realtime calibrate bench workflow report compare servo edges)
+    output_folder killed degenerate realtime calibrate bench workflow report compare servo edges)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
 foreach(name IN ITEMS symphony table)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
-# What opens a window, and the plug-in in programs of others: GTK and Mesa leak, and those programs are built without sanitizers.
+# Windows, and the plug-in in other programs: GTK and Mesa leak, and those programs are built without sanitizers.
 if(NOT EDGEVO_SANITIZE)
   foreach(name IN ITEMS view windows grabber)
     edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
@@ -27,7 +28,7 @@ if(NOT BUILD_SHARED_LIBS AND NOT EDGEVO_SANITIZE)
 endif()
 edgevo_add_cli_test(interrupt FIXTURES_REQUIRED cli_scenes RUN_SERIAL TRUE)
 
-# Tests in C++ on the same sequences; each one process, since they share what they set up.
+# Tests in C++ on the same sequences, one process each, since their test cases share the set-up.
 function(edgevo_add_scene_test name)
   cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
   add_executable(test_${name} ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp)
@@ -38,9 +39,9 @@ function(edgevo_add_scene_test name)
   set_tests_properties(integration.${name} PROPERTIES LABELS integration FIXTURES_REQUIRED cli_scenes)
 endfunction()
 
-# Where the camera sits, from the observation to the poses of the vehicle.
+# The mount of the camera, from the observation to the poses of the vehicle.
 edgevo_add_scene_test(mount LINKS edgevo::results edgevo::evaluation)
-# The plug-in for MRPT's programs, loaded as they do.
+# The plug-in for MRPT's programs, loaded as they load it.
 find_package(MRPT REQUIRED COMPONENTS hwdrivers maps)
 find_package(octomap REQUIRED)
 edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath opencv_imgcodecs opencv_videoio
@@ -48,7 +49,7 @@ edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath o
 target_compile_definitions(test_plugin PRIVATE EDGEVO_PLUGIN="$<TARGET_FILE:edgevo_plugin>")
 add_dependencies(test_plugin edgevo_plugin)
 
-# Every source of scale: the vehicle's sensors are put into the rawlog by a program of the tests.
+# Every source of scale: a test program adds the vehicle's sensors to the rawlog.
 add_executable(add_vehicle_sensors ${CMAKE_CURRENT_LIST_DIR}/add_vehicle_sensors.cpp)
 target_link_libraries(add_vehicle_sensors PRIVATE edgevo::mrpt_bridge edgevo::evaluation)
 add_test(NAME integration.cli_scale

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What cannot be run is told at once: one line with where, what and what to do, and exit code 2.
+# SPDX-License-Identifier: BSD-3-Clause
+# What cannot be run is reported at once: one line with where, what and what to do, and exit code 2.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk
 run() { "$edgevo" run "$@" --quiet; }
@@ -25,7 +26,7 @@ for every in 0 2.5 99999999999; do complains "--every.*whole number" run "$desk"
 complains "--seed.*whole number" run "$desk" -o out --seed=-1
 for fov in 0 180 wide; do complains "--fov.*number from 1 to 179" run "$desk/images" -o out --fov=$fov; done
 complains "image-scale.*number from 0.01 to 1" run "$desk" -o out --image-scale=2
-complains "image-scale 0.010: leaves nothing" run "$desk" -o out --image-scale=0.01
+complains "image-scale 0.010: is too small" run "$desk" -o out --image-scale=0.01
 for fps in 0 x; do complains "--fps.*larger than 0" run "$desk" -o out --fps=$fps; done
 
 # Parameters: the nearest name, the range, the file and its line.
@@ -43,7 +44,7 @@ complains "range.yaml:2: .*out of range" run "$desk" -o out --params range.yaml
 complains "broken.yaml:1: " run "$desk" -o out --params broken.yaml
 complains "none.yaml: cannot be read" run "$desk" -o out --params none.yaml
 
-# Sources that are not there or are none.
+# Sources that do not exist or are no sources.
 mkdir empty only_images letter
 ln -s "$desk/images" only_images/images
 echo "Dear camera" >letter.txt
@@ -63,7 +64,7 @@ complains "bad_camera.txt" run "$desk" -o out --camera bad_camera.txt
 complains "camera:0.*no calibration.*--camera" run camera:0 -o out
 complains "camera:x" run camera:x -o out --camera "$desk/camera.txt"
 complains "camera:250: the camera does not open; check that it is plugged in" run camera:250 -o out --camera "$desk/camera.txt"
-check "folders that a command which cannot run leaves" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
+check "folders left by commands that cannot run" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
 
 # Outputs that cannot be made.
 : >file

@@ -1,18 +1,19 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Sixty-odd damaged or hostile files, over every command that reads them: images, YAML, tables, rawlogs, result folders, models;
-# and numbers and names that nobody sane gives. None crashes, hangs or changes what was there before; what cannot be used is one
-# clear line and exit code 2.
+# and absurd numbers and names. No command crashes, runs forever or changes existing files; what cannot be used gives one clear line
+# and exit code 2.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk result=$scenes/runs/desk
 limit=${EDGEVO_TEST_LIMIT:-60}  # seconds a command may take: more under a sanitizer
 # sums FOLDER...: every file in them, with its size and checksum.
 sums() { find "$@" -type f -print0 | sort -z | xargs -0 cksum; }
 sums "$desk" "$result" >before
-# A sanitizer's report, or a program that ended by a signal or a time limit, is a failure whatever else was expected.
+# A sanitizer report, or an end by a signal or a time limit, is a failure whatever else was expected.
 sound() {
   if grep -q 'runtime error\|Sanitizer' stderr; then fail "sanitizer: $(grep -m 1 'runtime error\|Sanitizer' stderr)"; fi
 }
-# bad WORDS COMMAND...: within a minute.
+# bad WORDS COMMAND...: complains within the time limit.
 bad() {
   pattern=$1
   shift
@@ -20,7 +21,7 @@ bad() {
   complains "$pattern" timeout "$limit" "$@"
   sound
 }
-# survives WHAT COMMAND...: what can be done is done (0), nothing could be tracked (3), or it complains as above (2).
+# survives WHAT COMMAND...: succeeds (0), could track nothing (3), or complains as above (2).
 survives() {
   what=$1 code=0
   shift
@@ -45,20 +46,20 @@ flip() {
   done
 }
 size() { wc -c <"$1"; }
-# sequence NAME [FRAMES]: the first frames of the desk, to be spoilt.
+# sequence NAME [FRAMES]: the first frames of the desk, to be damaged.
 sequence() { rm -rf "$1" && copy_sequence "$desk" "$1" 0 "${2:-6}"; }
-# image NAME N: that image of a sequence, its own copy.
+# image NAME N: replaces the link of image N by a copy; its path is in $picture.
 image() {
   picture=$1/images/$(printf %06d "$2").png
   cp --remove-destination "$desk/images/$(printf %06d "$2").png" "$picture"
 }
 head -c 20000 /dev/urandom >noise
 
-# Images. In the middle of a sequence a bad one is left out; the first has to be good.
+# Images. In the middle of a sequence a bad one is skipped; the first has to be good.
 sequence first
 image first 0 && flip "$picture" 16 24 8
 bad "000000.png: the image" "$edgevo" run first -o out --quiet
-# An image of 30000 x 30000 by its header: nobody allocates that for nothing.
+# An image of 30000 x 30000 pixels by its header: must not be allocated.
 printf 'P5\n30000 30000\n255\n' >bomb.pgm
 rm first/images/000000.png && cp bomb.pgm first/images/000000.png
 bad "000000.png: the image" "$edgevo" run first -o out --quiet
@@ -135,11 +136,11 @@ echo "1e999 0 0 0 0 0 0 1" >table.txt && table "table.txt"
 echo "1 0 0 0 0 0 0 0" >table.txt && table "table.txt"
 { cat "$trajectory" && printf '5 0 0\000 0 0 0 0 1\n'; } >table.txt && table "table.txt"
 sed 's/^\([0-9.]*\) .*/\1 1e300 -1e300 1e300 0 0 0 1/' "$trajectory" >table.txt
-survives "positions at the end of the numbers" "$edgevo" eval table.txt "$truth"
+survives "positions at the limit of floating-point numbers" "$edgevo" eval table.txt "$truth"
 sed 's/^\([0-9.]*\) .*/\1 0 0 0 0 0 0 1/' "$trajectory" >table.txt
-survives "a trajectory that stands still" "$edgevo" eval table.txt "$truth"
+survives "a trajectory without motion" "$edgevo" eval table.txt "$truth"
 tr '\n' '\r' <"$trajectory" >table.txt && table "table.txt"
-sed 's/$/\r/' "$trajectory" >table.txt && survives "lines that end as in Windows" "$edgevo" eval table.txt "$truth"
+sed 's/$/\r/' "$trajectory" >table.txt && survives "Windows line endings" "$edgevo" eval table.txt "$truth"
 awk '{ print $0; print $0 }' "$trajectory" >table.txt && survives "each line twice" "$edgevo" eval table.txt "$truth"
 for total in -1 99999999999999999999 nan; do bad "frames-total" "$edgevo" eval "$trajectory" "$truth" --frames-total=$total; done
 bad "a folder\|directory" "$edgevo" eval folder_is "$truth"
@@ -161,38 +162,38 @@ cp good.rawlog alone.rawlog && survives "a rawlog without its images" "$edgevo" 
 bad "out.rawlog\|box.rawlog" sh -c "mkdir -p box.rawlog && '$edgevo' import '$desk' box.rawlog --frames 0:2"
 
 # Folders of results.
-cp -r "$result" spoilt
-rm -f spoilt/playback_Images/*
+cp -r "$result" damaged
+rm -f damaged/playback_Images/*
 commands_on_results() {
-  survives "map: $1" "$edgevo" map spoilt -o map_out
-  survives "calibrate: $1" "$edgevo" calibrate spoilt -o camera_out.yaml
-  survives "compare: $1" "$edgevo" compare spoilt -o page.html
-  survives "eval: $1" "$edgevo" eval spoilt/trajectory_tum.txt "$truth"
-  survives "finish: $1" "$edgevo" finish spoilt
+  survives "map: $1" "$edgevo" map damaged -o map_out
+  survives "calibrate: $1" "$edgevo" calibrate damaged -o camera_out.yaml
+  survives "compare: $1" "$edgevo" compare damaged -o page.html
+  survives "eval: $1" "$edgevo" eval damaged/trajectory_tum.txt "$truth"
+  survives "finish: $1" "$edgevo" finish damaged
   rm -rf map_out camera_out* page.html
 }
-spoil() {
-  rm -rf "spoilt/$1" && cp "$result/$1" "spoilt/$1"
+restore() {
+  rm -rf "damaged/$1" && cp "$result/$1" "damaged/$1"
 }
-head -c 5000 "$result/edges.ply" >spoilt/edges.ply && cp noise spoilt/summary.yaml && cp noise spoilt/frames.csv
+head -c 5000 "$result/edges.ply" >damaged/edges.ply && cp noise damaged/summary.yaml && cp noise damaged/frames.csv
 commands_on_results "torn points, noise as summary and rows"
-spoil edges.ply && sed -i 's/^element vertex .*/element vertex 99999999999999999/' spoilt/edges.ply
-: >spoilt/summary.yaml && : >spoilt/frames.csv && : >spoilt/trajectory_tum.txt
-commands_on_results "points without end, empty files"
-spoil edges.ply && sed -i 's/^element vertex .*/element vertex -7/; s/^element edge .*/element edge nan/' spoilt/edges.ply
-rm spoilt/summary.yaml spoilt/frames.csv spoilt/trajectory_tum.txt && mkdir spoilt/summary.yaml spoilt/frames.csv spoilt/trajectory_tum.txt
-commands_on_results "numbers that are none, folders for files"
-rm -rf spoilt/summary.yaml spoilt/frames.csv spoilt/trajectory_tum.txt
-spoil summary.yaml && spoil frames.csv && spoil trajectory_tum.txt && spoil edges.ply
-flip spoilt/edges.ply "$(grep -abo end_header spoilt/edges.ply | head -1 | cut -d: -f1)" "$(size spoilt/edges.ply)" 900
-sed -i 's/: [0-9][0-9.e-]*$/: 1e999/' spoilt/summary.yaml && sed -i 's/,[0-9.]*,/,nan,/g' spoilt/frames.csv
+restore edges.ply && sed -i 's/^element vertex .*/element vertex 99999999999999999/' damaged/edges.ply
+: >damaged/summary.yaml && : >damaged/frames.csv && : >damaged/trajectory_tum.txt
+commands_on_results "endless points, empty files"
+restore edges.ply && sed -i 's/^element vertex .*/element vertex -7/; s/^element edge .*/element edge nan/' damaged/edges.ply
+rm damaged/summary.yaml damaged/frames.csv damaged/trajectory_tum.txt && mkdir damaged/summary.yaml damaged/frames.csv damaged/trajectory_tum.txt
+commands_on_results "values that are no numbers, folders for files"
+rm -rf damaged/summary.yaml damaged/frames.csv damaged/trajectory_tum.txt
+restore summary.yaml && restore frames.csv && restore trajectory_tum.txt && restore edges.ply
+flip damaged/edges.ply "$(grep -abo end_header damaged/edges.ply | head -1 | cut -d: -f1)" "$(size damaged/edges.ply)" 900
+sed -i 's/: [0-9][0-9.e-]*$/: 1e999/' damaged/summary.yaml && sed -i 's/,[0-9.]*,/,nan,/g' damaged/frames.csv
 commands_on_results "bytes of points inverted, infinite summary"
-spoil edges.ply && rm spoilt/summary.yaml
+restore edges.ply && rm damaged/summary.yaml
 commands_on_results "no summary"
 mkdir cut && cp noise cut/unfinished_run.bin && cp noise cut/unfinished_window.bin
-bad "not whole" "$edgevo" finish cut
+bad "is incomplete" "$edgevo" finish cut
 printf 'edgevo run journal 1\n\000\377\377\377\377' >cut/unfinished_run.bin
-bad "not whole" "$edgevo" finish cut
+bad "is incomplete" "$edgevo" finish cut
 
 # Models and edge folders.
 model() { bad "$1" "$edgevo" run "$desk" -o out --quiet --frames 0:2 --detector "$2" --edge-model "$3"; }
@@ -209,7 +210,7 @@ bad "edge_folder" "$edgevo" run "$desk" -o out --quiet --detector precomputed --
 for scale in camera_height=0 camera_height=-1 camera_height=nan factor=0 factor=-2 factor=1e300 camera_height= metres; do
   bad "scale" "$edgevo" run "$desk" -o out --quiet --scale=$scale
 done
-for scale in 1e6 1e-6; do survives "a unit at the end of the range" "$edgevo" run "$desk" -o out --quiet --frames 0:20 --scale=factor=$scale; done
+for scale in 1e6 1e-6; do survives "a unit at the limit of the range" "$edgevo" run "$desk" -o out --quiet --frames 0:20 --scale=factor=$scale; done
 for seed in 1e99 -3 99999999999999999999; do bad "seed" "$edgevo" run "$desk" -o out --quiet --seed=$seed; done
 for fps in inf nan 1e-300 1e300; do bad "fps" "$edgevo" run "$desk/images" --camera "$desk/camera.txt" -o out --quiet --fps=$fps; done
 for pace in 0 -1 nan 0x 1e999x fast; do bad "pace" "$edgevo" run "$desk" -o out --quiet --realtime --pace=$pace; done
@@ -229,7 +230,7 @@ bad "season" "$edgevo" simulate lakeshore --frames 0:1 --season autum -o out
 bad "3" "$edgevo" table 3 -o out
 bad "trials" "$edgevo" table 2 --trials=-1 --data "$scenes" -o out
 bad "noise" "$edgevo" table 2 --list noise -o out
-bad "no run has left" "$edgevo" compare "$desk" -o page.html
+bad "holds no results of a run" "$edgevo" compare "$desk" -o page.html
 bad "page\|folder" sh -c "mkdir -p page_folder && '$edgevo' compare '$result' -o page_folder"
 bad "noise" "$edgevo" compare "$result" --truth noise -o page.html
 bad "nonsense" "$edgevo" help nonsense
@@ -242,9 +243,9 @@ done
 bad "no folder\|is empty\|no such file" "$edgevo" run "" -o out
 strange="Straße 道路 'a' \"b\" <script>alert(1)<script> \$(touch owned) %s"
 copy_sequence "$desk" "$strange" 0 25
-survives "a name of many signs" "$edgevo" run "$strange" -o "out $strange" --quiet
-check "its report takes the name for no command" "$(grep -c '<script>alert' "out $strange/report.html")" -eq 0
-check "files made by a name" "$(ls owned 2>/dev/null | wc -l)" -eq 0
+survives "a name with many special characters" "$edgevo" run "$strange" -o "out $strange" --quiet
+check "script elements in its report" "$(grep -c '<script>alert' "out $strange/report.html")" -eq 0
+check "files created by a name" "$(ls owned 2>/dev/null | wc -l)" -eq 0
 survives "map of it" "$edgevo" map "out $strange" -o "map $strange"
 survives "compare of it" "$edgevo" compare "out $strange" -o "page $(echo "$strange" | tr -d /).html"
 survives "import of it" "$edgevo" import "$strange" "$(echo "$strange" | tr -d /).rawlog"

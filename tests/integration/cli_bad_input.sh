@@ -1,9 +1,10 @@
 #!/bin/sh
-# Some sixty bad inputs as a hurried user gives them: devices, pipes, torn and empty files, numbers that are none, outputs that
-# cannot be. None crashes, hangs or destroys; each gives one clear line and exit code 2.
+# SPDX-License-Identifier: BSD-3-Clause
+# Some sixty bad inputs as a hurried user gives them: devices, pipes, torn and empty files, invalid numbers, impossible outputs.
+# No command crashes, runs forever or destroys files; each gives one clear line and exit code 2.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk result=$scenes/runs/desk
-# bad WORDS COMMAND...: within half a minute.
+# bad WORDS COMMAND...: complains within half a minute.
 bad() {
   pattern=$1
   shift
@@ -15,7 +16,7 @@ run() {
   shift 2
   bad "$words" "$edgevo" run "$source" -o out --quiet "$@"
 }
-nothing_left() { check "outputs that were begun" "$(ls -d out out.rawlog out_Images 2>/dev/null | wc -l)" -eq 0; }
+nothing_left() { check "partial outputs" "$(ls -d out out.rawlog out_Images 2>/dev/null | wc -l)" -eq 0; }
 mkfifo pipe pipe.rawlog pipe.yaml
 mkdir folder
 : >empty
@@ -66,7 +67,7 @@ mkdir box.rawlog
 source_of "box.rawlog.*no images" box.rawlog
 ln -s /nowhere dangling
 source_of "dangling: no such file" dangling
-# sequence NAME: the first frames of the desk, to be spoilt.
+# sequence NAME: the first frames of the desk, to be damaged.
 sequence() { rm -rf "$1" && copy_sequence "$desk" "$1" 0 5; }
 sequence lines && echo "1.0" >>lines/times.txt
 source_of "6 times for 5 images" lines
@@ -105,9 +106,9 @@ echo "0 0 0 nan 0 0 0 1" >nan.txt
 bad "not finite" "$edgevo" eval nan.txt "$desk/groundtruth_tum.txt"
 for resolution in nan 1e999; do bad "resolution.*number" "$edgevo" map "$result" -o out --resolution=$resolution; done
 bad "reach only .*; give a resolution of" "$edgevo" map "$result" -o out --resolution 0.0000001
-bad "empty: no run was cut off here" "$edgevo" finish empty
+bad "empty: holds no interrupted run" "$edgevo" finish empty
 mkdir garbage && cp noise garbage/unfinished_run.bin
-bad "is not whole, or of another version" "$edgevo" finish garbage
+bad "is incomplete, or was written by another version" "$edgevo" finish garbage
 bad "pipe.yaml: cannot be read: it is a device or a pipe" "$edgevo" bench pipe.yaml -o out
 bad "zero" "$edgevo" simulate /dev/zero -o out
 bad "empty" "$edgevo" calibrate empty -o out

@@ -1,6 +1,7 @@
 #!/bin/sh
-# A source that breaks in the middle: one line, exit code 2, and the results of the frames before it are there. A single image
-# that is bad is left out, unless the run is told to stop there.
+# SPDX-License-Identifier: BSD-3-Clause
+# A source that breaks in the middle: one line, exit code 2, and the results of the earlier frames. A single bad image is skipped,
+# unless --on-bad-frame stop.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk
 
@@ -36,29 +37,29 @@ copy_sequence "$desk" gone 0 30
 ln -sf /nowhere/$image gone/images/$image
 broken gone "images/$image: the image"
 
-# left_out SOURCE WORDS: by default the run goes on behind the bad image; table and summary say so.
-left_out() {
+# skips SOURCE WORDS: by default the run continues after the bad image; frames.csv and summary.yaml name it.
+skips() {
   rm -rf out
   run_code 0 "$edgevo" run "$1" -o out
   check "rows, $1" "$(rows out)" -eq 30
-  check "its row" "$(sed -n 22p out/frames.csv | grep -c "^20,.*,left out: .*$2")" -eq 1
-  check "rows that are left out" "$(grep -c ',left out: ' out/frames.csv)" -eq 1
-  check "poses behind it" "$(tail -9 out/frames.csv | awk -F, '$4 >= 0' | wc -l)" -eq 9
-  check "summary.yaml" "$(grep -c "left_out: .1 frame(s) .*$2" out/summary.yaml)" -eq 1
-  check "the line on stdout" "$(grep -c "^1 of 30 frames left out; the first: .*$2" stdout)" -eq 1
+  check "its row" "$(sed -n 22p out/frames.csv | grep -c "^20,.*,left.out: .*$2")" -eq 1
+  check "rows of skipped frames" "$(grep -c ',left.out: ' out/frames.csv)" -eq 1
+  check "poses after it" "$(tail -9 out/frames.csv | awk -F, '$4 >= 0' | wc -l)" -eq 9
+  check "summary.yaml" "$(grep -c "left.out: .1 frame(s) .*$2" out/summary.yaml)" -eq 1
+  check "the line on stdout" "$(grep -c "^1 of 30 frames skipped; the first: .*$2" stdout)" -eq 1
   check "images of the playback" "$(ls out/playback_Images | wc -l)" -eq 29
 }
-left_out text "the image does not decode"
-left_out size "the image is 320x240"
-left_out gone "the image is missing"
+skips text "the image does not decode"
+skips size "the image is 320x240"
+skips gone "the image is missing"
 "$edgevo" import "$desk" bad.rawlog --frames 0:30 >/dev/null || fail "import"
 cp text/images/$image bad_Images/$image
-left_out bad.rawlog "the image does not decode"
+skips bad.rawlog "the image does not decode"
 run_code 0 "$edgevo" run text -o out --quiet --realtime
 check "rows in two threads" "$(rows out)" -eq 30
-check "latency of a frame that was left out" "$(sed -n 22p out/frames.csv | cut -d, -f11 | tr -d '\n' | wc -c)" -eq 0
+check "latency of a skipped frame" "$(sed -n 22p out/frames.csv | cut -d, -f11 | tr -d '\n' | wc -c)" -eq 0
 
-# Rawlogs. The images lie beside them, so that the objects are small.
+# Rawlogs with external images, so that the objects are small.
 "$edgevo" import "$desk" whole.rawlog --frames 0:20 >/dev/null || fail "import"
 ln -s whole_Images tail_Images
 gzip -dc <whole.rawlog >whole.raw
@@ -74,7 +75,7 @@ broken unknown.rawlog "unknown.rawlog.*after 20 objects: .*unknown class 'ns::CO
 { cat whole.raw; echo "garbage that goes on for a while and longer than that"; } | gzip >garbage.rawlog
 broken garbage.rawlog "garbage.rawlog.*after 20 objects: "
 
-# Cut in its compressed form, the rawlog loses some of its last objects as well: what came whole is kept.
+# Truncated in its compressed form, a rawlog also loses some of its last objects; the complete ones are kept.
 "$edgevo" import "$desk" whole.rawlog --frames 0:40 --force >/dev/null || fail "import"
 head -c $(($(wc -c <whole.rawlog) * 9 / 10)) whole.rawlog >cut_gz.rawlog
 rm -rf out
@@ -82,9 +83,9 @@ complains "cut_gz.rawlog.*the file is cut short" "$edgevo" run cut_gz.rawlog -o 
 check "rows of frames.csv" "$(rows out)" -ge 20
 results_kept out "$(rows out)"
 
-# The same faults on the way into a rawlog: what came before is a rawlog that plays.
+# The same faults during an import: the earlier frames make a valid rawlog.
 complains "images/$image: the image does not decode" "$edgevo" import text text.rawlog
 run_code 0 "$edgevo" info text.rawlog --check
-check "frames that came through" "$(grep -c '^frames  *20' stdout)" -eq 1
+check "frames imported" "$(grep -c '^frames  *20' stdout)" -eq 1
 complains "images/$image: the image does not decode" "$edgevo" info text --check
 finish

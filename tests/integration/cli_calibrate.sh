@@ -1,19 +1,20 @@
 #!/bin/sh
-# A street through a lens with k1 = 0.01, of which the camera file knows nothing: the run finds it and its scale does not grow; calibrate,
-# and the corrected file is right and of use to others. At two thirds of the street's image size, to be done sooner.
+# SPDX-License-Identifier: BSD-3-Clause
+# A street through a lens with k1 = 0.01 that the camera file does not contain: the run finds it and the scale does not drift;
+# `edgevo calibrate` writes a correct camera file that other programs can use. At two thirds of the street's image size, to save time.
 . "$(dirname "$0")/cli_common.sh"
 
 sed '/^camera:/,/^motion:/{
   s/width: .*/width: 827/; s/height: .*/height: 251/; s/f\([xy]\): .*/f\1: 479.24/; s/cx: .*/cx: 404.6/; s/cy: .*/cy: 123.3/
   s/^  noise_sigma:.*/&\n  k1: 0.01/
 }' "$here/../../datasets/scenes/street.yaml" >street_k1.yaml
-run_code 0 "$edgevo" simulate street_k1.yaml --frames 0:130 -o drive
-check "the renderer's lens has k1 0.01" "$(grep -v '^#' drive/camera.txt | awk '{ print ($5 == 0.01) }')" -eq 1
-awk '!/^#/ { $5 = 0 } { print }' drive/camera.txt >pinhole.txt
-run_code 0 "$edgevo" run drive --camera pinhole.txt -o run --quiet
+run_code 0 "$edgevo" simulate street_k1.yaml --frames 0:130 -o clip
+check "the renderer's lens has k1 0.01" "$(grep -v '^#' clip/camera.txt | awk '{ print ($5 == 0.01) }')" -eq 1
+awk '!/^#/ { $5 = 0 } { print }' clip/camera.txt >pinhole.txt
+run_code 0 "$edgevo" run clip --camera pinhole.txt -o run --quiet
 check "the correction is applied" "$(sed -n '/^self_calibration:/,/^[a-z]/p' run/summary.yaml | grep -c 'state: "applied"')" -eq 1
-below "ATE in metres (path 120 m)" "$(ate run drive)" 0.2
-below "local scale: the largest deviation from the mean" "$(awk '/"relative"/ { d = log($2 + 0); if (d < 0) d = -d; if (d > most) most = d; ++n }
+below "ATE in metres (path 120 m)" "$(ate run clip)" 0.2
+below "local scale: largest difference from the mean" "$(awk '/"relative"/ { d = log($2 + 0); if (d < 0) d = -d; if (d > most) most = d; ++n }
   END { if (n >= 5) print most + 0 }' eval.json)" 0.02
 
 run_code 0 "$edgevo" calibrate run -o camera.yaml
@@ -24,19 +25,19 @@ below "k1 found, from below" 0.008 "$k1"
 check "before and after on stdout" "$(grep -c '^  before \|^  after ' stdout)" -eq 2
 check "the standard deviation on stdout" "$(grep -c 'residual k1 .* +- 0.0' stdout)" -eq 1
 
-# The corrected file as --camera: there is nothing left to find.
-run_code 0 "$edgevo" run drive --camera camera.yaml -o corrected --frames 0:12 --quiet
-check "k1 that the second run was given" "$(sed -n '/^camera:/,/^[a-z]*:/s/^  k1: 0.0\(0[89]\|1[01]\).*/ok/p' corrected/summary.yaml | wc -l)" -eq 1
-run_code 0 "$edgevo" calibrate run --camera drive/camera.txt -o other.yaml
+# With the corrected file as --camera there is nothing left to find.
+run_code 0 "$edgevo" run clip --camera camera.yaml -o corrected --frames 0:12 --quiet
+check "k1 of the camera file in the second run" "$(sed -n '/^camera:/,/^[a-z]*:/s/^  k1: 0.0\(0[89]\|1[01]\).*/ok/p' corrected/summary.yaml | wc -l)" -eq 1
+run_code 0 "$edgevo" calibrate run --camera clip/camera.txt -o other.yaml
 check "--camera instead of the run's own: both distortions together" \
   "$(awk '/data: \[0.0[12]/ { split($2, v, /[\[,]/); print (v[2] > 0.017 && v[2] < 0.023) }' other.yaml)" -eq 1
 
-# Runs that cannot tell, and what is no run.
+# Runs without a result of self-calibration, and folders that are no run.
 complains "too short.*longer sequence" "$edgevo" calibrate corrected -o none.yaml
-run_code 0 "$edgevo" run drive -o off --frames 0:12 --set camera.refine=none --quiet
+run_code 0 "$edgevo" run clip -o off --frames 0:12 --set camera.refine=none --quiet
 complains "self-calibration was off" "$edgevo" calibrate off -o none.yaml
 check "no camera file from these" "$(ls none.yaml 2>/dev/null | wc -l)" -eq 0
-complains "summary.yaml: cannot be read.*folder that a finished" "$edgevo" calibrate drive -o none.yaml
+complains "summary.yaml: cannot be read.*folder that a finished" "$edgevo" calibrate clip -o none.yaml
 sed 's/^  fx: .*/  fx: wide/' run/summary.yaml >off/summary.yaml
 complains "summary.yaml:[0-9]*: camera.fx: 'wide' is not a number" "$edgevo" calibrate off -o none.yaml
 grep -v '^  state:' run/summary.yaml >off/summary.yaml
@@ -48,7 +49,7 @@ complains "no/such/camera.yaml" "$edgevo" calibrate run -o no/such/camera.yaml
 awk 'BEGIN { print "P2 288 216 255"
   for (y = 0; y < 216; ++y) for (x = 0; x < 288; ++x) { i = int(x / 24); j = int(y / 24)
     print (i > 0 && i < 11 && j > 0 && j < 8 && (i + j) % 2 == 0) ? 25 : 230 } }' >board.pgm
-# view TURN TIP X Y Z: where the picture's four corners are seen.
+# view YAW PITCH X Y Z: projections of the four corners of the picture.
 view() {
   awk -v a="$1" -v b="$2" -v tx="$3" -v ty="$4" -v tz="$5" 'BEGIN { a *= 0.0174533; b *= 0.0174533
     for (k = 0; k < 4; ++k) { X = k % 2 ? 288 : 0; Y = k > 1 ? 216 : 0; x = (X - 144) / 800; y = (Y - 108) / 800
@@ -75,12 +76,12 @@ l -10 -15 0.12 -0.08 0.6
 END
 run_code 0 "$edgevo" calibrate board --chessboard 9x6 -o board.yaml
 sed 's/^/      /' stdout
-below "difference of its focal length from 400 px" "$(sed -n 's/^fx \([0-9.]*\) .*/\1/p' stdout | awk '{ d = $1 - 400; print d < 0 ? -d : d }')" 4
+below "difference of the focal length from 400 px" "$(sed -n 's/^fx \([0-9.]*\) .*/\1/p' stdout | awk '{ d = $1 - 400; print d < 0 ? -d : d }')" 4
 check "the picture of its residuals" "$(convert-im6.q16 board.png -format %w info:)" -eq 1000
 run_code 0 "$edgevo" info board --camera board.yaml
 complains "the board is in none of 12 images; check its size" "$edgevo" calibrate "$scenes/desk/images" --chessboard 9x6 --every 5 -o none.yaml
 complains "chessboard 9: is not COLUMNSxROWS" "$edgevo" calibrate "$scenes/desk/images" --chessboard 9 -o none.yaml
-complains "dictionary 4x4_5: is not known; did you mean 4x4_50" "$edgevo" calibrate "$scenes/desk/images" --charuco 7x5 --square 0.03 --marker 0.02 \
+complains "dictionary 4x4_5: is unknown; did you mean 4x4_50" "$edgevo" calibrate "$scenes/desk/images" --charuco 7x5 --square 0.03 --marker 0.02 \
   --dictionary 4x4_5 -o none.yaml
 check "no camera file from these" "$(ls none.yaml none.png 2>/dev/null | wc -l)" -eq 0
 finish

@@ -1,7 +1,8 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the cli_*.sh tests: POSIX sh, no python. Each is called as
 #   cli_X.sh EDGEVO SCENES
-# with the program and the folder of the rendered sequences (cli_render.sh), works in a temporary folder that goes away, prints
-# one line a check and ends with code 0 when all hold, 77 (ctest: skipped) when it could not test here.
+# with the program and the folder of the rendered sequences (cli_render.sh), works in a temporary folder, prints one line per
+# check and exits with 0 if all pass, or 77 (ctest: skipped) if it cannot test on this machine.
 set -u
 export LC_ALL=C
 edgevo=$(realpath -m "${1:?usage: $0 EDGEVO SCENES}")
@@ -36,7 +37,7 @@ check() {
 below() {
   if [ -n "$2" ] && awk -v a="$2" -v b="$3" 'BEGIN { exit !(a + 0 < b + 0) }'; then ok "$1: $2 (< $3)"; else fail "$1: got '$2', expected less than $3"; fi
 }
-# eventually COMMAND...: waits until it succeeds, for a minute at most: for what another program does in its own time.
+# eventually COMMAND...: waits until the command succeeds, a minute at most.
 eventually() {
   for try in $(seq 600); do
     "$@" && return 0
@@ -66,7 +67,7 @@ complains() {
   run_code 2 "$@"
   check "lines on stderr" "$(wc -l <stderr)" -eq 1
   if grep -q -e "$pattern" stderr; then ok "  $(cut -c1-150 stderr)"; else fail "no '$pattern' in: $(cat stderr)"; fi
-  # An error that was foreseen says where, what and what to do; a stray exception of a library does not.
+  # An expected error says where, what and what to do; a stray exception of a library does not.
   if grep -q '^edgevo: .*[;?]' stderr; then :; else fail "no remedy in: $(cat stderr)"; fi
 }
 same() {
@@ -77,7 +78,7 @@ differ() {
 }
 poses() { grep -c '^[0-9]' "$1/trajectory_tum.txt"; }
 rows() { awk 'END { print NR - 1 }' "$1/frames.csv"; }
-# in_state OUT STATE [FIRST LAST]: how many of the rows (of frames FIRST to LAST) are in that state.
+# in_state OUT STATE [FIRST LAST]: number of rows (of frames FIRST to LAST) in that state.
 in_state() { awk -F, -v s="$2" -v a="${3:-0}" -v b="${4:-999999999}" 'NR > 1 && $1 >= a && $1 <= b && $3 == s' "$1/frames.csv" | wc -l; }
 # untimed OUT: frames.csv without the columns of times, which come last.
 untimed() { cut -d, -f1-10 "$1/frames.csv" >"$1/frames_untimed.csv"; }
@@ -86,7 +87,7 @@ ate() {
   "$edgevo" eval "$1/trajectory_tum.txt" "$2/groundtruth_tum.txt" --json >eval.json 2>eval.err
   sed -n '/"ate_sim3"/,/}/s/.*"rmse_m": *\([0-9.e+-]*\).*/\1/p' eval.json
 }
-# results_kept OUT FRAMES: the run ended early, and yet everything is there for that many frames.
+# results_kept OUT FRAMES: the run ended early, but all results exist for that many frames.
 results_kept() {
   check "rows of frames.csv up to there" "$(rows "$1")" -eq "$2"
   for file in trajectory_tum.txt trajectory_live_tum.txt edges.ply edge_segments.csv edges.bt edges.ot edges_color.ot keyframes.simplemap playback.rawlog summary.yaml; do
@@ -95,7 +96,7 @@ results_kept() {
   check "poses up to there" "$(poses "$1")" -ge $(($2 - 10))
   check "summary.yaml says that it was interrupted" "$(grep -c 'interrupted: true' "$1/summary.yaml")" -eq 1
 }
-# copy_sequence FROM TO [A B]: a copy whose images are hard or symbolic links (frames A to B-1), to be spoilt.
+# copy_sequence FROM TO [A B]: a copy whose images are hard or symbolic links (frames A to B-1), to be damaged.
 copy_sequence() {
   from=$1 to=$2 begin=${3:-0} end=${4:-999999}
   mkdir -p "$to/images"
@@ -111,7 +112,7 @@ plain_image() {
   printf 'P5\n%d %d\n255\n' "$1" "$2" >"$3"
   head -c $(($1 * $2)) /dev/zero >>"$3"
 }
-# start_display: an X server of our own; DISPLAY names it from here on.
+# start_display: starts an X server of our own and sets DISPLAY.
 start_display() {
   command -v Xvfb >/dev/null && command -v xdotool >/dev/null || { fail "Xvfb or xdotool is missing; share/install_dependencies.sh"; finish; }
   Xvfb -displayfd 1 -noreset -nolisten tcp -screen 0 1280x1000x24 >display 2>xvfb.log &
@@ -121,7 +122,7 @@ start_display() {
   DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1 GDK_BACKEND=x11
   export DISPLAY LIBGL_ALWAYS_SOFTWARE GDK_BACKEND
 }
-# window NAME: waits for a window whose title holds that regular expression; its number is in $window.
+# window NAME: waits for a window whose title matches that regular expression and sets $window.
 find_window() {
   window=$(xdotool search --name "$1" 2>/dev/null | tail -1)
   [ -n "$window" ]
@@ -131,7 +132,7 @@ window() {
   fail "no window '$1'; there are: $(xdotool search --name . getwindowname %@ 2>/dev/null | sort -u | tr '\n' '|')"
   return 1
 }
-# coloured FILE [GEOMETRY]: how many pixels of a screenshot (or of WxH+X+Y of it) have a strong colour.
+# coloured FILE [GEOMETRY]: number of pixels with a strong colour in a screenshot (or in its part WxH+X+Y).
 coloured() {
   convert-im6.q16 "$1" ${2:+-crop "$2" +repage} -colorspace HSL -channel G -separate +channel -threshold 60% -format '%[fx:round(mean*w*h)]' info:
 }

@@ -1,14 +1,15 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # edgevo compare: the runs that cli_render.sh left on one page, worst first, with the figures of `edgevo eval` and links to
-# their own pages; folders that hold several; half-written runs; bad input. In a headless browser, where there is one, the
-# table sorts.
+# their own pages; folders that hold several; incomplete runs; bad input. The sorting of the table is tested in a headless browser, if
+# there is one.
 . "$(dirname "$0")/cli_common.sh"
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 holds() { if grep -q -e "$2" "$1"; then ok "$1 says '$2'"; else fail "$1 does not say '$2'"; fi; }
 rows_of() { grep -c '<tr><td class="small">' "$1"; }
 
 mkdir all
-ln -s "$scenes/runs/street" all/linked  # links are not followed: a folder of runs may hold one to itself
+ln -s "$scenes/runs/street" all/linked  # links are not followed: a folder of runs may contain a link to itself
 cp -R "$scenes/runs/street" all/street
 cp -R "$scenes/runs/desk" "all/the desk"
 run_code 0 "$edgevo" compare all -o pages/page.html
@@ -26,17 +27,17 @@ cp -R all/street all/half
 rm all/half/summary.yaml
 run_code 0 "$edgevo" compare all -o half.html
 check "the summary line says so" "$(grep -c '3 runs, of which 1 cannot be compared' stdout)" -eq 1
-holds half.html 'has not ended'
-complains 'half: cannot be compared: .*has not ended' "$edgevo" compare all/half -o none.html
+holds half.html 'is incomplete'
+complains 'half: cannot be compared: .*is incomplete' "$edgevo" compare all/half -o none.html
 mkdir empty
-complains 'empty: no run has left its results there' "$edgevo" compare empty -o none.html
-complains 'nowhere: is no folder' "$edgevo" compare all nowhere -o none.html
+complains 'empty: holds no results of a run' "$edgevo" compare empty -o none.html
+complains 'nowhere: is not a folder' "$edgevo" compare all nowhere -o none.html
 complains 'no.txt: cannot be read' "$edgevo" compare all -o none.html --truth no.txt
 complains 'cannot be written' "$edgevo" compare all/street -o empty
 check "pages written for these" "$(ls none.html 2>/dev/null | wc -l)" -eq 0
 
 [ "$failures" -eq 0 ] || finish
-[ -n "$browser" ] || skip "the page in a browser: install chromium (what needs no browser holds)"
+[ -n "$browser" ] || skip "the page in a browser: install chromium (all checks without a browser passed)"
 cat >probe.js <<'EOF'
 addEventListener("load", () => {
   const found = document.body.dataset, table = document.querySelector(".runs");

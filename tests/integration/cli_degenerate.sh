@@ -1,6 +1,7 @@
 #!/bin/sh
-# Input that is well-formed and yet hopeless: nothing to see, too few images, images of one pixel. Exit code 3 with a line that
-# says so, a row for every frame and all files, never a crash.
+# SPDX-License-Identifier: BSD-3-Clause
+# Well-formed but hopeless input: nothing to see, too few images, images of one pixel. Exit code 3 with one line, a row for every
+# frame and all files, never a crash.
 . "$(dirname "$0")/cli_common.sh"
 
 # sequence NAME WIDTH HEIGHT FRAMES: black images.
@@ -20,7 +21,7 @@ hopeless() {
   check "lines on stderr" "$(wc -l <stderr)" -eq 1
   grep -q "^edgevo: tracking failed for most of .*; " stderr && ok "  $(cat stderr)" || fail "message: $(cat stderr)"
   check "rows" "$(rows out)" -eq "$count"
-  check "rows that tell why in the note" "$(awk -F, 'NR > 1 && length($9) > 5' out/frames.csv | wc -l)" -gt 0
+  check "rows with the reason in the note" "$(awk -F, 'NR > 1 && length($9) > 5' out/frames.csv | wc -l)" -gt 0
   for file in trajectory_tum.txt edges.ply edges.bt edges.ot keyframes.simplemap playback.rawlog scene.3Dscene; do
     [ -s out/$file ] || fail "$file is missing or empty"
   done
@@ -42,10 +43,10 @@ hopeless "$scenes/desk" 1 --frames 0:1
 hopeless "$scenes/desk" 2 --frames 0:2
 hopeless "$scenes/desk" 2 --frames 0:2 --realtime
 
-# A camera that stands still: no parallax, hence no map; not a wrong one either.
+# A camera that does not move: no parallax, hence no map, and no wrong one either.
 copy_sequence "$scenes/desk" still 0 1
 for i in $(seq -f %06.0f 1 19); do ln -s "$scenes/desk/images/000000.png" still/images/$i.png; done
 awk 'BEGIN { for (i = 0; i < 20; ++i) print i / 10 }' >still/times.txt
 hopeless still 20
-check "poses of a camera that stands still" "$(grep -c '^[0-9]' out/trajectory_tum.txt)" -eq 0
+check "poses of a camera that does not move" "$(grep -c '^[0-9]' out/trajectory_tum.txt)" -eq 0
 finish

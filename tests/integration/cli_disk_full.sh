@@ -1,14 +1,15 @@
 #!/bin/sh
-# The disk fills up: during a run by images (a rawlog with its images inside has to leave copies for the playback), after it by
-# maps. The trajectory, frames.csv and summary.yaml are written all the same. A small tmpfs stands for the disk, which only
-# root can mount; rawlog-edit is of the Debian package mrpt-apps.
+# SPDX-License-Identifier: BSD-3-Clause
+# The disk fills up: during a run by images (those inside a rawlog are copied for the playback), after it by maps. The trajectory,
+# frames.csv and summary.yaml are written all the same. The disk is a small tmpfs, which only root can mount; rawlog-edit is in the
+# Debian package mrpt-apps.
 . "$(dirname "$0")/cli_common.sh"
 command -v rawlog-edit >/dev/null || skip "rawlog-edit is missing; install mrpt-apps"
 mkdir disk
 mount -t tmpfs -o size=9m none disk 2>/dev/null || skip "no right to mount a small disk here"
 cleanup() { umount "$work/disk"; }
 
-# full COMMAND...: says so; kept OUT LEAST: the small files are whole.
+# full COMMAND...: reports a full disk; kept OUT LEAST: the small files are complete.
 full() { complains "No space left on device.*free space or give another -o" "$@"; }
 kept() {
   for file in trajectory_tum.txt trajectory_live_tum.txt trajectory_kitti.txt frames.csv summary.yaml; do
@@ -26,16 +27,16 @@ rawlog-edit --de-externalize -i outside.rawlog -o inside.rawlog >rawlog-edit.log
 full "$edgevo" run inside.rawlog -o disk/out --quiet
 kept disk/out 5
 
-# Filled by a map of the smallest voxels allowed (22 MB): the run itself goes through.
+# Filled by a map of the smallest voxels allowed (22 MB): the run itself succeeds.
 rm -rf disk/out
 full "$edgevo" run "$scenes/desk" -o disk/out --quiet --frames 0:30 --set occupancy.resolution_share=0.001
 kept disk/out 30
 
-# Full from the start: told at once.
+# Full from the start: reported at once.
 rm -rf disk/out
 head -c 5000000 /dev/zero >disk/filler
 full "$edgevo" run "$scenes/desk" -o disk/out --quiet
-check "files of a run that did not begin" "$(ls -A disk/out | wc -l)" -eq 0
+check "files of a run that did not start" "$(ls -A disk/out | wc -l)" -eq 0
 
 complains "No space left on device" "$edgevo" import "$scenes/desk" disk/seq.rawlog
 rm -rf disk/seq*

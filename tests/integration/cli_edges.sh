@@ -1,6 +1,7 @@
 #!/bin/sh
-# Learned edges from the program itself: each detector runs with no further option, gives the same again, and the same through files that
-# `edgevo edges` writes; what is no model, no image or another size is refused in a line.
+# SPDX-License-Identifier: BSD-3-Clause
+# Edge detectors: each runs without further options, is reproducible, and gives the same through the files of `edgevo edges`; invalid
+# models and images and wrong sizes are refused with one line.
 . "$(dirname "$0")/cli_common.sh"
 sequence=$scenes/street
 part="--frames 0:30"
@@ -20,7 +21,7 @@ for detector in edge_drawing structured network combined:structured combined:net
   grep -q "detector: .*$detector" "$out/summary.yaml" && ok "summary.yaml names $detector" || fail "no $detector in summary.yaml"
 done
 
-# ---- the same again, and through files ----
+# ---- reproducible, and through files ----
 run_code 0 "$edgevo" run "$sequence" $half -o first_structured --quiet --detector structured
 mv run_network first_network
 for detector in structured network; do
@@ -44,35 +45,35 @@ run_code 0 "$edgevo" run log/seq.rawlog -o from_log --quiet --frames 0:20 --dete
 run_code 0 "$edgevo" edges "$sequence" -o half --detector structured --image-scale 0.5 --frames 5:8 --jobs 1
 check "images of a part at half the size" "$(ls half/*.png | tr '\n' ' ' | grep -c '000005.*000007.png $')" -eq 1
 
-# ---- gone on with ----
+# ---- resumed ----
 cp -r edges_network part
 rm part/000003.png part/000017.png
 printf 'cut' >part/000017.png.part
 run_code 0 "$edgevo" edges "$sequence" $part -o part --detector network --jobs 1
-check "images that had been there" "$(grep -c "$((frames - 2)) of them had been there" stdout)" -eq 1
+check "images from before" "$(grep -c "$((frames - 2)) of them from before" stdout)" -eq 1
 for name in 000003 000017; do same "image $name" edges_network/$name.png part/$name.png; done
 complains "another source, size, detector or model" "$edgevo" edges "$sequence" -o part --detector structured
 complains "another source, size, detector or model" "$edgevo" edges "$scenes/desk" -o part --detector network
-complains "holds something else" "$edgevo" edges "$sequence" -o "$scenes/runs/street" --detector network
-complains "what reads such images" "$edgevo" edges "$sequence" -o x --detector precomputed
+complains "contains other files" "$edgevo" edges "$sequence" -o "$scenes/runs/street" --detector network
+complains "reads such images" "$edgevo" edges "$sequence" -o x --detector precomputed
 complains "source" "$edgevo" edges "$sequence" -o "$sequence/images"
 run_code 0 "$edgevo" edges "$sequence" -o of_canny --detector canny --frames 0:3
 check "images of Canny's pixels" "$(ls of_canny/*.png | wc -l)" -eq 3
 
-# ---- models that are none ----
+# ---- invalid models ----
 short() { complains "$1" "$edgevo" run "$sequence" -o x --quiet --frames 0:5 --detector "$2" --edge-model "$3"; }
 forest=$(ls "$(dirname "$edgevo")"/../share/edgevo/models/structured_forest.yml.gz)
 network=$(ls "$(dirname "$edgevo")"/../share/edgevo/models/edge_network.onnx)
 echo "no model" >text.yml.gz
 cp text.yml.gz text.onnx
 cp "${network%.onnx}.yaml" text.yaml
-short "no structured forest" structured text.yml.gz
-short "no network" network text.onnx
+short "not a structured forest" structured text.yml.gz
+short "not a usable network" network text.onnx
 head -c 5000 "$forest" >cut.yml.gz
 head -c 5000 "$network" >cut.onnx
 cp text.yaml cut.yaml
 short "cut.yml.gz: " structured cut.yml.gz
-short "no network" network cut.onnx
+short "not a usable network" network cut.onnx
 short "nowhere.yml.gz" structured nowhere.yml.gz
 short "nowhere" network nowhere.onnx
 gzip -dc "$forest" >good.yml
@@ -87,7 +88,7 @@ described 's/^size:/szie:/'
 short "szie.*size" network other.onnx
 complains "did you mean network" "$edgevo" run "$sequence" -o x --detector netwrok
 
-# ---- images that are none ----
+# ---- invalid images ----
 wrong() { complains "$1" "$edgevo" run "$sequence" -o x --quiet --detector precomputed --edge-folder "$2"; }
 cp -r edges_network missing && rm missing/000000.png
 wrong "missing/000000.png: cannot be read" missing
@@ -95,9 +96,9 @@ cp -r edges_network small && cp half/000005.png small/000000.png
 wrong "small/000000.png: is .*, the image " small
 cp -r edges_network cut && head -c 2000 edges_network/000000.png >cut/000000.png
 wrong "cut/000000.png: the image does not decode" cut
-wrong "nowhere: is no folder" nowhere
+wrong "nowhere: is not a folder" nowhere
 complains "edges.folder: is not given" "$edgevo" run "$sequence" -o x --detector precomputed
-# In the middle: what was computed before stays.
+# In the middle: the results so far are kept.
 cp -r edges_network broken && rm broken/000020.png
 wrong "broken/000020.png" broken
 check "rows of frames.csv up to there" "$(rows x)" -eq 20

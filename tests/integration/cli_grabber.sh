@@ -1,6 +1,7 @@
 #!/bin/sh
-# The plug-in in MRPT's own programs: rawlog-grabber -p records a rendered sequence with poses and edges and loses no frame, whatever
-# ends the recording; the rawlog runs again through edgevo; observations2map builds the edge OctoMap.
+# SPDX-License-Identifier: BSD-3-Clause
+# The plug-in in MRPT's own programs: rawlog-grabber -p records a rendered sequence with poses and edges and loses no frame, however
+# the recording ends; edgevo runs on the recorded rawlog; observations2map builds the edge OctoMap.
 here=$(cd "$(dirname "$0")" && pwd)
 share=$here/../../share
 . "$here/cli_common.sh"
@@ -12,13 +13,14 @@ for tool in rawlog-grabber rawlog-edit observations2map bt2vrml; do
 done
 mkfifo keys
 
-# grab INI [END...]: records until the source ends, or until END... returns. Leaves said, $rawlog and what rawlog-edit counts in it.
+# grab INI [END...]: records until the source ends or END... returns. Leaves the output in said, $rawlog, and the counts of rawlog-edit in
+# info.log.
 grab() {
   ini=$1
   shift
   rm -rf edges_*
   exec 3<>keys
-  # In the foreground timeout(1) hands a signal on once; else to the process and to its group, and the second one kills.
+  # In the foreground timeout(1) forwards a signal once; otherwise to the process and to its group, and the second one kills.
   timeout --foreground 120 rawlog-grabber -p "$plugin" "$ini" <&3 >said 2>&1 &
   grabber=$!
   "$@"
@@ -33,7 +35,7 @@ press_a_key() {
   eventually has_images 3
   echo >keys
 }
-# As Ctrl-C, which a shell's background jobs ignore; timeout(1) hands it on.
+# Like Ctrl-C, which background jobs of a shell ignore; timeout(1) forwards it.
 terminate() {
   eventually has_images 3
   kill -TERM $grabber
@@ -57,7 +59,7 @@ run_code 0 "$edgevo" run "$rawlog" -o again --quiet
 direct=$scenes/runs/street
 same "trajectory of the recording" "$direct/trajectory_tum.txt" again/trajectory_tum.txt
 below "its ATE, metres" "$(ate again "$street")" 0.15
-# What was recorded live is what the run knew when each frame came, as MRPT's exporter tells it (x forward).
+# The live recording has the poses that the run had at each frame, as MRPT's exporter writes them (x forward).
 rawlog-edit --export-txt -i "$rawlog" >/dev/null 2>&1 </dev/null
 # The frames of the bootstrap, which have their pose only afterwards, are not in it.
 awk '!/^%/ { print $2 }' "${rawlog%.rawlog}_EDGE_VO.txt" >recorded.txt
@@ -65,7 +67,7 @@ awk '/^[0-9]/ { print $4 }' "$direct/trajectory_live_tum.txt" | tail -n "$(wc -l
 below "difference of the recorded poses from the live ones" "$(paste live.txt recorded.txt |
   awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; if (NF != 2) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
 
-# A folder as the camera, ended by a key while the grabber holds observations that it would drop.
+# A folder as the camera, ended by a key while the grabber still holds observations that it would drop.
 ini rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|
   s|^GRABBER_PERIOD_MS = .*|GRABBER_PERIOD_MS = 1500|; s|^process_rate = .*|process_rate = 10|"
 grab edgevo.ini press_a_key
@@ -75,7 +77,7 @@ check "images that were taken" "$taken" -ge 2
 check "images in the rawlog" "$(observations CAM0)" -eq "$taken"
 check "image files" "$(ls edges_*_Images | wc -l)" -eq "$taken"
 
-# The same ended by a signal.
+# The same, ended by a signal.
 grab edgevo.ini terminate
 says "\[FOLDER\] interrupted, after"
 taken=$(sed -n 's/.*interrupted; all \([0-9]*\) frames are in the rawlog.*/\1/p' said)
@@ -91,7 +93,7 @@ says "\[FOLDER\] grabber_type image_dir: no more images (.*), after 20 frames"
 check "images in the rawlog" "$(observations CAM0)" -eq 20
 run_code 0 "$edgevo" info "$rawlog" --check
 
-# Wrong paths: one line that names the section. Wrong keys are in plugin_test.cpp.
+# Wrong paths: one line that names the section. Wrong keys are tested in plugin_test.cpp.
 refused() {
   ini "$1" "$2"
   grab edgevo.ini
@@ -104,7 +106,7 @@ refused rawlog_grabber_rawlog.ini 's|^rawlog_file = .*|rawlog_file = nowhere.raw
 refused rawlog_grabber_camera.ini "s|^calibration_file = .*|calibration_file = $street/camera.txt|; s|^cv_camera_index = .*|cv_camera_index = 77|" \
   "\[CAMERA\] grabber_type opencv: the camera does not open"
 
-# The edge OctoMap by a stock program. Without the plug-in it knows no such map.
+# The edge OctoMap by a stock program. Without the plug-in this type of map is unknown.
 export LD_PRELOAD="$plugin"
 observations2map "$share/observations2map_edge_octomap.ini" "$direct/keyframes.simplemap" map >map.log 2>&1 </dev/null
 check "observations2map's exit code" $? -eq 0
@@ -112,5 +114,5 @@ unset LD_PRELOAD
 bt=$(ls map*CEdgeOctoMap*.bt)
 bt2vrml "$bt" >bt.log 2>&1 || fail "bt2vrml $bt"
 check "occupied voxels" "$(sed -n 's/.*writing \([0-9]*\) voxels.*/\1/p' bt.log)" -ge 500
-[ -s "${bt%.bt}.ot" ] && ok ".ot beside it" || fail "no .ot"
+[ -s "${bt%.bt}.ot" ] && ok ".ot next to it" || fail "no .ot"
 finish

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What the program says of itself: help, version, manual pages and bash completion name the same sub-commands and options.
+# SPDX-License-Identifier: BSD-3-Clause
+# Help, version, manual pages and bash completion list the same sub-commands and options.
 . "$(dirname "$0")/cli_common.sh"
 manuals=$(cd "$(dirname "$edgevo")/.." && pwd)/manuals
 
@@ -13,12 +14,12 @@ run_code 0 "$edgevo" help run
 same "edgevo help run" run.txt stdout
 complains "unknown sub-command 'rum'; did you mean run" "$edgevo" help rum
 
-# The program that users call shows stored texts, which must be those of the program behind it.
+# The program that users call prints stored texts, which must be those of the program behind it.
 commands_program=$(dirname "$edgevo")/edgevo-commands
 "$commands_program" --help >main_there.txt
 same "help of the program and of the one behind it" main_there.txt main.txt
 "$commands_program" run --help >run_there.txt
-same "the same of a sub-command" run_there.txt run.txt
+same "the same for a sub-command" run_there.txt run.txt
 run_code 0 "$edgevo" simulate street --frames 0:1 --help
 "$edgevo" simulate -h >simulate.txt
 same "help among other words" simulate.txt stdout
@@ -29,7 +30,7 @@ check "the basic parameters" "$(grep -c '^  edges.canny_percentile: 0.9    \[0.5
 check "none of another level" "$(grep -c '^  association\|^advanced: ' stdout)" -eq 0
 run_code 0 "$edgevo" help parameters --all
 check "all parameters, by level" "$(grep -c '^  edges.detector: canny\|^  association.k_p: 1 \|^advanced: ' stdout)" -eq 3
-complains "edgevo help parameters: does not know '--al'; write --all or nothing" "$edgevo" help parameters --al
+complains "edgevo help parameters: unknown argument '--al'; give --all or nothing" "$edgevo" help parameters --al
 
 run_code 0 "$edgevo" --version
 check "version and commit" "$(grep -c '^edgevo [0-9.]*$\|^commit [0-9a-f]\{7,\}.*, \|^commit unknown, ' stdout)" -eq 2

@@ -1,8 +1,9 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Ctrl-C in the middle of a run: it ends within seconds, with all results so far, summary.yaml saying so, and exit code 0.
 . "$(dirname "$0")/cli_common.sh"
 
-# A long sequence out of a short one, there and back, so that the run cannot end before the signal.
+# A long sequence made of a short one, forward and backward, so that the run cannot end before the signal.
 copy_sequence "$scenes/desk" long
 frames=$(ls "$scenes/desk/images" | wc -l)
 i=$frames
@@ -20,7 +21,7 @@ for mode in synchronous realtime; do
   [ $mode = synchronous ] || option=--realtime
   "$edgevo" run long -o $mode $option >stdout 2>stderr &
   pid=$!
-  # Once some frames went through, on a machine of any speed: an image of the playback is written (or linked) for each.
+  # Waits for some frames, on a machine of any speed: an image of the playback is written (or linked) for each.
   eventually has_frames $mode
   begin=$(date +%s)
   kill -INT $pid
@@ -30,9 +31,9 @@ for mode in synchronous realtime; do
   check "seconds that it took to end" $(($(date +%s) - begin)) -le 20
   check "errors" "$(grep -c '^edgevo:' stderr)" -eq 0
   done=$(rows $mode)
-  check "the line that says so" "$(grep -c "^interrupted after $done frames" stdout)" -eq 1
-  check "frames done" "$done" -ge 25
-  check "frames not done any more" $((i - done)) -gt 0
+  check "the line about it" "$(grep -c "^interrupted after $done frames" stdout)" -eq 1
+  check "frames processed" "$done" -ge 25
+  check "frames not processed" $((i - done)) -gt 0
   results_kept $mode "$done"
 done
 finish

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The Debian packages of this build: what lies where, and what they depend on. What Debian's checker says of them is for
-# share/packages/make.sh: it takes as long as making them.
+# SPDX-License-Identifier: BSD-3-Clause
+# The Debian packages of this build: contents and dependencies. share/packages/make.sh runs lintian on them, which takes as long as
+# making them.
 . "$(dirname "$0")/cli_common.sh"
 build=$(cd "$(dirname "$edgevo")/.." && pwd)
 
@@ -36,7 +37,7 @@ needs edgevo "libmrpt-obs.*"
 check "what libedgevo-dev needs of MRPT, OctoMap and X11" "$(depends libedgevo-dev | grep -c 'mrpt\|octomap\|x11')" -eq 0
 needs edgevo-mrpt-plugin "libmrpt-hwdrivers.*"
 check "scripts in Python, which it does not depend on" "$(dpkg-deb -c $(deb edgevo) | grep -c '\.py$')" -eq 0
-# What links ViSP, which is under the GPL, is apart.
+# Code that links ViSP, which is under the GPL, is in separate packages.
 for package in edgevo libedgevo-dev edgevo-mrpt-plugin; do
   check "what $package needs of ViSP" "$(depends $package | grep -c visp)" -eq 0
   check "what $package holds of it" "$(dpkg-deb -c $(deb $package) | grep -v '/$' | grep -c 'visp_bridge\|/servo/\|edgevo[-_]servo')" -eq 0

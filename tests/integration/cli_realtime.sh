@@ -1,21 +1,22 @@
 #!/bin/sh
-# Tracking and mapping in two threads: every frame has a row, the great majority a pose, the trajectory is right, and how the run
-# kept up with its source is told.
+# SPDX-License-Identifier: BSD-3-Clause
+# Tracking and mapping in two threads: every frame has a row, the great majority a pose, the trajectory is accurate, and latencies and
+# late or dropped frames are reported.
 . "$(dirname "$0")/cli_common.sh"
 
-# told OUT KEY: a number of `realtime:` in summary.yaml.
-told() { sed -n "/^realtime:/,/^[a-z]/s/^ *$2: //p" "$1/summary.yaml"; }
+# realtime OUT KEY: a number of `realtime:` in summary.yaml.
+realtime() { sed -n "/^realtime:/,/^[a-z]/s/^ *$2: //p" "$1/summary.yaml"; }
 # keeps_up OUT FRAMES: sums and percentiles are there and agree with frames.csv.
 keeps_up() {
   check "mode in summary.yaml" "$(grep -c 'mode: "realtime' "$1/summary.yaml")" -eq 1
-  check "frames handed over" "$(told "$1" handed_over)" -eq "$2"
-  check "frames dropped" "$(told "$1" dropped)" -eq 0
-  check "frames handed over late" "$(told "$1" late)" -le "$2"
-  # The largest of the column is the largest that is told, and the percentiles are in order.
+  check "frames delivered" "$(realtime "$1" handed.over)" -eq "$2"
+  check "frames dropped" "$(realtime "$1" dropped)" -eq 0
+  check "frames delivered late" "$(realtime "$1" late)" -le "$2"
+  # The largest latency in the column is the reported one, and the percentiles are in order.
   largest=$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "latency_ms") c = i } NR > 1 { n += $c != ""; if ($c + 0 > m) m = $c + 0 }
     END { printf "%d %.3f", n, m }' "$1/frames.csv")
-  [ "$largest" = "$2 $(told "$1" max)" ] && ok "latencies in frames.csv: $largest" || fail "latencies: $largest, told: $(told "$1" max)"
-  figures="$(told "$1" p50) $(told "$1" p95) $(told "$1" p99) $(told "$1" max)"
+  [ "$largest" = "$2 $(realtime "$1" max)" ] && ok "latencies in frames.csv: $largest" || fail "latencies: $largest, reported: $(realtime "$1" max)"
+  figures="$(realtime "$1" p50) $(realtime "$1" p95) $(realtime "$1" p99) $(realtime "$1" max)"
   echo "0 $figures" | awk '{ exit !(NF == 5 && $1 < $2 && $2 <= $3 && $3 <= $4 && $4 <= $5) }' && ok "percentiles $figures" || fail "percentiles: $figures"
 }
 
@@ -33,11 +34,11 @@ below "ATE in metres on the street (path 45 m)" "$(ate street "$scenes/street")"
 below "ATE in metres at the desk (path 0.5 m)" "$(ate desk "$scenes/desk")" 0.03
 check "street without a pace" "$(grep -c 'pace: "none' street/summary.yaml)" -eq 1
 check "pace of the desk" "$(grep -c 'pace: "60 frames a second"' desk/summary.yaml)" -eq 1
-below "frames a second at the desk: not faster than its pace" "$(told desk frames_per_second)" 61
+below "frames per second at the desk: not above its pace" "$(realtime desk frames_per_second)" 61
 
-# By its own times, ten times as fast: said at the end of the run.
+# By its own times, ten times as fast: reported at the end of the run.
 run_code 0 "$edgevo" run "$scenes/desk" -o own --realtime --pace 10x --frames 0:20
-check "the closing lines tell how it kept up" "$(grep -c "pace the source's own times, 10 times as fast; reached .* 20 frames handed over late, 0 dropped" stdout)" -eq 1
+check "the final lines report the latencies" "$(grep -c "pace the source's own times, 10 times as fast; reached .* 20 frames delivered late, 0 dropped" stdout)" -eq 1
 complains 'requires --realtime' "$edgevo" run "$scenes/desk" -o out --pace 30
-complains "pace 'fast': is no pace" "$edgevo" run "$scenes/desk" -o out --realtime --pace fast
+complains "pace 'fast': is not a pace" "$edgevo" run "$scenes/desk" -o out --realtime --pace fast
 finish

@@ -1,17 +1,18 @@
 #!/bin/sh
-# edgevo relight: every kind, from folder and rawlog to folder and rawlog, keeps names, times, calibration and ground truth, and is the same
-# again.
+# SPDX-License-Identifier: BSD-3-Clause
+# edgevo relight: every kind, from folder and rawlog to folder and rawlog, keeps names, times, calibration and ground truth, and is
+# reproducible.
 . "$(dirname "$0")/cli_common.sh"
 
-# A sequence whose numbers do not begin at 0.
+# A sequence whose numbers do not start at 0.
 "$edgevo" simulate desk --frames 7:20 -o seq >/dev/null || fail "simulate"
 "$edgevo" import seq seq.rawlog >/dev/null || fail "import"
 names() { ls "$1" | cksum | cut -d' ' -f1; }
 times_of() { "$edgevo" info "$1" | grep -e '^frames' -e '^duration' -e '^rate' -e '^gaps'; }
 calibration_of() { "$edgevo" info "$1" | grep -e '^camera' -e '^distortion' -e '^image size'; }
 
-# From a rawlog the same images come in, whatever the kind: three of them show it.
-for kind in drift jumps gamma vignette glare eaten shadows blur noise mixed; do
+# A rawlog gives the same images as a folder, whatever the kind: tested for three of them.
+for kind in drift jumps gamma vignette glare blooming shadows blur noise mixed; do
   sources=seq
   case $kind in drift | noise | mixed) sources="seq seq.rawlog" ;; esac
   for from in $sources; do
@@ -58,7 +59,7 @@ for image in dropped/images/*; do cmp -s "$image" "$scenes/desk/images/$(basenam
 ls dropped/images | sed 's/^0*//; s/\.png$//; s/^$/0/' | while read -r n; do sed -n "$((n + 1))p" "$scenes/desk/times.txt"; done >times_left
 same "times of the frames that are left" times_left dropped/times.txt
 
-# What cannot be.
+# Invalid requests.
 complains "kind vignet.*did you mean.*vignette\|vignet" "$edgevo" relight seq -o x --kind vignet
 complains "is its own source" "$edgevo" relight seq -o ./seq
 complains "its own source" "$edgevo" relight seq.rawlog -o seq.rawlog

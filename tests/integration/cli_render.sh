@@ -1,6 +1,7 @@
 #!/bin/sh
-# cli_render.sh EDGEVO SCENES: renders the sequences that the cli_*.sh tests run on, and runs them once: a plain run with the
-# default seed lies in SCENES/runs/NAME, for the tests that look at the results of one or compare another with it.
+# SPDX-License-Identifier: BSD-3-Clause
+# cli_render.sh EDGEVO SCENES: renders the sequences that the cli_*.sh tests run on, and runs them once: the plain run with the
+# default seed is in SCENES/runs/NAME, for tests that check its results or compare another run with it.
 set -eu
 edgevo=$1 scenes=$2
 rm -rf "$scenes"

@@ -1,8 +1,9 @@
 #!/bin/sh
-# report.html in a headless browser: every picture decodes and enlarges, every chart has a size and tells its values,
-# the map in 3D is drawn, turns and is picked from, nothing is wider than the window (1200 and 500 pixels), nothing is
-# loaded from elsewhere; with ground truth, without it, and for a run that saw nothing. Needs Debian's chromium, which the installer leaves out
-# (300 MB); checks that need no browser are made in any case.
+# SPDX-License-Identifier: BSD-3-Clause
+# report.html in a headless browser: every picture decodes and enlarges, every chart has a size and shows its values, the 3D map is
+# drawn, rotates and can be picked from, nothing is wider than the window (1200 and 500 pixels), nothing is loaded from elsewhere; with
+# ground truth, without it, and for a run that saw nothing. Needs Debian's chromium, which the installer does not install (300 MB);
+# checks that need no browser run in any case.
 . "$(dirname "$0")/cli_common.sh"
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 
@@ -107,7 +108,7 @@ run_code 0 "$edgevo" run broken -o broken_out --quiet
 holds broken_out/report.html 'No comparison with ground truth: .*groundtruth_tum.txt:1'
 
 [ "$failures" -eq 0 ] || finish
-[ -n "$browser" ] || skip "report.html in a browser: install chromium (what needs no browser holds)"
+[ -n "$browser" ] || skip "report.html in a browser: install chromium (all checks without a browser passed)"
 probe street/report.html
 check "errors of the scripts" "$(found errors)" -eq 0
 check "pictures that the browser shows" "$(found images)" -ge 4
@@ -117,7 +118,7 @@ check "sections" "$(found sections)" -eq 9
 check "links to them" "$(found contents)" -eq 9
 check "wider than the window" "$(found wide | grep -c false)" -eq 1
 check "resources loaded from elsewhere" "$(found loaded)" -eq 0
-check "a chart tells its values by key" "$(found reading | grep -c '^0.1 s.*estimate [0-9.-]*$')" -eq 1
+check "a chart shows its values by key" "$(found reading | grep -c '^0.1 s.*estimate [0-9.-]*$')" -eq 1
 check "the moment in all charts" "$(found cursors)" -eq 8
 check "a picture enlarges" "$(found enlarged | grep -c true)" -eq 1
 check "and closes" "$(found dialogs)" -eq 0

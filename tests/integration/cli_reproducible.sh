@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The same input gives the same bytes: twice, through a rawlog, and for a part of the frames with the source's own numbers.
 . "$(dirname "$0")/cli_common.sh"
 sequence=$scenes/desk
@@ -13,10 +14,10 @@ same "live trajectory, same seed" one/trajectory_live_tum.txt two/trajectory_liv
 same "frames.csv without times, same seed" one/frames_untimed.csv two/frames_untimed.csv
 same "points, same seed" one/edges.ply two/edges.ply
 differ "trajectory, another seed" one/trajectory_tum.txt other/trajectory_tum.txt
-differ "parameters in frames.csv are not all that differs" one/frames_untimed.csv other/frames_untimed.csv
+differ "frames.csv without times, another seed" one/frames_untimed.csv other/frames_untimed.csv
 
 run_code 0 "$edgevo" import "$sequence" rawlog/seq.rawlog
-check "images beside the rawlog" "$(ls rawlog/seq_Images | wc -l)" -eq "$frames"
+check "external images of the rawlog" "$(ls rawlog/seq_Images | wc -l)" -eq "$frames"
 run_code 0 "$edgevo" info rawlog/seq.rawlog --check
 check "frames that info finds" "$(grep -c "^frames  *$frames" stdout)" -eq 1
 run_code 0 "$edgevo" run rawlog/seq.rawlog -o from_rawlog --quiet --seed 3

@@ -1,12 +1,13 @@
 #!/bin/sh
-# A drive through the rendered street: run, eval, every file of the design, and the stock tools on all of it.
+# SPDX-License-Identifier: BSD-3-Clause
+# A run through the rendered street: run, eval, every output file, and the stock tools on all of them.
 . "$(dirname "$0")/cli_common.sh"
 sequence=$scenes/street
 frames=$(wc -l <"$sequence/times.txt")
 
 run_code 0 "$edgevo" run "$sequence" -o out/new/folder
 out=out/new/folder
-check "the line on stdout that tells the counts" "$(grep -c "^$frames frames, .* with a pose" stdout)" -eq 1
+check "the line on stdout with the counts" "$(grep -c "^$frames frames, .* with a pose" stdout)" -eq 1
 check "progress without a terminal" "$(tr -cd '\r' <stderr | wc -c)" -eq 0
 
 for file in trajectory_tum.txt trajectory_live_tum.txt frames.csv keyframes.simplemap playback.rawlog scene.3Dscene edges.ply \
@@ -22,18 +23,18 @@ first=$(awk -F, 'NR > 1 && $4 >= 0 { print $1; exit }' $out/frames.csv)
 check "first frame with a pose" "$first" -le 10
 check "poses from the bootstrap on" "$(poses $out)" -eq $((frames - first))
 check "lost frames" "$(in_state $out LOST)" -eq 0
-check "rows that tell the time of their edges" "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "ms_edges") c = i }
+check "rows with the time of edge detection" "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "ms_edges") c = i }
   NR > 1 && $c > 0' $out/frames.csv | wc -l)" -eq "$frames"
 
-# Accuracy: far from the best figure, near enough to notice that something broke (the path is 45 m long).
+# Accuracy: a loose bound that still shows when something broke (the path is 45 m long).
 below "ATE in metres" "$(ate $out "$sequence")" 0.15
 check "matched poses in eval --json" "$(sed -n 's/.*"matched_poses": *\([0-9]*\).*/\1/p' eval.json)" -eq "$(poses $out)"
-check "input frames that eval read beside the trajectory" "$(sed -n 's/.*"input_frames": *\([0-9]*\).*/\1/p' eval.json)" -eq "$frames"
+check "input frames that eval read next to the trajectory" "$(sed -n 's/.*"input_frames": *\([0-9]*\).*/\1/p' eval.json)" -eq "$frames"
 below "ATE in metres at the desk (path 0.5 m)" "$(ate "$scenes/runs/desk" "$scenes/desk")" 0.003
 run_code 0 "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt"
 check "ATE in the table" "$(grep -c '^ATE RMSE' stdout)" -eq 2
 
-# summary.yaml: counts, the effective parameters, and that they can be read again.
+# summary.yaml: counts, and the effective parameters, which can be read again.
 value() { sed -n "/^$1:/,/^[a-z]/s/^  $2: *//p" $out/summary.yaml; }
 check "frames in summary.yaml" "$(value frames total)" -eq "$frames"
 check "poses in summary.yaml" "$(value frames with_pose)" -eq "$(poses $out)"

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The closed loop with a given latency, hence the same bytes every time: where it ends, by ground truth. The bounds are those that
-# are promised: 5 mm and 0.5 degree half a metre from the desk; 1 px.
+# SPDX-License-Identifier: BSD-3-Clause
+# The closed loop with a fixed latency, hence reproducible: its final pose against ground truth. The bounds are the documented ones:
+# 5 mm and 0.5 degree at half a metre from the desk; 1 px.
 . "$(dirname "$0")/cli_common.sh"
 [ -x "$(dirname "$edgevo")/edgevo-servo" ] || skip "edgevo servo: this build has no ViSP"
 value() { sed -n "s/^  $2: *//p" "$1/summary.yaml" | head -n 1; }
@@ -11,15 +12,15 @@ complains "latency.*seconds from 0 to 2" "$edgevo" servo -o out --latency soon
 complains "latency.*seconds from 0 to 2" "$edgevo" servo -o out --latency -1
 complains "scale-error.*number from 0.05 to 20" "$edgevo" servo -o out --scale-error 0
 complains "blackout.*number from 0 to 60" "$edgevo" servo -o out --blackout=-1
-complains "--light mixt: is no kind of lighting change.*did you mean mixed" "$edgevo" servo -o out --light mixt
+complains "--light mixt: is not a kind of lighting change.*did you mean mixed" "$edgevo" servo -o out --light mixt
 complains "points.*whole number" "$edgevo" servo -o out --points 2
 complains "unknown parameter" "$edgevo" servo -o out --set edges.nonsense=1
 complains "unknown option --gian; did you mean --gain" "$edgevo" servo -o out --gian=1
-check "folders that a command which cannot run leaves" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
+check "folders left by commands that cannot run" "$(ls -d out 2>/dev/null | wc -l)" -eq 0
 run_code 0 "$edgevo" servo --help
 check "help of edgevo servo" "$(grep -c -- '--blackout' stdout)" -ge 1
 
-# At 10 images a second, half of the default, and with a larger gain, to be done sooner.
+# At 10 images a second, half of the default, and with a larger gain, to save time.
 run_code 0 "$edgevo" servo -o dark --quiet --latency 0.06 --rate 10 --gain 1.6 --law pbvs --light mixed --blackout 1
 check "stopped by the blackout" "$(value dark stops)" -ge 1
 below "stopped, seconds" 0.7 "$(value dark stopped_s)"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# edgevo run --view: a window that shows the frame with its edges and the map, and obeys its keys; without a display the run goes on.
+# SPDX-License-Identifier: BSD-3-Clause
+# edgevo run --view: a window that shows the frame with its edges and the map, and reacts to its keys; without a display the run continues.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk
 frames=$(ls "$desk/images" | wc -l)
@@ -8,15 +9,15 @@ plain=$scenes/runs/desk
 unset DISPLAY WAYLAND_DISPLAY
 run_code 0 "$edgevo" run "$desk" -o without --view --quiet
 check "lines on stderr" "$(wc -l <stderr)" -eq 1
-grep -q -e '--view: there is no display (DISPLAY is not set); the run goes on without a window' stderr || fail "no word on the display: $(cat stderr)"
+grep -q -e '--view: there is no display (DISPLAY is not set); the run continues without a window' stderr || fail "no message about the display: $(cat stderr)"
 same "trajectory without a display" "$plain/trajectory_tum.txt" without/trajectory_tum.txt
 DISPLAY=:4999
 export DISPLAY
 run_code 0 "$edgevo" run "$desk" -o without --frames 0:10 --view --quiet
-grep -q -e '--view: the display :4999 does not answer; the run goes on' stderr || fail "no word on the display: $(cat stderr)"
+grep -q -e '--view: the display :4999 does not answer; the run continues' stderr || fail "no message about the display: $(cat stderr)"
 
 start_display
-# title: what the window says, as "frame 12 TRACKING, colour: depth (paused)".
+# title: title of the window, as "frame 12 TRACKING, colour: depth (paused)".
 title() { xdotool getwindowname "$window"; }
 press() { xdotool windowfocus "$window" key "$1"; }
 # title_becomes PATTERN: waits until it does.
@@ -34,7 +35,7 @@ case $paused in *TRACKING*paused* | *BOOTSTRAPPING*paused*) ok "paused: $paused"
 before=$(title | sed 's/[^0-9]*\([0-9]*\).*/\1/')
 press s
 title_becomes "*frame $((before + 1)) *"
-# One frame further and no more: it stood still meanwhile.
+# One frame further and no more: it was paused meanwhile.
 check "frame after a step" "$(title | sed 's/[^0-9]*\([0-9]*\).*/\1/')" -eq $((before + 1))
 for step in 2 3 4 5 6 7 8 9; do
   press s
@@ -55,12 +56,12 @@ shows_other_colours() {
   [ "$(compare-im6.q16 -metric AE -fuzz 10% depth.png residual.png null: 2>&1)" -ge 500 ]
 }
 eventually shows_other_colours
-check "pixels that are coloured otherwise" "$(compare-im6.q16 -metric AE -fuzz 10% depth.png residual.png null: 2>&1)" -ge 500
+check "pixels of another colour" "$(compare-im6.q16 -metric AE -fuzz 10% depth.png residual.png null: 2>&1)" -ge 500
 press space
 wait $run
 check "exit code" $? -eq 0
 same "trajectory of the shown run" "$plain/trajectory_tum.txt" shown/trajectory_tum.txt
-check "words" "$(wc -c <said)" -eq 0
+check "output with --quiet" "$(wc -c <said)" -eq 0
 
 # q ends the run: all results up to there.
 "$edgevo" run "$desk" -o ended --view --quiet >said 2>&1 &

@@ -1,6 +1,7 @@
 #!/bin/sh
-# MRPT's windows on the files of a run: RawLogViewer shows the images, makes the path and the point map, SceneViewer3D the scene. What they
-# show is checked in screenshots and in the files that they save. cli_windows.sh EDGEVO SCENES [FOLDER]: keeps the screenshots there.
+# SPDX-License-Identifier: BSD-3-Clause
+# MRPT's viewers on the files of a run: RawLogViewer shows images, path and point map, SceneViewer3D the scene. Screenshots and the files
+# that they save are checked. cli_windows.sh EDGEVO SCENES [FOLDER]: keeps the screenshots in FOLDER.
 shots=${3:+$(cd "$3" && pwd)}
 . "$(dirname "$0")/cli_common.sh"
 street=$scenes/street
@@ -17,7 +18,7 @@ shot() {
   [ -z "$shots" ] || cp "$1.png" "$shots"
 }
 click() { xdotool mousemove "$1" "$2" click 1; }
-# What a click brings is waited for: each of these takes the screenshot that it looks at.
+# The effect of a click takes time: each of these takes its own screenshot.
 is_wide() { [ "$(xdotool getwindowgeometry --shell "$1" | sed -n 's/^WIDTH=//p')" -ge 1200 ]; }
 stands_still() {
   shot "$1" && cp "$1.png" before.png && sleep 0.3 && shot "$1" && cmp -s before.png "$1.png"
@@ -29,7 +30,7 @@ shows_colours() {  # NAME GEOMETRY PIXELS
 is_gone() { ! xdotool search --name "$1" >/dev/null 2>&1; }
 widest_of() { xdotool search --name "$1" | while read -r w; do echo "$(xdotool getwindowgeometry --shell "$w" | sed -n 's/^WIDTH=//p') $w"; done | sort -n | tail -1 | cut -d' ' -f2; }
 
-# ---- RawLogViewer. Places of buttons depend on the fonts: the tip of the day tells whether they are those known here.
+# ---- RawLogViewer. Button positions depend on the fonts: the size of the tip of the day shows whether they are the known ones.
 RawLogViewer playback.rawlog >viewer.log 2>&1 &
 viewer=$!
 window 'Tip of the Day'
@@ -47,7 +48,7 @@ if [ -n "$laid_out_as_known" ]; then
   eventually stands_still rawlogviewer_overview || fail "RawLogViewer never comes to rest"
   # The tree on the left: image 0, pose, odometry, points, image 1, ...
   click 120 191
-  # Its panel shows the second image of the street, scaled to the width, and no other.
+  # Its panel shows the second image of the street, scaled to the width.
   likeness() {
     convert-im6.q16 "playback_Images/frame_00000$1.png" -resize '865x262!' -colorspace Gray wanted.png
     compare-im6.q16 -metric NCC panel.png wanted.png null: 2>&1
@@ -59,7 +60,7 @@ if [ -n "$laid_out_as_known" ]; then
   }
   eventually shows_the_image
   below "1 - correlation of the image in RawLogViewer with the frame's" "$(awk -v c="$(likeness 1)" 'BEGIN { print 1 - c }')" 0.1
-  below "correlation with the frame after it, which is less" "$(likeness 2)" "$(likeness 1)"
+  below "lower correlation with the next frame" "$(likeness 2)" "$(likeness 1)"
   click 120 173
   eventually shows_colours rawlogviewer_points 860x280+405+540 200
   check "points in its 3D view" "$(coloured rawlogviewer_points.png 860x280+405+540)" -ge 200
@@ -67,9 +68,9 @@ if [ -n "$laid_out_as_known" ]; then
   window 'Creation of "raw map'
   click 162 191
   eventually shows_colours rawlogviewer_map 810x120+20+340 300
-  # Save the vehicle path that it made of the odometry, under the name that it proposes.
+  # Save the vehicle path from the odometry, under the proposed name.
   click 509 243
-  # On a busy machine the window is named before its button is there: it is clicked as long as the window stands.
+  # On a busy machine the window has its title before its button: click as long as the window is open.
   path_is_saved() { [ -s GT_path_vehicle.txt ] && [ "$(grep -c . GT_path_vehicle.txt)" -eq "$(poses .)" ]; }
   saves_the_path() {
     ! find_window 'Save path as txt file' || click 1046 798
@@ -83,7 +84,7 @@ if [ -n "$laid_out_as_known" ]; then
     awk '{ for (i = 1; i < 4; ++i) { d = $i - $(i + 3); if (d < 0) d = -d; if (d > most) most = d }; if (NF != 6) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
   check "pixels of the map that it draws" "$(coloured rawlogviewer_map.png 810x120+20+340)" -ge 300
 else
-  echo "SKIPPED, NOT TESTED: RawLogViewer is laid out otherwise here ($tip); it opens the file"
+  echo "SKIPPED, NOT TESTED: RawLogViewer has another layout here ($tip); it opens the file"
 fi
 kill $viewer
 wait $viewer 2>/dev/null

@@ -1,5 +1,6 @@
-# The core without MRPT, ViSP, OctoMap and X11: it configures where they are not installed, and a stranger's program that links
-# edgevo::odometry alone builds, loads none of them and tracks a rendered sequence.
+# SPDX-License-Identifier: BSD-3-Clause
+# The core without MRPT, ViSP, OctoMap and X11: it configures where they are not installed, and an external program that links
+# edgevo::odometry only builds, loads none of them and tracks a rendered sequence.
 # cmake -DROOT=SOURCES -DPREFIX=INSTALLATION -DWORK=... -DSOURCE=... -DSEQUENCE=... -DGENERATOR=... [-DFLAGS=...] -P consumer_core_test.cmake
 set(hidden)
 foreach(package IN ITEMS MRPT mrpt-core mrpt-obs VISP octomap X11)
@@ -17,7 +18,7 @@ function(run result)
   set(${result} "${output}" PARENT_SCOPE)
 endfunction()
 
-# refused(COMPONENT PATTERN): find_package(edgevo) says why it cannot have it.
+# refused(COMPONENT PATTERN): find_package(edgevo) fails with that message.
 function(refused component pattern)
   execute_process(COMMAND ${configure_consumer} -B ${WORK}/refused -DEDGEVO_CONSUMER_COMPONENTS=${component} RESULT_VARIABLE code
     OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -36,11 +37,11 @@ refused(odometri "there is no component odometri; this edgevo has: core ")
 
 run(ignored ${configure_consumer} -B ${WORK}/build)
 run(ignored ${CMAKE_COMMAND} --build ${WORK}/build)
-# Of X11 only what it asks for itself: Debian's OpenCV brings the library along, through OpenGL.
+# For X11, only direct dependencies count: Debian's OpenCV loads the library through OpenGL.
 run(loaded ldd ${WORK}/build/consumer_core)
-run(asked_for objdump -p ${WORK}/build/consumer_core)
+run(direct objdump -p ${WORK}/build/consumer_core)
 string(REGEX MATCHALL "lib(mrpt|visp|octomap|octomath)[^ \n]*" unwanted "${loaded}")
-string(REGEX MATCHALL "NEEDED +lib(X11|mrpt|visp|octo)[^ \n]*" more "${asked_for}")
+string(REGEX MATCHALL "NEEDED +lib(X11|mrpt|visp|octo)[^ \n]*" more "${direct}")
 if(unwanted OR more)
   message(FATAL_ERROR "the odometry brings ${unwanted} ${more}")
 endif()

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the project into a fresh prefix, then configures, builds and runs the consumer against it.
 # cmake -DBUILD=... -DWORK=... -DSOURCE=... -DGENERATOR=... -DLINKS=... [-DFLAGS=...] -P consumer_test.cmake
 function(run)

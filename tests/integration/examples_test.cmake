@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the installed share/examples against the installed package and runs both loops on a rendered sequence.
 # cmake -DPREFIX=... -DWORK=... -DSEQUENCE=... -DGENERATOR=... [-DFLAGS=...] -P examples_test.cmake
 function(run)
@@ -37,7 +38,7 @@ if(poses LESS 40)
   message(FATAL_ERROR "only ${poses} of ${frames} frames have a pose")
 endif()
 
-# And in a folder what `edgevo run` writes.
+# Its folder has the files that `edgevo run` writes.
 run(COMMAND ${PREFIX}/bin/edgevo run ${WORK}/seq.rawlog -o ${WORK}/run --quiet)
 foreach(file IN ITEMS trajectory_tum.txt trajectory_live_tum.txt trajectory_kitti.txt)
   run(COMMAND ${CMAKE_COMMAND} -E compare_files ${WORK}/run/${file} ${WORK}/loop/${file})
@@ -48,7 +49,7 @@ foreach(file IN ITEMS edges.ply edges.bt playback.rawlog report.html summary.yam
   endif()
 endforeach()
 
-# What is no rawlog is told in one line.
+# An invalid rawlog gives a one-line error.
 foreach(source IN ITEMS nothere path.txt)
   execute_process(COMMAND ${WORK}/build/mrpt_loop ${WORK}/${source} ${WORK}/x.txt RESULT_VARIABLE result ERROR_VARIABLE error)
   string(REGEX MATCHALL "\n" lines "${error}")
@@ -58,7 +59,7 @@ foreach(source IN ITEMS nothere path.txt)
   endif()
 endforeach()
 
-# ViSP: taught, steered, and stopped when the images end.
+# ViSP: goal taught, commands sent, and stopped when the images end.
 if(EXISTS ${WORK}/build/visp_loop)
   run(COMMAND ${WORK}/build/visp_loop ${SEQUENCE} 0.4 OUTPUT said)
   expect("${said}" "stop  no image has been processed yet\n")
@@ -67,7 +68,7 @@ if(EXISTS ${WORK}/build/visp_loop)
     expect("${said}" "move +-?[0-9.]+ ")
   endif()
   expect("${said}" "stop  stale: the newest pose is")
-  expect("${said}" "[0-9]+ images worked on")
+  expect("${said}" "[0-9]+ images processed")
   execute_process(COMMAND ${WORK}/build/visp_loop ${WORK}/nowhere RESULT_VARIABLE result ERROR_VARIABLE error)
   if(NOT result EQUAL 2 OR NOT error MATCHES "nowhere")
     message(FATAL_ERROR "a wrong source: code ${result}, '${error}'")

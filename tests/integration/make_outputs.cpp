@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // make_outputs OUT: writes the outputs of a synthetic run, for stock_tools.sh.
 #include <cstdio>
 

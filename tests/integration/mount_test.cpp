@@ -1,4 +1,5 @@
-// A rawlog that says where the camera sits: everything for robots is about the vehicle.
+// SPDX-License-Identifier: BSD-3-Clause
+// A rawlog with the mount of the camera: all outputs for robots refer to the vehicle.
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -30,7 +31,7 @@ SE3 mount() {
   return SE3(turn, {0.9, -0.4, 1.2}) * T_vehicle_cam_forward();
 }
 
-// The rendered desk, seen by a camera that somebody mounted so.
+// The rendered desk, seen by a camera with this mount.
 class MountedDesk : public ImageSource {
  public:
   MountedDesk() {
@@ -49,7 +50,7 @@ class MountedDesk : public ImageSource {
   std::unique_ptr<ImageSource> desk_;
 };
 
-// Poses of the vehicle by frame time, as the observations of a rawlog say.
+// Poses of the vehicle by frame time, from the observations of a rawlog.
 std::map<int64_t, SE3> robot_poses(const std::string& rawlog) {
   std::map<int64_t, SE3> poses;
   RawlogReader reader(rawlog);
@@ -61,7 +62,7 @@ std::map<int64_t, SE3> robot_poses(const std::string& rawlog) {
 
 class Mount : public ::testing::Test {
  protected:
-  // Writes a rawlog, reads it again and runs on it: once for all tests.
+  // Writes a rawlog, reads it and runs on it, once for all tests.
   static void SetUpTestSuite() {
     folder_ = new test::TempFolder();
     truth_ = new std::vector<SE3>();
@@ -147,7 +148,7 @@ TEST_F(Mount, TheTextFileHoldsThemToo) {
     EXPECT_LT((pose.T_world_cam.inverse() * poses.at(pose.time.ticks)).log().norm(), 1e-6);
 }
 
-// The lever arm is in metres: of no use while the unit is not.
+// The lever arm is in metres and is ignored where the unit of the run is arbitrary.
 TEST_F(Mount, WithoutScaleTheRotationOfTheMountCounts) {
   edgevo::Run unscaled = *run_;
   unscaled.scale_source = "none";

@@ -1,4 +1,5 @@
-# What a run writes is read again by the stock tools of MRPT and OctoMap (by our own tests: tests/unit/results).
+# SPDX-License-Identifier: BSD-3-Clause
+# The stock tools of MRPT and OctoMap read the outputs of a run (for our own readers see tests/unit/results).
 add_executable(make_outputs ${CMAKE_CURRENT_LIST_DIR}/make_outputs.cpp)
 target_link_libraries(make_outputs PRIVATE edgevo::results)
 target_include_directories(make_outputs PRIVATE ${PROJECT_SOURCE_DIR}/tests)

@@ -1,4 +1,5 @@
-// The plug-in as MRPT's programs see it: loaded from its file, its classes made by name.
+// SPDX-License-Identifier: BSD-3-Clause
+// The plug-in as MRPT's programs use it: loaded from its file, its classes created by name.
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <mrpt/config/CConfigFileMemory.h>
@@ -64,7 +65,7 @@ class EdgeOctoMap : public Plugin {
     }
     return scan;
   }
-  // What planners get.
+  // The octree that planners read.
   octomap::OcTree saved(const mrpt::maps::CMetricMap& map) const {
     map.saveMetricMapRepresentationToFile(folder_ / "map");
     octomap::OcTree tree(0.1);
@@ -81,7 +82,7 @@ class EdgeOctoMap : public Plugin {
   }
 };
 
-TEST_F(EdgeOctoMap, PointsAreOccupiedAndTheWayToThemIsFree) {
+TEST_F(EdgeOctoMap, PointsAreOccupiedAndRaysToThemAreFree) {
   const auto map = make("resolution = 0.1");
   EXPECT_TRUE(map->isEmpty());
   ASSERT_TRUE(map->insertObservation(scan({{0, 0, 4.05f}})));
@@ -89,12 +90,12 @@ TEST_F(EdgeOctoMap, PointsAreOccupiedAndTheWayToThemIsFree) {
   EXPECT_DOUBLE_EQ(tree.getResolution(), 0.1);
   EXPECT_TRUE(occupied(tree, 0, 0, 4.05));
   EXPECT_TRUE(free(tree, 0, 0, 1.05));
-  EXPECT_TRUE(free(tree, 0, 0, 3.2));     // three sigmas of 5 % before the point the ray ends
+  EXPECT_TRUE(free(tree, 0, 0, 3.2));     // the ray ends three sigmas (5 % each) before the point
   EXPECT_FALSE(tree.search(0, 0, 3.75));  // unknown
   EXPECT_FALSE(tree.search(0.5, 0, 2));
 }
 
-TEST_F(EdgeOctoMap, RobotAndSensorPosesCount) {
+TEST_F(EdgeOctoMap, RobotAndSensorPosesAreApplied) {
   const auto map = make("resolution = 0.1");
   const CPose3D robot(10, 0, 0, M_PI / 2, 0, 0), sensor(1, 0, 2, 0, 0, 0);
   ASSERT_TRUE(map->insertObservation(scan({{3.05f, 0.05f, 0.05f}}, sensor), robot));
@@ -112,7 +113,7 @@ TEST_F(EdgeOctoMap, RobotAndSensorPosesCount) {
 }
 
 // A pole is hosted by one keyframe and crossed by the rays of those after it.
-TEST_F(EdgeOctoMap, RaysToTheWallDoNotEatThePole) {
+TEST_F(EdgeOctoMap, RaysToTheWallDoNotCarveThePole) {
   std::vector<Eigen::Vector3f> pole, wall;
   for (int i = -10; i <= 10; ++i) pole.push_back({0.05f, 0.1f * float(i) + 0.05f, 4.05f});
   for (int i = -30; i <= 30; ++i) wall.push_back({0.05f, 0.1f * float(i) + 0.05f, 8.05f});
@@ -129,7 +130,7 @@ TEST_F(EdgeOctoMap, RaysToTheWallDoNotEatThePole) {
   EXPECT_LT(survivors("protect_scans = 0"), 5);
 }
 
-TEST_F(EdgeOctoMap, ComesBackFromAFileAsItWas) {
+TEST_F(EdgeOctoMap, IsUnchangedBySerialisation) {
   const auto map = make("resolution = 0.2", "max_range = 5");
   map->insertObservation(scan({{0, 0, 4}, {1, 0, 9}}));
   mrpt::io::CMemoryStream memory;
@@ -144,7 +145,7 @@ TEST_F(EdgeOctoMap, ComesBackFromAFileAsItWas) {
   EXPECT_FALSE(b.search(1, 0, 9));  // beyond the range
 }
 
-TEST_F(EdgeOctoMap, RefusesWhatCannotBe) {
+TEST_F(EdgeOctoMap, RefusesInvalidInput) {
   try {
     make("resolution = -1");
     FAIL() << "a negative resolution passed";
@@ -179,7 +180,7 @@ class Sensor : public Plugin {
       writer.write(cv::imread(desk + "images/00000" + std::to_string(i) + ".png"));
     return "grabber_type = ffmpeg\nffmpeg_url = " + video + "\ncalibration_file = " + desk + "camera.txt\n";
   }
-  // Takes what the sensor has, as rawlog-grabber does, up to `times` times.
+  // Polls the sensor as rawlog-grabber does, up to `times` times.
   static std::string reason_of_end(CGenericSensor& sensor, int times) {
     try {
       for (int i = 0; i < times; ++i, sensor.getObservations()) sensor.doProcess();
@@ -198,9 +199,9 @@ class Sensor : public Plugin {
   }
 };
 
-// Without setPathForExternalImages, as a program of one's own would use it: images inside, nothing appended
+// Without setPathForExternalImages, as a user's own program would use it: embedded images, nothing appended
 // to any file.
-TEST_F(Sensor, HandsOutImagePoseAndPoints) {
+TEST_F(Sensor, DeliversImagePoseAndPoints) {
   const auto sensor = load(desk(40) + "sensorLabel = EYE\n");
   sensor->initialize();
   int images = 0, poses = 0, scans = 0;
@@ -236,7 +237,7 @@ TEST_F(Sensor, HandsOutImagePoseAndPoints) {
   EXPECT_GE(points, 200u * size_t(scans));
 }
 
-// CCameraSensor gives nothing at the end of a video, for ever.
+// At the end of a video CCameraSensor returns nothing, forever.
 TEST_F(Sensor, EndsWithItsVideo) {
   const auto sensor = load(video_of_desk(8));
   sensor->initialize();
@@ -252,13 +253,13 @@ TEST_F(Sensor, EndsAtCtrlC) {
   EXPECT_THAT(reason_of_end(*sensor, 2), HasSubstr("[S] interrupted; all 2 frames are in the rawlog"));
 }
 
-TEST_F(Sensor, WaitsAtTheEndIfToldTo) {
+TEST_F(Sensor, WaitsAtTheEndIfConfigured) {
   const auto sensor = load(desk(2) + "at_end = wait\n");
   sensor->initialize();
   EXPECT_EQ(reason_of_end(*sensor, 6), "not ended");
 }
 
-TEST_F(Sensor, SaysInOneLineWhatIsWrong) {
+TEST_F(Sensor, ReportsErrorsInOneLine) {
   const std::string rawlog = desk(2);
   EXPECT_THAT(why_refused(rawlog + "detecter = canny\n"),
               HasSubstr("[S] key 'detecter': unknown; did you mean detector?"));

@@ -1,7 +1,8 @@
 #!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
 # stock_tools.sh OUT_DIR: opens the outputs of an `edgevo run` with the tools of MRPT and OctoMap and compares what they
 # find with frames.csv, trajectory_tum.txt and summary.yaml. Needs the Debian packages mrpt-apps and octomap-tools.
-# Works on a copy; OUT_DIR stays as it is. Prints one line a check; exit code 0 when all hold.
+# Works on a copy; OUT_DIR stays as it is. Prints one line per check; exit code 0 if all pass.
 set -u -o pipefail
 export LC_ALL=C
 
@@ -53,13 +54,13 @@ check "images in the rawlog" "$(observations CAM0)" -eq "$frames"
 check "poses in the rawlog" "$(observations EDGE_VO)" -eq "$poses"
 check "odometry in the rawlog" "$(observations EDGE_VO_ODO)" -eq "$poses"
 check "keyframe scans in the rawlog" "$(observations EDGE_VO_POINTS)" -eq "$keyframes"
-runs list.log rawlog-edit --list-images -i playback.rawlog  # leaves out.txt
+runs list.log rawlog-edit --list-images -i playback.rawlog  # writes out.txt
 check "images that the rawlog names and that are there" "$(images_found)" -eq "$frames"
 runs export.log rawlog-edit --export-txt -i playback.rawlog
 check "exported poses" "$(grep -vc '^%' playback_EDGE_VO.txt)" -eq "$poses"
 check "exported odometry" "$(grep -vc '^%' playback_EDGE_VO_ODO.txt)" -eq "$poses"
 check "exported poses with 28 numbers" "$(grep -v '^%' playback_EDGE_VO.txt | grep -vi nan | awk 'NF == 28' | wc -l)" -eq "$poses"
-# Another frame, the same distance from the first to the last pose (the lever arm of a metric mount would change it).
+# The frame differs, but the distance from the first to the last pose is the same (the lever arm of a metric mount would change it).
 if [ "$(summary metric)" = false ]; then
   distance='function d(a, b) { return sqrt((a[2]-b[2])^2 + (a[3]-b[3])^2 + (a[4]-b[4])^2) }
             /^ *[0-9]/ { n = split($0, last); if (!seen++) split($0, first) } END { print int(1000 * d(first, last) + 0.5) }'
@@ -84,7 +85,7 @@ check "difference of the octree from itself (KLD 0)" "$(grep -c '^KLD: 0$' compa
 runs bt.log bt2vrml edges.bt
 voxels=$(sed -n 's/.*writing \([0-9]*\) voxels.*/\1/p' bt.log)
 check "occupied voxels in edges.bt" "$voxels" -gt 0
-# Boxes may stand for eight, 64, ... voxels each.
+# A box may cover 8, 64, ... voxels.
 check "voxels in the boxes that bt2vrml drew" "$(awk -v s="$(summary voxel_size)" \
   '/geometry Box/ { for (i = 1; i <= NF; i++) if ($i == "size") n += int($(i + 1) / s + 0.5)^3 } END { print n + 0 }' \
   edges.bt.wrl)" -eq "$(summary voxels_occupied)"

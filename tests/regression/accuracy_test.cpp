@@ -1,18 +1,19 @@
-// The whole chain against ground truth. Bounds are to be at most twice the largest figure measured
-// (README.md): another compiler or processor, which is like another seed, passes, and a fault does not. On
-// one kind of machine a run is the same bytes again.
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole odometry against ground truth. A bound is at most twice the largest figure measured (README.md),
+// so that another compiler or processor, which acts like another seed, passes and a fault does not. On one
+// kind of machine a repeated run gives the same bytes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "drive.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
-#include "rendered_clips.h"
+#include "rendered_sequences.h"
+#include "run_figures.h"
 
 namespace edgevo::test {
 namespace {
@@ -20,14 +21,16 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Bounds {
-  double ate_percent;  ///< of the path, after Sim(3)
-  double scale_drift;  ///< |ln| of the local scale
+  /// ATE after Sim(3) alignment, percent of the path length.
+  double ate_percent;
+  /// Largest |ln| of the local scale.
+  double scale_drift;
 };
 
-void expect_within(const DriveFigures& figures, const Bounds& bounds) {
+void expect_within(const RunAccuracy& figures, const Bounds& bounds) {
   EXPECT_LT(figures.ate_percent, bounds.ate_percent);
   EXPECT_LT(figures.scale_drift, bounds.scale_drift);
-  EXPECT_EQ(figures.completion, 1);  // so it was with every seed
+  EXPECT_EQ(figures.completion, 1);  // for every seed so far
   EXPECT_EQ(figures.first_posed, 0);
   for (const FrameRecord& frame : figures.run.frames) {
     EXPECT_EQ(frame.segment, 0) << "frame " << frame.index;
@@ -37,22 +40,22 @@ void expect_within(const DriveFigures& figures, const Bounds& bounds) {
   }
 }
 
-void expect_drive_within(const RenderedDrive& drive, const Bounds& bounds) {
-  for_each_seed(drive.clip, drive.truth,
-                [&](const DriveFigures& figures) { expect_within(figures, bounds); });
+void expect_sequence_within(const RenderedSequence& sequence, const Bounds& bounds) {
+  for_each_seed(sequence.clip, sequence.truth,
+                [&](const RunAccuracy& figures) { expect_within(figures, bounds); });
 }
 
 // The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h). The desk is
 // the worst, whose first map is poor: 1.18, 73 % of the frames inside; the others 0.74 to 0.99, 88 to 95 %.
 void expect_consistent(const Consistency& c) {
-  EXPECT_GE(c.frames, 10);  // on a drive most frames become keyframes
+  EXPECT_GE(c.frames, 10);  // on the street most frames become keyframes
   EXPECT_GT(c.mean_ratio, 0.4);
   EXPECT_LT(c.mean_ratio, 2.5);
   EXPECT_GT(c.inside, 0.65);
 }
 
-void expect_accurate_and_consistent(const RenderedDrive& drive, const Bounds& bounds) {
-  for_each_seed(drive.clip, drive.truth, [&](const DriveFigures& figures) {
+void expect_accurate_and_consistent(const RenderedSequence& sequence, const Bounds& bounds) {
+  for_each_seed(sequence.clip, sequence.truth, [&](const RunAccuracy& figures) {
     expect_within(figures, bounds);
     expect_consistent(figures.consistency);
   });
@@ -60,48 +63,48 @@ void expect_accurate_and_consistent(const RenderedDrive& drive, const Bounds& bo
 
 TEST(RenderedAccuracy, StreetDrive) {
   // Seeds 1 and 2: 0.0061 and 0.0093 %, 0.0012.
-  expect_accurate_and_consistent(part_of(street_drive(), 0, 80), {0.018, 0.0024});
+  expect_accurate_and_consistent(part_of(street_sequence(), 0, 80), {0.018, 0.0024});
 }
 
-// Backing away: nothing leaves the view, and what comes into it is near and new
+// Driving backwards: nothing leaves the view, and what enters it is near and new
 // (share/lab/archive/2026-11-23_backward_motion.md).
 TEST(RenderedAccuracy, StreetDriveBackwards) {
-  expect_drive_within(backward(part_of(street_drive(), 0, 80)),
-                      {0.0225, 0.0035});  // seeds 1 to 5: up to 0.0112 %, 0.00175
+  // Seeds 1 to 5: up to 0.0112 %, 0.00175.
+  expect_sequence_within(backward(part_of(street_sequence(), 0, 80)), {0.0225, 0.0035});
 }
 
 TEST(RenderedAccuracy, HandHeldOverADesk) {
-  expect_accurate_and_consistent(desk_drive(), {0.12, 0.02});  // seeds 1 to 5: up to 0.060 %, 0.0099
+  expect_accurate_and_consistent(desk_sequence(), {0.12, 0.02});  // seeds 1 to 5: up to 0.060 %, 0.0099
 }
 
 TEST(RenderedAccuracy, BoatAlongAShore) {
-  expect_accurate_and_consistent(render_drive(load_scene("lakeshore"), 0, 120), {0.5, 0.06});
+  expect_accurate_and_consistent(render_sequence(load_scene("lakeshore"), 0, 120), {0.5, 0.06});
 }
 
 TEST(RenderedAccuracy, WalkAlongACorridor) {
   // Seed 1: 0.026 %, 0.0022.
-  expect_accurate_and_consistent(part_of(corridor_drive(), 0, 120), {0.051, 0.0044});
+  expect_accurate_and_consistent(part_of(corridor_sequence(), 0, 120), {0.051, 0.0044});
 }
 
-// The vehicle stops and turns by 120 degrees, away from everything that it has seen: the heading is kept, and
-// with it the scale.
-TEST(RenderedAccuracy, TurnOnTheSpot) {
+// The vehicle stops and turns by 120 degrees, away from everything that it has seen: heading and scale are
+// preserved.
+TEST(RenderedAccuracy, PureRotation) {
   constexpr int kBegin = 80, kTurn = 130, kTurned = 232, kEnd = 270;
-  const RenderedDrive drive = render_drive(load_scene("rotation"), kBegin, kEnd);
-  for_each_seed(drive.clip, drive.truth, [&](const DriveFigures& figures) {
+  const RenderedSequence sequence = render_sequence(load_scene("rotation"), kBegin, kEnd);
+  for_each_seed(sequence.clip, sequence.truth, [&](const RunAccuracy& figures) {
     const auto& frames = figures.run.frames;
     EXPECT_EQ(figures.completion, 1);
     for (const FrameRecord& frame : frames) EXPECT_EQ(frame.segment, 0) << "frame " << frame.index;
     const auto found = [&](int i) { return *frames[size_t(i - kBegin)].T_world_cam; };
-    const auto truth = [&](int i) { return drive.truth.poses[size_t(i - kBegin)].T_world_cam; };
+    const auto truth = [&](int i) { return sequence.truth.poses[size_t(i - kBegin)].T_world_cam; };
     const auto turn = [&](const auto& pose_of) { return pose_of(kTurn).inverse() * pose_of(kTurned); };
     const double heading_deg = (turn(found).inverse() * turn(truth)).angle() * 180 / M_PI;
-    // Length of the way before the stop against that after it, as estimated and in truth.
-    const auto way = [&](int a, int b, const auto& pose_of) {
+    // Path length before the stop against that after it, estimated and true.
+    const auto distance = [&](int a, int b, const auto& pose_of) {
       return (pose_of(b).translation() - pose_of(a).translation()).norm();
     };
     const auto ratio = [&](const auto& pose_of) {
-      return way(kTurned, kEnd - 1, pose_of) / way(kBegin + 10, kTurn - 15, pose_of);
+      return distance(kTurned, kEnd - 1, pose_of) / distance(kBegin + 10, kTurn - 15, pose_of);
     };
     const double kept = ratio(found) / ratio(truth);
     std::cout << "[ figures  ] heading off by " << heading_deg << " degrees, length after over before "
@@ -113,28 +116,28 @@ TEST(RenderedAccuracy, TurnOnTheSpot) {
 }
 
 // The same images in other light.
-RenderedDrive relit(const RenderedDrive& drive, const Relight& relight) {
-  RelitSource source(std::make_unique<ClipSource>(drive.clip), relight);
-  return {read_clip(source, [](int) { return true; }), drive.truth};
+RenderedSequence relit(const RenderedSequence& sequence, const Relight& relight) {
+  RelitSource source(std::make_unique<ClipSource>(sequence.clip), relight);
+  return {read_clip(source, [](int) { return true; }), sequence.truth};
 }
 
-// Where all edges run along the motion, glare and shadows outvote the few points that tell how far the camera
-// has gone (share/lab/archive/2026-11-23_motion_outliers.md): without what is told there 14 to 18 % of the
-// path, seeds 1 and 2; with it 0.2 to 0.4 %.
+// Where all edges run along the motion, glare and shadows outvote the few points that constrain the distance
+// travelled. Without the measures of share/lab/archive/2026-11-23_motion_outliers.md the ATE is 14 to 18 % of
+// the path, seeds 1 and 2; with them 0.2 to 0.4 %.
 TEST(RenderedAccuracy, ACorridorInBadLight) {
-  expect_drive_within(part_of(relit(corridor_drive(), Relight("mixed", 5)), 60, 200),
-                      {0.8, 0.06});  // seed 1: 0.24 %, 0.030
+  // Seed 1: 0.24 %, 0.030.
+  expect_sequence_within(part_of(relit(corridor_sequence(), Relight("mixed", 5)), 60, 200), {0.8, 0.06});
 }
 
-// A recorder leaves frames out, up to six in a row, and only the times tell (frame_clock.h). Looked for one
-// usual step further on the camera is lost at the gaps: 6.9 % of the path; with the clock 0.02 %.
+// A recorder drops frames, up to six in a row, which only the times show (frame_clock.h). With a prediction
+// by a single median step, the camera is lost at the gaps: 6.9 % of the path; with the clock 0.02 %.
 TEST(RenderedAccuracy, AStreetWithFramesMissing) {
   // Seed 1: 0.036 %, 0.0030.
-  expect_drive_within({with_gaps(*street_drive().clip, 1), street_drive().truth}, {0.071, 0.006});
+  expect_sequence_within({with_gaps(*street_sequence().clip, 1), street_sequence().truth}, {0.071, 0.006});
 }
 
-// Black but for an ellipse over 84 % of the width and 96 % of the height: what a lens lights of a sensor, or
-// an undistortion fills of an image.
+// Black except for an ellipse over 84 % of the width and 96 % of the height: the part of the sensor that a
+// lens illuminates, or the part of an image that undistortion fills.
 std::shared_ptr<const Clip> through_round_lens(Clip clip) {
   for (Frame& frame : clip.frames) {
     const double w = frame.image.width, h = frame.image.height;
@@ -149,7 +152,8 @@ std::shared_ptr<const Clip> through_round_lens(Clip clip) {
 // The outline of the border mask is no edge of the scene (edges/src/border_mask.h).
 TEST(RenderedAccuracy, AStreetThroughARoundLens) {
   // Seeds 1 to 5: up to 0.041 %, 0.0027.
-  expect_drive_within({through_round_lens(*street_drive().clip), street_drive().truth}, {0.082, 0.0054});
+  expect_sequence_within({through_round_lens(*street_sequence().clip), street_sequence().truth},
+                         {0.082, 0.0054});
 }
 
 // Through a bend of 26 degrees between two frames. Edges alone lose it (two to three segments, ATE 5 % of the
@@ -159,27 +163,27 @@ TEST(RenderedAccuracy, ABendAtGreatSpeed) {
   SourceOptions some;
   some.first = 210, some.last = 306, some.every = 8;
   const auto source = subsample(std::make_unique<RenderedSource>(renderer), some);
-  expect_drive_within({read_clip(*source, [](int) { return true; }), truth_of(renderer->scene(), 210, 306)},
-                      {0.8, 0.2});
+  expect_sequence_within(
+      {read_clip(*source, [](int) { return true; }), truth_of(renderer->scene(), 210, 306)}, {0.8, 0.2});
 }
 
-// What the camera file does not know is found: tests/integration/cli_calibrate.sh.
+// That a distortion missing in the camera file is found, tests/integration/cli_calibrate.sh checks.
 TEST(SelfCalibration, LeavesAnExactCameraAlone) {
-  const RenderedDrive street = part_of(street_drive(), 0, 80);
+  const RenderedSequence street = part_of(street_sequence(), 0, 80);
   ClipSource source(street.clip);
-  const CameraRefinement camera = drive(source).camera;
+  const CameraRefinement camera = run_source(source).camera;
   EXPECT_NE(camera.state, CameraRefinement::State::kApplied);
   EXPECT_EQ(camera.k1, 0);
   EXPECT_NE(camera.shutter.state, CameraRefinement::State::kApplied);
   EXPECT_EQ(camera.shutter.readout_s, 0);
 }
 
-// Rows taken one after the other, as nearly all webcams and telephones do it, and as no file says.
+// A rolling shutter, as nearly all webcams and phones have, which no calibration file describes.
 TEST(SelfCalibration, FindsTheRollingShutterOfAHandHeldCamera) {
   Scene scene = load_scene("desk");
   scene.shutter.rolling_s = 0.02;
-  const RenderedDrive drive = render_drive(scene, 0, 170);
-  for_each_seed(drive.clip, drive.truth, [](const DriveFigures& figures) {
+  const RenderedSequence sequence = render_sequence(scene, 0, 170);
+  for_each_seed(sequence.clip, sequence.truth, [](const RunAccuracy& figures) {
     const CameraRefinement::Shutter& shutter = figures.run.camera.shutter;
     std::cout << "[ figures  ] read-out " << shutter.readout_s << " s, +- " << shutter.sigma << std::endl;
     EXPECT_EQ(shutter.state, CameraRefinement::State::kApplied);
@@ -189,7 +193,7 @@ TEST(SelfCalibration, FindsTheRollingShutterOfAHandHeldCamera) {
   });
 }
 
-// A real sequence lies in EDGEVO_DATA_DIR or it is not tested.
+// Real sequences in EDGEVO_DATA_DIR; skipped where they are missing.
 class RealAccuracy : public ::testing::Test {
  protected:
   static void expect_sequence(const std::string& name, int frames, int every, const Bounds& bounds) {
@@ -204,9 +208,9 @@ class RealAccuracy : public ::testing::Test {
     options.last = frames;
     options.every = every;
     const auto source = open_source(options);
-    expect_drive_within({read_clip(*source, [](int) { return true; }),
-                         read_trajectory((folder / "groundtruth_tum.txt").string())},
-                        bounds);
+    expect_sequence_within({read_clip(*source, [](int) { return true; }),
+                            read_trajectory((folder / "groundtruth_tum.txt").string())},
+                           bounds);
   }
 };
 

@@ -1,18 +1,19 @@
-// Completeness and accuracy of the lines of edges against a rendered scene, for tables:
-//   edge_map_figures SCENE SEED [KIND OF LIGHT | -] [frames=N] [why=1] [picture=KEYFRAME:FILE]
+// SPDX-License-Identifier: BSD-3-Clause
+// Completeness and accuracy of the edge lines against a rendered scene, for tables:
+//   edge_map_figures SCENE SEED [LIGHT | -] [frames=N] [why=1] [picture=KEYFRAME:FILE]
 //                    [GROUP.KEY=VALUE...]
-// `why`: the map is made again from the final poses, with the reasons for which true edges are missing;
-// `picture`: of them in one keyframe.
+// `why` rebuilds the map from the final poses and prints why true edges are missing; `picture` draws them in
+// one keyframe.
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 
-#include "drive.h"
 #include "edge_replay.h"
 #include "edgevo/core/error.h"
 #include "figures_request.h"
 #include "missing_edges.h"
+#include "run_figures.h"
 #include "true_edges.h"
 
 namespace edgevo::test {
@@ -49,9 +50,9 @@ double edge_map_ms(const Run& run) {
   return ms / double(run.frames.size());
 }
 
-void tell_why(const Request& request, const KeepingSource& source, const Run& run, const TrueEdges& truth) {
+void print_why(const Request& request, const KeepingSource& source, const Run& run, const TrueEdges& truth) {
   const EdgeReplay replay = replay_edges(source, run, request.params);
-  std::cout << "made again: " << truth.judge(replay.run) << "; " << replay.cpu_ms / double(run.frames.size())
+  std::cout << "rebuilt: " << truth.evaluate(replay.run) << "; " << replay.cpu_ms / double(run.frames.size())
             << " CPU ms a frame\n";
   for (const auto& [loss, share] : missing_edges(truth, replay))
     std::cout << "  " << std::fixed << std::setprecision(1) << std::setw(5) << 100 * share << " %  "
@@ -66,15 +67,15 @@ int figures(const std::vector<std::string>& args) {
   const Request request = parse(args);
   const auto renderer = std::make_shared<SceneRenderer>(load_scene(request.scene, request.seed));
   KeepingSource source(images_of(request, renderer));
-  const DriveFigures drive_figures =
-      measure(drive(source, request.params, request.seed), truth_of(renderer->scene(), 0, renderer->size()));
-  const Run& run = drive_figures.run;
+  const RunAccuracy run_figures = measure(run_source(source, request.params, request.seed),
+                                          truth_of(renderer->scene(), 0, renderer->size()));
+  const Run& run = run_figures.run;
   const bool is_desk = request.scene == "desk";
   const TrueEdges truth(*renderer, run, is_desk ? 2 : 20, is_desk ? 0.005 : 0.1);
-  std::cout << request.scene << ' ' << request.seed << ' ' << request.light << ": " << truth.judge(run)
-            << "; ATE " << drive_figures.evaluation.ate_sim3.rmse << " m, edge map " << edge_map_ms(run)
+  std::cout << request.scene << ' ' << request.seed << ' ' << request.light << ": " << truth.evaluate(run)
+            << "; ATE " << run_figures.evaluation.ate_sim3.rmse << " m, edge map " << edge_map_ms(run)
             << " CPU ms a frame" << std::endl;
-  if (request.why) tell_why(request, source, run, truth);
+  if (request.why) print_why(request, source, run, truth);
   return 0;
 }
 

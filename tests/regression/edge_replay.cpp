@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_replay.h"
 
 #include <ctime>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kWindow = 12;  // keyframes whose brightness is compared
 
-// The points of keyframe `k` with their places in its neighbours, by which brightness is compared.
+// The points of keyframe `k` with their projections into its neighbours, where brightness is compared.
 std::vector<MapPoint> points_of(const Run& run, size_t k) {
   const KeyframeRecord& host = run.keyframes[k];
   std::vector<MapPoint> points;

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The edge map of a run made again from its final poses, keyframe by keyframe, with the trace of every edge
-// pixel: which gate it did not pass.
+// The edge map of a run, rebuilt from its final poses keyframe by keyframe, with a trace of each edge pixel:
+// at which stage it was rejected.
 #include <map>
 #include <memory>
 #include <vector>
@@ -13,7 +14,7 @@
 
 namespace edgevo::test {
 
-/// Plays a source and keeps its images.
+/// Wraps a source and keeps its images.
 class KeepingSource : public ImageSource {
  public:
   explicit KeepingSource(std::unique_ptr<ImageSource> source) : source_(std::move(source)) {}
@@ -30,13 +31,18 @@ class KeepingSource : public ImageSource {
 };
 
 struct EdgeReplay {
-  Run run;                                                    ///< with the lines of the replay
-  EdgeTrace trace;                                            ///< by index into Run::keyframes
-  std::vector<std::shared_ptr<const FramePyramid>> pyramids;  ///< of each keyframe
-  double cpu_ms = 0;                                          ///< of the edge map, all of it
+  /// The run with the rebuilt lines.
+  Run run;
+  /// Traces of the edge pixels by index into Run::keyframes.
+  EdgeTrace trace;
+  /// Image pyramid of each keyframe.
+  std::vector<std::shared_ptr<const FramePyramid>> pyramids;
+  /// CPU time of the whole edge map, milliseconds.
+  double cpu_ms = 0;
 };
 
-/// Poses and points differ a little from those that the run had when a keyframe left the window.
+/// Rebuilds the edge map of `run`. Poses and points differ slightly from those at the time when a keyframe
+/// was marginalised.
 EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params);
 
 }  // namespace edgevo::test

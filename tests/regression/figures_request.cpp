@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "figures_request.h"
 
 #include <algorithm>

@@ -1,19 +1,20 @@
-// A drive through the rendered street in metres, and its map against the true surfaces. Bounds leave room to
-// what was measured (share/lab/archive/2026-11-22_metric_map.md).
+// SPDX-License-Identifier: BSD-3-Clause
+// A metric run through the rendered street and its map against the true surfaces. The bounds leave a margin
+// to the measured figures (share/lab/archive/2026-11-22_metric_map.md).
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 
 #include <filesystem>
 
 #include "edgevo/datasets/open_source.h"
-#include "street_drive.h"
+#include "street_run.h"
 #include "thin_obstacles.h"
 #include "true_scene.h"
 
 namespace edgevo::test {
 namespace {
 
-class MetricMap : public StreetDrive {};
+class MetricMap : public StreetRun {};
 
 TEST_F(MetricMap, LengthFromTheHeightOfTheCamera) {
   const double ratio = length_ratio(in_metres("camera_height=1.65", {}));
@@ -27,9 +28,9 @@ TEST_F(MetricMap, LengthFromOdometryWithTwoPercentOfNoise) {
   EXPECT_NEAR(ratio, 1, 0.01);
 }
 
-// Voxels where edges are: on surfaces. Voxels said to be free: nothing there.
+// Occupied voxels lie on surfaces; free voxels do not lie behind one.
 TEST_F(MetricMap, VoxelsAgainstTheTrueSurfaces) {
-  const MapQuality quality = truth_->judge(map_->tree(), *metric_run_, map_params());
+  const MapQuality quality = truth_->evaluate(map_->tree(), *metric_run_, map_params());
   std::cout << "[ figures  ] " << quality << std::endl;
   EXPECT_GE(quality.occupied_on_surface, 0.95);
   EXPECT_LE(quality.free_behind_surface, 0.001);
@@ -43,7 +44,7 @@ TEST_F(MetricMap, VoxelsAgainstTheTrueSurfaces) {
 // Lamps and posts of signs, 5 to 15 cm thick: a planner needs the whole column.
 TEST_F(MetricMap, PolesAreColumns) {
   const std::vector<ThinObstacle> obstacles = thin_obstacles(*renderer_->scene().world);
-  const ThinFigures thin = judge_thin(obstacles, *truth_, map_->tree(), 20);
+  const ThinFigures thin = evaluate_thin(obstacles, *truth_, map_->tree(), 20);
   std::cout << "[ figures  ] " << thin << std::endl;
   EXPECT_GE(thin.upright, 5);
   EXPECT_GE(thin.occupied_length, 0.6 * thin.length);
@@ -56,13 +57,12 @@ TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
   options.last = 160;  // 120 m
   if (!std::filesystem::is_directory(options.path))
     GTEST_SKIP() << "NOT TESTED: there is no " << options.path << "; configure with -DEDGEVO_DATA_DIR=DIR";
-  edgevo::Run run = drive(*open_source(options));
+  edgevo::Run run = run_source(*open_source(options));
   const ScaleSource requested = parse_scale_source("camera_height=1.65");
   const RunScale scale = estimate_run_scale(run, requested, {}, ScaleParams());
   ASSERT_EQ(scale.problem, "");
   make_metric(scale, {}, requested, &run);
-  const DriveFigures figures =
-      measure(std::move(run), read_trajectory(options.path + "/groundtruth_tum.txt"));
+  const RunAccuracy figures = measure(std::move(run), read_trajectory(options.path + "/groundtruth_tum.txt"));
   const TrajectoryEvaluation& e = figures.evaluation;
   double length = 0;
   const Trajectory estimate = trajectory_of(figures.run);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "missing_edges.h"
 
 #include <algorithm>
@@ -25,13 +26,13 @@ int shown_by(const TruePixel& t, const PyramidLevel& level) {
   return is_near && std::abs(e.normal().dot(t.normal)) >= kMinCosine ? j : -1;
 }
 
-// Vertices stand every step_px: what became of the nearest on the chain.
-TracedPixel trace_near(int j, const EdgeMap& edges, const std::vector<TracedPixel>& trace) {
+// Vertices are placed every step_px: the trace of the nearest one along the chain.
+TracedPixel trace_near(int j, const ImageEdges& edges, const std::vector<TracedPixel>& trace) {
   constexpr int kReach = 5;
   TracedPixel best = trace[size_t(j)];
   for (int step = -1; step <= 1; step += 2)
     for (int i = edges.neighbour(j, step), n = 1; i >= 0 && n <= kReach; i = edges.neighbour(i, step), ++n)
-      if (trace[size_t(i)].fate > best.fate) best = trace[size_t(i)];
+      if (trace[size_t(i)].stage > best.stage) best = trace[size_t(i)];
   return best;
 }
 
@@ -41,13 +42,13 @@ EdgeLoss loss_of(const TrueEdges& truth, const EdgeReplay& replay, size_t k, con
   const auto trace = replay.trace.find(int(k));
   if (j < 0 || trace == replay.trace.end()) return {};
   const TracedPixel traced = trace_near(j, level.edges, trace->second);
-  const bool is_found = traced.fate >= EdgeFate::kFound;
-  if (!(traced.idepth > 0)) return {Loss::kGate, traced.fate};
+  const bool is_found = traced.stage >= EdgeStage::kFound;
+  if (!(traced.idepth > 0)) return {Loss::kGate, traced.stage};
   const double z = truth.scale() / traced.idepth;
   const Eigen::Vector3d p = z * replay.run.pinhole.ray(t.px.cast<double>());
-  if ((p - t.p_cam).norm() > truth.tolerance()) return {is_found ? Loss::kOff : Loss::kGate, traced.fate};
-  if (!is_found) return {Loss::kDoubted, traced.fate};
-  return {traced.fate == EdgeFate::kKept ? Loss::kPose : Loss::kFusion, traced.fate};
+  if ((p - t.p_cam).norm() > truth.tolerance()) return {is_found ? Loss::kOff : Loss::kGate, traced.stage};
+  if (!is_found) return {Loss::kDoubted, traced.stage};
+  return {traced.stage == EdgeStage::kKept ? Loss::kPose : Loss::kFusion, traced.stage};
 }
 
 Losses losses_of(const TrueEdges& truth, const EdgeReplay& replay) {
@@ -59,7 +60,7 @@ Losses losses_of(const TrueEdges& truth, const EdgeReplay& replay) {
       EdgeLoss& loss = losses[t.cell];
       if (loss.loss == Loss::kThere) continue;
       if (truth.is_reconstructed(t.cell, lines))
-        loss = {Loss::kThere, EdgeFate::kKept};
+        loss = {Loss::kThere, EdgeStage::kKept};
       else
         loss = std::max(loss, loss_of(truth, replay, k, t));
     }
@@ -81,9 +82,9 @@ cv::Vec3b colour_of(const EdgeLoss& l) {  // blue, green, red
     default:
       break;
   }
-  if (l.fate == EdgeFate::kAlongMotion || l.fate == EdgeFate::kNoMotion) return {255, 120, 40};
-  if (l.fate == EdgeFate::kUncertain) return {255, 255, 0};
-  if (l.fate == EdgeFate::kFewViews || l.fate == EdgeFate::kNoSupport) return {255, 0, 255};
+  if (l.stage == EdgeStage::kAlongMotion || l.stage == EdgeStage::kNoMotion) return {255, 120, 40};
+  if (l.stage == EdgeStage::kUncertain) return {255, 255, 0};
+  if (l.stage == EdgeStage::kFewViews || l.stage == EdgeStage::kNoSupport) return {255, 0, 255};
   return {0, 140, 255};
 }
 
@@ -93,8 +94,8 @@ std::string to_string(const EdgeLoss& l) {
   static const std::vector<std::string> words{"no edge pixel", "no depth: ",       "right, but doubted: ",
                                               "wrong depth, ", "lost in fusion: ", "pose, ",
                                               "there"};
-  const bool has_fate = l.loss != Loss::kDetector && l.loss != Loss::kThere;
-  return words[size_t(l.loss)] + (has_fate ? to_string(l.fate) : "");
+  const bool has_stage = l.loss != Loss::kDetector && l.loss != Loss::kThere;
+  return words[size_t(l.loss)] + (has_stage ? to_string(l.stage) : "");
 }
 
 std::vector<std::pair<EdgeLoss, double>> missing_edges(const TrueEdges& truth, const EdgeReplay& replay) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Why true edges are missing in a map of lines: the furthest gate that one of their pixels reached in any
+// Why true edges are missing in a map of lines: the last stage that one of their pixels reached in any
 // keyframe.
 #include <array>
 #include <ostream>
@@ -10,28 +11,36 @@
 
 namespace edgevo::test {
 
-/// In the order in which a pixel passes them; of several pixels of an edge the furthest counts.
+/// Reason for which a true edge is missing, in the order of the pipeline; of several pixels of an edge, the
+/// one that got furthest counts.
 enum class Loss {
-  kDetector,  ///< no edge pixel of its direction within two pixels
-  kGate,      ///< an edge pixel without depth: which gate, EdgeFate tells
-  kDoubted,   ///< an uncertain depth that is right
-  kOff,       ///< a depth that is wrong by more than the tolerance
-  kFusion,    ///< a depth that is right, and no line in the end
-  kPose,      ///< a line that is right in its keyframe's frame, not in the scene
-  kThere,     ///< not missing
+  /// The detector found no edge pixel of this direction within two pixels.
+  kDetector,
+  /// The edge pixel got no depth; EdgeStage is the stage that rejected it.
+  kGate,
+  /// The depth was right but rejected as uncertain.
+  kDoubted,
+  /// The depth was wrong by more than the tolerance.
+  kOff,
+  /// The depth was right, but fusion made no line of it.
+  kFusion,
+  /// The line was right in the frame of its keyframe, but not in the scene.
+  kPose,
+  /// The edge is in the map.
+  kThere,
 };
 
 struct EdgeLoss {
   Loss loss = Loss::kDetector;
-  EdgeFate fate = EdgeFate::kNotTried;
-  bool operator<(const EdgeLoss& o) const { return loss != o.loss ? loss < o.loss : fate < o.fate; }
+  EdgeStage stage = EdgeStage::kNotTried;
+  bool operator<(const EdgeLoss& o) const { return loss != o.loss ? loss < o.loss : stage < o.stage; }
 };
 std::string to_string(const EdgeLoss& loss);
 
-/// By reason, cells of true edges that three keyframes saw; shares of all such cells.
+/// Shares of the cells of true edges that at least three keyframes saw, by reason.
 std::vector<std::pair<EdgeLoss, double>> missing_edges(const TrueEdges& truth, const EdgeReplay& replay);
 
-/// Writes the image of keyframe `k`, dark, with its true edges: green where they are in the map, else
+/// Writes the darkened image of keyframe `k` with its true edges: green where they are in the map, else
 /// coloured by reason. Throws InputError where the file cannot be written.
 void draw_missing_edges(const TrueEdges& truth, const EdgeReplay& replay, int k, const std::string& path);
 

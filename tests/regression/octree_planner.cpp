@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "octree_planner.h"
 
 #include <fcl/geometry/octree/octree.h>
@@ -55,7 +56,8 @@ double BallInOctree::share_free(const Eigen::Vector3d& p) const {
   return double(free) / double(std::max(1, all));
 }
 
-std::optional<Eigen::Vector3d> BallInOctree::free_place_near(const Eigen::Vector3d& p, double reach) const {
+std::optional<Eigen::Vector3d> BallInOctree::free_position_near(const Eigen::Vector3d& p,
+                                                                double reach) const {
   for (double radius = 0; radius < reach; radius += 0.1)
     for (int i = 0; i < 16; ++i) {
       const Eigen::Vector3d q =
@@ -68,7 +70,7 @@ std::optional<Eigen::Vector3d> BallInOctree::free_place_near(const Eigen::Vector
 void seed_planner(unsigned seed) { ompl::RNG::setSeed(seed); }
 
 std::vector<Eigen::Vector3d> plan_3d(const BallInOctree& map, const Eigen::Vector3d& start,
-                                     const Eigen::Vector3d& goal, int most_steps) {
+                                     const Eigen::Vector3d& goal, int max_steps) {
   namespace ob = ompl::base;
   ompl::msg::setLogLevel(ompl::msg::LOG_ERROR);
   const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
@@ -90,7 +92,7 @@ std::vector<Eigen::Vector3d> plan_3d(const BallInOctree& map, const Eigen::Vecto
   setup.setStartAndGoalStates(from, to);
   setup.setPlanner(std::make_shared<ompl::geometric::RRTConnect>(setup.getSpaceInformation()));
   int steps = 0;
-  const ob::PlannerTerminationCondition enough([&] { return ++steps > most_steps; });
+  const ob::PlannerTerminationCondition enough([&] { return ++steps > max_steps; });
   std::vector<Eigen::Vector3d> path;
   if (setup.solve(ob::plannerOrTerminationCondition(enough, ob::timedPlannerTerminationCondition(60.0))) !=
       ob::PlannerStatus::EXACT_SOLUTION)

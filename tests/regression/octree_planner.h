@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A ball that a stock planner leads through the octree of a run: OMPL's RRT-Connect, with FCL for collisions.
+// Planning for a ball through the octree of a run: OMPL's RRT-Connect, with FCL for collision checks.
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
@@ -12,30 +13,32 @@ class OcTree;
 
 namespace edgevo::test {
 
-/// A ball may be where nothing occupied touches it, and where its middle was seen to be free: unknown is no
-/// way.
+/// Collision checks of a ball in an octree. A position is free where no occupied voxel touches the ball and
+/// its centre was observed to be free; unknown space counts as blocked.
 class BallInOctree {
  public:
   BallInOctree(const std::string& bt, double radius);
   ~BallInOctree();
 
+  /// Whether the ball can be at `p`.
   bool is_free(const Eigen::Vector3d& p) const;
-  /// Share of the voxels with their middle in the ball that were seen to be free.
+  /// Share of the voxels with their centre in the ball that were observed to be free, 0 to 1.
   double share_free(const Eigen::Vector3d& p) const;
-  /// The free place nearest to `p` at its height, at most `reach` away: the camera passed there, but a voxel
-  /// right at it may not have been crossed by a ray.
-  std::optional<Eigen::Vector3d> free_place_near(const Eigen::Vector3d& p, double reach) const;
+  /// The free position nearest to `p` at the same height, at most `reach` metres away. The camera passed
+  /// there, but perhaps no ray crossed the voxel at the camera itself.
+  std::optional<Eigen::Vector3d> free_position_near(const Eigen::Vector3d& p, double reach) const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// Lets every planner that follows sample alike. Once, before the first.
+/// Seeds the sampling of all planners; call it once, before the first plan.
 void seed_planner(unsigned seed);
 
-/// Empty: none found in 60 s or `most_steps` of the planner.
+/// Path of the ball from `start` to `goal`; empty where none was found within 60 s or `max_steps` iterations
+/// of the planner.
 std::vector<Eigen::Vector3d> plan_3d(const BallInOctree& map, const Eigen::Vector3d& start,
-                                     const Eigen::Vector3d& goal, int most_steps = 1000000);
+                                     const Eigen::Vector3d& goal, int max_steps = 1000000);
 
 }  // namespace edgevo::test

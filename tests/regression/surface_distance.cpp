@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "surface_distance.h"
 
 #include <Eigen/Geometry>
@@ -7,8 +8,8 @@
 namespace edgevo::test {
 namespace {
 
-constexpr double kGrain = 0.05;  // metres: squares of a cut-out that are looked at
-constexpr int kSomeOfIt = 32;    // mean alpha of a square of which an eighth exists: single leaves
+constexpr double kGrain = 0.05;   // metres: side of the squares of a cut-out that are tested
+constexpr int kOpaqueAlpha = 32;  // mean alpha of a square with an eighth of it opaque: single leaves
 
 bool is_near_ball(const Surface& s, const Eigen::Vector3d& p, double limit) {
   const Eigen::Vector3d middle = s.origin + 0.5 * (s.side_u + s.side_v);
@@ -36,7 +37,7 @@ bool exists(const Texture& texture, double u, double v, double texel_m, double s
   const TextureLevel& t = texture.levels[level];
   const int x = std::clamp(int(std::floor(u * t.width)), 0, t.width - 1),
             y = std::clamp(int(std::floor(v * t.height)), 0, t.height - 1);
-  return t.alpha[size_t(y) * size_t(t.width) + size_t(x)] >= kSomeOfIt;
+  return t.alpha[size_t(y) * size_t(t.width) + size_t(x)] >= kOpaqueAlpha;
 }
 
 // The nearest square of kGrain that exists, of those within `limit`.

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a place is from what exists of a scene's surfaces: leaves and cars are cut out of theirs.
+// Distance of a position from the surfaces of a scene. Leaves and cars are cut-outs: only the opaque part of
+// their surface exists.
 #include "edgevo/simulation/world.h"
 
 namespace edgevo::test {
 
-/// Metres from `p` to the part of a rectangle, or its half, that exists; of cut-outs to the middles of
-/// squares of 5 cm. `limit`: not nearer than that.
+/// Distance in metres from `p` to the existing part of a surface (a rectangle or triangle); for cut-outs, to
+/// the centres of opaque squares of 5 cm. Returns `limit` where the surface is farther away.
 double distance_to(const World& world, const Surface& s, const Eigen::Vector3d& p, double limit);
 
 }  // namespace edgevo::test

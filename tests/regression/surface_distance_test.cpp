@@ -1,4 +1,5 @@
-// The judge of planned ways against the renderer: what can be seen exists, and what is cut out does not.
+// SPDX-License-Identifier: BSD-3-Clause
+// The distance to surfaces against the renderer: what is visible exists, and what is cut out does not.
 #include "surface_distance.h"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,13 @@ double distance_to_any(const World& world, const Eigen::Vector3d& p, double limi
   return least;
 }
 
-TEST(SurfaceDistance, WhatIsRenderedExists) {
+TEST(SurfaceDistance, VisibleSurfacesExist) {
   const SceneRenderer renderer(load_scene("street"));
   const Pinhole& pinhole = renderer.camera().pinhole;
   constexpr int kEvery = 97;          // pixels: no divisor of a row
-  constexpr double kNearby = 30;      // metres: a pixel is narrower than the squares that are looked at
+  constexpr double kNearby = 30;      // metres: a pixel is narrower than the squares that are tested
   constexpr double kTolerance = 0.1;  // metres: a square of 5 cm and its neighbour
-  int looked_at = 0;
+  int tested = 0;
   for (const int frame : {0, 40, 80}) {
     const std::vector<float> depth = renderer.render_depth(frame);
     for (size_t pixel = 0; pixel < depth.size(); pixel += kEvery) {
@@ -33,14 +34,14 @@ TEST(SurfaceDistance, WhatIsRenderedExists) {
       const Eigen::Vector3d p = renderer.scene().T_scene_cam[size_t(frame)] * (z * pinhole.ray(px));
       ASSERT_LT(distance_to_any(*renderer.scene().world, p, 1), kTolerance)
           << px.transpose() << ", " << z << " m";
-      ++looked_at;
+      ++tested;
     }
   }
-  EXPECT_GT(looked_at, 5000);
+  EXPECT_GT(tested, 5000);
 }
 
 // The corners of crowns and the air over the bonnets of cars.
-TEST(SurfaceDistance, WhatIsCutOutDoesNot) {
+TEST(SurfaceDistance, CutOutPartsDoNotExist) {
   const SceneRenderer renderer(load_scene("street"));
   const World& world = *renderer.scene().world;
   int crowns = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "thin_obstacles.h"
 
 #include <algorithm>
@@ -12,13 +13,13 @@ namespace {
 constexpr double kMinThick = 0.05, kMaxThick = 0.15, kMinLength = 0.5;
 constexpr double kParallel = 0.995;   // cosine between the axes of two faces of one bar
 constexpr double kMinSeen = 0.5;      // metres of a bar
-constexpr double kFree = 0.3;         // metres from the middle of its axis to any other surface
+constexpr double kFree = 0.3;         // metres from the middle of the axis to any other surface
 constexpr double kStep = 0.05;        // metres along a bar
 constexpr double kEnoughShare = 0.8;  // of its seen length
 constexpr int kKeyframes = 3;
-constexpr double kInFront = 0.2;  // metres before the axis that are the bar itself
+constexpr double kInFront = 0.2;  // metres in front of the axis that belong to the bar itself
 
-// A narrow face: its middle line.
+// Centre line of a narrow face.
 struct Strip {
   Eigen::Vector3d begin, end, across;
   Eigen::Vector3d direction() const { return (end - begin).normalized(); }
@@ -33,7 +34,7 @@ std::optional<Strip> strip_of(const Surface& s) {
   return Strip{begin, begin + along, across};
 }
 
-// Two faces of one bar: parallel, beside each other over most of their length.
+// Whether two faces belong to one bar: parallel and side by side over most of their length.
 bool is_same_bar(const Strip& a, const Strip& b) {
   const Eigen::Vector3d d = a.direction();
   if (std::abs(d.dot(b.direction())) < kParallel) return false;
@@ -121,8 +122,8 @@ std::ostream& operator<<(std::ostream& out, const ThinFigures& f) {
              << " of " << f.upright << "; " << f.occupied_length << " of " << f.length << " m occupied";
 }
 
-ThinFigures judge_thin(const std::vector<ThinObstacle>& obstacles, const TrueScene& truth,
-                       const octomap::OcTree& tree, double range) {
+ThinFigures evaluate_thin(const std::vector<ThinObstacle>& obstacles, const TrueScene& truth,
+                          const octomap::OcTree& tree, double range) {
   ThinFigures figures;
   for (const ThinObstacle& o : obstacles) {
     const double length = (o.end - o.begin).norm();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "true_edges.h"
 
 #include <Eigen/Geometry>
@@ -22,8 +23,8 @@ Eigen::Matrix4d fit(const Points& from, const Points& to, bool with_scale) {
   return Eigen::umeyama(a, b, with_scale);
 }
 
-// Lays the path of the run onto the true one: scale, then motion. A straight way leaves the roll open; a
-// second point a metre above each camera ties it.
+// Lays the path of the run onto the true one: scale, then motion. A straight path leaves the roll
+// undetermined; a second point a metre above each camera fixes it.
 void fit_path(const Scene& scene, const Run& run, double* scale, SE3* T_scene_run) {
   Points from, to;
   for (const FrameRecord& f : run.frames) {
@@ -94,7 +95,7 @@ bool TrueEdges::is_counted(const Cell& cell) const { return seen_.at(cell).keyfr
 TrueEdges::Cells TrueEdges::cells_of_lines(const Run& run) const {
   Cells lines;
   EdgeMapQuality quality;
-  judge_lines(run, &lines, &quality);
+  evaluate_lines(run, &lines, &quality);
   return lines;
 }
 
@@ -119,7 +120,7 @@ void TrueEdges::add(const Eigen::Vector3d& p, Cells* cells) const {
   s.sum += p, ++s.pixels;
 }
 
-void TrueEdges::judge_points(const Run& run, Cells* points, EdgeMapQuality* q) const {
+void TrueEdges::evaluate_points(const Run& run, Cells* points, EdgeMapQuality* q) const {
   const PointFilter filter;
   int64_t kept = 0, good = 0;
   for (const KeyframeRecord& k : run.keyframes)
@@ -133,7 +134,7 @@ void TrueEdges::judge_points(const Run& run, Cells* points, EdgeMapQuality* q) c
   q->points_accuracy = share_of(good, kept);
 }
 
-void TrueEdges::judge_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const {
+void TrueEdges::evaluate_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const {
   double good = 0;
   for (const KeyframeRecord& k : run.keyframes)
     for (const EdgeLine& line : k.lines) {
@@ -153,12 +154,12 @@ void TrueEdges::judge_lines(const Run& run, Cells* lines, EdgeMapQuality* q) con
   q->accuracy = q->length > 0 ? good / q->length : 0;
 }
 
-EdgeMapQuality TrueEdges::judge(const Run& run) const {
+EdgeMapQuality TrueEdges::evaluate(const Run& run) const {
   EdgeMapQuality q;
   q.keyframes = int64_t(run.keyframes.size());
   Cells lines, points;
-  judge_points(run, &points, &q);
-  judge_lines(run, &lines, &q);
+  evaluate_points(run, &points, &q);
+  evaluate_lines(run, &lines, &q);
   int64_t by_lines = 0, by_points = 0, by_both = 0;
   for (const auto& [cell, seen] : seen_) {
     if (!is_counted(cell)) continue;

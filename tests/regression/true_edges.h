@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The edges that the keyframes of a run saw, at their true place in a rendered scene, as the judge of its
-// map.
+// The edges that the keyframes of a run saw, at their true positions in a rendered scene, as ground truth for
+// its map.
 //
 // A true edge is an edge pixel of the clean rendered image of a keyframe (whatever light the run had) at its
 // true depth: creases, outlines, borders of texture and of shadow, and whatever else looks like an edge.
@@ -16,20 +17,27 @@
 namespace edgevo::test {
 
 struct EdgeMapQuality {
-  double completeness = 0;  ///< share of the true edges, seen by three keyframes, that are reconstructed
-  double accuracy = 0;      ///< share of the reconstructed length that lies at a true edge
-  double points_completeness = 0, points_accuracy = 0;  ///< the same of the sparse points alone
+  /// Share of the true edges, seen by three keyframes, that are reconstructed.
+  double completeness = 0;
+  /// Share of the reconstructed length that lies at a true edge.
+  double accuracy = 0;
+  /// Completeness and accuracy of the sparse points alone.
+  double points_completeness = 0, points_accuracy = 0;
+  /// Completeness of lines and points together.
   double both_completeness = 0;
-  int64_t true_cells = 0;  ///< cubes of half the tolerance with true edges
-  double length = 0;       ///< metres of reconstructed edges within range
+  /// Number of cubes with true edges; their side is half the tolerance.
+  int64_t true_cells = 0;
+  /// Length of the reconstructed edges within range, metres.
+  double length = 0;
   int64_t vertices = 0, lines = 0, keyframes = 0;
 };
 std::ostream& operator<<(std::ostream& out, const EdgeMapQuality& quality);
 
-/// A pixel of an edge of a clean image of a keyframe.
+/// An edge pixel in the clean image of a keyframe.
 struct TruePixel {
   Eigen::Vector2f px, normal;
-  Eigen::Vector3d p_cam;  ///< metres
+  /// True position in the camera frame, metres.
+  Eigen::Vector3d p_cam;
   std::array<int, 3> cell;
 };
 
@@ -40,13 +48,16 @@ class TrueEdges {
   /// `range`: metres from the camera; `tolerance`: metres between a reconstructed edge and a true one.
   TrueEdges(const SceneRenderer& renderer, const Run& run, double range, double tolerance);
 
-  EdgeMapQuality judge(const Run& run) const;
+  /// Compares the lines and points of `run` with the true edges.
+  EdgeMapQuality evaluate(const Run& run) const;
 
-  double scale() const { return scale_; }          ///< metres per unit of the run
-  double tolerance() const { return tolerance_; }  ///< metres
-  /// Of each keyframe, within range.
+  /// Metres per unit of the run.
+  double scale() const { return scale_; }
+  /// Largest distance between a reconstructed edge and a true one, metres.
+  double tolerance() const { return tolerance_; }
+  /// True edge pixels of each keyframe, within range.
   const std::vector<std::vector<TruePixel>>& pixels() const { return pixels_; }
-  /// Three keyframes saw it.
+  /// Whether at least three keyframes saw the cell.
   bool is_counted(const Cell& cell) const;
 
  private:
@@ -63,9 +74,9 @@ class TrueEdges {
   using Cells = std::unordered_map<Cell, Seen, CellHash>;
 
  public:
-  /// The cells that lines of a run fill, for is_reconstructed().
+  /// Cells that the lines of a run pass through, for is_reconstructed().
   Cells cells_of_lines(const Run& run) const;
-  /// A line passes a true cell within the tolerance.
+  /// Whether a line passes within the tolerance of a true cell.
   bool is_reconstructed(const Cell& cell, const Cells& lines) const {
     return has_near(lines, seen_.at(cell).mean());
   }
@@ -76,13 +87,15 @@ class TrueEdges {
   bool has_near(const Cells& cells, const Eigen::Vector3d& p) const;
   Eigen::Vector3d in_scene(const KeyframeRecord& k, const Eigen::Vector3d& p_cam) const;
   void add(const Eigen::Vector3d& p, Cells* cells) const;
-  void judge_points(const Run& run, Cells* points, EdgeMapQuality* q) const;
-  void judge_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const;
+  void evaluate_points(const Run& run, Cells* points, EdgeMapQuality* q) const;
+  void evaluate_lines(const Run& run, Cells* lines, EdgeMapQuality* q) const;
 
   const SceneRenderer* renderer_;
   double range_, tolerance_;
-  double scale_ = 1;  ///< metres per unit of the run
-  SE3 T_scene_run_;   ///< after the scale
+  /// Metres per unit of the run.
+  double scale_ = 1;
+  /// Pose of the run in the scene, applied after the scale.
+  SE3 T_scene_run_;
   Cells seen_;
   std::vector<std::vector<TruePixel>> pixels_;
 };

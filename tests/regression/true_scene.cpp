@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "true_scene.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +13,7 @@
 
 namespace edgevo::test {
 
-/// The edge pixels whose true place lies in one voxel.
+/// The edge pixels whose true positions lie in one voxel.
 struct EdgeCell {
   std::map<size_t, int> pixels;  // of each keyframe
   int all = 0;
@@ -25,13 +26,14 @@ struct EdgeCell {
   bool is_well_observed() const {
     return std::count_if(pixels.begin(), pixels.end(), [](const auto& p) { return p.second >= 5; }) >= 5;
   }
-  /// By twelve degrees or more: a motion along an edge does not tell its depth.
+  /// Whether the edges cross the motion by twelve degrees or more: motion along an edge does not determine
+  /// its depth.
   bool crosses_the_motion() const { return across >= 0.2 * all; }
 };
 
 namespace {
 
-constexpr int kEveryFree = 7;  // of the free voxels is looked at: there are hundreds of thousands
+constexpr int kEveryFree = 7;  // every n-th free voxel is tested: there are hundreds of thousands
 
 double share(int64_t part, int64_t all) { return double(part) / double(std::max<int64_t>(1, all)); }
 
@@ -75,7 +77,7 @@ TrueScene::TrueScene(const SceneRenderer& renderer, const Run& run) : renderer_(
     map.push_back((T_map * *f.T_world_cam).translation());
     scene.push_back(renderer.scene().T_scene_cam[size_t(f.index)].translation());
   }
-  // A straight way leaves the roll open; a second point a metre above each camera ties it.
+  // A straight path leaves the roll undetermined; a second point a metre above each camera fixes it.
   for (const FrameRecord& f : run.frames) {
     if (!f.T_world_cam) continue;
     const Eigen::Vector3d up(0, -1, 0);
@@ -99,13 +101,14 @@ double TrueScene::distance(const Eigen::Vector3d& p_map, double limit) const {
   return least;
 }
 
-TrueScene::Nearest TrueScene::nearest(const std::vector<Eigen::Vector3d>& way) const {
+TrueScene::Nearest TrueScene::nearest(const std::vector<Eigen::Vector3d>& path) const {
   const World& world = *renderer_->scene().world;
   Nearest nearest;
-  for (size_t i = 1; i < way.size(); ++i) {
-    const int steps = 1 + int((way[i] - way[i - 1]).norm() / 0.05);
+  for (size_t i = 1; i < path.size(); ++i) {
+    const int steps = 1 + int((path[i] - path[i - 1]).norm() / 0.05);
     for (int k = 0; k <= steps; ++k) {
-      const Eigen::Vector3d p_map = way[i - 1] + (way[i] - way[i - 1]) * k / steps, p = T_scene_map_ * p_map;
+      const Eigen::Vector3d p_map = path[i - 1] + (path[i] - path[i - 1]) * k / steps,
+                            p = T_scene_map_ * p_map;
       for (const Surface& s : world.surfaces) {
         const double d = distance_to(world, s, p, nearest.distance);
         if (d < nearest.distance) nearest = {d, p_map, &s};
@@ -130,7 +133,7 @@ int TrueScene::keyframes_that_see(const Eigen::Vector3d& p_scene, double range, 
   return seen;
 }
 
-// Some keyframe sees the point, or nothing nearer than it by more than the tolerance.
+// Whether some keyframe sees the point, with no surface nearer than it by more than the tolerance.
 bool TrueScene::is_seen_through(const Eigen::Vector3d& p_scene, double tolerance) const {
   const Pinhole& pinhole = renderer_->camera().pinhole;
   for (const View& view : views_) {
@@ -149,7 +152,7 @@ bool TrueScene::is_seen_through(const Eigen::Vector3d& p_scene, double tolerance
 }
 
 bool TrueScene::is_any_part_seen_through(const Eigen::Vector3d& centre_map, double voxel) const {
-  constexpr double kTolerance = 0.05;  // of the path: its rotation errors times the depth
+  constexpr double kTolerance = 0.05;  // metres: rotation errors of the path times the depth
   for (int corner = -1; corner < 8; ++corner) {
     const Eigen::Vector3d sides(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
     const Eigen::Vector3d p_map = corner < 0 ? centre_map : Eigen::Vector3d(centre_map + 0.5 * voxel * sides);
@@ -158,37 +161,37 @@ bool TrueScene::is_any_part_seen_through(const Eigen::Vector3d& centre_map, doub
   return false;
 }
 
-MapQuality TrueScene::judge(const octomap::OcTree& tree, const Run& run,
-                            const OccupancyParams& params) const {
+MapQuality TrueScene::evaluate(const octomap::OcTree& tree, const Run& run,
+                               const OccupancyParams& params) const {
   MapQuality quality;
-  judge_voxels(tree, &quality);
-  judge_points(tree, run, params, &quality);
-  judge_edges(tree, run, params, &quality);
+  evaluate_voxels(tree, &quality);
+  evaluate_points(tree, run, params, &quality);
+  evaluate_edges(tree, run, params, &quality);
   return quality;
 }
 
-void TrueScene::judge_voxels(const octomap::OcTree& tree, MapQuality* quality) const {
+void TrueScene::evaluate_voxels(const octomap::OcTree& tree, MapQuality* quality) const {
   const double voxel = tree.getResolution(), half_diagonal = 0.5 * std::sqrt(3.0) * voxel;
   octomap::OcTree voxels(tree);
   voxels.expand();
-  int64_t on_surface = 0, behind = 0, looked_at = 0;
+  int64_t on_surface = 0, behind = 0, tested = 0;
   for (auto leaf = voxels.begin_leafs(), end = voxels.end_leafs(); leaf != end; ++leaf) {
     const Eigen::Vector3d p = centre(voxels, leaf.getKey());
     if (voxels.isNodeOccupied(*leaf)) {
       ++quality->occupied;
-      on_surface +=
-          distance(p, 2 * voxel) <= voxel + half_diagonal;  // some point of the voxel is within one voxel
+      // Some point of the voxel is within one voxel.
+      on_surface += distance(p, 2 * voxel) <= voxel + half_diagonal;
     } else if (++quality->free % kEveryFree == 0) {
       behind += !is_any_part_seen_through(p, voxel);
-      ++looked_at;
+      ++tested;
     }
   }
   quality->occupied_on_surface = share(on_surface, quality->occupied);
-  quality->free_behind_surface = share(behind, looked_at);
+  quality->free_behind_surface = share(behind, tested);
 }
 
-void TrueScene::judge_points(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
-                             MapQuality* quality) const {
+void TrueScene::evaluate_points(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
+                                MapQuality* quality) const {
   const SE3 T_map = T_map_world(run);
   int64_t points = 0, kept = 0;
   for (const KeyframeRecord& k : run.keyframes)
@@ -203,8 +206,8 @@ void TrueScene::judge_points(const octomap::OcTree& tree, const Run& run, const 
 
 // True edges: edge pixels of the keyframes at their true depth. Well observed: five pixels in each of five
 // keyframes within half the range.
-void TrueScene::judge_edges(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
-                            MapQuality* quality) const {
+void TrueScene::evaluate_edges(const octomap::OcTree& tree, const Run& run, const OccupancyParams& params,
+                               MapQuality* quality) const {
   const double voxel = tree.getResolution();
   std::map<std::array<int, 3>, EdgeCell> cells;
   PyramidBuilder builder(renderer_->camera(), EdgeParams());

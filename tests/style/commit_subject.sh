@@ -1,10 +1,12 @@
 #!/bin/sh
-# Is the subject of a commit message of the form "area: imperative subject", at most 72 characters, with an empty line after it?
+# SPDX-License-Identifier: BSD-3-Clause
+# Checks that the subject of a commit message has the form "area: imperative subject", at most 72 characters, and is followed by an empty
+# line.
 #
-#   tests/style/commit_subject.sh FILE      the message as git hands it to the hook commit-msg
-#   tests/style/commit_subject.sh --check   tries the check itself
+#   tests/style/commit_subject.sh FILE      the message, as git passes it to a commit-msg script
+#   tests/style/commit_subject.sh --check   tests the check itself
 #
-# Messages that git writes itself (merges, reverts, fixup! and squash!) pass. Exit codes: 0 yes; 1 no, and why.
+# Messages that git writes itself (merges, reverts, fixup! and squash!) pass. Exit codes: 0 valid; 1 not valid, with the reason.
 set -eu
 
 complain() {
@@ -13,8 +15,8 @@ complain() {
   return 1
 }
 
-# judge FILE
-judge() {
+# check_message FILE
+check_message() {
   subject=$(grep -v '^#' "$1" | sed -n 1p)
   second=$(grep -v '^#' "$1" | sed -n 2p)
   length=$(printf '%s' "$subject" | LC_ALL=C.UTF-8 wc -m)
@@ -31,19 +33,19 @@ check_itself() {
   long=$(printf 'mapping: %064d' 0)
   for good in 'mapping: drop a point that no keyframe matches' 'edges, alignment: name the level' 'Revert "doc: x"' "${long%0}"; do
     printf '%s\n\nWhy.\n' "$good" >"$work/message"
-    judge "$work/message" || { echo "FAILED: refused: $good"; exit 1; }
+    check_message "$work/message" || { echo "FAILED: refused: $good"; exit 1; }
   done
   for bad in 'Rules: words' 'mapping:drop' 'no area' 'doc: say so.' "$long"; do
     printf '%s\n' "$bad" >"$work/message"
-    judge "$work/message" 2>"$work/complaint" && { echo "FAILED: let through: $bad"; exit 1; }
+    check_message "$work/message" 2>"$work/complaint" && { echo "FAILED: accepted: $bad"; exit 1; }
   done
   printf 'doc: say so\nand more\n' >"$work/message"
-  judge "$work/message" 2>"$work/complaint" && { echo "FAILED: let through: no empty line"; exit 1; }
+  check_message "$work/message" 2>"$work/complaint" && { echo "FAILED: accepted: no empty line"; exit 1; }
   echo "good subjects pass, bad ones do not"
 }
 
 case "${1:-}" in
   --check) check_itself ;;
   "") echo "usage: tests/style/commit_subject.sh FILE" >&2; exit 2 ;;
-  *) judge "$1" ;;
+  *) check_message "$1" ;;
 esac

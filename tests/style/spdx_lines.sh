@@ -1,8 +1,9 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Each source file names its licence in its first line (the second, after "#!").
 #
-#   tests/style/spdx_lines.sh           names the files that do not, exit code 1
-#   tests/style/spdx_lines.sh --files   lists what is looked at
+#   tests/style/spdx_lines.sh           lists the files that do not, exit code 1
+#   tests/style/spdx_lines.sh --files   lists the files that are checked
 #
 # All sources are under this licence, those that link ViSP (GPL) as well: see the note in LICENSE.
 set -eu
@@ -20,6 +21,6 @@ files | xargs awk -v licence="$licence" '
   FNR == due && ($0 == "// " licence || $0 == "# " licence) { named[file] = 1 }
   END {
     for (i = 1; i < ARGC; ++i)
-      if (!(ARGV[i] in named)) { print ARGV[i] ": its first line is to be: " licence " (as a comment)"; bad = 1 }
+      if (!(ARGV[i] in named)) { print ARGV[i] ": the first line must be: " licence " (as a comment)"; bad = 1 }
     exit bad
   }'

@@ -1,10 +1,11 @@
 #!/bin/sh
-# Every header that share/doc/api.md calls stable exists, and examples, tutorials and the consumer of the tests include no other.
+# SPDX-License-Identifier: BSD-3-Clause
+# Every header listed as stable in share/doc/api.md exists; examples, tutorials and the consumer test include no others.
 set -eu
 cd "$(dirname "$0")/../.."
 page=share/doc/api.md
-stable=$(sed -n 's/^| `\(edgevo\/[a-z0-9_/]*\.h\)` .*/\1/p' "$page")
-[ -n "$stable" ] || { echo "$page: no header in its table" >&2; exit 1; }
+stable=$(sed -n 's/^- `\(edgevo\/[a-z0-9_/]*\.h\)`.*/\1/p' "$page")
+[ -n "$stable" ] || { echo "$page: no header in its list" >&2; exit 1; }
 status=0
 for header in $stable; do
   [ -e modules/*/include/"$header" ] || { echo "$page: $header: no such header"; status=1; }

@@ -1,17 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Words of this project's youth do not come back: tests/style/words.txt names each with the term to use instead.
+# Keeps home-made terms out of the project: tests/style/words.txt lists each with the term to use instead.
 #
-#   tests/style/words.sh           looks through sources, tests and pages; lists what it finds, exit code 1
-#   tests/style/words.sh FILE...   looks through these files only
-#   tests/style/words.sh --check   tries the check itself on planted words
+#   tests/style/words.sh           checks sources, tests and pages; lists what it finds, exit code 1
+#   tests/style/words.sh FILE...   checks these files only
+#   tests/style/words.sh --check   tests the check itself on planted words
 set -eu
 here=$(cd "$(dirname "$0")/../.." && pwd)
 list=$here/tests/style/words.txt
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# What is looked through. Not: the archive of the lab book and the changelog, which tell what was.
+# The files to check. The archive of the lab book and the changelog are exempt: they describe the past.
 files() {
   (cd "$here" && find README.md CONTRIBUTING.md CMakeLists.txt app modules tests params datasets share -type f \
     \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' -o -name '*.txt' \
@@ -46,6 +46,6 @@ END
 
 if [ "${1:-}" = --check ]; then check_itself; exit; fi
 cd "$here"
-if [ $# -gt 0 ]; then find_words "$@" >"$work/found"; else files | xargs sh -c '"$0" "$@"' "$0" >"$work/found" || true; fi
+if [ $# -gt 0 ]; then find_words "$@" >"$work/found"; else files | xargs tests/style/words.sh >"$work/found" || true; fi
 cat "$work/found"
 if [ -s "$work/found" ]; then exit 1; fi

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Synthetic windows for the tests and the benchmark of bundle adjustment: a camera that drives forward past
+// Synthetic windows for the tests and the benchmark of bundle adjustment: a camera moving forward past
 // random points.
 #include <cmath>
 #include <numeric>
@@ -13,13 +14,17 @@ namespace edgevo::test {
 struct SceneOptions {
   int poses = 7;
   int points = 300;
-  double observed_share = 0.7;  ///< of the other poses that see a point
-  double share_2d = 0.5;        ///< of the observations that also measure along the edge
+  /// Share of the other poses that see a point.
+  double observed_share = 0.7;
+  /// Share of the observations that also measure along the edge.
+  double share_2d = 0.5;
   double noise_px = 0;
-  double outlier_share = 0;  ///< of the observations, off by up to 30 px
+  /// Share of the observations that are off by up to 30 px.
+  double outlier_share = 0;
   int fixed_poses = 2;
   double fixed_point_share = 0;
-  int corners = 0;  ///< seen in each two neighbouring poses, without noise
+  /// Number of corners seen in each pair of neighbouring poses, without noise.
+  int corners = 0;
   uint64_t seed = 1;
 };
 
@@ -66,7 +71,7 @@ inline BaCornerPair observe_corner(const BaProblem& p, int from, int to, Random*
   return {from, to, ray, x / x.z(), random->uniform(1, 3)};
 }
 
-/// The problem at its true poses and depths; perturb() moves it away.
+/// A problem at its true poses and depths; perturb() moves it away from them.
 inline BaProblem make_scene(const SceneOptions& o) {
   Random random(o.seed);
   BaProblem p;
@@ -117,7 +122,7 @@ inline double depth_difference(const BaProblem& a, const BaProblem& b) {
   return largest;
 }
 
-/// Runs to the minimum as far as doubles go.
+/// Options for a solve down to the minimum, within the precision of doubles.
 inline BaOptions to_the_end() {
   BaOptions options;
   options.max_iterations = 100;

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The inside of a convex hollow with a solid texture, seen by a pinhole camera: exact images and exact depth
-// without a renderer, and, unlike a plane, no degenerate case for the essential matrix.
+// The inside of a convex room with a solid texture, seen by a pinhole camera: exact images and exact depth
+// without a renderer and, unlike a plane, no degenerate case for the essential matrix.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -14,9 +15,9 @@
 
 namespace edgevo::test {
 
-/// Sum of waves through space, saturating so that it gives edges and not only shading.
+/// Sum of waves in space, saturating so that it gives edges and not only shading.
 class SolidTexture {
-  // A wave of period 1, a sine to 0.1 %: two parabolas, bent once more. Rendering is most of the time of many
+  // A wave of period 1, a sine to 0.1 % by two corrected parabolas: rendering takes most of the time of many
   // tests.
   static double wave(double turns) {
     const double x = turns - double(int64_t(turns + (turns > 0 ? 0.5 : -0.5)));  // -0.5 ... 0.5
@@ -46,8 +47,8 @@ class SolidTexture {
   Wave waves_[12];
 };
 
-/// World: the axes of a camera that stands in the middle and looks at the far wall, 7 away; the others
-/// stand 3.5 to the left and right, 2.5 below and above, all slanted outwards.
+/// World frame: the axes of a camera in the middle that looks at the far wall, 7 away; the other walls
+/// are 3.5 to the left and right and 2.5 below and above, all slanted outwards.
 class HollowScene {
  public:
   /// `shortest` and `longest` are the wave lengths of the texture.

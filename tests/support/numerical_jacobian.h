@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The derivative of a function by differences, for the tests of analytic ones.
+// Numerical derivatives of functions, to test analytic ones.
 #include <Eigen/Core>
 #include <type_traits>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A textured, slanted plane seen by a pinhole camera: exact images and exact depth for tests, without a
 // renderer.

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Matchers for poses and Jacobians that say in their failures how far off, and where:
+// Matchers for poses and Jacobians whose failure messages show the size and position of the error:
 //
 //   EXPECT_THAT(T_cur_ref, SE3Near(truth, 0.01, 0.001));
 //   EXPECT_THAT(jacobian, JacobianNear(numerical_jacobian<6>(residual), 1e-6));
@@ -13,7 +14,7 @@
 
 namespace edgevo {
 
-/// What a failed test prints of a pose.
+/// Prints a pose in failure messages.
 inline void PrintTo(const SE3& T, std::ostream* out) {
   const Eigen::Quaterniond& q = T.rotation();
   *out << "translation (" << T.translation().transpose() << "), quaternion xyzw (" << q.coeffs().transpose()

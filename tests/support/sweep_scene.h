@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the tests of window and mapper share: keyframes and a bootstrap with exact poses and depths in the
-// hollow scene.
+// Keyframes and a bootstrap with exact poses and depths in the hollow scene, for the tests of window and
+// mapper.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -15,7 +16,7 @@
 
 namespace edgevo::test {
 
-/// The hollow scene along the sweep; pyramids are made once and shared by all tests of a program.
+/// The hollow scene along the sweep; pyramids are built once and shared by all tests of a program.
 class Sweep {
  public:
   static const HollowScene& scene() {
@@ -34,7 +35,7 @@ class Sweep {
 };
 
 /// Keyframe `id` at frame `frame` with its true pose; its immature points have the true inverse depth times
-/// (1 + depth_noise * normal), a deviation to match and three good measurements.
+/// (1 + depth_noise * normal), a matching sigma and three good measurements.
 inline Keyframe true_keyframe(int id, int frame, double depth_noise, Random* random) {
   Keyframe k;
   k.id = id;

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A run as the odometry would leave it, made without any odometry: a camera that drives along a corridor of
-// edges, with a lost stretch and hence two segments. For the tests of what is written.
+// A synthetic run, made without odometry: a camera moving along a corridor of edges, with a lost interval and
+// hence two segments. For the tests of outputs.
 #include <cmath>
 #include <vector>
 

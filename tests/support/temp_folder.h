@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A place to write to that no other test, run or user shares. Never write to a fixed name in the common
-// temporary folder: ctest runs every test as a process of its own, several at a time, and what another user
-// left there cannot be overwritten.
+// A folder that no other test, run or user shares. Never write to a fixed name in the common
+// temporary folder: ctest runs every test as a process of its own, several at a time, and files
+// of another user there cannot be overwritten.
 #include <unistd.h>
 
 #include <cerrno>
@@ -13,7 +14,7 @@
 
 namespace edgevo::test {
 
-/// A new empty folder that goes away with its owner.
+/// A new empty folder, removed by the destructor.
 class TempFolder {
  public:
   TempFolder() {
@@ -34,7 +35,7 @@ class TempFolder {
 
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   std::string path() const { return path_.string(); }
-  /// Writes a file of the folder; returns its path.
+  /// Writes a file into the folder and returns its path.
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name) << text;
     return *this / name;

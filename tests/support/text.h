@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a written file holds, in pieces.
+// Contents of a file, whole and in pieces.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -8,7 +9,7 @@
 
 namespace edgevo::test {
 
-/// All of a file; empty if it is not there.
+/// Contents of a file; empty if it does not exist.
 inline std::string content(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::stringstream text;
@@ -23,7 +24,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Of a row of a table whose cells hold no comma.
+/// Cells of a CSV row whose cells contain no comma.
 inline std::vector<std::string> cells_of(const std::string& row) {
   std::vector<std::string> cells(1);
   for (char c : row)

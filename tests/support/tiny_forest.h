@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A structured forest of two trees that calls a pixel an edge where the gradient there is strong: what
-// detectors and the checks of models are tested with.
+// A structured forest of two trees that marks pixels with a strong gradient as edges, to test detectors and
+// the checks of models.
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -8,8 +9,8 @@
 
 namespace edgevo::test {
 
-/// Each tree: a root that asks the normalised gradient magnitude in the middle of the patch, a leaf without
-/// edges, and one whose middle pixel is an edge.
+/// Each tree has a root that tests the normalised gradient magnitude at the centre of the patch, a leaf
+/// without edges, and a leaf whose centre pixel is an edge.
 inline ForestModel tiny_forest() {
   ForestModel m;
   ForestOptions& o = m.options;
@@ -40,7 +41,7 @@ void append_rows(const char* name, const std::vector<std::vector<T>>& rows, std:
   }
 }
 
-/// The model's file, as OpenCV reads it.
+/// The model file, as OpenCV reads it.
 inline std::string forest_text(const ForestModel& m) {
   const ForestOptions& o = m.options;
   std::string text = "%YAML:1.0\n---\noptions:\n";

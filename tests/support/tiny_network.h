@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A network in ONNX, written byte by byte: probability = sigmoid(8 |gradient| - 3) of the gray levels divided
-// by 255. So that no test needs a model, or a program that makes one.
+// by 255. With it no test needs a model file or a program that makes one.
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace edgevo::test {
 
-/// A message in the wire format of protocol buffers: fields of a number and a whole number, or bytes.
+/// A message in the wire format of protocol buffers, with fields that are integers or bytes.
 class Message {
  public:
   Message& whole(int field, uint64_t value) {
@@ -60,7 +61,7 @@ inline std::string node(const std::string& type, const std::vector<std::string>&
   return m.str();
 }
 
-/// An image of one channel; sides of 0 are free.
+/// An image with one channel; a side of 0 is variable.
 inline std::string image_value(const std::string& name, int height, int width) {
   Message shape;
   for (const int side : {1, 1, height, width})
@@ -69,7 +70,7 @@ inline std::string image_value(const std::string& name, int height, int width) {
   return Message().bytes(1, name).bytes(2, type).str();
 }
 
-/// `stride` 2 makes one that gives half the size. Input "image", output "edges".
+/// The network, with input "image" and output "edges"; with `stride` 2 the output has half the size.
 inline std::string tiny_network(int stride = 1, int height = 0, int width = 0) {
   std::vector<float> kernels;
   for (const float sign : {1.0f, -1.0f}) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A tangent of SE(3) from its six numbers.
+// A tangent vector of SE(3) from its six numbers.
 #include "edgevo/core/se3.h"
 
 namespace edgevo::test {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Waiting for other threads without a fixed sleep: for a condition, with a deadline that only a fault
+// Waiting for a condition on other threads instead of a fixed sleep, with a deadline that only a fault
 // reaches.
 #include <chrono>
 #include <filesystem>
@@ -8,14 +9,13 @@
 
 namespace edgevo::test {
 
-/// Returns when `holds()` does; false after a minute without.
+/// Waits until `holds()` returns true; returns false after a minute.
 template <class Condition>
 bool wait_until(const Condition& holds) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!holds()) {
     if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::sleep_for(
-        std::chrono::milliseconds(1));  // leaves the processor to the thread waited for
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // yields the processor to the other thread
   }
   return true;
 }

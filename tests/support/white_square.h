@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The plainest scene: one white square, 4 m before the camera.
+// The simplest scene: one white square, 4 m in front of the camera.
 #include <memory>
 
 #include "edgevo/simulation/scene.h"
 
 namespace edgevo::test {
 
-/// Gray 200 before gray 20, seen by a camera at the origin that looks along x; one frame.
+/// A square of gray 200 on a background of gray 20, seen by a camera at the origin that looks along x; one
+/// frame.
 inline Scene white_square(const Camera& camera) {
   auto world = std::make_shared<World>();
   world->textures.push_back(make_texture({1, 1, {200}}));

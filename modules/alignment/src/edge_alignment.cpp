@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/edge_alignment.h"
 
 #include <Eigen/Cholesky>
@@ -12,27 +13,28 @@
 namespace edgevo {
 namespace {
 
-// Levenberg-Marquardt. The damping is relative to the diagonal of the information, and goes up and down
-// tenfold.
+// Levenberg-Marquardt. The damping is relative to the diagonal of the information and changes by factors of
+// ten.
 constexpr double kFirstDamping = 1e-4;  // the start is nearly right
-constexpr double kLeastDamping = 1e-6;  // below it a step is Gauss-Newton's
-// At least, after a step that did not help: less would propose the same again.
+constexpr double kLeastDamping = 1e-6;  // below it a step is a Gauss-Newton step
+// Minimum after a rejected step: less would propose almost the same step again.
 constexpr double kRefusedDamping = 1e-2;
-// A step is then a thousandth of the undamped one: there is no way down.
+// A step is then a thousandth of the undamped one: there is no descent.
 constexpr double kMostDamping = 1e3;
-// px^-2, on the information, so that it can be solved where no edge fixes a direction.
+// px^-2, added to the information, so that the system is solvable if no edge constrains a direction.
 constexpr double kRidge = 1e-9;
-constexpr double kLeastTurnPx = 1e-3;  // a refused step that turns the image by less is the last
-// A step of the coarse start that moves points by less is the last: the edges follow.
+// The iteration stops at a rejected step that rotates the image by less.
+constexpr double kLeastTurnPx = 1e-3;
+// The patch alignment stops at a step that moves points by less, since the edge alignment follows.
 constexpr double kPatchStepPx = 0.02;
-constexpr int kPatchIterations = 12;   // of the coarse start, on each level
+constexpr int kPatchIterations = 12;   // on each level
 constexpr int kEdgeIterations = 15;    // on each level
-constexpr double kEdgeStepPx = 0.005;  // the same of edges, on each level; edges repeat to some 0.05 px
-// Cost of a point out of view, in misses: it speaks for a pose as little as against it. Free, points would be
-// pushed out of the view; at the price of a miss, a camera that drives past the last near points is held back
+constexpr double kEdgeStepPx = 0.005;  // smaller for edges, which repeat to about 0.05 px
+// Cost of a point out of view, in misses: it is no evidence for or against a pose. At no cost, points would
+// be pushed out of view; at the cost of a miss, a camera that passes the last near points would be held back
 // (share/lab/archive/2026-11-21_edges_along_the_motion.md).
 constexpr double kOutOfViewShare = 0.5;
-// What a deviation of the gradient patches weighs against an edge residual of one pixel.
+// Weight of one standard deviation of the gradient patches relative to an edge residual of one pixel.
 constexpr double kPhotometricWeight = 0.5;
 
 // Normal equations of one Gauss-Newton step, with the cost at their linearisation point.
@@ -42,7 +44,7 @@ struct NormalEquations {
   AlignmentStats stats;
 };
 
-// One solve of (H + lambda diag H) xi = -b; false if the system is not positive definite.
+// Solves (H + lambda diag H) xi = -b; false if the system is not positive definite.
 bool solve_step(const NormalEquations& eq, double lambda, Vector6d* xi) {
   Matrix6d H = eq.H;
   H.diagonal() *= 1.0 + lambda;
@@ -53,8 +55,8 @@ bool solve_step(const NormalEquations& eq, double lambda, Vector6d* xi) {
   return xi->allFinite();
 }
 
-// Levenberg-Marquardt around any `linearise(T) -> NormalEquations`; `pixels_per_radian` turns a step into
-// pixels for stopping.
+// Levenberg-Marquardt for any `linearise(T) -> NormalEquations`; `pixels_per_radian` converts a rotation into
+// pixels for the stopping criterion.
 template <class Linearise>
 NormalEquations minimise(const Linearise& linearise, int max_iterations, double pixels_per_radian,
                          double min_step_px, SE3* T) {
@@ -147,17 +149,17 @@ class EdgeCost {
   const ReferenceCloud& cloud_;
   const AlignmentParams& params_;
   bool photometric_;
-  mutable MatchedEdges matched_;  // memory for one evaluation after another
+  mutable MatchedEdges matched_;  // buffer, reused by all evaluations
 };
 
-// Any edge cost with a prior on the translation.
+// Edge cost with a prior on the translation.
 class CostWithPrior {
  public:
   CostWithPrior(const EdgeCost& edges, const TranslationPrior& prior, size_t points)
       : edges_(edges),
         T_expected_inverse_(prior.T_expected.inverse()),
         points_(double(std::max<size_t>(1, points))) {
-    // Residuals in pixels weigh 1 each, and points of one edge err together.
+    // Each residual in pixels has weight 1, but points of one edge share its error.
     constexpr double kVarianceOfResidual = 4;  // px^2
     weight_ = kVarianceOfResidual * prior.sigma.cwiseAbs2().cwiseInverse();
   }
@@ -167,7 +169,7 @@ class CostWithPrior {
     const Eigen::Vector3d v = (T_cur_ref * T_expected_inverse_).log().head<3>();
     eq.H.diagonal().head<3>() += weight_;
     eq.b.head<3>() += weight_.cwiseProduct(v);
-    eq.stats.cost += 0.5 * weight_.dot(v.cwiseAbs2()) / points_;  // a point, as the edges' own
+    eq.stats.cost += 0.5 * weight_.dot(v.cwiseAbs2()) / points_;  // per point, like the edge cost
     return eq;
   }
 
@@ -237,9 +239,9 @@ void AlignmentParams::visit(ParamVisitor& v) {
   v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
            "a direction with a larger standard deviation (share of depth, rad) is weak");
   v.boolean(kExperimental, "verify_patch_start", verify_patch_start,
-            "the edges start from the predicted pose where it fits them better than that of the patches");
+            "start the edge alignment from the predicted pose where it fits better than the patches' pose");
   v.boolean(kExperimental, "use_median_motion_prior", use_median_motion_prior,
-            "a step unlike the median of the last ones needs more support, while the camera moves steadily");
+            "require more support for a motion unlike the median of the last ones at constant speed");
 }
 
 EdgeResidual edge_residual(const Pinhole& camera, const SE3& T_cur_ref, const Eigen::Vector3d& ray,

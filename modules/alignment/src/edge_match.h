@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The match of one projected point: the nearest edge pixel that passes the gates of Eq. (edgeerror).
 #include <cmath>
@@ -11,14 +12,18 @@ namespace edgevo {
 // Gate on the angle between the two edge normals, signed: 45 degrees.
 constexpr double kMinNormalCosine = 0.7;
 
+/// Edge pixel that a projected point is matched with.
 struct EdgeMatch {
   bool found = false;
-  Eigen::Vector2d normal;  ///< g(n), the edge's unit gradient
-  double residual_px = 0;  ///< Eq. (edgeerror): g(n)^T (p' - n(p'))
-  int chain = -1;          ///< the edge that n(p') is a pixel of
+  /// Unit gradient g(n) of the edge.
+  Eigen::Vector2d normal;
+  /// Residual of Eq. (edgeerror), g(n)^T (p' - n(p')), pixels.
+  double residual_px = 0;
+  /// Number of the edge that n(p') belongs to; -1 if there is none.
+  int chain = -1;
 };
 
-/// `point_normal` is the edge normal in the reference image.
+/// Matches the projection `px`. `point_normal` is the edge normal in the reference image.
 inline EdgeMatch match_edge(const PyramidLevel& level, const Eigen::Vector2d& px,
                             const Eigen::Vector2f& point_normal, const AlignmentParams& params) {
   const int n = level.field.nearest(float(px.x()), float(px.y()));
@@ -34,8 +39,8 @@ inline EdgeMatch match_edge(const PyramidLevel& level, const Eigen::Vector2d& px
   return {true, g, r, edge.chain};
 }
 
-/// Share of a point's testimony that its uncertain depth leaves: w = 1 / (1 + s^2), s the deviation along
-/// `normal` in pixels.
+/// Weight of a point given its uncertain depth: w = 1 / (1 + s^2), where s is the standard deviation of its
+/// projection along `normal`, pixels.
 inline double depth_weight(const Eigen::Matrix<double, 2, 3>& J_pi, const Eigen::Vector3d& t,
                            const Eigen::Vector2d& normal, double idepth_sigma) {
   const double s = normal.dot(J_pi * t) * idepth_sigma;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_sums.h"
 
 #include <algorithm>
@@ -10,10 +11,10 @@ namespace edgevo {
 namespace {
 
 constexpr int kLanes = MatchedEdges::kLanes;  // points at a time
-// Where each of EdgeSums stands.
+// Offsets of the EdgeSums.
 enum { kH = 0, kB = kH + 21, kCostSum = kB + 6, kSquare, kSums };
 
-// The compiler's vector type, which lives in registers of whatever width there is.
+// The compiler's vector type, which maps to registers of the available width.
 using Quad = double __attribute__((vector_size(8 * kLanes)));
 
 struct Constants {
@@ -32,8 +33,7 @@ EDGEVO_WIDE_CLONES void sum_blocks(const double* block, int count, const Constan
     const Quad gx = c.fx * n[M::kNormalX], gy = c.fy * n[M::kNormalY],
                g = gx * x + gy * y;  // g^T J_pi Y_z = (gx, gy, -g)
     const Quad J[6] = {a * gx, a * gy, -(a * g), -(y * g + gy), x * g + gx, x * gy - y * gx};
-    // depth_weight of edge_match.h: 1 / (1 + s^2), s the deviation along the normal by an uncertain depth,
-    // pixels.
+    // depth_weight() of edge_match.h: 1 / (1 + s^2), s the standard deviation along the normal, pixels.
     const Quad s = (gx * c.tx + gy * c.ty - g * c.tz) * n[M::kInverseZ] * n[M::kSigma];
     const Quad w_depth = 1.0 / (1.0 + s * s), w = w_depth * n[M::kWeight];
     int k = kH;
@@ -73,7 +73,7 @@ EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen
   const int whole = edges.size() / kLanes, rest = edges.size() % kLanes;
   std::array<double, kSums * kLanes> lanes{}, last{};
   sum_blocks(edges.block(0), whole, constants, lanes.data());
-  if (rest > 0) {  // with zeros for the points that are missing: they weigh nothing and cost nothing
+  if (rest > 0) {  // padded with zeros, which have neither weight nor cost
     std::array<double, kBlock> block{};
     for (int k = 0; k < MatchedEdges::kNumbers; ++k)
       std::copy_n(edges.block(whole) + k * kLanes, rest, &block[size_t(k) * kLanes]);

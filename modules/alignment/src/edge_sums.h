@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Sums of one Gauss-Newton step of edge alignment over all matched points, four points at a time.
 #include <vector>
@@ -7,19 +8,20 @@
 
 namespace edgevo {
 
-/// Points that have found their edge, number by number: what the sums read stands side by side.
+/// Matched points in a layout of structures of arrays, so that the sums read contiguous memory.
 class MatchedEdges {
  public:
-  static constexpr int kLanes = 4;  ///< doubles of a register of AVX2
+  /// Doubles per AVX2 register.
+  static constexpr int kLanes = 4;
   enum Number { kX, kY, kInverseZ, kIdepth, kSigma, kNormalX, kNormalY, kResidual, kWeight, kCost, kNumbers };
 
   void reserve(size_t points);
   void clear() { size_ = 0; }
   int size() const { return int(size_); }
 
-  /// `Y`: the point in the current camera, times its inverse depth in the reference; `normal` and `residual`
-  /// in pixels of the match, Eq. (edgeerror); `weight` and `cost`: what the robust loss makes of the
-  /// residual. At most as many points as reserved.
+  /// Adds a point. `Y`: the point in the current camera times its inverse depth in the reference. `normal`,
+  /// `residual`: of the match, Eq. (edgeerror), pixels. `weight`, `cost`: robust weight and loss of the
+  /// residual. Requires enough reserved points.
   void append(const Eigen::Vector3d& Y, double idepth, double idepth_sigma, const Eigen::Vector2d& normal,
               double residual, double weight, double cost) {
     const double iz = 1.0 / Y.z();
@@ -30,7 +32,7 @@ class MatchedEdges {
     ++size_;
   }
 
-  /// Four points: kNumbers times kLanes numbers.
+  /// Numbers of the i-th block of four points: kNumbers times kLanes.
   const double* block(int i) const { return memory_.data() + size_t(i) * kLanes * kNumbers; }
 
  private:
@@ -38,17 +40,22 @@ class MatchedEdges {
   std::vector<double> memory_;
 };
 
+/// Sums of one Gauss-Newton step.
 struct EdgeSums {
-  double H[21] = {};  ///< upper triangle of sum w J^T J, row by row
-  double b[6] = {};   ///< sum w J^T r
-  double cost = 0;    ///< robust, of all points
-  double square = 0;  ///< sum of squared residuals
+  /// Upper triangle of sum w J^T J, row by row.
+  double H[21] = {};
+  /// Sum of w J^T r.
+  double b[6] = {};
+  /// Robust cost of all points.
+  double cost = 0;
+  /// Sum of squared residuals.
+  double square = 0;
 
   void add_to(Matrix6d* H_out, Vector6d* b_out) const;
 };
 
-/// J and w of Eq. (edgeerror) at translation `t` of the current camera. A point is believed as far as its
-/// depth is known: `miss_cost` bounds the cost of the rest.
+/// Sums Eq. (edgeerror) at translation `t` of the current camera. A point with an uncertain depth weighs
+/// less: `miss_cost` bounds the cost of the remaining share.
 EdgeSums sum_edges(const MatchedEdges& edges, const Pinhole& camera, const Eigen::Vector3d& t,
                    double miss_cost);
 

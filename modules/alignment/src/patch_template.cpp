@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/patch_template.h"
 
 #include <algorithm>
@@ -9,9 +10,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kWideSide = kPatchSide + 2;  // pixels: one more on each side, for central differences
+constexpr int kWideSide = kPatchSide + 2;  // pixels: one more on each side for central differences
 using Patch = std::array<float, kPatchPixels>;
-constexpr float kMinDeviation = 1.0f;  // gray levels (or gradient units): flatter patches say nothing
+constexpr float kMinDeviation = 1.0f;  // gray levels or gradient units: flatter patches are uninformative
 
 // Samples a square of kSide pixels around (x, y); false if it does not lie in the image.
 template <int kSide, class T>
@@ -26,7 +27,7 @@ bool sample(const ImageView<T>& image, float x, float y, std::array<float, kSide
   return true;
 }
 
-// To zero mean and unit deviation; returns the deviation, or 0 for a flat patch.
+// Normalises to zero mean and unit standard deviation; returns the standard deviation, or 0 for a flat patch.
 float normalise(Patch* patch) {
   const PatchMoments m = patch_moments(patch->data(), kPatchPixels);
   if (!(m.deviation >= kMinDeviation)) return 0;
@@ -69,9 +70,9 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
   return patches;
 }
 
-// The template has zero mean and unit deviation, its derivatives are orthogonal to a constant and to it: of
-// the image's normalisation only the division by its deviation is left in the sums, so that one pass over the
-// pixels does.
+// The template has zero mean and unit standard deviation, and its derivatives are orthogonal to a constant
+// and to itself. So of the normalisation of the image only the division by its standard deviation remains in
+// the sums, and a single loop over the pixels is enough.
 template <class T>
 PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& patch, float x, float y) {
   PatchDifference d;

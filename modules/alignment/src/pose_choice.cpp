@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/pose_choice.h"
 
 #include <algorithm>
@@ -7,18 +8,18 @@
 namespace edgevo {
 namespace {
 
-// The coarse start by patches ends on this pyramid level.
+// The coarse patch alignment ends on this pyramid level.
 constexpr int kFinestPatchLevel = 1;
 
-// Edges are aligned on two levels, where the pyramid has so many with edges.
+// Edges are aligned on two levels, if the pyramid has as many with edges.
 int coarsest_edge_level(const FramePyramid& pyramid) {
   int levels = 0;
   while (levels < int(pyramid.levels.size()) && !pyramid.levels[levels].gradient_magnitude.empty()) ++levels;
   return std::min(levels, 2) - 1;
 }
 
-// Glare and shadows mislead gray levels where the edges of the scene run along the motion. So the edges
-// choose where to go on from: the pose that the patches found, or the start itself
+// Glare and shadows mislead gray levels where the edges of the scene run along the motion. So the edge cost
+// decides whether to continue from the pose of the patch alignment or from the start itself
 // (share/lab/archive/2026-11-21_edges_along_the_motion.md).
 SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                      const AlignmentParams& params) {
@@ -34,7 +35,7 @@ SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, c
 
 SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                     const AlignmentParams& params) {
-  constexpr int kSteps = 6;  // to either side: neighbours differ by an eighth of the length
+  constexpr int kSteps = 6;  // in each direction: neighbours differ by an eighth of the length
   SE3 best = start;
   double least = std::numeric_limits<double>::infinity();
   for (int i = -kSteps; i <= kSteps; ++i) {
@@ -81,13 +82,13 @@ TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& param
   return TrackingQuality::kGood;
 }
 
-bool PoseJudge::fits(const PoseCandidate& pose) const {
+bool PoseScorer::fits(const PoseCandidate& pose) const {
   return classify(pose, params_) == TrackingQuality::kGood;
 }
 
-bool PoseJudge::is_lost(const PoseCandidate& pose) const { return edgevo::is_lost(classify(pose, params_)); }
+bool PoseScorer::is_lost(const PoseCandidate& pose) const { return edgevo::is_lost(classify(pose, params_)); }
 
-double PoseJudge::score(const PoseCandidate& pose) const {
+double PoseScorer::score(const PoseCandidate& pose) const {
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   if (!pose.T_cur_ref.is_finite()) return kNever;
   const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
@@ -97,7 +98,7 @@ double PoseJudge::score(const PoseCandidate& pose) const {
 }
 
 PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current,
-                  const ReferenceCloud& cloud, const PoseJudge& judge, const AlignmentParams& params) {
+                  const ReferenceCloud& cloud, const PoseScorer& scorer, const AlignmentParams& params) {
   PoseChoice best;
   const auto is_called_for = [&](const Proposer& p) {
     return best.hypotheses_tried == 0 || p.is_called_for(best.pose);
@@ -107,7 +108,7 @@ PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& cu
     for (const PoseHypothesis& hypothesis : proposer.hypotheses()) {
       if (!is_called_for(proposer)) break;
       PoseCandidate candidate = align(current, cloud, hypothesis, params);
-      if (++best.hypotheses_tried > 1 && !(judge.score(candidate) > judge.score(best.pose))) continue;
+      if (++best.hypotheses_tried > 1 && !(scorer.score(candidate) > scorer.score(best.pose))) continue;
       best.pose = std::move(candidate);
       best.kind = proposer.kind;
     }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/pose_covariance.h"
 
 #include <Eigen/Cholesky>
@@ -9,10 +10,10 @@ namespace {
 
 // px^2: matches without any residual are a coincidence, not a certainty.
 constexpr double kMinResidualVariance = 0.01;
-constexpr double kInformationRidge = 1e-9;  // px^-2, on the information, so that it can be inverted
+constexpr double kInformationRidge = 1e-9;  // px^-2, added to the information to make it invertible
 constexpr double kPoseFreedom = 6.0;        // unknowns of a pose
 
-// Sum of the scores of each edge, one after another in the order of the edges' numbers.
+// Sum of the scores of each edge, in the order of the edges' numbers.
 std::vector<Vector6d> sum_scores(const std::vector<PoseEquation>& equations) {
   int edges = 0;
   for (const PoseEquation& e : equations) edges = std::max(edges, e.edge + 1);
@@ -44,7 +45,8 @@ Matrix6d pose_covariance(const std::vector<PoseEquation>& equations) {
   for (const Vector6d& g : scores) M.noalias() += g * g.transpose();
   const double n = double(scores.size());
   M *= n / std::max(1.0, n - kPoseFreedom);
-  // In the axes where A is the identity (A = L L^T), M is the variance of a residual with what its edge adds.
+  // In the axes in which A is the identity (A = L L^T), M is the variance of a residual including the error
+  // shared along its edge.
   const Matrix6d L_inverse = A.llt().matrixL().solve(Matrix6d::Identity());
   const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(L_inverse * M * L_inverse.transpose());
   const Matrix6d root = L_inverse.transpose() * axes.eigenvectors();

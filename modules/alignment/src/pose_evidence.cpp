@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/pose_evidence.h"
 
 #include "edge_match.h"
@@ -23,15 +24,15 @@ PoseEvidence weigh_evidence(const FramePyramid& current, const ReferenceCloud& c
                             const AlignmentParams& params) {
   const PyramidLevel& level = current.finest();
   PoseEvidence evidence;
-  double for_it = 0;
+  double inlier_weight = 0;
   for_visible(level, cloud, T_cur_ref, [&](const CloudPoint& point, const Projection& p) {
     const double w = depth_weight(projection_jacobian(level.pinhole, p.Y), T_cur_ref.translation(),
                                   point.normal.cast<double>(), point.idepth_sigma);
     evidence.weight += w;
     const EdgeMatch match = match_edge(level, p.px, point.normal, params);
-    if (match.found && std::abs(match.residual_px) < params.huber_px) for_it += w;
+    if (match.found && std::abs(match.residual_px) < params.huber_px) inlier_weight += w;
   });
-  if (evidence.weight > 0) evidence.inlier_share = for_it / evidence.weight;
+  if (evidence.weight > 0) evidence.inlier_share = inlier_weight / evidence.weight;
   return evidence;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/reference_cloud.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/rotation_search.h"
 
 #include <algorithm>
@@ -9,12 +10,12 @@
 namespace edgevo {
 namespace {
 
-// Of the coarsest level: neighbours on the grid meet in the basin of a patch.
+// Pixels of the coarsest level: the basins of convergence of neighbours on the grid overlap.
 constexpr double kStepPx = 2.0;
-constexpr int kYawSteps = 9, kPitchSteps = 5;  // to either side: a robot and a hand turn rather than nod
-constexpr size_t kPatches = 200;               // that are compared, of some 1500: enough for a mean
-constexpr size_t kBest = 3;                    // rotations handed on: so coarse an image may mistake the best
-// And they are so many steps apart: nearer ones lead to the same pose.
+constexpr int kYawSteps = 9, kPitchSteps = 5;  // in each direction: cameras yaw more than they pitch
+constexpr size_t kPatches = 200;               // compared, of about 1500: enough for a mean
+constexpr size_t kBest = 3;  // rotations returned: on so coarse a level the best may be wrong
+// Minimum distance between returned rotations, in steps: closer ones converge to the same pose.
 constexpr int kApartSteps = 2;
 
 struct Candidate {
@@ -22,7 +23,7 @@ struct Candidate {
   int yaw = 0, pitch = 0;
 };
 
-// Mean robust patch difference on one level, of every `step`-th patch.
+// Mean robust difference of every `step`-th patch on one level.
 double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, const PatchTemplates& patches,
                        size_t step, const SE3& T_cur_ref) {
   const Eigen::Matrix3d R = T_cur_ref.R();

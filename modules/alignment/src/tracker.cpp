@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/tracker.h"
 
 #include <Eigen/Eigenvalues>
@@ -17,7 +18,7 @@ double median_depth(const ReferenceCloud& cloud) {
   return depths.empty() ? 1.0 : median(std::move(depths));
 }
 
-// Directions whose standard deviation, translation measured in median depths, exceeds params.weak_sigma.
+// Directions whose standard deviation exceeds `weak_sigma`; translation is measured in median depths.
 std::vector<Vector6d> find_weak_directions(const Matrix6d& covariance, double depth, double weak_sigma) {
   Vector6d per_unit;
   per_unit << 1 / depth, 1 / depth, 1 / depth, 1, 1, 1;
@@ -58,12 +59,12 @@ TrackingState state_of(TrackingQuality quality) {
   return quality == TrackingQuality::kGood ? TrackingState::kTracking : TrackingState::kDegraded;
 }
 
-void give_verdict(const AlignmentParams& params, TrackResult* r) {
+void set_status(const AlignmentParams& params, TrackResult* r) {
   const TrackingQuality quality = classify(*r, params);
-  r->verdict = state_of(quality);
+  r->status = state_of(quality);
   r->reason = reason_of(quality, *r, params);
   if (quality == TrackingQuality::kGood && !r->weak_directions.empty()) {
-    r->verdict = TrackingState::kDegraded;
+    r->status = TrackingState::kDegraded;
     r->reason = format("%.0f poorly observed direction(s)%.0s", double(r->weak_directions.size()), 0.0);
   }
 }
@@ -83,7 +84,7 @@ TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, con
   if (r.T_cur_ref.is_finite())
     r.covariance = pose_covariance(pose_equations(current, cloud, r.T_cur_ref, params));
   r.weak_directions = find_weak_directions(r.covariance, median_depth(cloud), params.weak_sigma);
-  give_verdict(params, &r);
+  set_status(params, &r);
   return r;
 }
 
@@ -95,23 +96,23 @@ std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_befo
           SE3::exp(2.0 * velocity) * T_last_ref, SE3::exp(rotation) * T_last_ref};
 }
 
-Proposer propose_starts(std::vector<SE3> starts, const PoseJudge& judge) {
-  return {ProposerKind::kStarts, [&judge](const PoseCandidate& best) { return !judge.fits(best); },
+Proposer propose_starts(std::vector<SE3> starts, const PoseScorer& scorer) {
+  return {ProposerKind::kStarts, [&scorer](const PoseCandidate& best) { return !scorer.fits(best); },
           [starts = std::move(starts)] { return as_hypotheses(starts); }};
 }
 
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,
-                           const PoseJudge& judge) {
-  return {ProposerKind::kRotations, [&judge](const PoseCandidate& best) { return !judge.fits(best); },
+                           const PoseScorer& scorer) {
+  return {ProposerKind::kRotations, [&scorer](const PoseCandidate& best) { return !scorer.fits(best); },
           [&, T_predicted] { return as_hypotheses(search_rotation(current, cloud, T_predicted)); }};
 }
 
 TrackResult track(const FramePyramid& current, const ReferenceCloud& cloud, const std::vector<SE3>& starts,
                   const AlignmentParams& params) {
-  const PoseJudge judge(params);
-  const std::vector<Proposer> proposers{propose_starts(starts, judge),
-                                        propose_rotations(current, cloud, starts.front(), judge)};
-  return assess(current, cloud, choose(proposers, current, cloud, judge, params).pose, params);
+  const PoseScorer scorer(params);
+  const std::vector<Proposer> proposers{propose_starts(starts, scorer),
+                                        propose_rotations(current, cloud, starts.front(), scorer)};
+  return assess(current, cloud, choose(proposers, current, cloud, scorer, params).pose, params);
 }
 
 }  // namespace edgevo

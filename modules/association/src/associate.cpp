@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/associate.h"
 
 #include <algorithm>
@@ -12,18 +13,18 @@
 namespace edgevo {
 namespace {
 
-// Pixels of an edge: the largest max_search_px to each side, 30, and the middle.
+// Pixels of an edge: the largest max_search_px, 30, in each direction, and the middle.
 constexpr int kMaxCandidates = 64;
-// A first patch of 5x5, and the pixel beyond it that interpolation reads.
+// A first patch of 5x5 pixels, and the pixel beyond it that interpolation reads.
 constexpr double kBorderPx = 3;
-// Of the cost over the candidates; a flatter one has no lowest place between two of them.
+// Curvature of the cost over the candidates; a flatter cost has no sub-pixel minimum.
 constexpr double kLeastCurvature = 1e-9;
-// An edge match lies within this of the prediction, along the edge's normal and in all.
+// Largest distance of an edge match from the prediction, along the edge normal and in total.
 constexpr double kMaxNormalPx = 4.0;
 constexpr double kMaxDistancePx = 2 * kMaxNormalPx;
 // Gate on the angle between the two edge normals, signed: 45 degrees.
 constexpr double kMinNormalCosine = 0.7;
-// Searches up to this half length skip the confidence check (tau_lambda in the paper): none does.
+// Searches up to this half length skip the confidence check (tau_lambda in the paper); at 0 none does.
 constexpr double kTauLambdaPx = 0;
 // Floor of sigma_(p||g) in C_d.
 constexpr double kLeastProjectionSigmaPx = 0.5;
@@ -35,7 +36,7 @@ struct Walk {
   int count = 0;
 };
 
-Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
+Walk walk_along_edge(const ImageEdges& edges, int centre, double half_length) {
   Walk walk;
   std::array<int, kMaxCandidates / 2> before, after;
   std::array<double, kMaxCandidates / 2> arc_before, arc_after;
@@ -61,8 +62,9 @@ Walk walk_along_edge(const EdgeMap& edges, int centre, double half_length) {
 
 struct TemplateMatch {
   bool found = false;
-  int best = 0;                                               // index into the walk
-  double cost = kWorstPatchCost, confidence = 0, offset = 0;  // offset: sub-pixel, in candidates, [-0.5, 0.5]
+  int best = 0;  // index into the walk
+  double cost = kWorstPatchCost, confidence = 0;
+  double offset = 0;  // sub-pixel, in candidates, [-0.5, 0.5]
 };
 
 TemplateMatch match_template(const PatchComparison& comparison, const Patch& patch,
@@ -86,7 +88,7 @@ TemplateMatch match_template(const PatchComparison& comparison, const Patch& pat
 }
 
 // Position between the best candidate and its neighbour on the edge.
-Eigen::Vector2d position_on_edge(const EdgeMap& edges, const Walk& walk, const TemplateMatch& m) {
+Eigen::Vector2d position_on_edge(const ImageEdges& edges, const Walk& walk, const TemplateMatch& m) {
   const Eigen::Vector2d at = edges.pixels[walk.pixel[m.best]].position().cast<double>();
   const int neighbour = m.best + (m.offset > 0 ? 1 : -1);
   if (m.offset == 0 || neighbour < 0 || neighbour >= walk.count) return at;
@@ -121,8 +123,8 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
     match->cost = m.cost;
     match->match_confidence = m.confidence;
     if (!m.found || m.cost > params.max_cost) return false;
-    if (m.confidence < params.tau_m && match->search_px > kTauLambdaPx)
-      continue;  // ambiguous: grow the patch
+    // Ambiguous: grow the patch.
+    if (m.confidence < params.tau_m && match->search_px > kTauLambdaPx) continue;
     match->px = position_on_edge(target.edges, walk, m);
     match->normal = target.edges.pixels[walk.pixel[m.best]].normal().cast<double>();
     return true;
@@ -169,7 +171,7 @@ void AssociationParams::visit(ParamVisitor& v) {
   v.odd(kAdvanced, "max_patch_side", max_patch_side, 3, 11,
         "patches grow up to tau_S, pixels; a larger first size does not grow");
   v.number(kAdvanced, "max_cost", max_cost, 0.01, 2, "a best patch that costs more is no match");
-  v.number(kAdvanced, "sigma_c", sigma_c, 1e-3, 1, "cost deviation of the AML confidence");
+  v.number(kAdvanced, "sigma_c", sigma_c, 1e-3, 1, "standard deviation of costs in the AML confidence");
   v.number(kAdvanced, "tau_m", tau_m, 0, 1, "match confidence below which a match is ambiguous");
   v.number(kAdvanced, "min_depth_confidence", min_depth_confidence, 0, 100,
            "ambiguous matches below it keep their depth fixed, 1/px");
@@ -177,11 +179,11 @@ void AssociationParams::visit(ParamVisitor& v) {
   v.number(kAdvanced, "k_m", k_m, 0.1, 10,
            "matches further along the edge than this share of the search length are searched again");
   v.number(kAdvanced, "sigma_normal_px", sigma_normal_px, 0.01, 10,
-           "of an edge match along the normal, pixels");
+           "standard deviation of an edge match along the normal, pixels");
   v.number(kAdvanced, "sigma_refined_px", sigma_refined_px, 0.01, 10,
-           "of a refined match along the normal, pixels");
+           "standard deviation of a refined match along the normal, pixels");
   v.number(kAdvanced, "sigma_tangent_px", sigma_tangent_px, 0, 100,
-           "of a photometric match along the edge, pixels; 0: unused");
+           "standard deviation of a photometric match along the edge, pixels; 0: unused");
 }
 
 Match associate(const AssociationQuery& q, const AssociationParams& params) {
@@ -211,9 +213,10 @@ Match associate(const AssociationQuery& q, const AssociationParams& params,
   if (params.photometric && search_photometric(q, A, centre, params, comparison, &match)) {
     match.kind = MatchKind::kPhotometric;
   } else {
-    if (params.photometric && match.cost > 0 && match.cost > params.max_cost)
-      return match;  // looks like something else
-    // The foot of the projection on the edge's tangent: an edge match says nothing along the edge.
+    // The patch looks like something else.
+    if (params.photometric && match.cost > 0 && match.cost > params.max_cost) return match;
+    // The foot of the projection on the tangent of the edge: an edge match does not constrain the position
+    // along the edge.
     match.normal = edge.normal().cast<double>();
     match.px = p.px + match.normal * match.normal.dot(edge.position().cast<double>() - p.px);
     match.kind =
@@ -226,10 +229,10 @@ Match associate(const AssociationQuery& q, const AssociationParams& params,
 
 bool needs_update(const Match& match, double residual_normal_px, double residual_tangent_px,
                   const AssociationParams& params) {
-  constexpr double kMaxSigmas = 3.5;  // along the normal: one in two thousand of right matches
+  constexpr double kMaxSigmas = 3.5;  // along the normal: exceeded by one in two thousand correct matches
   if (std::abs(residual_normal_px) * match.inv_sigma_normal > kMaxSigmas) return true;
-  return std::abs(residual_tangent_px) >
-         params.k_m * std::max(match.search_px, params.min_search_px);  // Eq. (distancecheck)
+  // Eq. (distancecheck)
+  return std::abs(residual_tangent_px) > params.k_m * std::max(match.search_px, params.min_search_px);
 }
 
 }  // namespace edgevo

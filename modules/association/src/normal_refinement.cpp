@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/normal_refinement.h"
 
 #include <algorithm>
@@ -6,24 +7,24 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStopPx = 0.02;           // a shorter step is the last: a match is good to 0.3 px
-constexpr double kMostStepPx = 1.0;        // what is linear about the patch ends there
-constexpr float kMinGrayDeviation = 1.5f;  // gray levels: below it a patch is noise
+constexpr double kStopPx = 0.02;     // the iteration stops at a shorter step: matches have 0.3 px of noise
+constexpr double kMostStepPx = 1.0;  // limit of the linearisation
+constexpr float kMinGrayDeviation = 1.5f;  // gray levels: a patch below it is noise
 constexpr int kMaxIterations = 12;
-constexpr double kMaxMovePx = 3.0;     // a refinement that moves further has found something else
+constexpr double kMaxMovePx = 3.0;     // a refinement that moves further is on another edge
 constexpr double kMaxZnccLoss = 0.15;  // 1 - ZNCC: the patch does not fit
-// Mean square of the slope, deviations a pixel: along the normal the patch does not change.
+// Mean square of the slope, standard deviations per pixel: below it the patch is constant along the normal.
 constexpr double kLeastSlope = 1e-3;
 
-// How the image at a trial position, brought to zero mean and unit deviation, compares with the template.
+// Comparison of the normalised image at a trial position with the template.
 struct Comparison {
   float correlation = 0;  // sum of products, at most the number of pixels
   float gradient = 0;     // sum of slope * (image - template)
 };
 
-// The template has zero mean, and its slope is orthogonal to a constant and to the template itself: of the
-// image's normalisation only the division by its deviation is left in both sums, so that one pass over the
-// pixels does.
+// The template has zero mean, and its slope is orthogonal to a constant and to the template itself. So of the
+// normalisation of the image only the division by its standard deviation remains in both sums, and a single
+// loop over the pixels is enough.
 bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
   const int n = image.size();
   const float* v = image.value.data();
@@ -50,7 +51,7 @@ bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
 bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host,
                           const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_target,
                           int radius, NormalTemplate* out) {
-  // One pixel more on each side, for central differences.
+  // One pixel more on each side for central differences.
   Patch wide;
   if (!sample_warped(host, px_host, A_target_host, radius + 1, &wide)) return false;
   const int side = 2 * radius + 1, wide_side = wide.side();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/patch_comparison.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace edgevo {
 namespace {
 
-// Intensity: a mean difference that costs 1, about that of unrelated edges.
+// Mean difference of gray levels that costs 1, about that of unrelated edges.
 constexpr float kGrayLevelsOfOne = 80.0f;
 
 float mean_difference(const Patch& a, const Patch& b) {
@@ -40,8 +41,8 @@ class IntensityComparison final : public PatchComparison {
   }
 };
 
-// A census patch holds +1 where a pixel is brighter than the centre, else -1; the centre itself is always -1
-// and never counts.
+// A census patch contains +1 where a pixel is brighter than the centre, else -1; the centre itself is always
+// -1 and does not count.
 void turn_into_census(Patch* patch) {
   const int n = patch->size();
   const float centre = patch->value[n / 2];
@@ -61,7 +62,7 @@ class CensusComparison final : public PatchComparison {
     if (!sample_patch(target.gray.view(), x, y, patch.radius, &seen)) return kWorstPatchCost;
     turn_into_census(&seen);
     const int n = patch.size();
-    return double(mean_difference(patch, seen)) * n / (n - 1);  // a sign that disagrees differs by two
+    return double(mean_difference(patch, seen)) * n / (n - 1);  // disagreeing signs differ by two
   }
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/patch_cost.h"
 
 #include <cmath>
@@ -5,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-// Sobel units, an eighth of a gray level per pixel: a patch of that mean holds noise.
+// Sobel units, an eighth of a gray level per pixel: a patch with a lower mean is noise.
 constexpr float kFlat = 1.0f;
 
 }  // namespace

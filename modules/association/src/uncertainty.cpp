@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/uncertainty.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ DepthMotion depth_motion(const Pinhole& camera, const SE3& T_target_host, const 
   const Eigen::Vector3d t = T_target_host.translation();
   const Projection at = project(camera, R, t, ray, idepth);
   if (!at.valid) return motion;
-  // 1 / unit of the map: practically at infinity, in front of the camera still.
+  // 1 / unit of the map: practically at infinity, but still in front of the camera.
   constexpr double kLeastIdepth = 1e-9;
   for (double sign : {1.0, -1.0}) {
     const Projection moved = project(camera, R, t, ray, std::max(idepth + sign * idepth_sigma, kLeastIdepth));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/warp.h"
 
 #include <Eigen/LU>
@@ -13,7 +14,7 @@ namespace edgevo {
 
 Eigen::Matrix2d patch_warp(const Pinhole& camera, const SE3& T_target_host, const Eigen::Vector2d& px_host,
                            double idepth) {
-  // d p' / d ray R d ray / d px, the inverse depth held.
+  // d p' / d ray R d ray / d px at fixed inverse depth.
   const Eigen::Matrix3d R = T_target_host.R();
   const Eigen::Vector3d Y = R * camera.ray(px_host) + idepth * T_target_host.translation();
   if (!(Y.z() > kMinProjectedDepth)) return Eigen::Matrix2d::Identity();
@@ -27,7 +28,7 @@ Eigen::Vector2d warp_normal(const Eigen::Matrix2d& A, const Eigen::Vector2d& nor
   const Eigen::Vector2d n(A(1, 1) * normal_host.x() - A(1, 0) * normal_host.y(),
                           -A(0, 1) * normal_host.x() + A(0, 0) * normal_host.y());
   const double length = n.norm();
-  constexpr double kNoLength = 1e-12;  // the warp squeezes the normal away: it keeps its direction
+  constexpr double kNoLength = 1e-12;  // the warp collapses the normal, which then keeps its direction
   return length > kNoLength ? Eigen::Vector2d(n / length) : normal_host;
 }
 
@@ -44,8 +45,8 @@ void project_out_normalisation(const Patch& normalised, Patch* derivative) {
 
 namespace {
 
-// Where the pixels of a warped patch lie in the host: grid point, as an offset into the image, and the
-// fraction beyond it.
+// Positions of the pixels of a warped patch in the host: grid point, as an offset into the image, and
+// sub-pixel fraction.
 struct WarpedGrid {
   std::array<int32_t, kMaxPatchPixels> offset;
   std::array<float, kMaxPatchPixels> fx, fy;
@@ -71,7 +72,7 @@ EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B,
   }
 }
 
-// The four grid values around each pixel are gathered one by one and interpolated many at a time.
+// The four grid values around each pixel, gathered one by one and interpolated with SIMD.
 template <class T>
 struct Corners {
   std::array<T, kMaxPatchPixels> top_left, top_right, bottom_left, bottom_right;
@@ -94,8 +95,8 @@ EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid,
 template <class T>
 bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host,
                    const Eigen::Matrix2d& A_target_host, int radius, Patch* patch) {
-  // Area in the target over that in the host: beyond these the patch is a streak, or a few pixels drawn
-  // large.
+  // Limits of area in the target over area in the host: beyond them the patch is a streak, or a few magnified
+  // pixels.
   constexpr double kLeastArea = 0.05, kMostArea = 20.0;
   const double det = A_target_host.determinant();
   if (!(det > kLeastArea && det < kMostArea)) return false;

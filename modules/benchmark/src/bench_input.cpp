@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench_input.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ bool is_there(const std::string& path) {
   return fs::exists(path, ignored);
 }
 
-// Puts the line of the list before an error that comes from what it names.
+// Prefixes errors with the line of the list that caused them.
 template <class Read>
 void at(const std::string& where, Read&& read) {
   try {
@@ -60,13 +61,13 @@ std::string indented(const std::string& text) {
 
 BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list)
     : sequence_(sequence) {
-  const fs::path beside = fs::path(list).parent_path();
+  const fs::path list_folder = fs::path(list).parent_path();
   const std::string& where = sequence.where;
   const bool rendered = sequence.source.rfind(kScenePrefix, 0) == 0;
   if (rendered) scene_ = sequence.source.substr(kScenePrefix.size());
-  if (rendered && !is_scene_name(scene_)) scene_ = below(beside, scene_);
+  if (rendered && !is_scene_name(scene_)) scene_ = below(list_folder, scene_);
   at(where, [&] { source_.path = rendered ? "" : source_folder(below(data, sequence.source)); });
-  source_.camera_file = below(beside, sequence.camera);
+  source_.camera_file = below(list_folder, sequence.camera);
   if (rendered ? !is_scene_name(scene_) && !is_there(scene_) && !is_there(without_season(scene_))
                : !is_there(source_.path))
     throw InputError(where, "there is no " + (rendered ? "scene '" + scene_ : "'" + source_.path) + "'",
@@ -76,10 +77,10 @@ BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, c
     if (!sequence.frames.empty()) set_frame_range(sequence.frames, &source_);
     if (!source_.camera_file.empty()) camera_text_ = camera_yaml(read_camera_file(source_.camera_file), "");
     if (!sequence.params.empty())
-      read_params_file(below(beside, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
+      read_params_file(below(list_folder, sequence.params), [&](ParamVisitor& v) { params_.visit(v); });
   });
   if (rendered && !camera_text_.empty())
-    throw InputError(where, "a scene has its own camera", "leave `camera` out");
+    throw InputError(where, "a scene has its own camera", "remove `camera`");
   for (const BenchVariant& variant : sequence.variants) (void)with_settings(variant);
 }
 
@@ -117,7 +118,7 @@ std::unique_ptr<ImageSource> BenchInput::open_scene(const BenchHost& host) {
   return std::make_unique<ClipSource>(clip_);
 }
 
-// The frames of `source` (and their ground truth) the last first, or with some of them missing.
+// Frames of `source` (and their ground truth) in reverse, or with some of them missing.
 std::unique_ptr<ImageSource> BenchInput::edited(ImageSource& source, const BenchVariant& variant,
                                                 uint64_t seed, const BenchHost& host) {
   std::shared_ptr<const Clip> clip = read_clip(source, [&](int) { return !host.stop(); });
@@ -161,11 +162,10 @@ RunParams BenchInput::with_settings(const BenchVariant& variant) const {
 }
 
 RunParams BenchInput::params(const BenchVariant& variant, const std::string& edges) const {
-  constexpr std::string_view kPrecomputed = "precomputed:";
   RunParams params = with_settings(variant);
   if (variant.detector.empty()) return params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
-  const bool precomputed = variant.detector.compare(0, kPrecomputed.size(), kPrecomputed) == 0;
+  const bool precomputed = variant.detector.compare(0, kPrecomputedPrefix.size(), kPrecomputedPrefix) == 0;
   set_param("edges.detector=" + (precomputed ? "precomputed" : variant.detector), visit);
   if (precomputed) set_param("edges.folder=" + edges, visit);
   return params;

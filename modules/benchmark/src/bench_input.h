@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One sequence of a benchmark, opened again for each of its jobs.
+// A sequence of a benchmark, opened anew for each of its jobs.
 #include <memory>
 #include <string>
 
@@ -13,38 +14,39 @@
 
 namespace edgevo {
 
-/// `data` is the folder that relative sources refer to, `list` the file that camera and parameter files stand
-/// beside.
+/// Opens a sequence of a list under its variants.
 class BenchInput {
  public:
-  /// Reads parameters and camera file, tries the settings of the variants, and looks whether the source is
-  /// there, not more. Throws InputError that opens with the list's line.
+  /// Reads parameters and camera file, applies the settings of the variants as a check, and checks that the
+  /// source exists. `data` is the folder to which sources are relative, `list` the file to which camera and
+  /// parameter files are relative. Throws InputError prefixed with the line of the list.
   BenchInput(const BenchSequence& sequence, const std::string& data, const std::string& list);
 
-  /// The sequence under a variant; light changes and gaps follow `seed`. A scene is rendered once, and kept
-  /// while this lives. Throws InputError.
+  /// Opens the sequence under a variant; `seed` determines light changes and gaps. A scene is rendered once
+  /// and kept for the lifetime of this object. Throws InputError.
   std::unique_ptr<ImageSource> open(const BenchVariant& variant, uint64_t seed, const BenchHost& host);
-  /// Text of a TUM file; empty if there is none. After open().
+  /// Ground truth as the text of a TUM file; empty if there is none. Valid after open().
   const std::string& ground_truth() const { return ground_truth_; }
 
-  /// With the variant's detector and settings. `edges`: the folder of those that were computed before; empty
-  /// where there are none.
+  /// Parameters with the variant's detector and settings. `edges` is the folder of precomputed edges; may be
+  /// empty.
   RunParams params(const BenchVariant& variant, const std::string& edges) const;
   const BenchSequence& sequence() const { return sequence_; }
-  /// All that a job's result depends on but its variant and seed, as YAML; with the variant's settings.
+  /// Everything that a job's result depends on except the name of its variant and its seed, as YAML; includes
+  /// the variant's settings.
   std::string description(const BenchVariant& variant) const;
-  /// What `edgevo edges` is given; empty for a scene.
+  /// Source for `edgevo edges`; empty for a scene.
   const std::string& source_path() const { return source_.path; }
   const std::string& camera_path() const { return source_.camera_file; }
-  /// Name or file of the scene, with its frames: what is to be rendered. Empty: it is recorded.
+  /// Name or file of the scene to render, with its frames; empty for a recorded sequence.
   std::string scene_key() const;
-  /// Renders the scene into `folder`, from where other jobs take it (kept_clip.h). Throws InputError.
+  /// Renders the scene into `folder` for all jobs (kept_clip.h). Throws InputError.
   void render_to(const std::string& folder, int threads);
-  /// The scene lies in `folder`, if it is there; it is not rendered then.
+  /// Uses the scene rendered into `folder`, if it exists, instead of rendering it.
   void take_scene_from(const std::string& folder) { kept_scene_ = folder; }
-  /// Throws InputError when `out` lies in the source, or around it.
+  /// Throws InputError if `out` is inside the source or contains it.
   void check_output(const std::string& out) const;
-  /// Forgets rendered images.
+  /// Releases rendered images.
   void release() { clip_.reset(); }
 
  private:
@@ -57,14 +59,17 @@ class BenchInput {
 
   BenchSequence sequence_;
   SourceOptions source_;
-  std::string scene_;  ///< name or file of a scene; empty: source_ it is
+  /// Name or file of a scene; empty: the sequence is source_.
+  std::string scene_;
   std::string camera_text_;
   RunParams params_;
   std::string ground_truth_;
-  std::shared_ptr<const Clip> clip_;  ///< the scene, and its truth
+  /// Rendered scene and its ground truth.
+  std::shared_ptr<const Clip> clip_;
   std::string scene_truth_;
-  std::string kept_scene_;  ///< folder; empty: none
-  /// Once it was asked for: of a variant without settings, as most are.
+  /// Folder of the rendered scene; empty: none.
+  std::string kept_scene_;
+  /// Cached description of variants without settings, which are the majority.
   mutable std::string description_;
 };
 

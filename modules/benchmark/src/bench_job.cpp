@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench_job.h"
 
 #include <filesystem>
@@ -6,9 +7,9 @@
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/detectors/all_detectors.h"
-#include "edgevo/drive/drive.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "edgevo/results/run_text.h"
+#include "edgevo/run_loop/run_odometry.h"
 #include "file_lock.h"
 
 namespace edgevo {
@@ -26,7 +27,7 @@ VisitParams figures_of(Trial* trial) {
   return [trial](ParamVisitor& v) { trial->visit(v); };
 }
 
-// A trajectory that cannot be compared is a result, too: a note says why.
+// A trajectory that cannot be compared is also a result, with the reason in its note.
 void evaluate_trajectory(const BenchJob& job, const std::string& truth_text, Trial* trial) {
   if (truth_text.empty()) {
     trial->note = "no ground truth";
@@ -44,7 +45,7 @@ void evaluate_trajectory(const BenchJob& job, const std::string& truth_text, Tri
   }
 }
 
-// For `edgevo compare`: one file for the seeds of a variant.
+// For `edgevo compare`: one file for all seeds of a variant.
 void keep_ground_truth(const BenchJob& job, const std::string& truth_text) {
   if (!truth_text.empty())
     write_file((fs::path(job.folder).parent_path() / "groundtruth_tum.txt").string(), truth_text);
@@ -52,39 +53,40 @@ void keep_ground_truth(const BenchJob& job, const std::string& truth_text) {
 
 void begin_folder(const BenchJob& job) {
   std::error_code ignored;
-  for (const char* name : {"job.yaml", "failure.txt"})  // until the job has ended again, it has not
+  for (const char* name :
+       {"job.yaml", "failure.txt"})  // the job counts as unfinished until it finishes again
     fs::remove(in_folder(job, name), ignored);
 }
 
-// All or nothing, whenever the process is killed.
+// Atomic, even if the process is killed.
 void write_whole(const std::string& path, const std::string& text) {
   write_file(path + ".part", text);
   fs::rename(path + ".part", path);
 }
 
-Drive driven_source(const BenchJob& job, const BenchInput& input, ImageSource& source,
-                    const BenchHost& host) {
-  DriveOptions options;
+RunResult run_source(const BenchJob& job, const BenchInput& input, ImageSource& source,
+                     const BenchHost& host) {
+  RunLoopOptions options;
   options.odometry.seed = job.seed;
   options.odometry.detectors = all_edge_detectors();
   options.stop = host.stop;
   const ProgressLine progress = host.progress(job.title(), source.size());
-  return drive(source, input.params(job.variant, job.edges).odometry, options,
-               [&, done = 0](const DrivenFrame&) mutable {
-                 progress(++done);
-                 return true;
-               });
+  return run_odometry(source, input.params(job.variant, job.edges).odometry, options,
+                      [&, done = 0](const ProcessedFrame&) mutable {
+                        progress(++done);
+                        return true;
+                      });
 }
 
 std::optional<Trial> run_in_folder(const BenchJob& job, BenchInput& input, const BenchHost& host) {
   const std::unique_ptr<ImageSource> source = input.open(job.variant, job.seed, host);
   if (host.stop()) return std::nullopt;  // while a scene was rendered
-  const Drive driven = driven_source(job, input, *source, host);
-  if (driven.broken) std::rethrow_exception(driven.broken);
+  const RunResult result = run_source(job, input, *source, host);
+  if (result.broken) std::rethrow_exception(result.broken);
   if (host.stop()) return std::nullopt;
-  write_file(in_folder(job, kTrajectory), trajectory_tum(driven.run, PoseKind::kFinal));
-  write_file(in_folder(job, "frames.csv"), frames_csv(driven.run));
-  Trial trial = trial_of(driven.run, driven.cpu_s);
+  write_file(in_folder(job, kTrajectory), trajectory_tum(result.run, PoseKind::kFinal));
+  write_file(in_folder(job, "frames.csv"), frames_csv(result.run));
+  Trial trial = trial_of(result.run, result.cpu_s);
   evaluate_trajectory(job, input.ground_truth(), &trial);
   keep_ground_truth(job, input.ground_truth());
   write_file(in_folder(job, "result.yaml"), write_params(figures_of(&trial)));
@@ -127,7 +129,7 @@ std::string failure_of(const BenchJob& job) {
 
 std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const BenchHost& host) {
   make_output_folder(job.folder);
-  const FileLock lock(job.folder);  // a process that its engine has left behind may still be at it
+  const FileLock lock(job.folder);  // a process left behind by its engine may still be running it
   if (std::optional<Trial> trial = finished_trial(job)) return trial;
   begin_folder(job);
   try {

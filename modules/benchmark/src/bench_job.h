@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One job of a benchmark: a sequence under a variant with a seed, and its folder of results.
+// A job of a benchmark: a sequence under a variant with a seed, and the folder of its results.
 //
 //   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, frames.csv   as `edgevo run` writes them
-//                              result.yaml                      the figures (trial.h)
-//                              ../groundtruth_tum.txt           where there is one, for `edgevo compare`
-//                              job.yaml                         what was run, by which version; written last:
-//                                                               the job has ended
-//                              failure.txt                      instead of it: why it could not end
+//                              result.yaml                      figures (trial.h)
+//                              ../groundtruth_tum.txt           if there is one, for `edgevo compare`
+//                              job.yaml                         inputs and version; written last: the job is
+//                                                               finished
+//                              failure.txt                      instead of job.yaml: reason of the failure
 //
-// A job whose job.yaml tells the same as it would write now is not run again.
+// A job whose job.yaml equals the one that it would write now is not run again.
 #include <optional>
 
 #include "bench_input.h"
@@ -16,31 +17,33 @@
 
 namespace edgevo {
 
+/// A job: one trial.
 struct BenchJob {
   std::string sequence;
   BenchVariant variant;
   uint64_t seed = 1;
   std::string folder, description;
-  std::string edges;  ///< folder of those that were computed before; empty: none
+  /// Folder of precomputed edges; empty: none.
+  std::string edges;
 
-  /// "desk normal seed 1"
+  /// Title for progress and messages: "desk normal seed 1".
   std::string title() const;
 };
 
-/// `out` is OUT, `version` what tells one build of the program from another.
+/// Describes a job with results below `out`; `version` identifies the build of the program.
 BenchJob make_job(const BenchInput& input, const BenchVariant& variant, uint64_t seed, const std::string& out,
                   const std::string& version);
 
-/// The result of a job that has ended before; nullopt if it has not, or was another one. Throws InputError
-/// for a result that was changed by other hands.
+/// Result of a finished job; nullopt if it is not finished or its inputs have changed. Throws InputError for
+/// a result that was modified by hand.
 std::optional<Trial> finished_trial(const BenchJob& job);
 
-/// Why it could not end when it was tried last; empty: it has not been tried, or has ended.
+/// Reason of failure of the last attempt; empty: not tried yet, or finished.
 std::string failure_of(const BenchJob& job);
 
-/// Runs the job and writes its folder; nullopt when a signal has ended it. Waits for another process that is
-/// at it, whose result it then takes. Throws InputError: a broken source, no room; failure.txt then says it,
-/// too.
+/// Runs the job and writes its folder; nullopt if ended by a signal. If another process is running the job,
+/// waits and takes its result. Throws InputError for a broken source or a full disk and writes the reason to
+/// failure.txt.
 std::optional<Trial> run_job(const BenchJob& job, BenchInput& input, const BenchHost& host);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/bench_list.h"
 
 #include <algorithm>
@@ -16,11 +17,11 @@ namespace {
 constexpr const char* kGroup = "sequences.";
 constexpr const char* kSetGroup = "set.";
 
-// The texts of the file, strictly read, and where each key stands.
+// Texts of the file, strictly read, and the location of each key.
 struct RawList {
   std::string seeds = "1..5", variants = "normal", detectors;
   std::vector<BenchSequence> sequences;
-  std::vector<std::string> sequence_variants;                 // of each sequence; empty: those of all
+  std::vector<std::string> sequence_variants;                 // of each sequence; empty: the default
   std::vector<std::pair<std::string, std::string>> settings;  // name and its assignments
   std::map<std::string, std::string> locations;               // dotted key -> "file:line"
   std::string file;
@@ -41,7 +42,7 @@ std::vector<std::string> words(const std::string& text, const char* separators) 
   return all;
 }
 
-// True for `text` that is one whole number and nothing else.
+// Whether `text` is an integer and nothing else.
 template <class T>
 bool whole(const std::string& text, T* value) {
   const auto read = std::from_chars(text.data(), text.data() + text.size(), *value);
@@ -49,23 +50,23 @@ bool whole(const std::string& text, T* value) {
 }
 
 void add_seeds(const std::string& word, const std::string& where, std::vector<uint64_t>* seeds) {
-  constexpr uint64_t kMost = 1000;  // seeds of a range: more is a slip of the pen
+  constexpr uint64_t kMost = 1000;  // seeds of a range: more is a typing error
   const size_t dots = word.find("..");
   uint64_t first = 0, last = 0;
   const bool good = dots == std::string::npos
                         ? whole(word, &first) && whole(word, &last)
                         : whole(word.substr(0, dots), &first) && whole(word.substr(dots + 2), &last);
   if (!good || last < first || last - first >= kMost)
-    throw InputError(where, "'" + word + "' is no seed",
+    throw InputError(where, "'" + word + "' is not a seed",
                      "write whole numbers as `1 2 7` or `1..5`, a thousand at most");
   for (uint64_t i = 0; i <= last - first; ++i) {
     if (std::find(seeds->begin(), seeds->end(), first + i) != seeds->end())
-      throw InputError(where, "the seed " + std::to_string(first + i) + " stands there twice", "keep one");
+      throw InputError(where, "the seed " + std::to_string(first + i) + " is given twice", "keep one");
     seeds->push_back(first + i);
   }
 }
 
-// What the words of a variant may be, besides those that are always known.
+// Allowed words of a variant, besides the built-in ones.
 struct KnownWords {
   std::vector<std::string> lights, detectors;
   std::vector<BenchSetting> settings;
@@ -82,9 +83,8 @@ bool holds(const std::vector<std::string>& words, const std::string& word) {
 }
 
 bool is_detector(const std::string& word, const KnownWords& known) {
-  constexpr std::string_view kPrecomputed = "precomputed:";
-  const bool precomputed = word.compare(0, kPrecomputed.size(), kPrecomputed) == 0;
-  return holds(known.detectors, precomputed ? word.substr(kPrecomputed.size()) : word);
+  const bool precomputed = word.compare(0, kPrecomputedPrefix.size(), kPrecomputedPrefix) == 0;
+  return holds(known.detectors, precomputed ? word.substr(kPrecomputedPrefix.size()) : word);
 }
 
 [[noreturn]] void unknown_word(const std::string& word, const std::string& where, const KnownWords& known) {
@@ -102,7 +102,7 @@ void set_once(std::string* field, const std::string& word, const std::string& wh
   *field = word;
 }
 
-// The order of the frames, and which are left: false for another word.
+// Handles the words for order and selection of frames; false for any other word.
 bool changes_order(const std::string& word, BenchVariant* variant) {
   constexpr std::string_view kEvery = "every";
   const bool thins = word.compare(0, kEvery.size(), kEvery) == 0;
@@ -134,11 +134,11 @@ std::vector<BenchVariant> parse_variants(const std::string& text, const std::str
   std::set<std::string> names;
   for (const std::string& name : words(text, " \t,")) {
     if (!names.insert(name).second)
-      throw InputError(where, "the variant '" + name + "' stands there twice", "keep one");
+      throw InputError(where, "the variant '" + name + "' is given twice", "keep one");
     BenchVariant variant;
     variant.name = name;
     if (words(name, "+").empty())
-      throw InputError(where, "'" + name + "' is no variant", "write for example every3+glare");
+      throw InputError(where, "'" + name + "' is not a variant", "write for example every3+glare");
     for (const std::string& word : words(name, "+")) add_effect(word, where, known, &variant);
     variants.push_back(variant);
   }
@@ -146,7 +146,7 @@ std::vector<BenchVariant> parse_variants(const std::string& text, const std::str
   return variants;
 }
 
-// Each variant by each of the detectors.
+// Each variant with each of the detectors.
 std::string crossed(const std::string& variants, const std::string& detectors) {
   std::string all;
   for (const std::string& variant : words(variants, " \t,"))
@@ -154,7 +154,7 @@ std::string crossed(const std::string& variants, const std::string& detectors) {
   return all.empty() ? variants : all;
 }
 
-// Each variant as it is, and with each of the settings; as they are where one names a setting itself.
+// Each variant without and with each of the settings; unchanged if one names a setting itself.
 std::string with_settings(const std::string& variants, const KnownWords& known) {
   std::string all;
   for (const std::string& variant : words(variants, " \t,")) {
@@ -176,7 +176,7 @@ bool name_settings(const RawList& raw, const KnownWords& known) {
                      [&](const std::string& own) { return name_settings(own, known); });
 }
 
-// Settings have names of the user's choosing, too.
+// Settings have user-defined names, too.
 void find_settings(const std::vector<YamlEntry>& entries, RawList* list) {
   const auto is_set = [](const YamlEntry& entry) { return entry.key == "set"; };
   for (const YamlEntry& entry : entries)
@@ -187,8 +187,7 @@ void find_settings(const std::vector<YamlEntry>& entries, RawList* list) {
                      "write `NAME: GROUP.KEY=VALUE` indented below it");
 }
 
-// Sequences have names of the user's choosing: a first look finds them, so that the strict reader knows all
-// keys.
+// Sequences have user-defined names: a first pass collects them, so that the strict reader knows all keys.
 void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
   std::set<std::string> names;
   for (const YamlEntry& entry : entries) {
@@ -200,7 +199,7 @@ void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
       throw InputError(list->location(entry.key), "the sequence '" + name + "' is not a group",
                        "write its `source: ...` indented below it");
     if (name.find('.') != std::string::npos)
-      throw InputError(list->location(entry.key), "a sequence's name holds a dot",
+      throw InputError(list->location(entry.key), "a sequence's name contains a dot",
                        "use letters, digits, - and _");
     names.insert(name);
     BenchSequence sequence;
@@ -247,7 +246,7 @@ bool is_known(const std::string& word, const KnownWords& known) {
   return changes_order(word, &ignored) || holds(known.lights, word) || is_detector(word, known);
 }
 
-// What stands below `set`; its keys are looked up when the runs are planned.
+// Parses the entries below `set`; their keys are checked when the runs are planned.
 std::vector<BenchSetting> parse_settings(const RawList& raw, const KnownWords& known) {
   std::vector<BenchSetting> settings;
   for (const auto& [name, assignments] : raw.settings) {
@@ -269,7 +268,7 @@ void check_detectors(const RawList& raw, const KnownWords& known) {
                        "did you mean '" + nearest_name(word, known.detectors) + "'?");
 }
 
-// Those of the variant that the list does not have yet.
+// The settings of the variant that the list does not have yet.
 void add_settings(const BenchVariant& variant, RawList* raw) {
   for (const BenchSetting& setting : variant.settings) {
     const auto is_it = [&](const auto& there) { return there.first == setting.name; };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bench_plan.h"
 
 #include <algorithm>
@@ -14,10 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kManyJobs = 10000;  // ten seconds of planning
-constexpr std::string_view kPrecomputed = "precomputed:";
+constexpr size_t kManyJobs = 10000;  // ten seconds of planning time
 
-// A name of one folder for any text: what is not plain becomes an underscore, and its hash keeps it apart.
+// Folder name for any text: special characters become underscores; a hash makes the name unique.
 std::string folder_name(const std::string& text) {
   std::string name;
   for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
@@ -30,7 +30,7 @@ bool is_open(const BenchJob& job) {
   try {
     return !finished_trial(job);
   } catch (const InputError&) {
-    return false;  // a result spoilt by other hands is told with the table, and not written over
+    return false;  // a corrupt result is reported with the table and not overwritten
   }
 }
 
@@ -59,17 +59,17 @@ nlohmann::ordered_json planned(const std::string& out, const char* kind, const s
   const std::string path = workflow_path(out, "plan.json");
   const auto plan = nlohmann::ordered_json::parse(read_file(path, "call edgevo bench"), nullptr, false);
   const bool there = plan.is_object() && plan.contains(kind) && plan[kind].contains(name);
-  if (!there) throw InputError(path, "plans no '" + name + "'", "call edgevo bench, which plans anew");
+  if (!there) throw InputError(path, "plans no '" + name + "'", "run edgevo bench to plan again");
   return plan[kind][name];
 }
 
 void check_names(const BenchSequence& sequence) {
   if (sequence.name == "workflow")
     throw InputError(sequence.where, "a sequence cannot be called workflow: the engine keeps its files there",
-                     "call it otherwise");
+                     "use another name");
   for (const BenchVariant& v : sequence.variants)
     if (!precomputed_by(v).empty() && (!v.light.empty() || v.backward))
-      throw InputError(sequence.where, "the edges of '" + v.name + "' cannot be computed before",
+      throw InputError(sequence.where, "the edges of '" + v.name + "' cannot be precomputed",
                        "leave its light and its order as they are, or name a detector without precomputed:");
 }
 
@@ -81,8 +81,8 @@ void forget_end(const std::string& out, const std::string& id) {
 }  // namespace
 
 std::string precomputed_by(const BenchVariant& variant) {
-  const bool is = variant.detector.compare(0, kPrecomputed.size(), kPrecomputed) == 0;
-  return is ? variant.detector.substr(kPrecomputed.size()) : "";
+  const bool is = variant.detector.compare(0, kPrecomputedPrefix.size(), kPrecomputedPrefix) == 0;
+  return is ? variant.detector.substr(kPrecomputedPrefix.size()) : "";
 }
 
 std::string scene_key(const BenchInput& input) {
@@ -160,7 +160,7 @@ void BenchPlan::write(const BenchList& list, const BenchTarget& target) const {
   nlohmann::ordered_json jobs = nlohmann::ordered_json::object();
   auto& entries = jobs.get_ref<nlohmann::ordered_json::object_t&>();
   for (const auto& [id, job] : jobs_) {
-    entries.emplace_back(id, as_json(job));  // [] would look through all of them
+    entries.emplace_back(id, as_json(job));  // [] would search all of them
     forget_end(target.out, id);
   }
   plan["jobs"] = std::move(jobs);

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the engine (share/workflow) is to do for a list: the open trials, packed into jobs, and what they need
-// first.
+// Plan of the engine (share/workflow) for a list: the unfinished trials, packed into jobs, and what they
+// depend on.
 //
-//   OUT/workflow/list.yaml          the list, as it was given
-//               plan.json           what follows, as the Snakefile reads it
-//               jobs/ID.ended       exit code of the job; .log: what it said; .time: what it took
-//               scenes/KEY, edges/KEY   what several jobs share; gone when they have ended
+//   OUT/workflow/list.yaml          the list as given
+//               plan.json           the plan, read by the Snakefile
+//               jobs/ID.ended       exit code of the job; .log: its output; .time: its duration
+//               scenes/KEY, edges/KEY   shared by several jobs; removed when these are finished
 //
-// A job is one trial while there are few; then the trials of a sequence are packed together, since the engine
-// takes a millisecond and twenty kilobytes to plan a job, however long it runs.
+// A job is one trial as long as there are few; many trials of a sequence are packed into one job, since the
+// engine needs a millisecond and twenty kilobytes per job, however short.
 #include <map>
 #include <string>
 #include <vector>
@@ -18,37 +19,43 @@
 
 namespace edgevo {
 
-/// Of one sequence, in the order of the list.
+/// A job of the engine: trials of one sequence, in the order of the list.
 struct EngineJob {
   std::string sequence;
-  std::vector<std::pair<std::string, uint64_t>> trials;  ///< variant and seed
-  std::string scene;                                     ///< key; empty: none
-  std::vector<std::string> edges;                        ///< keys
+  /// Variant and seed of each trial.
+  std::vector<std::pair<std::string, uint64_t>> trials;
+  /// Key of its scene; empty: none.
+  std::string scene;
+  /// Keys of its precomputed edges.
+  std::vector<std::string> edges;
 };
 
-/// By what a scene, or the edges of a sequence by a detector, are known: a name for a folder.
+/// Folder name of a scene, or of the edges of a sequence by a detector.
 std::string scene_key(const BenchInput& input);
 std::string edges_key(const BenchInput& input, const std::string& detector);
-/// The detector that the edges of a variant are computed by beforehand; empty: none are.
+/// Detector whose edges are precomputed for a variant; empty: none.
 std::string precomputed_by(const BenchVariant& variant);
 
-/// The trials of a job of the plan in OUT. Throws InputError: there is no such job.
+/// Job `id` of the plan in `out`. Throws InputError if there is no such job.
 EngineJob planned_job(const std::string& out, const std::string& id);
-/// The sequence that renders a scene of the plan in OUT. Throws InputError.
+/// Name of the sequence that renders scene `key` of the plan in `out`. Throws InputError.
 std::string planned_scene(const std::string& out, const std::string& key);
 
-/// OUT/workflow/NAME.
+/// Path OUT/workflow/NAME.
 std::string workflow_path(const std::string& out, const std::string& name);
 
+/// Unfinished trials of a list, packed into jobs.
 class BenchPlan {
  public:
-  /// Looks which trials are open. Throws InputError: a source or a file that is not there.
+  /// Finds the unfinished trials. Throws InputError for a missing source or file.
   BenchPlan(const BenchList& list, const BenchTarget& target, const std::string& version);
 
-  const std::map<std::string, EngineJob>& jobs() const { return jobs_; }  ///< by id
+  /// Jobs by id.
+  const std::map<std::string, EngineJob>& jobs() const { return jobs_; }
+  /// Number of unfinished trials.
   int open_trials() const { return open_; }
-  /// Writes list.yaml and plan.json, and takes away the signs that open jobs have ended before. Throws
-  /// InputError.
+  /// Writes list.yaml and plan.json, and removes the exit codes of earlier attempts of unfinished jobs.
+  /// Throws InputError.
   void write(const BenchList& list, const BenchTarget& target) const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/bench_run.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ int ended(const BenchOutcome& outcome) {
   return int(count);
 }
 
-// A job that the system has ended leaves no words of its own.
+// A job ended by the system leaves no message of its own.
 std::string unexplained_end(const BenchPlan& plan, const BenchTarget& target) {
   std::error_code ignored;
   for (const auto& [id, job] : plan.jobs()) {
@@ -67,7 +68,7 @@ std::string parameter_files(const BenchList& list) {
   return "the defaults" + text + "; in full in each job.yaml";
 }
 
-// What the names of settings in the table stand for: "no_corners: KEY=VALUE; ..."; empty without any.
+// Meaning of the names of settings in the table: "no_corners: KEY=VALUE; ..."; empty without any.
 std::string settings_text(const BenchList& list) {
   std::map<std::string, std::vector<std::string>> settings;
   for (const BenchSequence& s : list.sequences)

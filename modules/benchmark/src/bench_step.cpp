@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/bench_step.h"
 
 #include <algorithm>
@@ -11,19 +12,19 @@
 namespace edgevo {
 namespace {
 
-constexpr int kInterrupted = 130;  // as shells say it
+constexpr int kInterrupted = 130;  // as in shells
 
 const BenchSequence& sequence_of(const BenchList& list, const std::string& name) {
   for (const BenchSequence& sequence : list.sequences)
     if (sequence.name == name) return sequence;
-  throw InputError(name, "is no sequence of the list", "call edgevo bench, which plans anew");
+  throw InputError(name, "is not a sequence of the list", "run edgevo bench to plan again");
 }
 
 const BenchVariant& variant_of(const BenchSequence& sequence, const std::string& name) {
   for (const BenchVariant& variant : sequence.variants)
     if (variant.name == name) return variant;
-  throw InputError(sequence.name + "/" + name, "is no variant of the list",
-                   "call edgevo bench, which plans anew");
+  throw InputError(sequence.name + "/" + name, "is not a variant of the list",
+                   "run edgevo bench to plan again");
 }
 
 BenchJob job_of(const BenchInput& input, const BenchTarget& target, const std::string& variant, uint64_t seed,
@@ -40,7 +41,7 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-// False where it could not end.
+// Returns false if it failed.
 bool run_trial(const BenchJob& job, BenchInput& input, const BenchHost& host) {
   try {
     const bool before = finished_trial(job).has_value();

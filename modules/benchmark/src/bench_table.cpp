@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/bench_table.h"
 
 #include <algorithm>
@@ -8,12 +9,12 @@
 namespace edgevo {
 namespace {
 
-// Of a run without a value: the worst there is.
+// Value of a run without a result: worse than any other.
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
 using Format = std::string (*)(double value);
 
-// Three digits that say something, from 123.46 down to 0.000312: errors range from kilometres to tenths of a
+// Three significant digits or more, from 123.46 down to 0.000312: errors range from kilometres to tenths of a
 // millimetre.
 std::string three_digits(double value) {
   const double leading = value > 0 ? std::floor(std::log10(value)) : 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "engine.h"
 
 #include <fcntl.h>
@@ -24,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the Snakefile lies: the source tree while one works in it, else what was installed with the program.
+// Folder of the Snakefile: that of the source tree if it exists, else the one installed with the program.
 fs::path workflow_files() {
   const fs::path folders[] = {
 #ifdef EDGEVO_WORKFLOW_SOURCE_DIR
@@ -34,7 +35,7 @@ fs::path workflow_files() {
   std::error_code ignored;
   for (const fs::path& folder : folders)
     if (fs::is_regular_file(folder / "Snakefile", ignored)) return folder;
-  throw InputError(folders[0].string(), "there is no Snakefile", "install edgevo anew");
+  throw InputError(folders[0].string(), "there is no Snakefile", "reinstall edgevo");
 }
 
 std::string profile_folder(const std::string& name) {
@@ -47,7 +48,7 @@ std::string profile_folder(const std::string& name) {
                    "name local, slurm, kubernetes or a folder with a config.yaml");
 }
 
-// Megabytes of this machine: as many jobs run as fit.
+// Memory of this machine, MB: limits the number of parallel jobs.
 long memory_mb() { return sysconf(_SC_PHYS_PAGES) / 1024 * (sysconf(_SC_PAGESIZE) / 1024); }
 
 std::vector<std::string> command_line(const std::string& workflow, const EngineOptions& options) {
@@ -75,7 +76,7 @@ bool is_installed(const std::string& program) {
   return false;
 }
 
-// A profile names its scripts without a folder.
+// Profiles name their scripts without a folder.
 void add_scripts_of_profile(const std::vector<std::string>& words) {
   const char* const path = std::getenv("PATH");
   const auto profile = std::find(words.begin(), words.end(), "--profile") + 1;
@@ -83,7 +84,7 @@ void add_scripts_of_profile(const std::vector<std::string>& words) {
   setenv("PYTHONUNBUFFERED", "1", 1);
 }
 
-// In a group of its own, which a signal reaches as a whole; it dies with this program, however that ends.
+// Runs in a process group of its own, so that signals reach all of it; it dies with this program in any case.
 pid_t start(const std::vector<std::string>& words, int output) {
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
@@ -104,7 +105,7 @@ bool read_steps(const std::string& line, int* done, int* all) {
   return std::sscanf(line.c_str(), "%d of %d steps", done, all) == 2;
 }
 
-// Lines of Snakemake, as they come; a signal is handed on once.
+// Reads the output of Snakemake line by line and forwards a signal once.
 class Listener {
  public:
   Listener(pid_t group, const std::string& log, const std::function<bool()>& stop)
@@ -115,7 +116,7 @@ class Listener {
     for (ssize_t count = 1; count != 0;) {
       pollfd waiting{input, POLLIN, 0};
       const int ready = poll(&waiting, 1, 200);
-      hand_signal_on();
+      pass_signal_on();
       if (ready <= 0) continue;
       count = read(input, buffer, sizeof buffer);
       if (count > 0) take({buffer, size_t(count)});
@@ -123,9 +124,9 @@ class Listener {
   }
 
  private:
-  void hand_signal_on() {
-    if (!stop_() || told_) return;
-    told_ = true;
+  void pass_signal_on() {
+    if (!stop_() || signal_sent_) return;
+    signal_sent_ = true;
     kill(-group_, SIGTERM);
   }
   void take(const std::string& bytes) {
@@ -145,7 +146,7 @@ class Listener {
   const std::function<bool()>& stop_;
   std::string begun_;
   const bool on_terminal_ = isatty(STDERR_FILENO) == 1;
-  bool told_ = false;
+  bool signal_sent_ = false;
 };
 
 int wait_for(pid_t child, const std::function<bool()>& stop) {

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Snakemake, started on share/workflow/Snakefile with the plan of a benchmark.
+// Runs Snakemake on share/workflow/Snakefile with the plan of a benchmark.
 #include <string>
 
 #include "edgevo/benchmark/bench_run.h"
 
 namespace edgevo {
 
-/// `workflow`: folder of plan.json. Shows a line of progress; what Snakemake says goes into engine.log there
-/// (a dry run: to stdout). SIGINT and SIGTERM end it and its jobs. Returns an empty text, or why it did not
-/// do all, in a line. Throws InputError: it is not installed, its files are not there.
+/// Runs the plan in the folder `workflow`. Shows a progress line; the output of Snakemake goes to engine.log
+/// in that folder (dry run: to stdout). SIGINT and SIGTERM end it and its jobs. Returns the reason why it did
+/// not finish, one line; empty on success. Throws InputError if Snakemake or its files are not installed.
 std::string run_engine(const std::string& workflow, const EngineOptions& options, const BenchHost& host);
 
 }  // namespace edgevo

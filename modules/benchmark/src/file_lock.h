@@ -1,22 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One process at a time in a folder or file, which is locked as long as this lives, or a process that
-// has inherited it; a process that is killed leaves no lock behind.
+// Lock on a folder or file for one process at a time, held until the object and all processes that have
+// inherited it are gone; a killed process leaves no lock behind.
 #include <optional>
 #include <string>
 
 namespace edgevo {
 
+/// An exclusive lock on a folder or file.
 class FileLock {
  public:
-  /// Waits until no other holds `path` (a folder, or a file). On a file system without such locks there is
-  /// none, and no wait.
+  /// Waits for the lock on `path` (a folder or a file). On a file system without locks it neither locks nor
+  /// waits.
   explicit FileLock(const std::string& path);
   ~FileLock();
   FileLock(FileLock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// nullopt where another holds it now. Processes that this one starts hold it, too, until they end.
+  /// Lock on `path`, or nullopt if another process holds it. Child processes inherit the lock until they end.
   static std::optional<FileLock> try_lock_for_all(const std::string& path);
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "kept_clip.h"
 
 #include <cmath>
@@ -16,7 +17,7 @@ namespace {
 constexpr double kAny = std::numeric_limits<double>::max();
 constexpr const char* kRemedy = "remove the folder `workflow` of the benchmark and call again";
 
-// clip.yaml: numbers as they are read back to the bit.
+// clip.yaml: numbers in a form that is read back exactly.
 struct ClipFacts {
   std::string kind;
   int first = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/paper_run.h"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// share/bench/table1.yaml of the source tree while one works in it, else what is installed beside the
-// program.
+// share/bench/table1.yaml of the source tree if it exists, else the one installed with the program.
 std::string shipped_list(const std::string& which) {
   const std::string name = "table" + which + ".yaml";
   std::vector<fs::path> folders{data_folder() / "bench"};
@@ -33,7 +33,7 @@ std::string shipped_list(const std::string& which) {
   throw InputError(name, "is not installed", "give the list with --list");
 }
 
-std::string beside(const std::string& list, const std::string& file) {
+std::string path_from(const std::string& list, const std::string& file) {
   return file.empty() ? "" : fs::absolute(fs::path(list).parent_path() / file).lexically_normal().string();
 }
 
@@ -41,21 +41,20 @@ bool data_is_there(const std::string& path) {
   std::error_code ignored;
   try {
     return fs::exists(path, ignored) || fs::exists(source_folder(path), ignored);
-  } catch (const InputError&) {  // an archive, which has no survey of that name
+  } catch (const InputError&) {  // an archive without a survey of that name
     return false;
   }
 }
 
-// The list with full paths, so that it means the same wherever it lies; sequences whose data is not there go
-// to `missing`.
-BenchList at_hand(BenchList list, const std::string& path, const std::string& data,
-                  std::vector<std::string>* missing) {
+// The list with absolute paths, so that it can be moved; sequences without data are moved to `missing`.
+BenchList with_available_data(BenchList list, const std::string& path, const std::string& data,
+                              std::vector<std::string>* missing) {
   std::vector<BenchSequence> there;
   for (BenchSequence s : list.sequences) {
     const bool is_scene = s.source.rfind(kScenePrefix, 0) == 0;
     if (!is_scene)
       s.source = fs::absolute(fs::path(data.empty() ? "." : data) / s.source).lexically_normal().string();
-    s.camera = beside(path, s.camera), s.params = beside(path, s.params);
+    s.camera = path_from(path, s.camera), s.params = path_from(path, s.params);
     if (is_scene || data_is_there(s.source))
       there.push_back(s);
     else
@@ -79,7 +78,7 @@ std::set<std::string> detectors_in(const BenchList& list) {
   return detectors.empty() ? std::set<std::string>{""} : detectors;
 }
 
-// Each survey of the user's, whole and every third frame, by each detector of the list.
+// Adds each survey of the user with every and with every third frame, with each detector of the list.
 void add_surveys(const std::string& data, BenchList* list) {
   const std::set<std::string> detectors = detectors_in(*list);
   for (const Survey& survey : surveys_in(data)) {
@@ -102,18 +101,17 @@ BenchHeader paper_header(const BenchList& list, const std::string& version) {
 }
 
 const char* const kLakeRemark =
-    "What differs from the paper's setting: rendered shores stand in for its twelve surveys (which ones it "
-    "does not say), their light changed as "
-    "the row says; drift over stretches of 5, 10, 20 and 30 % of the path where that is under 400 m; "
-    "failures are the stretches above 30 cm/m or "
-    "without poses; track and map are CPU ms a frame on this machine, with the edges under track. Seasons of "
-    "surveys go by the month of their date.";
+    "What differs from the paper's setting: rendered shores replace its twelve surveys (which it does "
+    "not name), with light changed as the row says; drift over intervals of 5, 10, 20 and 30 % of the path "
+    "if that is under 400 m; failures are the intervals above 30 cm/m or without poses; track and map are "
+    "CPU ms per frame on this machine, with the edges under track. Seasons of surveys go by the month "
+    "of their date.";
 const char* const kKittiRemark =
     "What differs from the paper's setting: pieces of 300 frames are not the whole sequences that its "
-    "figures are of; edgevo calibrates residual "
-    "distortion by itself (camera.refine); no loop closing, as there.";
+    "figures are of; edgevo calibrates residual distortion by itself (camera.refine); no loop closing, as "
+    "there.";
 
-// Of surveys without a map the truth is GPS and compass: who reads the table must know.
+// The truth of surveys without a map is GPS and compass: readers of the table must know.
 std::string coarse_surveys(const BenchList& list) {
   std::string names;
   for (const BenchSequence& s : list.sequences) {
@@ -150,12 +148,12 @@ int missing_trials(const std::vector<BenchRow>& rows) {
   return missing;
 }
 
-BenchList asked_list(const PaperTableRequest& request, std::vector<std::string>* missing) {
+BenchList requested_list(const PaperTableRequest& request, std::vector<std::string>* missing) {
   const std::string path = request.list.empty() ? shipped_list(request.which) : request.list;
   BenchList list = read_bench_list(path);
   if (!request.seeds.empty()) list.seeds = parse_seeds(request.seeds, "--seeds");
   if (request.trials > 0) list.seeds = parse_seeds("1.." + std::to_string(request.trials), "--trials");
-  list = at_hand(list, path, request.data, missing);
+  list = with_available_data(list, path, request.data, missing);
   if (request.which == "1" && !request.data.empty()) add_surveys(request.data, &list);
   return list;
 }
@@ -167,7 +165,7 @@ PaperTableResult run_paper_table(const PaperTableRequest& request, const BenchHo
   if (!request.data.empty() && !fs::is_directory(request.data, ignored))
     throw InputError(request.data, "no such folder", "give the folder of the data with --data DIR");
   std::vector<std::string> missing;
-  BenchList list = asked_list(request, &missing);
+  BenchList list = requested_list(request, &missing);
   std::vector<BenchRow> rows;
   make_output_folder(request.out);
   if (!list.sequences.empty()) {

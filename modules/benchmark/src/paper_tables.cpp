@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/paper_tables.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ bool is_survey(const std::string& sequence) {
   return !sequence.empty() && std::isdigit(static_cast<unsigned char>(sequence[0]));
 }
 
-// The words of a variant: whether it thins the frames by three, and what else it does to the images.
+// Words of a variant: whether it takes every third frame, and other changes of the images.
 struct VariantWords {
   bool every3 = false;
   std::string others;
@@ -92,7 +93,7 @@ std::string method_of(const BenchRow& row) {
          (light.empty() ? "" : ", light " + light);
 }
 
-// Rows of ours that make one row of the table.
+// Our rows that make up one row of the table.
 using Rows = std::vector<const BenchRow*>;
 
 template <class Value>
@@ -127,7 +128,7 @@ TableRow own_row(const std::string& name, const Rows& rows) {
 
 // ---- KITTI ----
 
-// "00" of "kitti00"; the name itself of anything else, such as a piece.
+// "00" for "kitti00"; any other name, such as that of a piece, is unchanged.
 std::string kitti_row_name(const std::string& sequence) {
   const std::string rest =
       sequence.rfind(kKitti, 0) == 0 ? sequence.substr(std::string(kKitti).size()) : sequence;
@@ -148,12 +149,12 @@ TableCell ate_cell(const std::vector<BenchRow>& rows, const std::string& name, c
     }
   }
   if (lost == 0) return ate.cell();
-  TableCell cell;  // a mean over the others would reward losing track
+  TableCell cell;  // a mean over the other trials would reward losing track
   cell.text = std::to_string(lost) + " of " + std::to_string(lost + ate.values.size()) + " trials failed";
   return cell;
 }
 
-// Mean over the sequences that the paper takes, where all of them are there.
+// Mean over the sequences of the paper, if all of them are available.
 TableCell mean_of_whole(const std::vector<TableRow>& rows, size_t column) {
   double sum = 0;
   int count = 0;
@@ -168,11 +169,11 @@ TableCell mean_of_whole(const std::vector<TableRow>& rows, size_t column) {
 }
 
 std::vector<std::string> kitti_row_names(const std::vector<BenchRow>& rows,
-                                         const std::vector<std::string>& not_at_hand) {
+                                         const std::vector<std::string>& unavailable) {
   std::vector<std::string> names;
   for (const PaperKittiRow& paper : paper_kitti_rows())
     if (is_whole(paper.sequence)) names.push_back(paper.sequence);
-  std::vector<std::string> ours = not_at_hand;
+  std::vector<std::string> ours = unavailable;
   for (const BenchRow& row : rows) ours.push_back(row.sequence);
   std::vector<std::string> others;
   for (const std::string& sequence : ours) others.push_back(kitti_row_name(sequence));
@@ -208,7 +209,7 @@ std::string season_of(const std::string& sequence) {
   if (!is_survey(sequence) || sequence.size() < 4) return {};
   const int month = std::atoi(sequence.substr(2, 2).c_str());
   if (month < 1 || month > 12) return {};
-  return kSeasons[(month + 9) % 12 / 3];  // March begins spring
+  return kSeasons[(month + 9) % 12 / 3];  // spring begins in March
 }
 
 PrintedTable lake_table(const BenchHeader& header, const std::vector<BenchRow>& rows,
@@ -233,7 +234,7 @@ PrintedTable lake_table(const BenchHeader& header, const std::vector<BenchRow>& 
 }
 
 PrintedTable kitti_table(const BenchHeader& header, const std::vector<BenchRow>& rows,
-                         const std::vector<std::string>& not_at_hand,
+                         const std::vector<std::string>& unavailable,
                          const std::vector<std::string>& remarks) {
   PrintedTable table{"Table II: KITTI, ATE in metres, scale re-corrected every 200 frames",
                      "sequence",
@@ -250,15 +251,15 @@ PrintedTable kitti_table(const BenchHeader& header, const std::vector<BenchRow>&
   if (detectors.empty()) detectors.push_back(kUsualDetector);
   for (const std::string& detector : detectors) table.columns.push_back("edgevo, " + detector);
   const auto is_missing = [&](const std::string& name) {
-    return std::any_of(not_at_hand.begin(), not_at_hand.end(),
+    return std::any_of(unavailable.begin(), unavailable.end(),
                        [&](const std::string& s) { return kitti_row_name(s) == name; });
   };
-  for (const std::string& name : kitti_row_names(rows, not_at_hand)) {
+  for (const std::string& name : kitti_row_names(rows, unavailable)) {
     TableRow row{name, paper_cells(name), false};
     for (const std::string& detector : detectors) {
       row.cells.push_back(ate_cell(rows, name, detector));
       if (!row.cells.back().value && row.cells.back().text.empty() && is_missing(name))
-        row.cells.back().text = "not at hand";
+        row.cells.back().text = "not available";
     }
     table.rows.push_back(row);
   }

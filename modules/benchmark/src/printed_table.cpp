@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/printed_table.h"
 
 #include "edgevo/core/output_file.h"
@@ -12,7 +13,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-// A field with a comma or quotes in quotes.
+// Quotes a field that contains a comma or quotes.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string result = "\"";
@@ -79,14 +80,13 @@ std::string table_csv(const PrintedTable& table) {
 }
 
 std::string table_html(const PrintedTable& table) {
-  std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                     escaped(table.title) +
-                     "</title>\n<style>:root{color-scheme:light dark}body{font:15px "
-                     "sans-serif;margin:2em}table{border-collapse:collapse}"
-                     "td,th{padding:.3em .6em;border-bottom:1px solid "
-                     "#8886;text-align:right}td:first-child,th:first-child{text-align:left}"
-                     ".own{font-weight:bold}</style></head><body>\n<h1>" +
-                     escaped(table.title) + "</h1>\n<ul>\n";
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(table.title) +
+      "</title>\n<style>:root{color-scheme:light dark}body{font:15px "
+      "sans-serif;margin:2em}table{border-collapse:collapse}td,th{padding:.3em .6em;border-bottom:1px solid "
+      "#8886;text-align:right}td:first-child,th:first-child{text-align:left}.own{font-weight:bold}</style></"
+      "head><body>\n<h1>" +
+      escaped(table.title) + "</h1>\n<ul>\n";
   for (const auto& [name, value] : table.header)
     text += "<li>" + escaped(name) + ": " + escaped(value) + "</li>\n";
   text += "</ul>\n<table>\n<tr><th>" + escaped(table.corner) + "</th>";

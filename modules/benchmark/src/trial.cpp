@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/trial.h"
 
 #include "edgevo/core/run_statistics.h"
@@ -5,23 +6,23 @@
 namespace edgevo {
 
 void Trial::visit(KeyVisitor& v) {
-  // No limits: they were written by us.
+  // No limits: the program wrote the values itself.
   constexpr int kMany = std::numeric_limits<int>::max();
   constexpr double kLarge = std::numeric_limits<double>::max();
-  v.integer("frames", frames, 0, kMany, "put in");
+  v.integer("frames", frames, 0, kMany, "input frames");
   v.number("completion_percent", completion_percent, 0, 100, "frames with a pose");
-  v.integer("segments", segments, 0, kMany, "connected stretches of trajectory");
-  v.number("cpu_ms", cpu_ms, 0, kLarge, "of the odometry a frame");
-  v.boolean("evaluated", evaluated, "against ground truth");
-  v.text("note", note, {}, "why not");
-  v.number("path_m", path_m, 0, kLarge, "of the ground truth");
+  v.integer("segments", segments, 0, kMany, "connected segments of trajectory");
+  v.number("cpu_ms", cpu_ms, 0, kLarge, "CPU time of the odometry per frame");
+  v.boolean("evaluated", evaluated, "whether compared with ground truth");
+  v.text("note", note, {}, "reason if not");
+  v.number("path_m", path_m, 0, kLarge, "length of the true path");
   v.number("ate_m", ate_m, 0, kLarge, "RMSE after Sim(3)");
   v.number("ate200_m", ate200_m, 0, kLarge, "scale re-corrected every 200 input frames");
-  v.number("drift_cm_per_m", drift_cm_per_m, 0, kLarge, "mean over stretches");
+  v.number("drift_cm_per_m", drift_cm_per_m, 0, kLarge, "mean over intervals");
   v.number("failure_percent", failure_percent, 0, 100,
-           "stretches above the cap of the drift, or without poses");
-  v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, a frame");
-  v.number("map_ms", map_ms, 0, kLarge, "all other stages, a frame");
+           "share of intervals above the cap of the drift or without poses");
+  v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, per frame");
+  v.number("map_ms", map_ms, 0, kLarge, "all other stages, per frame");
 }
 
 namespace {
@@ -54,8 +55,8 @@ void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
   trial->path_m = evaluation.drift->path_m;
   trial->drift_cm_per_m = evaluation.drift->mean_cm_per_m;
   const Drift& drift = *evaluation.drift;
-  if (drift.stretches > 0)
-    trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.stretches;
+  if (drift.intervals > 0)
+    trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.intervals;
 }
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The reference solver: the same cost through Ceres, point depths in the first elimination group.
 #include <ceres/ceres.h>
 
@@ -15,7 +16,8 @@
 namespace edgevo::ba {
 namespace {
 
-using PoseBlock = std::array<double, 7>;  ///< x y z w of the quaternion, then the translation
+/// Quaternion x y z w, then the translation.
+using PoseBlock = std::array<double, 7>;
 using PoseJacobian = Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor>;
 
 SE3 to_se3(const double* x) {
@@ -28,8 +30,8 @@ void from_se3(const SE3& T, double* x) {
 }
 
 // T_cam_world <- exp(xi) T_cam_world. Ceres only ever multiplies a cost's Jacobian by PlusJacobian, so with
-// [I; 0] here the costs hand over their six derivatives by xi followed by a zero, and the quaternion never
-// has to be differentiated.
+// [I; 0] here the costs return their six derivatives by xi followed by a zero, and the quaternion never has
+// to be differentiated.
 class LeftPerturbation : public ceres::Manifold {
  public:
   int AmbientSize() const override { return 7; }
@@ -140,7 +142,7 @@ class PriorCost : public ceres::CostFunction {
   Eigen::VectorXd c_;
 };
 
-// One solve: the Ceres problem with the blocks and functions that it points to.
+// A solve: the Ceres problem with the blocks and functions that it points to.
 class CeresSolve {
  public:
   CeresSolve(const BaProblem& problem, const BaOptions& options)
@@ -256,8 +258,8 @@ BaResult CeresSolve::run() {
   result.usable = summary.IsSolutionUsable();
   result.initial_cost = summary.initial_cost + cost_offset_;
   result.final_cost = summary.final_cost + cost_offset_;
-  result.iterations =
-      static_cast<int>(summary.iterations.size()) - 1;  // Ceres counts the evaluation of the start
+  // Ceres counts the evaluation at the start.
+  result.iterations = static_cast<int>(summary.iterations.size()) - 1;
   for (std::size_t i = 0; i < pose_blocks_.size(); ++i) state_.poses[i] = to_se3(pose_blocks_[i].data());
   return result;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Symmetric systems of normal equations.
 #include <Eigen/Cholesky>
@@ -5,8 +6,8 @@
 
 namespace edgevo::ba {
 
-/// Half bandwidth of a symmetric matrix: |i - j| of its farthest entry that is not zero, read from the lower
-/// triangle.
+/// Half bandwidth of a symmetric matrix: |i - j| of the non-zero entry furthest from the diagonal, read from
+/// the lower triangle.
 inline Eigen::Index half_bandwidth(const Eigen::MatrixXd& A) {
   Eigen::Index width = 0;
   for (Eigen::Index col = 0; col < A.cols(); ++col) {
@@ -17,9 +18,9 @@ inline Eigen::Index half_bandwidth(const Eigen::MatrixXd& A) {
   return width;
 }
 
-/// A x = b for a symmetric A that is positive definite as a rule: Cholesky, block by block and within the
-/// band only, so that n poses that see w others each cost n w^2 and not n^3; the slow factorisation without
-/// square roots only where that fails.
+/// Solves A x = b for a symmetric A that is usually positive definite: Cholesky by blocks and within the
+/// band, so that n poses with w neighbours each cost n w^2 instead of n^3; if it fails, the slower LDL^T
+/// factorisation.
 template <class Columns>
 Columns solve_positive(const Eigen::MatrixXd& A, const Columns& b) {
   // Rows: eight poses; a block of 18 KB and its panel stay in the first caches.

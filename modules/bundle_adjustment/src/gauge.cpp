@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/bundle_adjustment/gauge.h"
 
 #include <algorithm>
@@ -5,15 +6,14 @@
 namespace edgevo::ba {
 namespace {
 
-// Standard deviation of the length, a share of it: far less than matches tell, far more than rounding does.
+// Standard deviation of the baseline, share of its length: far below that of the matches, far above rounding.
 constexpr double kHeldShare = 1e-4;
-// Of the way, in the map's unit, whose scenes are some ten away: keeps a way of no length from a division by
-// zero.
+// Shortest baseline in the unit of the map, whose depths are about ten: prevents a division by zero.
 constexpr double kLeastLength = 1e-9;
 
 }  // namespace
 
-BaPrior hold_baseline(const SE3& T_first_world, const SE3& T_last_world, int last_id) {
+BaPrior fix_baseline(const SE3& T_first_world, const SE3& T_last_world, int last_id) {
   const Eigen::Vector3d way = (T_last_world * T_first_world.inverse()).translation();
   const double sigma = kHeldShare * std::max(way.norm(), kLeastLength);
   BaPrior prior;

@@ -1,4 +1,5 @@
-// Marginalisation of a keyframe into a prior on the poses that stay.
+// SPDX-License-Identifier: BSD-3-Clause
+// Marginalisation of a keyframe into a prior on the remaining poses.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 using namespace ba;
 
-// E(xi) = 1/2 xi^T H xi + b^T xi + constant over all poses of the problem, 6 rows a pose.
+// E(xi) = 1/2 xi^T H xi + b^T xi + constant over all poses of the problem, 6 rows per pose.
 struct Quadratic {
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
@@ -28,7 +29,7 @@ std::vector<bool> points_to_drop(const BaProblem& problem, int pose) {
   return drop;
 }
 
-// What the dropped points say, their depths eliminated, in perturbations delta of the current poses.
+// Information of the dropped points, with depths eliminated, in perturbations delta of the current poses.
 Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
                            const std::vector<bool>& drop) {
   const State state = initial_state(problem, options.min_idepth);
@@ -46,7 +47,7 @@ Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
   return q;
 }
 
-// What the corners that a pose shares with others say, in the same perturbations.
+// Information of the corners that a pose shares with others, in the same perturbations.
 void add_corners(const BaProblem& problem, int pose, const BaOptions& options, Quadratic* q) {
   std::vector<BaCornerPair> shared;
   for (const BaCornerPair& c : problem.corners)
@@ -83,14 +84,14 @@ void add_prior(const BaPrior& prior, const std::vector<int>& pose_index, Quadrat
   }
 }
 
-// Pose `row / 6` is known: xi there has the value `xi`.
+// Conditions on the known pose `row / 6`, whose displacement is `xi`.
 void condition(const Vector6d& xi, int row, Quadratic* q) {
   q->constant += 0.5 * xi.dot(q->H.block<6, 6>(row, row) * xi) + q->b.segment<6>(row).dot(xi);
   q->b += q->H.middleCols<6>(row) * xi;
 }
 
 // Inverse on the range of a positive semidefinite 6x6 matrix. Translations and rotations differ in unit,
-// hence the scaling to a diagonal of ones; what is below kNothing then is rounding.
+// hence the scaling to a unit diagonal; anything below kNothing is then rounding.
 Matrix6d pseudo_inverse(const Matrix6d& M) {
   constexpr double kNothing = 1e-12;
   const Vector6d scale = M.diagonal().cwiseMax(0).cwiseSqrt().cwiseMax(kNothing).cwiseInverse();
@@ -112,7 +113,7 @@ void eliminate_pose(int row, Quadratic* q) {
   q->constant -= 0.5 * b.dot(inverse * b);
 }
 
-// Poses that the prior is to hold: free, not the one that leaves, and with something said about them.
+// Poses of the new prior: free, not the marginalised one, and with some information about them.
 std::vector<int> poses_to_keep(const BaProblem& problem, int leaving, const Quadratic& q) {
   std::vector<int> keep;
   for (int i = 0; i < static_cast<int>(problem.poses.size()); ++i)
@@ -168,8 +169,7 @@ BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& opti
   add_corners(problem, leaving, options, &q);
   move_linearization(old, xi_prior, &q);
   if (!old.empty()) add_prior(*problem.prior, old.pose_index(), &q);
-  // A fixed pose that the old prior holds stays where it is now, which need not be where the prior was
-  // linearised.
+  // A fixed pose in the old prior keeps its current value, which may differ from the linearisation point.
   for (std::size_t i = 0; i < old.pose_index().size(); ++i)
     if (problem.poses[old.pose_index()[i]].fixed)
       condition(xi_prior.segment<6>(6 * i), 6 * old.pose_index()[i], &q);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "normal_equations.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Vector6d to_vector(const PackedVector6& v) {
 
 }  // namespace
 
-// One observation: residual and derivatives of its two rows, and what the loss makes of them.
+// Residual and derivatives of the two rows of an observation, with the robust loss applied.
 struct NormalEquationsBuilder::Derivatives {
   Rows r;
   Rows J[6];  // by the target pose

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Normal equations of a packed problem: one pass over the observations gives the robust cost, the pose
-// system, and the Schur complement of the inverse depths.
+// Normal equations of a packed problem: a single loop over the observations computes the robust cost, the
+// pose system and the Schur complement of the inverse depths.
 //
 // All sums are first taken per (host, target) pair in the target's own perturbation; since J_host = -J_target
-// Ad(T_t_h), the blocks of the world poses follow by congruence, once a pair and not once an observation.
+// Ad(T_t_h), the blocks of the world poses follow by congruence, once per pair instead of per observation.
 #include <vector>
 
 #include "packed_problem.h"
@@ -23,38 +24,49 @@ struct alignas(32) SchurBlock {
   Quad quad[9];
 };
 
-/// Poses' 6x6 blocks are ordered as the problem's poses, fixed ones included. H and S are symmetric and full.
+/// Normal equations. The 6x6 blocks are in the order of the problem's poses, including fixed ones. H and S
+/// are full symmetric matrices.
 struct NormalEquations {
-  double cost = 0;    ///< sum of Huber costs
-  Eigen::MatrixXd H;  ///< sum w J^T J over poses
-  Eigen::VectorXd b;  ///< sum w J^T r
-  Eigen::MatrixXd S;  ///< sum over free points E E^T / information: H - S is the Schur complement
-  Eigen::VectorXd s;  ///< sum over free points E gradient / information
-  std::vector<double> idepth_information;  ///< per packed point, sum w (dr/drho)^2
-  std::vector<double> idepth_gradient;     ///< per packed point, sum w r dr/drho
-  std::vector<PackedVector6> coupling;     ///< per packed observation, E = sum w J_target^T dr/drho
-  /// Of T_target_host, host * n + target in the host's range: J_host = -J_target Ad.
+  /// Sum of Huber costs.
+  double cost = 0;
+  /// Sum w J^T J over poses.
+  Eigen::MatrixXd H;
+  /// Sum w J^T r.
+  Eigen::VectorXd b;
+  /// Sum over free points E E^T / information: H - S is the Schur complement.
+  Eigen::MatrixXd S;
+  /// Sum over free points E gradient / information.
+  Eigen::VectorXd s;
+  /// Per packed point, sum w (dr/drho)^2.
+  std::vector<double> idepth_information;
+  /// Per packed point, sum w r dr/drho.
+  std::vector<double> idepth_gradient;
+  /// Per packed observation, E = sum w J_target^T dr/drho.
+  std::vector<PackedVector6> coupling;
+  /// Adjoint of T_target_host at host * n + target, for targets in the host's range: J_host = -J_target Ad.
   std::vector<Matrix6d> adjoint;
 };
 
-/// Information, 1 over the square of an inverse depth, below which a point's depth is held: no parallax,
-/// nothing to divide by. A deviation of a million says nothing in a map whose depths are about ten.
+/// Information of an inverse depth below which the depth of a point is fixed: without parallax there is
+/// nothing to divide by. It is a standard deviation of a million, in a map whose depths are about ten.
 constexpr double kMinIdepthInformation = 1e-12;
 
-/// Scratch of the pass, kept between iterations so that the hot loop never allocates.
+/// Builds normal equations; keeps its scratch memory between iterations, so that the hot loop never
+/// allocates.
 class NormalEquationsBuilder {
  public:
   NormalEquationsBuilder(const PackedProblem& packed, double huber_width);
   void build(const State& state, NormalEquations* out);
-  /// Only the cost and the sums of single depths (idepth_information, idepth_gradient), the same bits as
-  /// `build` gives; the rest of `out` is not touched. A fraction of the time of `build`.
+  /// Computes only the cost and the sums of single depths (idepth_information, idepth_gradient), with the
+  /// same bits as build(), in a fraction of its time; the rest of `out` is unchanged.
   void build_cost_and_depths(const State& state, NormalEquations* out);
 
  private:
   struct Derivatives;
-  /// Both rows of all observations of a (host, target) pair, the lanes to be added up at the end.
+  /// Sums over both rows of all observations of a (host, target) pair; the lanes are added at the end.
   struct PairSums {
-    Rows H[21];  ///< upper triangle of a 6x6 matrix, row by row
+    /// Upper triangle of a 6x6 matrix, row by row.
+    Rows H[21];
     Rows b[6];
   };
   static Matrix6d to_matrix(const PairSums& sums);
@@ -76,10 +88,14 @@ class NormalEquationsBuilder {
   const PackedProblem& packed_;
   double huber_width_;
   int n_;
-  std::vector<RelativePose> relative_;  ///< host * n + target
-  std::vector<PairSums> pairs_;         ///< host * n + target
-  std::vector<SchurBlock> schur_;       ///< of the host at hand: target_row * n + target_col, row >= col
-  std::vector<PackedVector6> schur_b_;  ///< of the host at hand, per target
+  /// T_target_host at host * n + target.
+  std::vector<RelativePose> relative_;
+  /// Sums at host * n + target.
+  std::vector<PairSums> pairs_;
+  /// Blocks of S of the current host at target_row * n + target_col, row >= col.
+  std::vector<SchurBlock> schur_;
+  /// Blocks of s of the current host, per target.
+  std::vector<PackedVector6> schur_b_;
 };
 
 }  // namespace edgevo::ba

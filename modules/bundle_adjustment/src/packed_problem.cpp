@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "packed_problem.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace edgevo::ba {
 namespace {
 
-// Z of the point times its inverse depth in the target: the ratio of its depths in target and host.
+// Depth of the point in the target times its inverse depth: the ratio of its depths in target and host.
 double depth_ratio(const RelativePose& T, const Eigen::Vector3d& ray, double idepth) {
   return T.R[6] * ray.x() + T.R[7] * ray.y() + T.R[8] * ray.z() + idepth * T.t[2];
 }
@@ -83,7 +84,8 @@ PackedProblem pack_problem(const BaProblem& problem, const State& state, const s
     }
     const int end = static_cast<int>(packed.observations.size());
     if (begin == end) continue;
-    // Ties by index keep the order, and with it every bit of the sums, a function of the problem alone.
+    // Breaking ties by index makes the order, and thus every bit of the sums, a function of the problem
+    // alone.
     std::sort(packed.observations.begin() + begin, packed.observations.end(),
               [](const PackedObservation& a, const PackedObservation& b) {
                 return a.target != b.target ? a.target < b.target : a.index < b.index;

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The terms of the cost that tie poses to one another and know no depth: the prior and the corners. One more
-// is a type like CornerTerm in residuals/, a member here, and a cost function in the reference,
+// Terms of the cost that constrain poses without depths: the prior and the corners. To add one, write a type
+// like CornerTerm in residuals/, a member here, and a cost function in the reference solver,
 // ceres_solver.cpp.
 #include "normal_equations.h"
 #include "prior.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "prior.h"
 
 #include <Eigen/LU>
@@ -19,8 +20,8 @@ Matrix6d bracket(const Vector6d& xi) {
 Matrix6d left_jacobian(const Vector6d& xi) {
   const Matrix6d ad = bracket(xi);
   Matrix6d sum = Matrix6d::Identity(), term = Matrix6d::Identity();
-  // Sum of ad^k / (k + 1)!, which converges for every xi: below rounding after a few terms for the small
-  // displacements of a prior, after less than kMaxTerms for turns by pi.
+  // Sum of ad^k / (k + 1)!, which converges for every xi: terms are below rounding after a few for the small
+  // displacements of a prior, after fewer than kMaxTerms for rotations by pi.
   constexpr int kMaxTerms = 40;
   constexpr double kBelowRounding = 1e-17;
   for (int k = 1; k < kMaxTerms; ++k) {

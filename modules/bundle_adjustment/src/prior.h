@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The marginalisation prior as a term of the cost, and the Jacobians of SE(3)'s exponential that it needs.
 #include <vector>
@@ -6,18 +7,18 @@
 
 namespace edgevo::ba {
 
-/// J_l with exp(xi + x) = exp(J_l(xi) x) exp(xi) to first order in x. Tangents [v, w].
+/// Left Jacobian J_l, with exp(xi + x) = exp(J_l(xi) x) exp(xi) to first order in x. Tangents [v, w].
 Matrix6d left_jacobian(const Vector6d& xi);
 
-/// BaProblem::prior bound to the poses of its problem; nothing where there is no prior. Keeps a reference to
-/// the problem.
+/// BaProblem::prior bound to the poses of its problem; empty without a prior. Keeps a reference to the
+/// problem.
 class PriorTerm {
  public:
   explicit PriorTerm(const BaProblem& problem);
   bool empty() const { return pose_index_.empty(); }
   /// Index into BaProblem::poses of each pose of the prior.
   const std::vector<int>& pose_index() const { return pose_index_; }
-  /// xi of all poses of the prior, 6n.
+  /// Displacement xi of all poses of the prior, 6n.
   Eigen::VectorXd displacement(const std::vector<SE3>& poses) const;
   double cost(const Eigen::VectorXd& xi) const;
   /// Adds the term's Hessian and gradient by left perturbations of `poses` to H and b (6 rows a pose);

@@ -1,4 +1,5 @@
-// What a BaProblem must look like, and whether there is anything to solve.
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks of a BaProblem: well-formed, finite, anything to solve.
 #include <cmath>
 
 #include "edgevo/core/error.h"
@@ -55,7 +56,7 @@ void check_prior(const BaProblem& problem) {
     std::size_t found = 0;
     for (const int pose_id : problem.pose_ids) found += pose_id == id;
     if (found != 1)
-      malformed("the prior names pose " + std::to_string(id) + ", which pose_ids holds " +
+      malformed("the prior names pose " + std::to_string(id) + ", which pose_ids contains " +
                     std::to_string(found) + " times",
                 "marginalise poses that leave the window");
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/bundle_adjustment/problem_index.h"
 
 namespace edgevo::ba {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/bundle_adjustment/profile.h"
 
 #include <cmath>
@@ -13,8 +14,8 @@
 namespace edgevo::ba {
 namespace {
 
-// Added to the diagonal of the pose system, a share of it and, in its own units, a least: poses that nothing
-// holds then have a rate of zero instead of none. Far below what any observed pose has.
+// Damping of the pose system: a share of its diagonal and, in its own units, a minimum. Unconstrained poses
+// then have a rate of zero instead of none. Far below the diagonal of any observed pose.
 constexpr double kDiagonalShare = 1e-9, kLeastDiagonal = 1e-12;
 
 // One observation with its derivative by k.
@@ -79,7 +80,8 @@ class Profile {
     return r;
   }
 
-  // The point's depth eliminated: H_k = sum w J_pose^T (J_k - J_rho (sum w J_rho J_k) / (sum w J_rho^2)).
+  // With the point's depth eliminated: H_k = sum w J_pose^T (J_k - J_rho (sum w J_rho J_k) / (sum w
+  // J_rho^2)).
   void reduce_point(int point) {
     double information = 0;
     IdepthRate coupling = IdepthRate::Zero();
@@ -124,7 +126,7 @@ class Profile {
     return x.allFinite();
   }
 
-  // Derivative of a residual along the path, its depth's own share left out.
+  // Derivative of a residual along the path of minima, without the share of its depth.
   ImageRate along_poses(const Row& r, int observation, const PoseRows& pose_rate) const {
     const BaObservation& o = problem_.observations[observation];
     return r.J_k + r.lin.J_target * pose_rate.middleRows<6>(6 * o.target) +

@@ -1,9 +1,10 @@
-// The own solver: Levenberg-Marquardt with the scalar inverse depths eliminated.
+// SPDX-License-Identifier: BSD-3-Clause
+// edgevo's own solver: Levenberg-Marquardt with the scalar inverse depths eliminated.
 //
 // With Marquardt's scaling the damped system of a point is (1 + lambda) times its information, so that the
-// Schur complement is H + lambda D - S / (1 + lambda): S is summed once a linearisation, and a rejected step
-// costs only a 6n x 6n factorisation. The linearisation of a trial state gives its cost too, and serves the
-// next step when the trial is accepted; of a trial that is foreseen to be the last only cost and depths are
+// Schur complement is H + lambda D - S / (1 + lambda): S is summed once per linearisation, and a rejected
+// step costs only a 6n x 6n factorisation. The linearisation of a trial state also gives its cost and is used
+// for the next step if the trial is accepted; for a trial predicted to be the last only cost and depths are
 // summed.
 #include <algorithm>
 #include <cmath>
@@ -16,14 +17,14 @@
 namespace edgevo::ba {
 namespace {
 
-// Damping, shares of the diagonal. Beyond the most a step is below rounding: no step will ever lower the
-// cost. Below the least it does nothing, and would not come back in time when it is needed.
+// Bounds of the damping, shares of the diagonal. Above the upper bound steps are below rounding and cannot
+// lower the cost. Below the lower bound it has no effect and would take too long to grow when needed.
 constexpr double kMaxLambda = 1e16, kMinLambda = 1e-16;
-// Of the cost: the sums of thousands of residuals are not known better than this.
+// Share of the cost: the accuracy of sums of thousands of residuals.
 constexpr double kLeastDecrease = 1e-14;
 
-// Marquardt's scaling (units as the Hessian's diagonal); bounded below, so that a pose that nothing observes
-// stays where it is, and above to stay finite.
+// Marquardt's scaling (units as the Hessian's diagonal); bounded below, so that an unobserved pose stays
+// unchanged, and above to stay finite.
 double damping_scale(double information) { return std::clamp(information, 1e-6, 1e32); }
 
 PackedVector6 pack(const Vector6d& v) { return {{Rows{v[0], v[1]}, Rows{v[2], v[3]}, Rows{v[4], v[5]}}}; }
@@ -34,8 +35,10 @@ inline double dot(const PackedVector6& a, const PackedVector6& b) {
 }
 
 struct Step {
-  Eigen::VectorXd poses;       ///< 6 rows a pose, zero for fixed ones
-  std::vector<double> idepth;  ///< per packed point
+  /// Step of the poses, 6 rows per pose, zero for fixed ones.
+  Eigen::VectorXd poses;
+  /// Step of the inverse depth of each packed point.
+  std::vector<double> idepth;
   double predicted_decrease = 0;
 };
 
@@ -43,7 +46,7 @@ class Damping {
  public:
   explicit Damping(double initial) : lambda_(initial) {}
   double lambda() const { return lambda_; }
-  /// Nielsen's rule: a smooth function of the gain of the accepted step.
+  /// Reduces the damping by Nielsen's formula, a smooth function of the gain of the accepted step.
   void accept(double gain) {
     lambda_ *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * gain - 1.0, 3));
     lambda_ = std::max(lambda_, kMinLambda);
@@ -100,7 +103,8 @@ class Minimizer {
   PackedProblem packed_;
   PoseTerms pose_terms_;
   NormalEquationsBuilder builder_;
-  NormalEquations now_, next_;  ///< at state_ and at trial_
+  /// Normal equations at state_ and at trial_.
+  NormalEquations now_, next_;
   std::vector<int> free_poses_;
   Damping damping_;
   Step step_;
@@ -136,7 +140,7 @@ bool Minimizer::solve_poses() {
 void Minimizer::solve_idepths() {
   const double lambda = damping_.lambda();
   const int n = packed_.pose_count;
-  std::vector<PackedVector6> relative(n);  // step of each target as seen from the host
+  std::vector<PackedVector6> relative(n);  // step of each target relative to the host
   for (int h = 0; h < n; ++h) {
     const Vector6d host = step_.poses.segment<6>(6 * h);
     for (int t = packed_.targets[h].first; t <= packed_.targets[h].last; ++t)
@@ -160,7 +164,7 @@ bool Minimizer::solve_step() {
   step_.predicted_decrease = 0;
   if (!solve_poses()) return false;
   solve_idepths();
-  return step_.predicted_decrease >= 0;  // neither negative by a lost factorisation nor NaN
+  return step_.predicted_decrease >= 0;  // false for a failed factorisation and for NaN
 }
 
 void Minimizer::apply_step() {
@@ -184,11 +188,11 @@ BaResult Minimizer::run() {
       damping_.reject();
       continue;
     }
-    if (step_.predicted_decrease <= kLeastDecrease * std::abs(now_.cost)) break;  // the minimum
+    if (step_.predicted_decrease <= kLeastDecrease * std::abs(now_.cost)) break;  // at the minimum
     apply_step();
-    const bool foreseen_last =
+    const bool expected_last =
         result.iterations == options_.max_iterations || is_enough(step_.predicted_decrease);
-    if (foreseen_last)
+    if (expected_last)
       evaluate(trial_, &next_);
     else
       linearize(trial_, &next_);
@@ -202,7 +206,7 @@ BaResult Minimizer::run() {
     std::swap(state_, trial_);
     std::swap(now_, next_);
     if (converged) break;
-    if (foreseen_last && result.iterations < options_.max_iterations) linearize(state_, &now_);
+    if (expected_last && result.iterations < options_.max_iterations) linearize(state_, &now_);
   }
   result.final_cost = now_.cost;
   return result;

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The two solvers behind make_bundle_adjuster, and what their results share.
+// The two solvers of make_bundle_adjuster(), and shared code for their results.
 #include <memory>
 
 #include "packed_problem.h"
@@ -9,14 +10,14 @@ namespace edgevo::ba {
 std::unique_ptr<BundleAdjuster> make_schur_solver();
 std::unique_ptr<BundleAdjuster> make_ceres_solver();
 
-/// For a problem that is not solved: usable = false, residuals at the input.
+/// Result of a problem that is not solved: usable = false, residuals at the input.
 BaResult unusable_result(const BaProblem& problem);
-/// Residuals and validity of all observations of `problem` as it stands.
+/// Fills in residuals and validity of all observations at the current values of `problem`.
 void fill_residuals(const BaProblem& problem, BaResult* result);
-/// 1 / sqrt(information) for the free points of the packed problem.
+/// Fills in the standard deviations 1 / sqrt(information) of the free points of the packed problem.
 void fill_sigmas(const PackedProblem& packed, const std::vector<double>& idepth_information,
                  std::size_t point_count, BaResult* result);
-/// Writes the free poses and depths of `state` back.
+/// Writes the free poses and depths of `state` into `problem`.
 void store(const State& state, BaProblem* problem);
 
 }  // namespace edgevo::ba

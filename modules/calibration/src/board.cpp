@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/board.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kLeastSide = 3, kMostSide = 100;
-constexpr int kLeastCorners = 6;  // of a ChArUco board: a plane's homography and something over
+constexpr int kLeastCorners = 6;  // of a ChArUco board: a homography (4) and some redundancy
 
 const std::map<std::string, int>& dictionaries() {
   using namespace cv::aruco;
@@ -32,7 +33,7 @@ void check_dictionary(const std::string& name) {
   if (dictionaries().count(name)) return;
   std::vector<std::string> names;
   for (const auto& entry : dictionaries()) names.push_back(entry.first);
-  throw InputError("--dictionary " + name, "is not known", "did you mean " + nearest_name(name, names) + "?");
+  throw InputError("--dictionary " + name, "is unknown", "did you mean " + nearest_name(name, names) + "?");
 }
 
 cv::Mat pixels_of(const GrayImage& image) {
@@ -41,8 +42,8 @@ cv::Mat pixels_of(const GrayImage& image) {
 
 using Quads = std::vector<std::vector<cv::Point2f>>;
 
-// How far around a corner only its own edges are seen: the nearest corner of a marker would draw it there,
-// and its blur reaches a pixel farther. OpenCV's own window shrinks to nothing, ours to 5x5.
+// Radius around a corner in which only its own edges are seen: the nearest corner of a marker would attract
+// it, and that corner's blur reaches a pixel farther. OpenCV's own window shrinks to nothing, ours to 5x5.
 int half_window(const cv::Point2f& corner, const Quads& markers) {
   constexpr float kBlurPx = 1;
   constexpr int kLeast = 2, kMost = 5;
@@ -53,7 +54,7 @@ int half_window(const cv::Point2f& corner, const Quads& markers) {
   return std::max(kLeast, int(nearest - kBlurPx));
 }
 
-// Where the gradients around each corner meet.
+// The point at which the gradients around each corner intersect.
 void refine(const cv::Mat& pixels, const Quads& markers, std::vector<cv::Point2f>* corners) {
   const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
   for (cv::Point2f& corner : *corners) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/board_views.h"
 
 #include <algorithm>
@@ -7,10 +8,10 @@ namespace edgevo {
 namespace {
 
 constexpr float kAlike = 0.02f;  // of the image's width
-constexpr size_t kMostViews =
-    60;  // the error falls with the root of their number, the time grows with its cube
+// The error falls with the square root of their number, the time grows with its cube.
+constexpr size_t kMostViews = 60;
 
-// Mean distance between the corners that both have; infinite if there are none.
+// Mean distance between the corners common to both; infinite if there are none.
 float distance(const BoardView& a, const BoardView& b) {
   float sum = 0;
   int common = 0;

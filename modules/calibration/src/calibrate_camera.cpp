@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/calibrate_camera.h"
 
 #include <algorithm>
@@ -11,13 +12,13 @@
 namespace edgevo {
 namespace {
 
-// A view gives two constraints on the camera (Zhang) and its corners bound the lens: nine numbers, and as
-// many again for what goes wrong.
+// A view gives two constraints on the camera (Zhang) and its corners constrain the lens: nine parameters,
+// with redundancy for bad views.
 constexpr size_t kLeastViews = 8;
 constexpr double kOutlier = 3;          // times the residual of the median view
 constexpr double kSignificant = 3;      // standard deviations
-constexpr double kMostSigmaF = 0.02;    // of f: a turn of 90 degrees would be two degrees off
-constexpr double kMostRmsShare = 1e-3;  // of the image's width: ten times what corners are found to
+constexpr double kMostSigmaF = 0.02;    // of f: a rotation by 90 degrees would be off by two degrees
+constexpr double kMostRmsShare = 1e-3;  // of the image's width: ten times the accuracy of corners
 
 struct Solution {
   cv::Mat K, lens, sigmas;
@@ -89,9 +90,9 @@ std::vector<ViewFit> fits_of(const std::vector<BoardView>& views, const Solution
   return fits;
 }
 
-// The views without those that do not fit; all of them if too few would remain.
+// The views without the outliers; all of them if too few would remain.
 std::vector<BoardView> without_outliers(const std::vector<BoardView>& views, const Solution& s,
-                                        std::vector<int>* left_out) {
+                                        std::vector<int>* skipped) {
   std::vector<double> rms;
   for (const ViewFit& fit : fits_of(views, s)) rms.push_back(fit.rms_px);
   const double most = kOutlier * quantile(rms, 0.5);
@@ -100,7 +101,7 @@ std::vector<BoardView> without_outliers(const std::vector<BoardView>& views, con
     if (rms[i] <= most) kept.push_back(views[i]);
   if (kept.size() < kLeastViews) return views;
   for (size_t i = 0; i < views.size(); ++i)
-    if (rms[i] > most) left_out->push_back(views[i].frame);
+    if (rms[i] > most) skipped->push_back(views[i].frame);
   return kept;
 }
 
@@ -108,26 +109,26 @@ void check_count(const BoardViews& all, const std::string& where) {
   if (all.views.size() >= kLeastViews) return;
   const std::string seen = std::to_string(all.seen) + " of " + std::to_string(all.images) + " images";
   if (all.seen == 0)
-    throw InputError(
-        where, "the board is in none of " + std::to_string(all.images) + " images",
-        "check its size (of a chessboard: INNER corners), that all of it and a white border are in view, and "
-        "the light");
-  throw InputError(
-      where, "the board is in " + seen + ", " + std::to_string(all.views.size()) + " different view(s)",
-      "give at least " + std::to_string(kLeastViews) + ", from other sides and in other places of the image");
+    throw InputError(where, "the board is in none of " + std::to_string(all.images) + " images",
+                     "check its size (of a chessboard: INNER corners), that all of it and a white border are "
+                     "in view, and the light");
+  throw InputError(where,
+                   "the board is in " + seen + ", " + std::to_string(all.views.size()) + " different view(s)",
+                   "give at least " + std::to_string(kLeastViews) +
+                       ", from other directions and in other parts of the image");
 }
 
 void check_result(const CameraCalibration& c, const std::string& where) {
   const Pinhole& p = c.camera.pinhole;
   const double f = std::min(p.fx, p.fy);
   if (!(c.rms_px <= kMostRmsShare * p.width))
-    throw InputError(where,
-                     "the corners are " + fixed(c.rms_px, 2) + " px (rms) from where such a lens has them",
-                     "check the board's size and that it is flat; a fisheye is not supported");
+    throw InputError(
+        where, "the corners are " + fixed(c.rms_px, 2) + " px (rms) from where this lens model puts them",
+        "check the board's size and that it is flat; a fisheye is not supported");
   if (!(c.sigma_f_px <= kMostSigmaF * f) || !is_tilted(c.views))
     throw InputError(where,
-                     "the views do not tell the focal length (" + fixed(f, 1) + " +- " +
-                         fixed(c.sigma_f_px, 1) + " px, if the board's tilts are right)",
+                     "the views do not determine the focal length (" + fixed(f, 1) + " +- " +
+                         fixed(c.sigma_f_px, 1) + " px, if the tilts of the board are correct)",
                      "tilt the board by 20 to 40 degrees, to all sides");
   c.camera.check(where);
 }
@@ -138,8 +139,8 @@ CameraCalibration calibrate_camera(const BoardViews& all, const std::string& whe
   check_count(all, where);
   CameraCalibration c;
   Solution s = solve(all.views, all);
-  const std::vector<BoardView> views = without_outliers(all.views, s, &c.left_out);
-  if (!c.left_out.empty()) s = solve(views, all);
+  const std::vector<BoardView> views = without_outliers(all.views, s, &c.skipped);
+  if (!c.skipped.empty()) s = solve(views, all);
   c.camera = camera_of(s, all);
   c.rms_px = s.rms;
   c.sigma_f_px = std::max(sigma(s, 0), sigma(s, 1));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "coverage.h"
 
 #include <algorithm>
@@ -6,8 +7,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kBorder = 1.0 / 6;  // of the image's side: half of what a third of the views should reach
-constexpr double kTilt = 15 * M_PI / 180;  // less hardly changes what is seen (its cosine is 0.97)
+constexpr double kBorder =
+    1.0 / 6;  // of the image's side: half the margin that a third of the views should reach
+constexpr double kTilt = 15 * M_PI / 180;  // a smaller tilt hardly changes the view (its cosine is 0.97)
 
 struct Extent {
   float left = 1, right = 0, top = 1, bottom = 0;  // of all corners, as shares of the image's sides

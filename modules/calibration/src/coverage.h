@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 #include <vector>
@@ -6,12 +7,13 @@
 
 namespace edgevo {
 
-/// What the views leave unseen, a sentence each: parts of the image without a corner (its lens is a guess
-/// there) and tilts of the board that are missing (focal length and distance are then hard to tell apart).
+/// What the views do not cover, a sentence each: parts of the image without a corner (the lens is
+/// extrapolated there) and missing tilts of the board (without which focal length and distance are hard to
+/// separate).
 std::vector<std::string> what_is_lacking(const std::vector<ViewFit>& views, int width, int height);
 
-/// In some view the board is tilted by 15 degrees or more. Straight on, a larger focal length looks like a
-/// larger distance.
+/// True if the board is tilted by 15 degrees or more in some view. For frontal views a larger focal length
+/// looks like a larger distance.
 bool is_tilted(const std::vector<ViewFit>& views);
 
 }  // namespace edgevo

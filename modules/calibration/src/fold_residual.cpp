@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/fold_residual.h"
 
 #include <Eigen/QR>
@@ -9,7 +10,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kLines = 50;  // over the shorter side of the image: many more than the lens has bends
+// Over the shorter side of the image: many more than the lens model has inflections.
+constexpr double kLines = 50;
 
 using Row = Eigen::Matrix<double, 1, 5>;
 using Rays = std::vector<Eigen::Vector2d>;
@@ -22,7 +24,7 @@ std::vector<double> positions(int last, double step) {
   return all;
 }
 
-// True rays of a grid of pixels of the distorted image; pixels without one are left out.
+// True rays of a grid of pixels of the distorted image; pixels without a ray are skipped.
 Rays image_rays(const Camera& camera, const std::string& where) {
   const Pinhole& p = camera.pinhole;
   const double step = std::max(1.0, std::min(p.width, p.height) / kLines);
@@ -53,15 +55,14 @@ Eigen::Vector2d pixel_difference(const Camera& a, const Camera& b, const Eigen::
   return {a.pinhole.fx * d.x(), a.pinhole.fy * d.y()};
 }
 
-// Distance of the two models at each ray, pixels.
+// Distance between the two models at each ray, pixels.
 Eigen::ArrayXd differences(const Camera& a, const Camera& b, const Rays& rays) {
   Eigen::ArrayXd d(rays.size());
   for (size_t i = 0; i < rays.size(); ++i) d[Eigen::Index(i)] = pixel_difference(a, b, rays[i]).norm();
   return d;
 }
 
-// What must be added to the file's coefficients; the smallest change where a narrow lens leaves some of them
-// open.
+// Correction to the file's coefficients: the smallest one if a narrow lens leaves some of them undetermined.
 Eigen::Matrix<double, 5, 1> fit_change(const Camera& camera, const Camera& by_file, const Rays& rays) {
   Eigen::Matrix<double, Eigen::Dynamic, 5> A(2 * rays.size(), 5);
   Eigen::VectorXd b(2 * rays.size());

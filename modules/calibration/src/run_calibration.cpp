@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/run_calibration.h"
 
 #include <algorithm>
@@ -16,10 +17,10 @@ using State = CameraRefinement::State;
 
 constexpr int kLargestSide = 65535;  // pixels of a width or height: what image formats hold
 
-// Of every complaint about the folder.
+// Remedy in every message about the folder.
 constexpr const char* kRemedy = "give the folder that a finished `edgevo run` of this version has written";
 
-// The text with all lines blank that do not belong to one of the two groups: the others keep their numbers.
+// The text with the lines outside the two groups blanked, so that the others keep their line numbers.
 std::string camera_groups(const std::string& text) {
   std::istringstream lines(text);
   std::string kept;
@@ -89,7 +90,7 @@ RunCalibration read_run_calibration(const std::string& run_folder) {
     visit_refinement(v, &state, &run.refinement);
   });
   if (run.camera.pinhole.width == 0) throw InputError(run.path, "holds no camera", kRemedy);
-  if (state.empty()) throw InputError(run.path, "does not tell the state of self_calibration", kRemedy);
+  if (state.empty()) throw InputError(run.path, "lacks the state of self_calibration", kRemedy);
   run.camera.check(run.path);
   run.refinement.state = state_of(state);
   return run;
@@ -103,8 +104,9 @@ FoldedCamera corrected_camera(const RunCalibration& run) {
       throw InputError(run.path, "the run was too short to calibrate the camera",
                        "run on a longer sequence: 60 keyframes and more");
     case State::kNotObservable:
-      throw InputError(run.path, "the motion does not tell the camera's distortion",
-                       "run on a sequence that moves forward over a longer way, past structure near and far");
+      throw InputError(
+          run.path, "the motion does not determine the camera's distortion",
+          "run on a sequence that moves forward over a longer distance, past structure near and far");
     case State::kAtLimit:
       throw InputError(
           run.path,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/block_yaml.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";  // the last: lines that end as on Windows
+constexpr std::string_view kBlanks = " \t\r";  // \r: Windows line ends
 
 bool is_key_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
@@ -22,19 +23,19 @@ std::string_view trimmed(std::string_view s) {
                                          : s.substr(begin, s.find_last_not_of(kBlanks) - begin + 1);
 }
 
-// Up to a '#' that begins the text or follows a blank.
+// The text up to a '#' at its start or after a blank.
 std::string_view without_comment(std::string_view s) {
   for (size_t i = 0; i < s.size(); ++i)
     if (s[i] == '#' && (i == 0 || kBlanks.find(s[i - 1]) != std::string_view::npos)) return s.substr(0, i);
   return s;
 }
 
-// What follows `key:` on its line.
+// Parses what follows `key:` on its line.
 class Value {
  public:
   Value(std::string_view text, std::string where) : rest_(trimmed(text)), where_(std::move(where)) {}
 
-  // False if there is none.
+  // Returns false if there is none.
   bool read(std::string* value) {
     if (rest_.empty() || rest_.front() == '#') return false;
     if (rest_.front() == '\'') return read_single_quoted(value);
@@ -50,11 +51,12 @@ class Value {
     const std::string_view plain = trimmed(without_comment(rest_));
     const char first = plain.front();
     if (first == '[' || first == '{' || plain == "-" || plain.substr(0, 2) == "- ")
-      fail("holds a list or a { } map, but every parameter is one value", "write `key: value`, one a line");
+      fail("contains a list or a { } map, but every parameter is one value",
+           "write one `key: value` per line");
     if (std::string_view("|>&*!%@`,]}?").find(first) != std::string_view::npos)
       fail(std::string("a value cannot begin with ") + first, "quote it if it is a text");
     if (plain.find(": ") != std::string_view::npos || plain.back() == ':')
-      fail("holds a second colon", "write one `key: value` a line, and quote texts with colons");
+      fail("contains a second colon", "write one `key: value` per line, and quote texts with colons");
     if (plain == "~" || plain == "null") return false;
     *value = std::string(plain);
     return true;
@@ -106,7 +108,7 @@ class Value {
   std::string where_;
 };
 
-// Keeps the groups that are open while the lines go by.
+// Tracks the open groups from line to line.
 class Reader {
  public:
   explicit Reader(std::string where) : file_(std::move(where)) {}
@@ -127,7 +129,7 @@ class Reader {
  private:
   struct Level {
     size_t indent;
-    std::string prefix;  // "mapping." ; empty at the top
+    std::string prefix;  // "mapping."; empty at the top level
   };
 
   [[noreturn]] void fail(const std::string& what, const std::string& remedy) const {
@@ -142,7 +144,7 @@ class Reader {
   }
   void read_entry(size_t indent, std::string_view content) {
     if (content.front() == '-' && (content.size() == 1 || kBlanks.find(content[1]) != std::string_view::npos))
-      fail("holds a list, but every parameter is one value", "write `key: value`");
+      fail("contains a list, but every parameter is one value", "write `key: value`");
     const auto end = std::find_if_not(content.begin(), content.end(), is_key_character);
     const size_t length = size_t(end - content.begin());
     const bool is_key =
@@ -159,12 +161,12 @@ class Reader {
     if (indent > levels_.back().indent) {
       if (entries.empty() || entries.back().has_value)
         fail("is indented more than the line above, which opens no group",
-             "align it with the keys beside it");
+             "align it with the other keys of its group");
       levels_.push_back({indent, entries.back().key + "."});
     }
     while (levels_.size() > 1 && indent < levels_.back().indent) levels_.pop_back();
     if (indent != levels_.back().indent)
-      fail("does not align with any line above", "indent it as the keys beside it");
+      fail("does not align with any line above", "indent it like the other keys of its group");
   }
   void add(const YamlEntry& entry) {
     const auto [first, is_new] = lines_.emplace(entry.key, number_);

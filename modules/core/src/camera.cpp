@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/camera.h"
 
 #include <Eigen/LU>
@@ -10,14 +11,14 @@ namespace edgevo {
 namespace {
 
 // Newton's method on the lens model, normalised coordinates.
-constexpr int kMostSteps = 30;  // more than any point within the model's range takes
-// At which it has converged: the 1e-12 that are promised, with a margin.
+constexpr int kMostSteps = 30;  // more than any point within the model's range needs
+// Step at which it has converged: the documented 1e-12, with a margin.
 constexpr double kErrorSquare = 1e-26;
-// Determinant of the derivative, 1 on the axis: the point is beyond the model's range.
+// Determinant of the derivative, 1 on the axis; below it the point is beyond the model's range.
 constexpr double kFoldedOver = 1e-6;
-// What an inverse may be wrong by: a millionth of a pixel at 1000 px of focal length.
+// Tolerated error of the inverse: a millionth of a pixel at a focal length of 1000 px.
 constexpr double kInverseError = 1e-9;
-// Pixels; no lens on a sensor is outside: one pixel is a view of 180 degrees, a million a telescope's.
+// Plausible focal lengths, pixels: 1 is a view of 180 degrees, a million a telescope.
 constexpr double kShortestFocal = 1, kLongestFocal = 1e6;
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/input_file.h"
 
 #include <sys/stat.h>
@@ -12,7 +13,7 @@
 namespace edgevo {
 namespace {
 
-// The largest file of ours that is read whole, edges.ply, has 60 bytes a point: thirty million points.
+// The largest file that is read whole, edges.ply, has 60 bytes a point: room for thirty million points.
 constexpr off_t kLargest = off_t(2) << 30;
 
 }  // namespace
@@ -23,7 +24,7 @@ void check_regular_file(const std::string& path, const std::string& remedy) {
     throw InputError(path, std::string("cannot be read: ") + std::strerror(errno), remedy);
   if (S_ISDIR(status.st_mode))
     throw InputError(path, std::string("cannot be read: ") + std::strerror(EISDIR), remedy);
-  if (!S_ISREG(status.st_mode))  // a device has no end, and a pipe waits for one
+  if (!S_ISREG(status.st_mode))  // a device may be endless, a pipe may block
     throw InputError(path, "cannot be read: it is a device or a pipe, not a file", remedy);
   if (status.st_size > kLargest)
     throw InputError(path, "cannot be read: it is larger than 2 GB, which no file of its kind is", remedy);

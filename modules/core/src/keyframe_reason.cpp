@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/keyframe_reason.h"
 
 #include <array>
@@ -5,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-// In the order of the enumeration; part of the format of frames.csv.
+// In the order of the enum; part of the format of frames.csv.
 constexpr std::array<std::string_view, 8> kNames{"",          "parallax",   "rotation", "view leaves",
                                                  "fast turn", "long since", "return",   "bootstrap"};
 

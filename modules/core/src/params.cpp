@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/params.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-// Ten digits where they say it all, else as many as it takes to read the same value back.
+// Ten digits if they are exact, else as many as needed to read the same value back.
 std::string format_number(double value) {
   char buffer[64];
   const auto text = [&](std::to_chars_result end) { return std::string(buffer, end.ptr); };
@@ -31,7 +32,7 @@ std::string format_number(double value) {
   return back == value ? rounded : text(std::to_chars(buffer, buffer + sizeof buffer, value));
 }
 
-// Gathers the dotted names of all keys, for "did you mean" and for finding unknown ones.
+// Collects the dotted names of all keys, for "did you mean" and to detect unknown ones.
 class KeyCollector : public ParamVisitor {
  public:
   void on_number(ParamLevel, const char* key, double&, double, double, const char*) override { add(key); }
@@ -59,10 +60,10 @@ class KeyCollector : public ParamVisitor {
     names_.insert(keys.back());
   }
   std::vector<std::string> prefix_;
-  std::set<std::string> names_;  // a list of a benchmark may have fifty thousand
+  std::set<std::string> names_;  // a benchmark list may have fifty thousand
 };
 
-// What was given: the text of a value, and where it stands (for messages).
+// A given value as text and its location (for messages).
 struct Given {
   std::string text, where;
 };
@@ -146,7 +147,7 @@ class Assigner : public ParamVisitor {
 
 std::string leaf(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-// The known key of the same last name, wherever it is; else the nearest.
+// The known key with the same last component, in any group; else the nearest.
 std::string suggestion(const std::string& key, const std::vector<std::string>& known) {
   std::vector<std::string> same_leaf;
   for (const std::string& k : known)
@@ -179,7 +180,7 @@ void assign(const std::vector<YamlEntry>& entries, const std::string& file, cons
   visit(assigner);
 }
 
-// Turns each value and its range into text, and hands them on.
+// Converts each value and its range to text and passes them on.
 class Describer : public ParamVisitor {
  public:
   void on_number(ParamLevel level, const char* key, double& value, double min, double max,
@@ -238,7 +239,7 @@ class Writer : public Describer {
   int indent_;
   bool comments_;
   ParamLevel last_level_;
-  std::vector<std::string> unwritten_;  // groups that were begun and have no key yet
+  std::vector<std::string> unwritten_;  // groups that have begun but have no key yet
 };
 
 class Lister : public Describer {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/run_statistics.h"
 
 #include <algorithm>
@@ -75,9 +76,9 @@ std::string latency_statement(const Run& run) {
   return "pace " + r.pace + "; reached " + fixed(r.frames_per_second, 1) +
          " frames/s; latency until the pose, ms: median " + fixed(latency->p50, 1) + ", 95 % " +
          fixed(latency->p95, 1) + ", 99 % " + fixed(latency->p99, 1) + ", max " + fixed(latency->max, 1) +
-         "; " + std::to_string(r.late) + " of " + std::to_string(r.handed_over) +
-         " frames handed over late, " + std::to_string(r.dropped) + " dropped, " +
-         std::to_string(r.left_out_of_mapping) + " not used for depths";
+         "; " + std::to_string(r.late) + " of " + std::to_string(r.delivered) + " frames delivered late, " +
+         std::to_string(r.dropped) + " dropped, " + std::to_string(r.left_out_of_mapping) +
+         " not used for depths";
 }
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/run_warnings.h"
 
 #include "edgevo/core/output_file.h"
@@ -8,20 +9,20 @@ std::vector<std::string> run_warnings(const Run& run) {
   std::vector<std::string> warnings;
   const CameraRefinement& c = run.camera;
   if (c.state == CameraRefinement::State::kAtLimit)
-    warnings.push_back("The lens distortion that self-calibration found (" + fixed(c.estimate, 4) +
-                       ") is at its limit and was not applied: the camera file is probably wrong, in its "
-                       "focal length most of "
-                       "all. Path and map are then wrong by far more than any figure here tells.");
+    warnings.push_back(
+        "The lens distortion that self-calibration found (" + fixed(c.estimate, 4) +
+        ") is at its limit and was not applied: the camera file is probably wrong, in its focal length most "
+        "of all. Path and map are then wrong by far more than any figure here shows.");
   if (c.shutter.state == CameraRefinement::State::kAtLimit)
     warnings.push_back("The read-out time that self-calibration found (" + fixed(c.shutter.estimate, 3) +
                        " s) is at its limit and was not applied: the camera file or the times of the images "
                        "are probably wrong.");
   if (run.is_metric() && run.scale_varies())
-    warnings.push_back("The scale that " + run.scale_source + " gave ran from " + fixed(run.scale.lowest, 2) +
-                       " to " + fixed(run.scale.highest, 2) +
-                       " along the run: the odometry's own scale was not steady, so that lengths between are "
-                       "uncertain. A wrong "
-                       "focal length or a map lost on the way does that.");
+    warnings.push_back(
+        "The scale that " + run.scale_source + " gave varied from " + fixed(run.scale.lowest, 2) + " to " +
+        fixed(run.scale.highest, 2) +
+        " along the run: the odometry's own scale was not steady, so that lengths in between are "
+        "uncertain. Causes: a wrong focal length, or a map lost during the run.");
   return warnings;
 }
 

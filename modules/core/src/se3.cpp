@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/se3.h"
 
 #include <Eigen/LU>
@@ -6,7 +7,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kSmallAngle = 1e-5;  // rad: below it the third term of each series is under the rounding
+// rad: below it the third term of each series is less than the rounding error.
+constexpr double kSmallAngle = 1e-5;
 // rad: below it the closed form of C loses digits long before the series does.
 constexpr double kSeriesAngle = 1e-2;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/timestamp.h"
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kTickDigits = 7;                // decimals of a second that a tick has
+constexpr int kTickDigits = 7;                // decimals of a tick in seconds
 constexpr int64_t kNanosecondsPerTick = 100;  // timestamp.h
-constexpr double kMostSeconds = 9e11;         // ticks of more do not fit 64 bits
+constexpr double kMostSeconds = 9e11;         // more ticks do not fit 64 bits
 
 // "-12.345" without exponent: whole digits, then at most seven decimals, the eighth rounds.
 bool parse_plain(std::string_view text, Timestamp* t) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "assumed_camera.h"
 
 #include <libexif/exif-data.h>
@@ -14,7 +15,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kFilmDiagonal = 43.267;  // mm, of 36 x 24: what "35 mm equivalent" is measured by
-constexpr double kAnyFov = 60;            // where the camera is of no consequence
+constexpr double kAnyFov = 60;            // for callers that do not need the camera
 
 struct Guess {
   double f_px;
@@ -54,10 +55,9 @@ std::optional<Camera> assume(const SourceOptions& options, const std::string& ow
     guess = guess_from_exif(image);
   if (!guess && options.any_camera) return camera_of_field_of_view(kAnyFov, image.width, image.height);
   if (!guess) return std::nullopt;
-  details->emplace_back(kAssumed,
-                        guess->by + ": f " + fixed(guess->f_px, 0) +
-                            " px, no lens distortion, centre in the middle; a calibration is better "
-                            "(edgevo calibrate --chessboard)");
+  details->emplace_back(kAssumed, guess->by + ": f " + fixed(guess->f_px, 0) +
+                                      " px, no lens distortion, centre in the middle; a calibration is "
+                                      "better (edgevo calibrate --chessboard)");
   return camera_of_focal_length(guess->f_px, image.width, image.height);
 }
 
@@ -75,7 +75,7 @@ std::optional<int> focal_length_35mm(const std::string& image_path) {
       exif_content_get_entry(data->ifd[EXIF_IFD_EXIF], EXIF_TAG_FOCAL_LENGTH_IN_35MM_FILM);
   if (!entry || entry->format != EXIF_FORMAT_SHORT || entry->size < 2) return std::nullopt;
   const int mm = exif_get_short(entry->data, exif_data_get_byte_order(data.get()));
-  return mm > 0 ? std::optional<int>(mm) : std::nullopt;  // 0: not known
+  return mm > 0 ? std::optional<int>(mm) : std::nullopt;  // 0: unknown
 }
 
 Camera choose_or_assume_camera(const SourceOptions& options, const std::string& own, const FirstImage& image,

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A camera for images that came without a calibration: --fov, or what a photo says of its lens. No lens
-// distortion, the centre in the middle of the image; a start, not a calibration
-// (share/lab/archive/2026-11-24_assumed_camera.md says what it costs).
+// A camera for images without a calibration, from --fov or a photo's EXIF data. No lens distortion, principal
+// point in the middle of the image; an initial guess, not a calibration (its cost:
+// share/lab/archive/2026-11-24_assumed_camera.md).
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,26 +13,29 @@
 
 namespace edgevo {
 
-/// As ImageSource::details().
+/// Type of ImageSource::details().
 using Details = std::vector<std::pair<std::string, std::string>>;
 
-/// What is there to guess by.
+/// What a guess can be based on.
 struct FirstImage {
-  std::string path;           ///< its file; empty: a frame of a video
-  int width = 0, height = 0;  ///< 0: to be read from the file
+  /// File of the image; empty: a frame of a video.
+  std::string path;
+  /// Size of the image, pixels; 0: to be read from the file.
+  int width = 0, height = 0;
 };
 
-/// The first that there is: the user's camera file, --fov, the source's `own` file, EXIF's focal length (35
-/// mm equivalent) in the first image. A guess is told in `details` under kAssumed. Throws InputError: none of
-/// them.
+/// The first that is available of: the user's camera file, --fov, the source's `own` file, EXIF's focal
+/// length (35 mm equivalent) in the first image. A guess is reported in `details` under kAssumed. Throws
+/// InputError if there is none.
 Camera choose_or_assume_camera(const SourceOptions& options, const std::string& own, const FirstImage& image,
                                Details* details);
 
-/// No lens, centre in the middle, square pixels, `fov_deg` (0 to 180, exclusive) over the width.
+/// Camera without distortion, with its principal point in the middle, square pixels, and `fov_deg` (0 to 180,
+/// exclusive) over the width.
 Camera camera_of_field_of_view(double fov_deg, int width, int height);
 
-/// EXIF's focal length in millimetres as if the sensor were that of a 35 mm film (36 x 24 mm, by the
-/// diagonal); nullopt if the file does not say.
+/// EXIF's 35 mm equivalent focal length in millimetres (36 x 24 mm sensor, by the diagonal); nullopt if the
+/// file states none.
 std::optional<int> focal_length_35mm(const std::string& image_path);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/camera_file.h"
 
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-// Of camera.txt, for messages.
+// Format of camera.txt, for messages.
 constexpr const char* kNumbersFormat = "fx fy cx cy k1 k2 p1 p2 width height [k3]";
 
 Camera parse_camera_numbers(const std::string& text, const std::string& where) {

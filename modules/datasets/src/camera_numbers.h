@@ -1,9 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
 namespace edgevo {
 
-constexpr int kLargestSide = 65535;  ///< pixels of a width or height: what image formats hold
+/// Largest width or height in pixels that image formats hold.
+constexpr int kLargestSide = 65535;
 
 /// A width or height as a whole number of pixels. Throws InputError opened by `where`.
 int image_side(double value, const std::string& where);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "camera_yaml.h"
 
 #include <set>
@@ -67,7 +68,7 @@ void read_distortion(const YamlValues& values, const std::string& where, Distort
   *d = {k[0], k[1], k[2], k[3], k[4]};
 }
 
-// Kalibr puts each camera under a name of its own: cam0, cam1, ...
+// Kalibr groups each camera under its own name: cam0, cam1, ...
 YamlValues without_camera_name(const YamlValues& values, const std::string& where) {
   YamlValues result;
   for (const auto& [key, value] : values) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
 #include <sstream>
 
@@ -6,8 +7,8 @@
 namespace edgevo {
 namespace {
 
-// The fewest digits that give the same double back, with a decimal point, which OpenCV needs to see a real
-// number.
+// The fewest digits that are read back as the same double, with a decimal point, without which OpenCV reads
+// an integer.
 std::string real(double value) {
   char buffer[32];
   std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
@@ -15,8 +16,8 @@ std::string real(double value) {
   return text;
 }
 
-// The layout of ROS, and `dt` for OpenCV: it then reads a matrix even without its own tag, which other
-// readers refuse.
+// The layout of ROS, and `dt` for OpenCV: with it OpenCV reads a matrix even without its own tag, which other
+// readers reject.
 std::string matrix(const char* key, int rows, int cols, const std::vector<double>& data) {
   std::string numbers;
   for (const double value : data) numbers += (numbers.empty() ? "" : ", ") + real(value);

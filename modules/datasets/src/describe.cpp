@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/describe.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ void describe_camera(const Camera& camera, Lines* lines) {
 }
 
 void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* lines) {
-  constexpr double kGap = 2.5;  // median steps: one frame that is missing is no gap
+  constexpr double kGap = 2.5;  // median steps: a single missing frame is not a gap
   int gaps = 0, backwards = 0;
   double longest = 0;
   size_t where = 0, first_backwards = 0;
@@ -107,11 +108,11 @@ std::vector<std::pair<std::string, std::string>> describe(const ImageSource& sou
   describe_times(source.times(), &lines);
   lines.emplace_back("mount", describe_mount(source.T_vehicle_cam()));
   const Lines own = source.details();
-  const bool told =
+  const bool has_truth_detail =
       std::any_of(own.begin(), own.end(), [](const auto& line) { return line.first == "ground truth"; });
   if (!source.ground_truth_path().empty())
     lines.emplace_back("ground truth", source.ground_truth_path());
-  else if (!told)
+  else if (!has_truth_detail)
     lines.emplace_back("ground truth", "none");
   lines.insert(lines.end(), own.begin(), own.end());
   return lines;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cctype>
 
@@ -79,7 +80,7 @@ class FlatYaml {
   }
   std::vector<std::string>& set(const std::string& key) {
     const auto [it, is_new] = values_.emplace(key, std::vector<std::string>());
-    if (!is_new) throw InputError(where_, "the key " + quote(key) + " stands there twice", "keep one");
+    if (!is_new) throw InputError(where_, "the key " + quote(key) + " is given twice", "keep one");
     return it->second;
   }
 
@@ -98,12 +99,12 @@ std::string without_comment(const std::string& line) {
   return line;
 }
 
-bool is_passed_over(const std::string& content) {
+bool is_skipped(const std::string& content) {
   return content.empty() || content[0] == '%' || content == "---" || content == "..." || content == "-" ||
          content.rfind("- ", 0) == 0;
 }
 
-// Lines without comments; those inside open brackets are joined to the one that opened them.
+// Lines without comments; those inside open brackets are joined to the line that opened them.
 std::vector<std::string> logical_lines(const std::string& text, const std::string& where) {
   constexpr int kDeepest = 8;  // nesting of brackets; calibrations need two
   std::vector<std::string> lines;
@@ -112,7 +113,7 @@ std::vector<std::string> logical_lines(const std::string& text, const std::strin
     const size_t end = std::min(text.find('\n', begin), text.size());
     const std::string line = without_comment(text.substr(begin, end - begin));
     begin = end + 1;
-    if (open == 0 && is_passed_over(trimmed(line))) continue;
+    if (open == 0 && is_skipped(trimmed(line))) continue;
     if (open > 0)
       lines.back() += " " + trimmed(line);
     else

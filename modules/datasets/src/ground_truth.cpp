@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/ground_truth.h"
 
 #include <algorithm>
@@ -12,10 +13,10 @@
 
 namespace edgevo {
 
-std::string ground_truth_tum(const SourceOptions& asked, const ImageSource& source) {
+std::string ground_truth_tum(const SourceOptions& requested, const ImageSource& source) {
   if (const std::string path = source.ground_truth_path(); !path.empty()) return read_text_file(path);
-  SourceOptions options = asked;
-  options.path = source_folder(asked.path);
+  SourceOptions options = requested;
+  options.path = source_folder(requested.path);
   const Layout* layout = layout_of(options.path);
   return layout && layout->ground_truth ? layout->ground_truth(options) : std::string();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/live_feed.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kAskForStopS = 0.05;  // seconds: Ctrl-C is answered at once, and asking costs nothing
+constexpr double kAskForStopS = 0.05;  // seconds: Ctrl-C acts at once, and polling costs nothing
 
 class SteadyClock : public FeedClock {
  public:
@@ -27,7 +28,7 @@ std::shared_ptr<FeedClock> steady_clock() { return std::make_shared<SteadyClock>
 LiveFeed::LiveFeed(ImageSource& source, const Pace& pace, std::shared_ptr<FeedClock> clock)
     : source_(source), pace_(pace), is_live_(source.is_live()), clock_(std::move(clock)) {
   if (is_live_ && pace.kind != Pace::Kind::kAtOnce)
-    throw InputError("--pace", "a live camera paces itself", "leave --pace out");
+    throw InputError("--pace", "a live camera paces itself", "omit --pace");
   reader_ = std::thread([this] { read_all(); });
 }
 
@@ -56,7 +57,7 @@ void LiveFeed::read_all() {
   came_.notify_all();
 }
 
-// False: nobody wants more frames.
+// False: no more frames are wanted.
 bool LiveFeed::keep(Frame frame) {
   const double came_s = clock_->now_s();
   std::unique_lock<std::mutex> lock(mutex_);
@@ -96,8 +97,8 @@ double LiveFeed::due_s(const Waiting& waiting) {
   if (is_live_) return waiting.came_s;
   const double now = clock_->now_s();
   if (pace_.kind == Pace::Kind::kAtOnce) return now;
-  if (handed_out_ == 0) first_time_ = waiting.frame.time, first_due_s_ = now;
-  return first_due_s_ + pace_.due_s(handed_out_, first_time_, waiting.frame.time);
+  if (delivered_ == 0) first_time_ = waiting.frame.time, first_due_s_ = now;
+  return first_due_s_ + pace_.due_s(delivered_, first_time_, waiting.frame.time);
 }
 
 std::optional<FedFrame> LiveFeed::next(const std::function<bool()>& stop) {
@@ -105,11 +106,11 @@ std::optional<FedFrame> LiveFeed::next(const std::function<bool()>& stop) {
   if (!wait_for_frame(stop, &waiting)) return std::nullopt;
   FedFrame fed;
   fed.due_s = due_s(waiting);
-  while ((fed.handed_s = clock_->now_s()) < fed.due_s) {
+  while ((fed.delivered_s = clock_->now_s()) < fed.due_s) {
     if (stop()) return std::nullopt;
-    clock_->sleep_s(std::min(fed.due_s - fed.handed_s, kAskForStopS));
+    clock_->sleep_s(std::min(fed.due_s - fed.delivered_s, kAskForStopS));
   }
-  ++handed_out_;
+  ++delivered_;
   fed.frame = std::move(waiting.frame);
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto is_before = [&](const Frame& dropped) { return dropped.index < fed.frame.index; };

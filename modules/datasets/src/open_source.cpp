@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/open_source.h"
 
 #include <filesystem>
@@ -25,7 +26,7 @@ void refuse_label(const SourceOptions& options) {
   if (options.sensor_label.empty()) return;
   throw InputError(options.path,
                    "no sensor '" + options.sensor_label + "': it has one camera, without a name",
-                   "leave --sensor out");
+                   "omit --sensor");
 }
 
 std::unique_ptr<ImageSource> open_folder(const SourceOptions& options) {
@@ -86,13 +87,13 @@ std::string source_folder(const std::string& path) {
   return survey_folder(path);
 }
 
-std::unique_ptr<ImageSource> open_source(const SourceOptions& asked) {
-  SourceOptions options = asked;
-  options.path = source_folder(asked.path);
+std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
+  SourceOptions options = requested;
+  options.path = source_folder(requested.path);
   auto source = open_whole(options);
   if (options.fov_deg && !is_assumed(*source))
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
-                     "leave it out, or give another calibration with --camera");
+                     "omit it, or give another calibration with --camera");
   const double scale =
       options.image_scale == 0 ? usual_image_scale(source->camera().pinhole.width) : options.image_scale;
   return scale_images(subsample(std::move(source), options), scale);

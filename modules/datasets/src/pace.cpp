@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/pace.h"
 
 #include <charconv>
@@ -30,7 +31,7 @@ Pace parse_pace(const std::string& text) {
   if (read.ec != std::errc() || read.ptr != end ||
       !(pace.value >= kSlowestRate && pace.value <= kFastestRate))
     throw InputError(
-        "--pace '" + text + "'", "is no pace",
+        "--pace '" + text + "'", "is not a pace",
         "give frames a second such as 30, or 1x for the source's own times (0.5x: half as fast)");
   return pace;
 }

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Times of a source that has none of its own: a steady rate.
+// Times of a source that has none: a constant rate.
 #include <cstdint>
 #include <string>
 
@@ -7,19 +8,21 @@
 
 namespace edgevo {
 
-/// Frames a second: slower and faster than any camera; the times of a run stay finite.
+/// Slowest and fastest rate accepted, frames/s: beyond those of any camera; the times of a run stay finite.
 constexpr double kSlowestRate = 1e-3, kFastestRate = 1e5;
-constexpr double kUsualRate = 30;  ///< frames a second, of a source that says nothing: most cameras
+/// Default rate for a source that states none, frames/s.
+constexpr double kUsualRate = 30;
 
 struct Rate {
   double fps = kUsualRate;
-  std::string says;  ///< for details(): where the rate comes from
+  /// Origin of the rate, for details().
+  std::string says;
 
   Timestamp time(int64_t index) const { return Timestamp::from_seconds(double(index) / fps); }
 };
 
 /// `given` by the user if positive, else the source's `own` if that is plausible, else 30. Throws InputError
-/// for a rate that the user cannot mean.
+/// for an implausible `given` rate.
 Rate choose_rate(double given, double own);
 
 }  // namespace edgevo

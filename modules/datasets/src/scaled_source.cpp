@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/scaled_source.h"
 
 #include <cmath>
@@ -11,9 +12,9 @@ namespace edgevo {
 namespace {
 
 constexpr int kMeasuredWidth = 1241;
-constexpr int kLeastSide = 16;  // of which a pyramid leaves nothing
+constexpr int kLeastSide = 16;  // below this no pyramid level remains
 
-// Centres of pixels are at whole numbers, so that edges of the image are at -0.5.
+// Pixel centres are at whole numbers, so that the image border is at -0.5.
 Camera scaled(const Camera& camera, int width, int height) {
   const Pinhole& p = camera.pinhole;
   const double x = double(width) / p.width, y = double(height) / p.height;
@@ -80,8 +81,8 @@ std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, do
     throw InputError("--image-scale " + fixed(scale, 3), "is out of range", "give 0.01 to 1");
   const int width = int(std::lround(scale * p.width)), height = int(std::lround(scale * p.height));
   if (std::min(width, height) < kLeastSide)
-    throw InputError("--image-scale " + fixed(scale, 3), "leaves nothing of images of " + size_of(p),
-                     "give a larger one");
+    throw InputError("--image-scale " + fixed(scale, 3), "is too small for images of " + size_of(p),
+                     "give a larger scale");
   return std::make_unique<ScaledSource>(std::move(inner), width, height);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sequence.h"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ class SequenceSource : public ImageSource {
 
   std::optional<Frame> next() override {
     if (position_ >= sequence_.images.size()) return std::nullopt;
-    const size_t i =
-        std::exchange(position_, sequence_.images.size());  // stays at the end if its time is wrong
+    // Stays at the end if its time is wrong.
+    const size_t i = std::exchange(position_, sequence_.images.size());
     const std::string& path = sequence_.images[i];
     const Timestamp time = sequence_.times[i];
     if (previous_) check_time_increases(*previous_, time, path + " (frame " + std::to_string(i) + ")");

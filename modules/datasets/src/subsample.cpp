@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/subsample.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ class SubsampledSource : public ImageSource {
         std::to_string(options.first) + ":" + (options.last ? std::to_string(*options.last) : "");
     return options.every == 1 ? text : text + ", every " + std::to_string(options.every) + ".";
   }
-  // Brings the inner source to the next frame that is wanted.
+  // Advances the inner source to the next selected frame.
   bool advance() {
     if (next_ >= last_) return false;
     for (; position_ < next_; ++position_)
@@ -69,8 +70,8 @@ class SubsampledSource : public ImageSource {
 
   std::unique_ptr<ImageSource> inner_;
   std::vector<std::pair<std::string, std::string>> details_;
-  int position_ = 0;  // of the inner source
-  int next_;          // the next one that is wanted
+  int position_ = 0;  // next frame of the inner source
+  int next_;          // next selected frame
   int first_ = next_;
   int last_, every_;
 };
@@ -81,7 +82,7 @@ std::unique_ptr<ImageSource> subsample(std::unique_ptr<ImageSource> inner, const
   if (options.every < 1)
     throw InputError("--every", "is below 1", "give 1 for all frames, 2 for each second one, ...");
   if (options.first < 0 || (options.last && *options.last <= options.first))
-    throw InputError("--frames", "is not a stretch A:B with 0 <= A < B", "give for example --frames 0:300");
+    throw InputError("--frames", "is not a range A:B with 0 <= A < B", "give for example --frames 0:300");
   if (const auto size = inner->size(); size && options.first >= *size)
     throw InputError("--frames",
                      "begins at " + std::to_string(options.first) + ", but " + options.path + " has " +

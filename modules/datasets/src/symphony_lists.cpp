@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "symphony_lists.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ constexpr int kColumns = int(SurveyColumn::kCount);
 constexpr const char* kNames[kColumns] = {"t_sec", "seq", "x",  "y",  "theta", "pan",   "tilt",
                                           "fx",    "fy",  "cx", "cy", "width", "height"};
 constexpr double kLargestNumber = 9'999'999;  // 130 surveys have 5 million images together
-constexpr double kMapStep_s = 0.1;            // as far as a pose speaks for an image
+constexpr double kMapStep_s = 0.1;            // largest distance in time of a pose from its image
 
 // Which field of a row each column is; -1: it has none.
 using Fields = std::array<int, kColumns>;
@@ -115,7 +116,7 @@ class RowReader {
   Fields fields_ = usual_fields();
 };
 
-// The heading between two, by the shorter way round.
+// The heading between two headings, along the shorter arc.
 double mix_headings(double a, double b, double share) { return a + share * std::remainder(b - a, 2 * M_PI); }
 
 }  // namespace
@@ -146,7 +147,7 @@ std::vector<BoatPose> read_boat_poses(const std::string& path) {
                        "restore the file");
     poses.push_back(pose);
   }
-  if (poses.empty()) throw InputError(path, "holds no pose", "restore the file");
+  if (poses.empty()) throw InputError(path, "contains no pose", "restore the file");
   return poses;
 }
 
@@ -155,8 +156,7 @@ std::optional<BoatPose> boat_at(const std::vector<BoatPose>& poses, Timestamp ti
                                       [](const BoatPose& p, Timestamp t) { return p.time < t; });
   const auto near = [&](const BoatPose& p) { return std::abs(seconds_between(p.time, time)) <= kMapStep_s; };
   if (after != poses.end() && after->time == time) return *after;
-  if (after == poses.begin() || after == poses.end())
-    return std::nullopt;  // nobody knows how it moved outside
+  if (after == poses.begin() || after == poses.end()) return std::nullopt;  // no extrapolation
   const BoatPose &a = *std::prev(after), &b = *after;
   if (!near(a) && !near(b)) return std::nullopt;
   const double share = seconds_between(a.time, time) / seconds_between(a.time, b.time);

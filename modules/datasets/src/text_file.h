@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Text files line by line, strictly, with the place of each line at hand for messages.
+// Strict line-by-line reading of text files, with the location of each line for messages.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,24 +10,25 @@
 namespace edgevo {
 
 struct TextLine {
-  std::string text;   ///< without comment and surrounding blanks; never empty
-  std::string where;  ///< "path, line 12"
+  /// Text without comment and surrounding blanks; never empty.
+  std::string text;
+  /// Location of the line, "path, line 12".
+  std::string where;
 };
 
-/// The whole file. Throws InputError if it cannot be read.
+/// Reads the whole file. Throws InputError if it cannot be read.
 std::string read_text_file(const std::string& path);
 
-/// Lines that hold something; a line that begins with # is a comment.
+/// Lines that are not empty; a line that begins with # is a comment.
 std::vector<TextLine> split_lines(const std::string& text, const std::string& path);
 
-/// Fields between blanks, or between single `separator`s when that is not a blank (then trimmed, empty ones
-/// kept).
+/// Fields separated by blanks, or by single `separator`s other than a blank (then trimmed, empty ones kept).
 std::vector<std::string> split_fields(std::string_view text, char separator = ' ');
 
-/// What a message may quote of the user's input: in quotes, short, printable, one line.
+/// User input as quoted in a message: in quotes, short, printable, on one line.
 std::string quote(std::string_view text);
 
-/// A finite number, whatever the locale. Throws InputError opened by `where` that quotes the text.
+/// A finite number, independent of the locale. Throws InputError, opened by `where`, that quotes the text.
 double parse_number(const std::string& text, const std::string& where);
 
 /// All fields of a line as numbers. Throws InputError unless there are exactly `count`.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "time_unit.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace edgevo {
 namespace {
 
 constexpr TimeUnit kUnits[] = {{"seconds", 0}, {"milliseconds", 3}, {"microseconds", 6}, {"nanoseconds", 9}};
-// Usual step from which on a unit is finer: 5 ms are 200 images a second, 2 ms 500, and 1 ms 1000.
+// Median step from which the unit is a finer one: 5 ms are 200 images a second, 2 ms 500, and 1 ms 1000.
 constexpr double kStepFrom[] = {5, 2000, 1e6};
 // Since 1970 there have been 1.8e9 s; numbers from here on are of the next unit.
 constexpr double kCountFrom[] = {1e11, 1e14, 1e17};
@@ -20,7 +21,7 @@ int finer_than(double value, const double (&limits)[3]) {
       std::count_if(std::begin(limits), std::end(limits), [&](double limit) { return value >= limit; }));
 }
 
-double usual_step(const std::vector<double>& times) {
+double median_step(const std::vector<double>& times) {
   std::vector<double> steps;
   for (size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
   return median(std::move(steps));
@@ -42,7 +43,7 @@ std::string shifted(const std::string& text, int digits) {
 TimeUnit time_unit_of(const std::vector<double>& times) {
   constexpr size_t kEnough = 3;  // one step alone may be a gap
   if (times.empty()) return kUnits[0];
-  const int by_step = times.size() >= kEnough ? finer_than(usual_step(times), kStepFrom) : 0;
+  const int by_step = times.size() >= kEnough ? finer_than(median_step(times), kStepFrom) : 0;
   return kUnits[std::max(by_step, finer_than(times.back(), kCountFrom))];
 }
 

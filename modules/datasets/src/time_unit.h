@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Times that a recorder wrote in milliseconds, microseconds or nanoseconds where seconds are usual.
+// Times that a recorder wrote in milliseconds, microseconds or nanoseconds instead of seconds.
 #include <string>
 #include <vector>
 
@@ -8,22 +9,25 @@
 namespace edgevo {
 
 struct TimeUnit {
-  const char* name;  ///< "seconds", "milliseconds", ...
-  int decimals;      ///< of a second: 0, 3, 6, 9
+  /// Name of the unit: "seconds", "milliseconds", ...
+  const char* name;
+  /// Decimal exponent relative to a second: 0, 3, 6 or 9.
+  int decimals;
 };
 
-/// The unit in which numbers may be largest.
+/// Unit in which numbers may be largest.
 constexpr TimeUnit kAnyUnit{"nanoseconds", 9};
 
-/// By the usual step from image to image (steps of five seconds and more are no video's) and by the size of
-/// numbers that count from 1970: the finer of both. Times are taken as they stand, in order.
+/// The unit of `times` (in their given order): by the median step between images (a video has no steps of
+/// five seconds or more) and by the size of numbers that count from 1970, the finer of both.
 TimeUnit time_unit_of(const std::vector<double>& times);
 
-/// A number of that unit, exactly to the tick. False if `text` is not wholly a number, or too large.
+/// Parses a number of that unit, exact to the tick. False if `text` is not entirely a number, or is too
+/// large.
 [[nodiscard]] bool parse_time(const std::string& text, const TimeUnit& unit, Timestamp* t);
 
-/// Texts of times, all in the unit that they seem to be in, which goes to `unit`. False: `bad` is the first
-/// that is none.
+/// Parses times, all in the unit that they appear to be in, which is stored in `unit`. False: `bad` is the
+/// index of the first that is not a number.
 [[nodiscard]] bool parse_times(const std::vector<std::string>& texts, std::vector<Timestamp>* times,
                                TimeUnit* unit, size_t* bad);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tum_text.h"
 
 #include "edgevo/core/output_file.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "video_source.h"
 
 #include <chrono>
@@ -18,7 +19,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMostFrames = 1e9;  // of a file's own count: more is no count, and no int
+constexpr double kMostFrames = 1e9;  // plausible limit of a file's own frame count; also fits an int
 // Counts are estimates: a video is damaged where more than two frames, and more than one in 50, are missing.
 constexpr int kMissingFrames = 2, kMissingShare = 50;
 constexpr int kLastCamera = 255;  // N of /dev/videoN
@@ -37,8 +38,8 @@ FirstImage size_of(const cv::VideoCapture& capture) {
   return {"", int(capture.get(cv::CAP_PROP_FRAME_WIDTH)), int(capture.get(cv::CAP_PROP_FRAME_HEIGHT))};
 }
 
-// A transport stream is a row of packets of one size, each opened by one byte; its frames are not counted
-// anywhere.
+// A transport stream is a sequence of packets of equal size, each starting with a sync byte; it has no frame
+// count.
 bool ends_within_a_packet(const std::string& path) {
   constexpr std::streamoff kPacket = 188;
   constexpr char kSync = 0x47;
@@ -50,7 +51,8 @@ bool ends_within_a_packet(const std::string& path) {
 }
 
 // cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well
-// before its own count is told as damaged; counts are estimates, so a few frames are not.
+// before its own frame count is reported as damaged; since counts are estimates, a few missing frames are
+// not.
 class VideoSource : public ImageSource {
  public:
   VideoSource(const SourceOptions& options, cv::VideoCapture capture)
@@ -181,7 +183,7 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const double index = parse_number(number, options.path);
   if (index < 0 || index > kLastCamera || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
-  if (!options.fov_deg) choose_camera(options, "");  // without one there is nothing to open
+  if (!options.fov_deg) choose_camera(options, "");  // throws if there is no calibration
   const auto capture = std::make_shared<cv::VideoCapture>();
   if (!capture->open(int(index)))
     throw InputError(options.path, "the camera does not open", "check that it is plugged in");

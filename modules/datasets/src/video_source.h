@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
 #include <memory>
@@ -9,16 +10,16 @@
 
 namespace edgevo {
 
-/// A video file, by OpenCV. Throws InputError if it does not open as one.
+/// Opens a video file with OpenCV. Throws InputError if it does not open as one.
 std::unique_ptr<ImageSource> open_video(const SourceOptions& options);
 
-/// "camera:N", by OpenCV, which is asked for images of the calibration's size; the time is when an image came
-/// in. It has no end: next() throws InputError when no image comes any more.
+/// Opens "camera:N" with OpenCV, requesting images of the calibration's size; the time of an image is its
+/// time of arrival. The source has no end: next() throws InputError when images stop arriving.
 std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options);
 
-/// Waits for the next image; false: there is none.
+/// Waits for the next image; returns false if there is none.
 using GrabImage = std::function<bool(cv::Mat*)>;
-/// What open_live_camera() plays, from any grabber.
+/// The source behind open_live_camera(), from any grabber.
 std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab,
                                        const Details& details = {});
 

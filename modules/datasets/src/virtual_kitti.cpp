@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/virtual_kitti.h"
 
 #include <Eigen/LU>
@@ -30,7 +31,7 @@ fs::path sequence_folder(const std::string& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-// ---- where things are ----
+// ---- paths ----
 
 bool is_release_1(const fs::path& sequence) {
   return sequence.parent_path().parent_path().filename() == "vkitti_1.3.1_rgb";
@@ -52,19 +53,20 @@ std::string choose_camera_name(const fs::path& sequence, const std::string& want
                    "did you mean --sensor " + nearest_name(wanted, found) + "?");
 }
 
-// `path` with the folder `from` in it called `to` instead: archives unpacked side by side.
+// `path` with its folder `from` replaced by `to`, for archives unpacked side by side.
 fs::path in_sibling(const fs::path& path, const std::string& from, const std::string& to) {
   fs::path other;
   for (const fs::path& part : path) other /= part == from ? fs::path(to) : part;
   return other;
 }
 
-// `relative` in the sequence's folder if it is there, else where the other archive of release 2 puts it.
+// `relative` in the sequence's folder if it is there, else in the separate archive of release 2.
 fs::path find_in_release_2(const fs::path& sequence, const std::string& relative,
                            const std::string& archive) {
   std::error_code ignored;
-  const fs::path beside = sequence / relative;
-  return fs::exists(beside, ignored) ? beside : in_sibling(sequence, "vkitti_2.0.3_rgb", archive) / relative;
+  const fs::path together = sequence / relative;
+  return fs::exists(together, ignored) ? together
+                                       : in_sibling(sequence, "vkitti_2.0.3_rgb", archive) / relative;
 }
 
 int frame_number(const std::string& path) {
@@ -100,7 +102,7 @@ SE3 pose_from(const std::vector<double>& numbers, size_t first, const std::strin
   const bool is_rotation =
       (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kRotationError && R.determinant() > 0;
   if (!is_rotation || M.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-    throw InputError(where, "the matrix is no rigid motion", "restore the file");
+    throw InputError(where, "the matrix is not a rigid motion", "restore the file");
   return SE3(R, Eigen::Vector3d(M.topRightCorner<3, 1>())).inverse();  // the file maps world to camera
 }
 

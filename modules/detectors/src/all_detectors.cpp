@@ -1,5 +1,6 @@
-// A new detector: a file next to this one with a class that derives from EdgeDetector and a function that
-// makes it, declared in detector_list.h and named here; its name also in edges/edge_params.cpp.
+// SPDX-License-Identifier: BSD-3-Clause
+// To add a detector: add a file next to this one with a class that derives from EdgeDetector and a factory,
+// declare the factory in detector_list.h, add a line here, and add the name in edges/edge_params.cpp.
 #include "edgevo/detectors/all_detectors.h"
 
 #include "detector_list.h"
@@ -18,15 +19,16 @@ EdgeDetectorTable with_basic(std::initializer_list<EdgeDetectorKind> more) {
 const EdgeDetectorTable& all_edge_detectors() {
   static const EdgeDetectorTable kTable = with_basic({
       {"edge_drawing", "OpenCV's EdgeDrawing with the same thresholds", make_edge_drawing_detector},
-      {"structured", "structured forests, learned", make_probable_detector, make_structured_probability},
-      {"network", "a small network, learned, or any in ONNX", make_probable_detector,
+      {"structured", "learned structured forest", make_probable_detector, make_structured_probability},
+      {"network", "learned small network, or any ONNX network", make_probable_detector,
        make_network_probability},
-      {"precomputed", "probabilities from files, see edgevo edges", make_probable_detector,
+      {"precomputed", "probabilities from files written by edgevo edges", make_probable_detector,
        make_precomputed_probability},
-      {"combined:structured", "of Canny's edges those that structured would choose", make_combined_detector,
+      {"combined:structured", "those edges of Canny that structured selects", make_combined_detector,
        make_structured_probability},
-      {"combined:network", "the same by network", make_combined_detector, make_network_probability},
-      {"combined:precomputed", "the same by precomputed", make_combined_detector,
+      {"combined:network", "those edges of Canny that network selects", make_combined_detector,
+       make_network_probability},
+      {"combined:precomputed", "those edges of Canny that precomputed selects", make_combined_detector,
        make_precomputed_probability},
   });
   return kTable;

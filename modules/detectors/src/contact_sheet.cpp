@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "contact_sheet.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr int kTileWidth = 620;  // pixels: half a KITTI image
 
-// The image, paler, with its edges in red.
-cv::Mat drawn(const ImageView<uint8_t>& gray, const EdgeMap& edges) {
+// The image in pale shades, with its edges in red.
+cv::Mat drawn(const ImageView<uint8_t>& gray, const ImageEdges& edges) {
   cv::Mat pale, picture;
   as_mat(gray).convertTo(pale, CV_8U, 0.6, 90);
   cv::cvtColor(pale, picture, cv::COLOR_GRAY2BGR);
@@ -38,7 +39,7 @@ cv::Mat row_of(const Frame& frame, const EdgeParams& edges, EdgeDetector& detect
   const ImageView<uint8_t> gray = frame.image.view();
   const Plane<uint8_t> probability = files.estimate(gray, image_name(frame));
   const Gradient gradient = compute_gradient(gray);
-  const EdgeMap map =
+  const ImageEdges map =
       extract_edges(detector.detect({gray, gradient, probability.view()}), gradient, edges.min_chain);
   cv::Mat inverted;
   cv::cvtColor(255 - as_mat(probability.view()), inverted, cv::COLOR_GRAY2BGR);

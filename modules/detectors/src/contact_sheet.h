@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Some frames of a source with their edges, and the probability beside them, as one picture.
+// One picture with some frames of a source and their edges, next to their probabilities.
 #include <map>
 #include <optional>
 #include <string>
@@ -9,16 +10,18 @@
 
 namespace edgevo {
 
+/// Collects frames and writes the picture.
 class ContactSheet {
  public:
+  /// Number of frames in the picture.
   static constexpr int kFrames = 6;
 
-  /// `size` of the source: the frames are spread over it; the first ones, where it is not known.
+  /// Spreads the frames over a source of `size` frames; without a size it takes the first ones.
   explicit ContactSheet(std::optional<int> size);
-  /// A frame of the source, in its order; kept if it is one of the sheet's.
+  /// Passes a frame of the source, in order; it is kept if it belongs to the picture.
   void offer(const Frame& frame);
-  /// Writes folder/contact_sheet.jpg, with the probabilities that are in the folder by now, and the edges
-  /// that `edges.detector` makes of them. Nothing without a frame. Throws InputError.
+  /// Writes folder/contact_sheet.jpg from the probabilities in the folder and the edges that `edges.detector`
+  /// makes of them. Writes nothing without a frame. Throws InputError.
   void write(const std::string& folder, const EdgeParams& edges) const;
 
  private:

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How each detector is made, for all_detectors.cpp; each is defined in the file of its name.
+// Factories of the detectors for all_detectors.cpp; each is defined in the file of its name.
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/edge_probability.h"
 

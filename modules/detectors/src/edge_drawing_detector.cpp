@@ -1,5 +1,6 @@
-// OpenCV's EdgeDrawing: draws on from anchors through all pixels over its threshold, as Canny does above its
-// low one.
+// SPDX-License-Identifier: BSD-3-Clause
+// OpenCV's EdgeDrawing: follows edges from anchors through all pixels above its threshold, as Canny does
+// above its low threshold.
 #include <algorithm>
 #include <cmath>
 #include <opencv2/ximgproc/edge_drawing.hpp>
@@ -11,8 +12,8 @@
 namespace edgevo {
 namespace {
 
-// A pixel is an anchor that beats its neighbours across the edge by this much, EdgeDrawing's units of |dx| +
-// |dy|: noise does not.
+// An anchor exceeds its neighbours across the edge by this much, which noise does not; EdgeDrawing's units,
+// |dx| + |dy|.
 constexpr int kAnchorThreshold = 8;
 
 class EdgeDrawingDetector : public EdgeDetector {
@@ -23,7 +24,7 @@ class EdgeDrawingDetector : public EdgeDetector {
   Plane<uint8_t> detect(const EdgeImage& image) override {
     const double high = high_threshold(image.gradient.magnitude, params_);
     drawing_->params.EdgeDetectionOperator = cv::ximgproc::EdgeDrawing::SOBEL;
-    // It sums |dx| + |dy|, on average over all directions 4/pi of the Euclidean magnitude.
+    // It uses |dx| + |dy|, which on average over all directions is 4/pi of the Euclidean magnitude.
     drawing_->params.GradientThresholdValue = std::max(1, int(params_.canny_low_ratio * high * 4.0 / M_PI));
     drawing_->params.AnchorThresholdValue = kAnchorThreshold;
     drawing_->params.MinPathLength = params_.min_chain;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/detectors/edge_images.h"
 
 #include <atomic>
@@ -21,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kJournal = "edges.yaml";
+constexpr const char* kSettingsFile = "edges.yaml";
 
-// What is written of one image: one object a thread.
+// Computes the output image of a frame. Use one object per thread.
 class EdgeImager {
  public:
   explicit EdgeImager(const EdgeParams& params)
@@ -42,7 +43,7 @@ class EdgeImager {
   std::unique_ptr<EdgeProbability> probability_;
 };
 
-std::string journal_text(const EdgeImageOptions& options, const EdgeImager& imager, const Pinhole& size) {
+std::string settings_text(const EdgeImageOptions& options, const EdgeImager& imager, const Pinhole& size) {
   std::error_code ignored;
   const std::string source = fs::exists(options.source_path, ignored)
                                  ? fs::canonical(options.source_path, ignored).string()
@@ -52,18 +53,19 @@ std::string journal_text(const EdgeImageOptions& options, const EdgeImager& imag
          "\nimage_size: " + std::to_string(size.width) + "x" + std::to_string(size.height) + "\n";
 }
 
-void begin_folder(const EdgeImageOptions& options, const std::string& journal) {
-  check_folder_is_ours(options.folder, {kJournal}, options.force);
+void begin_folder(const EdgeImageOptions& options, const std::string& settings) {
+  check_folder_is_ours(options.folder, {kSettingsFile}, options.force);
   make_output_folder(options.folder);
-  const std::string path = (fs::path(options.folder) / kJournal).string();
+  const std::string path = (fs::path(options.folder) / kSettingsFile).string();
   std::error_code ignored;
-  if (fs::exists(path, ignored) && read_file(path, "remove it") != journal)
-    throw InputError(options.folder, "holds edges of another source, size, detector or model (" + path + ")",
+  if (fs::exists(path, ignored) && read_file(path, "remove it") != settings)
+    throw InputError(options.folder,
+                     "contains edges of another source, size, detector or model (" + path + ")",
                      "give another -o, or remove the folder");
-  write_file(path, journal);
+  write_file(path, settings);
 }
 
-// Under another name first: a file that is there is whole.
+// Writes to a temporary name first, so that an existing file is always complete.
 void write_whole(const std::string& path, const Plane<uint8_t>& image) {
   std::vector<uint8_t> bytes;
   cv::imencode(".png", cv::Mat(image.height(), image.width(), CV_8UC1, const_cast<uint8_t*>(image.row(0))),
@@ -76,7 +78,7 @@ void write_whole(const std::string& path, const Plane<uint8_t>& image) {
     throw InputError(path, "cannot be written: " + error.message(), "free the name, or give another -o");
 }
 
-// The source, shared by the threads, and what has been done.
+// The source, shared by the threads, and the counts.
 class SharedWork {
  public:
   SharedWork(ImageSource& source, const EdgeImageOptions& options)
@@ -89,7 +91,7 @@ class SharedWork {
         if (frame) sheet_.offer(*frame);
         return frame;
       } catch (const BadFrame&) {
-        ++counts_.left_out;
+        ++counts_.skipped;
       }
     return std::nullopt;
   }
@@ -130,10 +132,10 @@ void work_on(SharedWork& shared, EdgeImager& imager, const std::string& folder) 
 EdgeImageCounts write_edge_images(ImageSource& source, const EdgeImageOptions& options) {
   if (source.is_live())
     throw InputError(options.source_path, "is a live camera, whose images have no names", "record it first");
-  cv::setNumThreads(1);  // the threads are ours
+  cv::setNumThreads(1);  // parallelism comes from our own threads
   std::vector<EdgeImager> imagers;
   for (int i = 0; i < std::max(1, options.threads); ++i) imagers.emplace_back(options.edges);
-  begin_folder(options, journal_text(options, imagers.front(), source.camera().pinhole));
+  begin_folder(options, settings_text(options, imagers.front(), source.camera().pinhole));
   SharedWork shared(source, options);
   run_parallel(0, int(imagers.size()), int(imagers.size()),
                [&](int i) { work_on(shared, imagers[size_t(i)], options.folder); });

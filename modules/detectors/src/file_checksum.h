@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a file held, to be told apart from another of the same name.
+// Checksum of a file, to distinguish it from others of the same name.
 #include <string>
 
 namespace edgevo {
 
-/// "NAME, SIZE bytes, fnv1a HEX". Throws InputError when it cannot be read.
+/// Returns "NAME, SIZE bytes, fnv1a HEX". Throws InputError if the file cannot be read.
 std::string file_checksum(const std::string& path);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "forest_model.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace edgevo {
 namespace {
 
 constexpr const char* kForestRemedy =
-    "give a model in OpenCV's format for structured forests, such as share/training makes";
+    "give a model in OpenCV's format for structured forests, as made by share/training";
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw InputError(where, what, kForestRemedy);
 }
 
-// An option by its name in the file, and the values with which OpenCV's arithmetic holds and a frame takes
-// neither minutes nor gigabytes: the published models have 2, 2, 32, 16, 4, 0, 2, 8, 4, 5, 4 to 8 and 4.
+// Option by its name in the file, with its valid range: OpenCV's arithmetic does not overflow, and a frame
+// takes neither minutes nor gigabytes. Published models have 2, 2, 32, 16, 4, 0, 2, 8, 4, 5, 4 to 8 and 4.
 struct OptionRange {
   const char* name;
   int ForestOptions::*value;
@@ -46,7 +47,7 @@ void check_options(const ForestOptions& o, const std::string& where) {
   for (const OptionRange& range : kOptions) {
     const int value = o.*range.value;
     if (value < range.least || value > range.most)
-      refuse(where, std::string("options.") + range.name + " is " + std::to_string(value) + ", not within " +
+      refuse(where, std::string("options.") + range.name + " is " + std::to_string(value) + ", not between " +
                         std::to_string(range.least) + " and " + std::to_string(range.most));
   }
   const int border = o.patchSize - o.patchInnerSize;
@@ -57,7 +58,7 @@ void check_options(const ForestOptions& o, const std::string& where) {
     refuse(where, "options.numberOfTreesToEvaluate is larger than numberOfTrees");
 }
 
-// Where OpenCV puts the cells that are compared with each other: all must lie in the patch.
+// Checks the cells that OpenCV compares with each other: all must lie in the patch.
 void check_grid(const ForestOptions& o, const std::string& where) {
   const int side = o.patchSize / o.shrinkNumber, cells = o.selfsimilarityGridSize;
   const int half_cell = int(std::lrint(side / (2.0 * cells)));
@@ -76,22 +77,22 @@ void check_tree(const ForestModel& m, size_t tree, const std::string& where) {
   const std::string name = "tree " + std::to_string(tree);
   const size_t nodes = m.childs[tree].size();
   if (nodes == 0 || nodes != m.childs[0].size())
-    refuse(where, name + " has not as many nodes as the first, or none");
+    refuse(where, name + " does not have as many nodes as the first, or has none");
   if (m.featureIds[tree].size() != nodes || m.thresholds[tree].size() != nodes)
-    refuse(where, name + ": childs, featureIds and thresholds are not of one length");
+    refuse(where, name + ": childs, featureIds and thresholds are not of the same length");
   const int features = feature_count(m.options);
   for (size_t i = 0; i < nodes; ++i) {
     const std::string node = name + ", node " + std::to_string(i) + ": ";
     const int child = m.childs[tree][i], id = m.featureIds[tree][i];
-    // Behind their parent, so that every walk ends.
+    // Children come after their parent, so that every walk ends.
     if (child != 0 && (child < int(i) + 2 || child >= int(nodes)))
       refuse(where, node + "child " + std::to_string(child) + " is out of range");
     if (id < 0 || id >= features) refuse(where, node + "feature " + std::to_string(id) + " is out of range");
-    if (!std::isfinite(m.thresholds[tree][i])) refuse(where, node + "the threshold is no number");
+    if (!std::isfinite(m.thresholds[tree][i])) refuse(where, node + "the threshold is not a number");
   }
 }
 
-// OpenCV strings the rows together.
+// OpenCV concatenates the rows.
 std::vector<int> joined(const std::vector<std::vector<int>>& rows) {
   std::vector<int> all;
   for (const std::vector<int>& row : rows) all.insert(all.end(), row.begin(), row.end());
@@ -116,7 +117,7 @@ void check_edges(const ForestModel& m, const std::string& where) {
 
 cv::FileNode part(const cv::FileStorage& file, const char* name, const std::string& where) {
   const cv::FileNode node = file[name];
-  if (!node.isSeq()) refuse(where, std::string("is no structured forest: no list '") + name + "'");
+  if (!node.isSeq()) refuse(where, std::string("is not a structured forest: no list '") + name + "'");
   return node;
 }
 
@@ -131,7 +132,7 @@ template <class T>
 std::vector<std::vector<T>> rows(const cv::FileStorage& file, const char* name, const std::string& where) {
   std::vector<std::vector<T>> all;
   for (const cv::FileNode row : part(file, name, where)) {
-    if (!row.isSeq()) refuse(where, std::string("a row of ") + name + " is no list");
+    if (!row.isSeq()) refuse(where, std::string("a row of ") + name + " is not a list");
     all.emplace_back();
     for (const cv::FileNode value : row) all.back().push_back(number<T>(value, name, where));
   }
@@ -141,7 +142,7 @@ std::vector<std::vector<T>> rows(const cv::FileStorage& file, const char* name, 
 ForestModel model_of(const cv::FileStorage& file, const std::string& where) {
   ForestModel m;
   const cv::FileNode options = file["options"];
-  if (!options.isMap()) refuse(where, "is no structured forest: no 'options'");
+  if (!options.isMap()) refuse(where, "is not a structured forest: no 'options'");
   for (const OptionRange& range : kOptions)
     m.options.*range.value = number<int>(options[range.name], range.name, where);
   m.childs = rows<int>(file, "childs", where);
@@ -155,13 +156,13 @@ ForestModel model_of(const cv::FileStorage& file, const std::string& where) {
 ForestModel open_forest(const std::string& file, int flags, const std::string& where) try {
   const QuietOpenCv quiet;
   const cv::FileStorage storage(file, flags);
-  if (!storage.isOpened()) refuse(where, "is no structured forest: it cannot be opened");
+  if (!storage.isOpened()) refuse(where, "is not a structured forest: it cannot be opened");
   return model_of(storage, where);
 } catch (const cv::Exception& e) {
-  refuse(where, "is no structured forest: " + one_line(e));
+  refuse(where, "is not a structured forest: " + one_line(e));
 } catch (const std::length_error&) {
   refuse(where,
-         "is no structured forest: a key in it is empty");  // OpenCV's reader of YAML does not foresee it
+         "is not a structured forest: a key in it is empty");  // OpenCV's YAML reader does not handle it
 }
 
 }  // namespace
@@ -171,7 +172,7 @@ void validate_forest(const ForestModel& m, const std::string& where) {
   check_grid(m.options, where);
   const size_t trees = size_t(m.options.numberOfTrees);
   if (m.childs.size() != trees || m.featureIds.size() != trees || m.thresholds.size() != trees)
-    refuse(where, "childs, featureIds and thresholds have not a row for each of " + std::to_string(trees) +
+    refuse(where, "childs, featureIds and thresholds do not have a row for each of " + std::to_string(trees) +
                       " trees");
   for (size_t tree = 0; tree < trees; ++tree) check_tree(m, tree, where);
   check_edges(m, where);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "network_description.h"
 
 #include <charconv>
@@ -10,9 +11,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kLargestSide = 16384;  // pixels: what cv::Mat and memory take
+constexpr int kLargestSide = 16384;  // pixels: limit of cv::Mat and memory
 
-// 1 to kLargestSide; 0: it is no such number.
+// Number from 1 to kLargestSide; 0 if the text is no such number.
 int whole(const std::string& text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -31,7 +32,7 @@ void set_size(const std::string& text, const std::string& where, NetworkInput* i
   if (rule == "fixed" && rest.empty() && cross != std::string::npos)
     input->size = {whole(value.substr(0, cross)), whole(value.substr(cross + 1))};
   if (input->size.area() == 0)
-    throw InputError(where + ": size", "'" + text + "' is no rule for the size",
+    throw InputError(where + ": size", "'" + text + "' is not a valid size rule",
                      "write multiple_of N, or fixed WIDTHxHEIGHT");
 }
 
@@ -55,14 +56,13 @@ cv::Scalar by_channel(const std::string& text, int channels, const std::string& 
 }  // namespace
 
 void NetworkDescription::visit(KeyVisitor& v) {
-  v.text("input", input, {}, "name of the network's input, 1 x channels x height x width");
-  v.text("output", output, {}, "name of its output, 1 x 1 x height x width, probabilities 0 to 1");
-  v.text("size", size, {},
-         "multiple_of N, or fixed WxH; smaller images are continued to the right and below");
-  v.text("channels", channels, {"gray", "rgb", "bgr"}, "their order");
-  v.number("scale", scale, 1e-6, 1e3, "what goes in is (pixel * scale - mean) / std");
-  v.text("mean", mean, {}, "one number, or one a channel");
-  v.text("std", std, {}, "one number, or one a channel");
+  v.text("input", input, {}, "name of the input, 1 x channels x height x width");
+  v.text("output", output, {}, "name of the output, 1 x 1 x height x width, probabilities 0 to 1");
+  v.text("size", size, {}, "multiple_of N, or fixed WxH; smaller images are extended to the right and below");
+  v.text("channels", channels, {"gray", "rgb", "bgr"}, "order of channels");
+  v.number("scale", scale, 1e-6, 1e3, "the input is (pixel * scale - mean) / std");
+  v.text("mean", mean, {}, "one number, or one per channel");
+  v.text("std", std, {}, "one number, or one per channel");
 }
 
 cv::Size NetworkInput::size_for(cv::Size image, const std::string& where) const {
@@ -90,8 +90,7 @@ NetworkInput network_input(const NetworkDescription& d, const std::string& where
   input.std = by_channel(d.std, input.channels, where + ": std");
   for (int c = 0; c < input.channels; ++c)
     if (!(input.std[c] > 0))
-      throw InputError(where + ": std", "is not larger than 0",
-                       "what goes in is (pixel * scale - mean) / std");
+      throw InputError(where + ": std", "is not larger than 0", "the input is (pixel * scale - mean) / std");
   return input;
 }
 

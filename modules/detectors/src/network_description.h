@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The YAML beside a network: how an image goes in, and where the probability comes out.
+// The YAML description of a network: how images are passed in, and which output is the probability.
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -7,33 +8,43 @@
 
 namespace edgevo {
 
+/// Contents of the YAML file.
 struct NetworkDescription {
+  /// Names of input and output.
   std::string input = "input", output = "output";
-  std::string size = "multiple_of 1";  ///< "multiple_of N", or "fixed WxH"
-  std::string channels = "gray";       ///< gray, rgb, bgr
-  double scale = 1.0 / 255.0;          ///< what goes in is (pixel * scale - mean) / std
-  std::string mean = "0", std = "1";   ///< one number, or one a channel with blanks between
+  /// Rule for the size of images: "multiple_of N" or "fixed WxH".
+  std::string size = "multiple_of 1";
+  /// Order of channels: gray, rgb or bgr.
+  std::string channels = "gray";
+  /// Scale of pixels; the input is (pixel * scale - mean) / std.
+  double scale = 1.0 / 255.0;
+  /// One number, or one per channel, separated by blanks.
+  std::string mean = "0", std = "1";
 
   void visit(KeyVisitor& v);
 };
 
-/// The description, taken apart.
+/// Parsed description.
 struct NetworkInput {
   bool is_fixed = false;
-  cv::Size size;     ///< fixed: of the network
-  int multiple = 1;  ///< else: width and height are multiples of it
+  /// Size of the network's images, if it is fixed.
+  cv::Size size;
+  /// Otherwise the number of which width and height are multiples.
+  int multiple = 1;
   int channels = 1;
   double scale = 0;
-  cv::Scalar mean, std;  ///< by channel
+  /// Mean and standard deviation per channel.
+  cv::Scalar mean, std;
 
-  /// Of the network for an image of this size. Throws InputError, opened by `where`, for an image that is
-  /// larger than a fixed size.
+  /// Size of the network input for an image of this size. Throws InputError, prefixed by `where`, for an
+  /// image larger than a fixed size.
   cv::Size size_for(cv::Size image, const std::string& where) const;
 };
 
-/// Throws InputError: an unknown key, a size rule that is none, means or deviations that do not fit the
-/// channels.
+/// Reads a description. Throws InputError for an unknown key.
 NetworkDescription read_network_description(const std::string& path);
+/// Parses a description. Throws InputError for an invalid size rule, and for means or standard deviations
+/// that do not fit the channels.
 NetworkInput network_input(const NetworkDescription& description, const std::string& where);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
-// Any network in ONNX that gives an edge probability, by OpenCV's dnn: HED, RCF, PiDiNet, DexiNed, or the one
-// that comes with edgevo. How images go in stands in a YAML beside it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Any ONNX network that estimates an edge probability, run by OpenCV's dnn: HED, RCF, PiDiNet, DexiNed, or
+// that of edgevo. A YAML file of the same name describes its input and output.
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/dnn.hpp>
@@ -19,10 +20,10 @@ namespace edgevo {
 namespace {
 
 constexpr const char* kNetworkRemedy =
-    "give a network in ONNX that OpenCV reads, with its description beside it (NAME.onnx, NAME.yaml)";
+    "give an ONNX network that OpenCV reads, with a description of the same name (NAME.onnx, NAME.yaml)";
 
-// NAME.onnx and NAME.yaml, whichever of the two was named.
-std::string beside(const std::string& path, const char* extension) {
+// NAME.onnx or NAME.yaml, whichever of the two was given.
+std::string sibling(const std::string& path, const char* extension) {
   return std::filesystem::path(path).replace_extension(extension).string();
 }
 
@@ -34,10 +35,10 @@ cv::dnn::Net load(const std::string& path) try {
   net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
   return net;
 } catch (const cv::Exception& e) {
-  throw InputError(path, "is no network that can be used: " + one_line(e), kNetworkRemedy);
+  throw InputError(path, "is not a usable network: " + one_line(e), kNetworkRemedy);
 }
 
-// 1 x channels x height x width. `image` is continued to `size` by mirroring; its pixels stay where they are.
+// 1 x channels x height x width. `image` is extended to `size` by mirroring, without moving its pixels.
 cv::Mat make_blob(const cv::Mat& image, cv::Size size, const NetworkInput& input) {
   cv::Mat wide, scaled;
   cv::copyMakeBorder(image, wide, 0, size.height - image.rows, 0, size.width - image.cols,
@@ -61,9 +62,9 @@ std::string shape_of(const cv::Mat& m) {
 class NetworkProbability : public EdgeProbability {
  public:
   explicit NetworkProbability(const std::string& path)
-      : path_(beside(path, ".onnx")),
-        description_(read_network_description(beside(path, ".yaml"))),
-        input_(network_input(description_, beside(path, ".yaml"))),
+      : path_(sibling(path, ".onnx")),
+        description_(read_network_description(sibling(path, ".yaml"))),
+        input_(network_input(description_, sibling(path, ".yaml"))),
         net_(load(path_)) {}
 
   Plane<uint8_t> estimate(const ImageView<uint8_t>& gray, const std::string&) override {
@@ -74,7 +75,7 @@ class NetworkProbability : public EdgeProbability {
       throw InputError(path_,
                        "gives " + shape_of(found) + " for an image of 1x1x" + std::to_string(size.height) +
                            "x" + std::to_string(size.width),
-                       "correct 'size' or 'output' in " + beside(path_, ".yaml"));
+                       "correct 'size' or 'output' in " + sibling(path_, ".yaml"));
     const cv::Mat whole(size.height, size.width, CV_32F, const_cast<float*>(found.ptr<float>()));
     Plane<uint8_t> probability(gray.width, gray.height);
     whole(cv::Rect(0, 0, gray.width, gray.height)).convertTo(as_mat(probability), CV_8U, 255.0);
@@ -82,7 +83,7 @@ class NetworkProbability : public EdgeProbability {
   }
 
   std::string description() const override {
-    return file_checksum(path_) + "; " + file_checksum(beside(path_, ".yaml"));
+    return file_checksum(path_) + "; " + file_checksum(sibling(path_, ".yaml"));
   }
 
  private:
@@ -94,7 +95,7 @@ class NetworkProbability : public EdgeProbability {
     throw InputError(path_,
                      "does not work with input '" + description_.input + "' of " + shape_of(blob) +
                          " and output '" + description_.output + "': " + one_line(e),
-                     "correct " + beside(path_, ".yaml"));
+                     "correct " + sibling(path_, ".yaml"));
   }
 
   std::string path_;

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// OpenCV's own words made part of ours.
+// Messages of OpenCV as part of those of edgevo.
 #include <opencv2/core.hpp>
 #include <string>
 
 namespace edgevo {
 
-/// What went wrong, without file and line of OpenCV's sources, at most 120 characters.
+/// Message of an exception without file and line of OpenCV's sources, at most 120 characters.
 inline std::string one_line(const cv::Exception& e) {
   std::string text = e.err.substr(0, 120);
   for (char& c : text)

@@ -1,5 +1,5 @@
-// Probabilities from files, as `edgevo edges` writes them, or any other program on any machine: NAME.png for
-// the image NAME.*
+// SPDX-License-Identifier: BSD-3-Clause
+// Probabilities from files, as written by `edgevo edges` or any other program: NAME.png for the image NAME.*
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kImagesRemedy =
-    "make it again with `edgevo edges SOURCE -o FOLDER`, with the options of SOURCE that the run has";
+    "make it again with `edgevo edges SOURCE -o FOLDER` and the same source options as the run";
 
 cv::Mat decode(const std::string& path) try {
   const std::string bytes = read_file(path, kImagesRemedy);
@@ -32,17 +32,17 @@ class PrecomputedProbability : public EdgeProbability {
   explicit PrecomputedProbability(const std::string& folder) : folder_(folder) {
     if (folder.empty())
       throw InputError("edges.folder", "is not given",
-                       "name the folder that `edgevo edges` has written, --edge-folder FOLDER");
+                       "give the output folder of `edgevo edges` with --edge-folder FOLDER");
     std::error_code ignored;
-    if (!fs::is_directory(folder, ignored)) throw InputError(folder, "is no folder", kImagesRemedy);
+    if (!fs::is_directory(folder, ignored)) throw InputError(folder, "is not a folder", kImagesRemedy);
   }
 
   Plane<uint8_t> estimate(const ImageView<uint8_t>& gray, const std::string& name) override {
     const std::string path = (fs::path(folder_) / (name + ".png")).string();
     const cv::Mat image = decode(path);
-    if (image.empty()) throw InputError(path, "is no image that decodes", kImagesRemedy);
+    if (image.empty()) throw InputError(path, "is not a valid image", kImagesRemedy);
     if (image.type() != CV_8UC1 && image.type() != CV_16UC1)
-      throw InputError(path, "is no image of 8 or 16 bits and one channel", kImagesRemedy);
+      throw InputError(path, "is not an image of 8 or 16 bits and one channel", kImagesRemedy);
     if (image.cols != gray.width || image.rows != gray.height)
       throw InputError(path,
                        "is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +

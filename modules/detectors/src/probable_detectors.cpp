@@ -1,5 +1,6 @@
-// The detectors that choose by a probability: `structured`, `network` and `precomputed` among all maxima of
-// the gradient, `combined` among Canny's.
+// SPDX-License-Identifier: BSD-3-Clause
+// The detectors that select edges by a probability: `structured`, `network` and `precomputed` among all
+// maxima of the gradient, `combined` among the edges of Canny.
 #include "detector_list.h"
 #include "edgevo/edges/adaptive_threshold.h"
 #include "edgevo/edges/canny.h"
@@ -13,14 +14,14 @@ Plane<uint8_t> canny_at(const Gradient& gradient, const EdgeParams& params) {
   return canny(gradient, float(params.canny_low_ratio * high), float(high));
 }
 
-// As many as Canny would have.
+// As many pixels as Canny would find.
 Plane<uint8_t> chosen(const Plane<uint8_t>& candidates, const EdgeImage& image, const EdgeParams& params) {
   const int budget = count_linked(canny_at(image.gradient, params), params.min_chain);
   return most_probable(candidates, image.gradient, image.probability, budget, params.min_chain);
 }
 
-// What an edge is, the probability says alone, as long as there is a gradient to place it by: more than
-// Canny's least low threshold.
+// The probability alone decides what is an edge, provided that the gradient, above Canny's smallest low
+// threshold, gives its position.
 class ProbableDetector : public EdgeDetector {
  public:
   explicit ProbableDetector(const EdgeParams& params) : params_(params) {}
@@ -34,7 +35,8 @@ class ProbableDetector : public EdgeDetector {
   EdgeParams params_;
 };
 
-// Canny with twice as many pixels above its threshold, and of its edges as many as it would have had.
+// Canny with twice as many pixels above its threshold, reduced to as many edge pixels as it would normally
+// find.
 class CombinedDetector : public EdgeDetector {
  public:
   explicit CombinedDetector(const EdgeParams& params) : params_(params), wide_(params) {

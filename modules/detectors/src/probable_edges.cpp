@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "probable_edges.h"
 
 #include <algorithm>
@@ -13,16 +14,16 @@
 namespace edgevo {
 namespace {
 
-constexpr int kReach = 2;  // pixels: networks that halve the image twice are off by as many
+constexpr int kReach = 2;  // pixels: networks that halve the image twice are off by up to two
 constexpr uint8_t kMark = 255;
 
 void check_there(const ImageView<uint8_t>& probability) {
   if (probability.data == nullptr)
-    throw InputError("edges.detector", "needs a probability, and there is none",
-                     "build pyramids with the detector's own");
+    throw InputError("edges.detector", "needs a probability, but there is none",
+                     "build pyramids with the probability of the detector");
 }
 
-// Sixteen bits, smoothed over a pixel: eight bits have plateaus on top of a ridge.
+// Sixteen bits, smoothed over a pixel, since eight bits have plateaus on a ridge.
 Plane<uint16_t> smoothed(const ImageView<uint8_t>& probability) {
   cv::Mat wide;
   as_mat(probability).convertTo(wide, CV_16U, 257.0);
@@ -49,7 +50,7 @@ struct Ranked {
   EdgeChain chain;
 };
 
-// The best first; of equal ones the one that was walked first.
+// Best first; among equals the one that was walked first.
 std::vector<Ranked> ranked(const PixelChains& candidates, const Gradient& gradient,
                            const Plane<uint16_t>& probability) {
   std::vector<Ranked> all;

@@ -1,5 +1,6 @@
-// Structured forests (Dollar and Zitnick, ICCV 2013) by OpenCV's ximgproc: each patch of the image is looked
-// up in some trees, whose leaves hold edges of patches, and these are added up.
+// SPDX-License-Identifier: BSD-3-Clause
+// Structured forests (Dollar and Zitnick, ICCV 2013) by OpenCV's ximgproc: each patch of the image is passed
+// through some trees whose leaves contain edge patches, which are added up.
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/structured_edge_detection.hpp>
 
@@ -32,8 +33,8 @@ class StructuredProbability : public EdgeProbability {
   std::string description() const override { return file_checksum(path_); }
 
  private:
-  // Three channels of 0 to 1. OpenCV rounds the size of its features, and lays patches over what it rounded
-  // up, or over nothing: multiples of what it shrinks by, not smaller than a patch, leave nothing to round.
+  // Three channels of 0 to 1. OpenCV rounds the size of its features, and then reads patches outside the
+  // image. So the size is a multiple of the shrink factor, and not smaller than a patch.
   cv::Mat padded(const ImageView<uint8_t>& gray) const {
     const int side = 2 * options_.shrinkNumber;
     const int width = next_multiple(std::max(gray.width, options_.patchSize), side);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "chain_gaps.h"
 
 #include <algorithm>
@@ -7,27 +8,28 @@
 namespace edgevo {
 namespace {
 
-// Between two vertices of known depth: a longer gap, or a steeper one, may be more than one edge.
+// Limits between two vertices of known depth: a longer or steeper gap may be more than one edge.
 constexpr double kMaxBridgePx = 200, kMaxBridgeRatio = 1.5;
 constexpr double kStraightPx = 1;       // across the chord: an edge is found to half a pixel
-constexpr double kShownBetween = 0.7;   // of the nodes between lent ends
+constexpr double kShownBetween = 0.7;   // share of the nodes between copied ends
 constexpr int kCornerPx = 4;            // from edge to edge: the detector cuts at junctions
 constexpr float kCornerCosine = 0.85f;  // between normals: 32 degrees, else the two are one edge, or parallel
-constexpr double kLentSigmas = 3;       // of a lent depth and an own one
+constexpr double kCornerSigmas = 3;     // between a copied depth and the node's own
 
-Eigen::Vector2d position(const EdgeMap& edges, const SettledNode& s) {
+Eigen::Vector2d position(const ImageEdges& edges, const FinalNode& s) {
   return edges.pixels[size_t(s.node.edge_pixel)].position().cast<double>();
 }
 
-// The node's own depth, however uncertain, is another.
+// Whether the node's own depth, however uncertain, differs.
 bool contradicts(const EdgeNode& own, double idepth, double sigma) {
-  return own.idepth > 0 && std::abs(own.idepth - idepth) > kLentSigmas * std::hypot(own.idepth_sigma, sigma);
+  return own.idepth > 0 &&
+         std::abs(own.idepth - idepth) > kCornerSigmas * std::hypot(own.idepth_sigma, sigma);
 }
 
-// From one certain node to the next.
+// The gap from one certain node to the next.
 class Bridge {
  public:
-  Bridge(const EdgeMap& edges, const SettledChain& chain, size_t from, size_t to)
+  Bridge(const ImageEdges& edges, const FinalChain& chain, size_t from, size_t to)
       : edges_(edges),
         chain_(chain),
         from_(from),
@@ -68,26 +70,26 @@ class Bridge {
     return p_.idepth + share * (q_.idepth - p_.idepth);
   }
 
-  const EdgeMap& edges_;
-  const SettledChain& chain_;
+  const ImageEdges& edges_;
+  const FinalChain& chain_;
   const size_t from_, to_;
   const EdgeNode p_, q_;
   const Eigen::Vector2d start_, chord_;
 };
 
-// The nodes of all chains that may lend their depth, by cells of the image as wide as a corner may be.
+// The nodes of all chains whose depth may be copied, in image cells as wide as the largest corner gap.
 class CornerGrid {
  public:
-  CornerGrid(const EdgeMap& edges, double max_relative_sigma, const std::vector<SettledChain>& chains)
+  CornerGrid(const ImageEdges& edges, double max_relative_sigma, const std::vector<FinalChain>& chains)
       : edges_(edges), columns_(edges.width / kCornerPx + 1) {
     cells_.resize(size_t(columns_) * size_t(edges.height / kCornerPx + 1));
-    for (const SettledChain& chain : chains)
-      for (const SettledNode& s : chain)
+    for (const FinalChain& chain : chains)
+      for (const FinalNode& s : chain)
         if (s.is_known() && s.node.idepth_sigma <= max_relative_sigma * s.node.idepth)
           cells_[cell_of(pixel_of(s.node))].push_back(s.node);
   }
 
-  // The nearest node of an edge that this one meets; null: none is near.
+  // The nearest node of another edge that this one meets; null if none is near.
   const EdgeNode* find(const EdgeNode& node) const {
     const EdgePixel& e = pixel_of(node);
     const EdgeNode* best = nullptr;
@@ -112,36 +114,37 @@ class CornerGrid {
     return size_t(int(e.y) / kCornerPx * columns_ + int(e.x) / kCornerPx);
   }
 
-  const EdgeMap& edges_;
+  const ImageEdges& edges_;
   int columns_;
   std::vector<std::vector<EdgeNode>> cells_;  // row by row
 };
 
 }  // namespace
 
-void bridge_gaps(const EdgeMap& edges, const IsShown& is_shown, SettledChain* chain) {
+void bridge_gaps(const ImageEdges& edges, const IsShown& is_shown, FinalChain* chain) {
   size_t last = chain->size();
   for (size_t i = 0; i < chain->size(); ++i) {
     if ((*chain)[i].certain == Certain::kNot) continue;
     const size_t from = std::exchange(last, i);
     if (from >= i || i - from < 2) continue;
     const Bridge bridge(edges, *chain, from, i);
-    const bool is_lent = !(*chain)[from].is_known() || !(*chain)[i].is_known();
-    if (!bridge.is_straight() || (is_lent && !bridge.is_shown(is_shown))) continue;
+    const bool is_copied = !(*chain)[from].is_known() || !(*chain)[i].is_known();
+    if (!bridge.is_straight() || (is_copied && !bridge.is_shown(is_shown))) continue;
     for (size_t k = from + 1; k < i; ++k) (*chain)[k].node = bridge.node_at(k);
     for (size_t k = from; k <= i; ++k) (*chain)[k].certain = Certain::kBetweenEnds;
   }
 }
 
-void lend_at_corners(const EdgeMap& edges, double max_relative_sigma, std::vector<SettledChain>* chains) {
+void copy_depth_at_corners(const ImageEdges& edges, double max_relative_sigma,
+                           std::vector<FinalChain>* chains) {
   const CornerGrid grid(edges, max_relative_sigma, *chains);
-  for (SettledChain& chain : *chains)
-    for (SettledNode& s : chain) {
+  for (FinalChain& chain : *chains)
+    for (FinalNode& s : chain) {
       if (s.is_known() || !(s.node.idepth > 0)) continue;
-      const EdgeNode* lender = grid.find(s.node);
-      if (!lender || contradicts(s.node, lender->idepth, lender->idepth_sigma)) continue;
+      const EdgeNode* source = grid.find(s.node);
+      if (!source || contradicts(s.node, source->idepth, source->idepth_sigma)) continue;
       const int edge_pixel = s.node.edge_pixel;
-      s.node = *lender, s.node.edge_pixel = edge_pixel;
+      s.node = *source, s.node.edge_pixel = edge_pixel;
       s.certain = Certain::kAtCorner;
     }
 }

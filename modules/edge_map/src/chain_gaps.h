@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Depth for the nodes of a chain that views tell none of: between two ends of known depth, and at corners.
+// Depth for the nodes of a chain that views do not constrain: between two ends of known depth, and at
+// corners.
 #include <functional>
 #include <vector>
 
@@ -7,35 +9,44 @@
 
 namespace edgevo {
 
-/// Whence the depth of a node is certain.
+/// Why the depth of a node is certain.
 enum class Certain {
-  kNot,         ///< views tell none, or too uncertain a one
-  kByViews,     ///< its own and its neighbours' evidence
-  kAtCorner,    ///< lent by the edge that it meets there
-  kBetweenEnds  ///< by a bridge that begins, ends or passes there
+  /// It is unknown or too uncertain.
+  kNot,
+  /// By its own evidence and that of its neighbours.
+  kByViews,
+  /// Copied from the edge that it meets at a corner.
+  kAtCorner,
+  /// By a bridge that begins, ends or passes at the node.
+  kBetweenEnds
 };
 
-/// What is known of a node of a chain.
-struct SettledNode {
-  EdgeNode node;  ///< idepth 0: none was found; else one, certain or not
+/// Node of a chain with its final depth.
+struct FinalNode {
+  /// Edge pixel with its depth, certain or not; idepth 0 if none was found.
+  EdgeNode node;
   Certain certain = Certain::kNot;
-  bool breaks = false;  ///< no connection to the next one
+  /// Whether the chain breaks between this node and the next.
+  bool breaks = false;
 
-  /// A corner alone is no news: the edge that lends the depth tells it already.
+  /// Whether the node belongs to a line. A corner alone does not: the edge that its depth was copied from
+  /// covers it already.
   bool is_known() const { return certain == Certain::kByViews || certain == Certain::kBetweenEnds; }
 };
-using SettledChain = std::vector<SettledNode>;
+/// Nodes along one edge.
+using FinalChain = std::vector<FinalNode>;
 
-/// Whether views show an edge at the node where this inverse depth says.
-using IsShown = std::function<bool(const SettledNode& node, double idepth)>;
+/// Whether views show the edge of the node at this inverse depth.
+using IsShown = std::function<bool(const FinalNode& node, double idepth)>;
 
-/// A straight stretch between two certain ends is one line of space: its inverse depth is linear. Where an
-/// end is lent, most nodes between must be shown there.
-void bridge_gaps(const EdgeMap& edges, const IsShown& is_shown, SettledChain* chain);
+/// Bridges straight gaps between two certain ends: the edge is a line in space, so its inverse depth is
+/// linear. If the depth of an end was copied at a corner, views must show most of the nodes in between.
+void bridge_gaps(const ImageEdges& edges, const IsShown& is_shown, FinalChain* chain);
 
-/// An edge along the motion (a ledge, a sill) ends at a corner, whose upright edge has a depth: it is lent to
-/// a node whose own, uncertain one agrees. Where the upright edge stands in front it does not.
-/// A lender's idepth_sigma / idepth is at most `max_relative_sigma`.
-void lend_at_corners(const EdgeMap& edges, double max_relative_sigma, std::vector<SettledChain>* chains);
+/// Copies depth at corners. An edge along the motion (a ledge, a sill) ends at an upright edge of known
+/// depth, which a node takes over if its own, uncertain depth agrees; it does not if the upright edge is in
+/// front. idepth_sigma / idepth of the upright edge must not exceed `max_relative_sigma`.
+void copy_depth_at_corners(const ImageEdges& edges, double max_relative_sigma,
+                           std::vector<FinalChain>* chains);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "chain_labels.h"
 
 #include <algorithm>
@@ -7,13 +8,13 @@
 namespace edgevo {
 namespace {
 
-// All in views that do not show the edge.
-constexpr double kNoneShare = 0.5;    // of the views that see the pixel: with fewer than half none is cheaper
-constexpr double kNoneAtLeast = 1.0;  // where few see it
+// Costs in units of views that do not show the edge.
+constexpr double kNoneShare = 0.5;    // of the views that contain the pixel, if it has no depth
+constexpr double kNoneAtLeast = 1.0;  // lower bound where few views contain it
 constexpr double kBreak = 1.5;        // a jump in depth
 constexpr double kBeginOrEnd = 0.5;   // from a depth to none, or back
-// Inverse depths of neighbours two pixels apart differ by this share and their deviations, where the edge
-// goes on: one that leads away at 60 degrees does so 20 pixels from the point that the camera goes to.
+// Where an edge continues, inverse depths of neighbours two pixels apart differ by this share plus their
+// standard deviations: an edge that leads away at 60 degrees does so 20 pixels from the focus of expansion.
 constexpr double kSmoothShare = 0.02;
 
 double own_cost(const ChainNode& node, int label) {
@@ -31,14 +32,14 @@ double squared_jump(const Hypothesis& a, const Hypothesis& b) {
 }
 
 bool is_break(const ChainNode& a, int la, const ChainNode& b, int lb) {
-  constexpr double kJump = 9;  // three deviations
+  constexpr double kJump = 9;  // three standard deviations, squared
   return la < 0 || lb < 0 || squared_jump(a.hypotheses[size_t(la)], b.hypotheses[size_t(lb)]) > kJump;
 }
 
 double step_cost(const ChainNode& a, int la, const ChainNode& b, int lb) {
   if (la < 0 && lb < 0) return 0;
   if (la < 0 || lb < 0) return kBeginOrEnd;
-  constexpr double kWeight = kBreak / 9;  // reaches that of a break at three deviations
+  constexpr double kWeight = kBreak / 9;  // reaches the cost of a break at three standard deviations
   return std::min(kBreak, kWeight * squared_jump(a.hypotheses[size_t(la)], b.hypotheses[size_t(lb)]));
 }
 

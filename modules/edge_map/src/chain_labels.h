@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // One hypothesis or none for each pixel of a chain: dynamic programming (Viterbi).
 #include <vector>
@@ -6,19 +7,22 @@
 
 namespace edgevo {
 
-/// A pixel of a chain: its hypotheses and how many views it costs to have none.
+/// Pixel of a chain with its hypotheses.
 struct ChainNode {
   int edge_pixel = -1;
-  double at = 0;  ///< pixels along the chain
+  /// Position along the chain, pixels.
+  double at = 0;
   std::vector<Hypothesis> hypotheses;
 };
 
-/// For each node the number of its hypothesis, -1: none; `breaks[i]`: depth jumps between node i and i + 1.
-/// Cost: nodes times hypotheses squared.
+/// Selected hypotheses of a chain.
 struct ChainLabels {
+  /// Number of the hypothesis of each node; -1: none.
   std::vector<int> label;
+  /// Whether depth jumps between node i and i + 1.
   std::vector<bool> breaks;
 };
+/// Selects the hypotheses of a chain. Cost: nodes times hypotheses squared.
 ChainLabels label_chain(const std::vector<ChainNode>& nodes);
 
 }  // namespace edgevo

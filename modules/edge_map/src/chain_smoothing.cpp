@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "chain_smoothing.h"
 
 #include <algorithm>
@@ -7,13 +8,13 @@
 namespace edgevo {
 namespace {
 
-// Errors of edge pixels this many pixels along the edge are the same error: the detector's filter is five
-// pixels wide.
+// Edge pixels within this distance along the edge share their error: the detector's filter is five pixels
+// wide.
 constexpr double kCorrelatedPx = 3;
-constexpr double kReachesPx[] = {64, 32, 16, 8};  // to each side, the longest first
-constexpr double kMaxVariance = 2;  // of the residuals over what they are told to be: else it bends
+constexpr double kReachesPx[] = {64, 32, 16, 8};  // in each direction, the longest first
+constexpr double kMaxVariance = 2;  // of the residuals over the expected one: above it the edge bends
 
-// Sums over values: of weights, and of weights times products of place and value.
+// Sums over values: of weights, and of weights times products of position and value.
 struct Sums {
   double w = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;
   double common = 0;  // of weights times squared common errors
@@ -30,7 +31,7 @@ struct Sums {
 
 struct LineFit {
   bool valid = false;
-  double value = 0, variance = 0;  // at the place asked for
+  double value = 0, variance = 0;  // at the requested position
   double residual = 0;             // weighted sum of squares
 };
 
@@ -54,7 +55,7 @@ std::vector<SmoothValue> smooth_chain(const std::vector<ChainValue>& values) {
   const size_t n = values.size();
   std::vector<SmoothValue> smooth(n);
   if (n == 0) return smooth;
-  // Around the first value: the sums stay small, and their differences exact.
+  // Relative to the first value: the sums stay small, and their differences exact.
   std::vector<Sums> until(n + 1);
   for (size_t i = 0; i < n; ++i) {
     until[i + 1] = until[i];

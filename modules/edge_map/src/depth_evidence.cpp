@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "depth_evidence.h"
 
 #include <algorithm>
@@ -6,29 +7,30 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMinDepth = 0.05;  // of a point over its depth in the host: nearer is beside the camera
-// From the projected point to the edge, across it: in the first two looks the depth is not yet exact.
+constexpr double kMinDepth = 0.05;  // of a point over its depth in the host: nearer is next to the camera
+// From the projected point to the edge, across it: in the first two passes the depth is not yet exact.
 constexpr double kReachPx[] = {3.0, 2.0, 1.25};
 constexpr int kLooks = 3;
 constexpr double kAlongPx = 2.5;  // from the point to the nearest edge pixel, any direction, plus the reach
 constexpr float kSidePx = 2;      // off the edge: outside the blur of the step itself
-constexpr float kGrayTolerance = 12;  // gray levels: noise, and texture beside the edge
+constexpr float kGrayTolerance = 12;  // gray levels: noise, and texture next to the edge
 constexpr float kGrayShare = 0.4f;    // of the step: a side differs when it is off by more
-// Pixels across the edge that a point would move were it infinitely far: below, a view tells no depth.
+// Motion across the edge from infinity to the depth of the point, below which a view does not constrain
+// depth.
 constexpr double kMinMotionPx = 3;
 
 // One view's equation for the inverse depth.
 struct Look {
   size_t view = 0;
-  Eigen::Vector2d p;  // where the point lies in it
-  int pixel = -1;     // of the nearest edge
+  Eigen::Vector2d p;  // position of the point in the view
+  int pixel = -1;     // pixel of the nearest edge
   bool found = false;
   double residual = 0, slope = 0;  // r and J
   SideChange change;
 };
 
-// The first `most` views in whose image the point lies. Memory is prefetched: what is looked up lies
-// anywhere in a megabyte.
+// The first `most` views that contain the point. Memory is prefetched, since the look-ups are scattered over
+// a megabyte.
 void project(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, int most,
              std::vector<Look>* looks) {
   looks->clear();

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the other images say about one inverse depth of one edge pixel.
+// Evidence of the other images for one inverse depth of one edge pixel.
 #include <Eigen/Core>
 #include <vector>
 
@@ -7,54 +8,68 @@
 
 namespace edgevo {
 
-/// Edges nearer to the image's border may be cut off; pixels.
+/// Edges closer to the image border may be cut off, pixels.
 constexpr double kEdgeBorderPx = 3;
 /// Position noise of an edge along its normal, pixels.
 constexpr double kEdgeSigmaPx = 0.4;
 
-/// An inverse depth with what speaks for it.
+/// Inverse depth with the evidence for it.
 struct Hypothesis {
   double idepth = 0;
-  double information = 0;  ///< inverse variance of idepth
-  double cost = 0;         ///< in views: each one in whose image the point lies adds 0 (fits) to 1 (does not)
-  int in_view = 0;         ///< images in which the point lies
-  int views = 0;           ///< of them, those that show the edge there
-  int informative = 0;  ///< of these, those in whose image a change of depth moves the point across the edge
-  int dark_differs = 0, bright_differs = 0;  ///< of `views`: the side of the edge looks another
+  /// Inverse variance of idepth.
+  double information = 0;
+  /// Sum over the views that contain the point of 0 (fits) to 1 (does not fit).
+  double cost = 0;
+  /// Number of views that contain the point.
+  int in_view = 0;
+  /// Number of views that show the edge there.
+  int views = 0;
+  /// Number of views that show the edge and in which a change of depth moves the point across it.
+  int informative = 0;
+  /// Number of views that show the edge with a different dark or bright side.
+  int dark_differs = 0, bright_differs = 0;
 
+  /// Whether only one side of the edge looks the same in most views.
   bool is_outline() const {
     return 2 * std::max(dark_differs, bright_differs) > views &&
            4 * std::min(dark_differs, bright_differs) < views;
   }
 };
 
-/// One edge pixel of the host and its sight lines.
+/// Edge pixel of the host with its sight lines.
 struct EdgeSight {
   Eigen::Vector2d px, normal;
   EdgeSides sides;
-  std::vector<SightLine> lines;  ///< of each view
+  /// Sight line in each view.
+  std::vector<SightLine> lines;
 };
 
-/// How good an inverse depth is before it is weighed.
-enum class Guess { kRough, kCarriedAlong };  ///< a crossing in one image; that of the neighbour on the edge
+/// Accuracy of an inverse depth before it is refined.
+enum class Guess {
+  /// From a crossing in one image.
+  kRough,
+  /// From the neighbour on the edge.
+  kCarriedAlong
+};
 
-/// Adjusts `idepth` to the nearest edges in all views and weighs what they say; gives up early where too few
-/// show any (views < params.min_views then).
+/// Fits `idepth` to the nearest edges in all views and collects their evidence. Stops early if too few views
+/// show an edge (then views < params.min_views).
 Hypothesis weigh(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, Guess guess,
                  double max_idepth, const EdgeMapParams& params);
 
-/// Whether an edge of another image may be that of the host by its direction, dark to bright.
+/// Whether an edge of another image may be that of the host, given its direction (dark to bright).
 inline bool is_like_direction(const ViewGeometry& view, const Eigen::Vector2d& normal_host,
                               const EdgePixel& e) {
-  constexpr double kMinCosine = 0.75;  // 41 degrees: edges turn in the image as one passes them
+  constexpr double kMinCosine = 0.75;  // 41 degrees: edges rotate in the image as the camera passes them
   const Eigen::Vector2d expected = view.turn * normal_host;
   return expected.x() * double(e.nx) + expected.y() * double(e.ny) >= kMinCosine;
 }
 
-/// Which sides of edge pixel `e` of the view look another than those of the host.
+/// Sides of an edge pixel that look different from those of the host.
 struct SideChange {
   bool dark = false, bright = false;
 };
+/// Compares the sides of edge pixel `e` of the view with those of the host.
 SideChange compare_sides(const EdgeSides& host, const ViewGeometry& view, size_t e);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edge_map/edge_depth.h"
 
 #include <algorithm>
@@ -11,16 +12,16 @@
 namespace edgevo {
 namespace {
 
-constexpr int kSearchedViews = 2;     // in which crossings are searched: one may be covered
-constexpr int kSearchEveryPx = 12;    // along the edge; in between, what was found is carried along
-constexpr int kMaxHypotheses = 3;     // kept of a pixel
-constexpr double kSameIdepth = 0.03;  // hypotheses within this share are one
-constexpr double kMinSupport = 0.5;   // of the views in which a point lies, that must show it
-// Pixels that all views may be off alike, by the pose or the lens: no number of views averages it out.
+constexpr int kSearchedViews = 2;     // views searched for crossings: the point may be occluded in one
+constexpr int kSearchEveryPx = 12;    // along the edge; in between, hypotheses are carried along
+constexpr int kMaxHypotheses = 3;     // kept per pixel
+constexpr double kSameIdepth = 0.03;  // hypotheses within this share are merged
+constexpr double kMinSupport = 0.5;   // share of the views containing a point that must show it
+// Error common to all views, due to pose or lens: no number of views averages it out.
 constexpr double kCommonPx = 0.25;
-// Of max_relative_sigma, for a depth that is lent at a corner: a bridge rests on two nodes alone.
-constexpr double kLenderShare = 0.5;
-// Of a depth that views move: it is the same within these deviations and this share.
+// Share of max_relative_sigma for a depth that is copied at a corner: a bridge rests on two nodes alone.
+constexpr double kCornerSourceShare = 0.5;
+// Tolerance between two depths: standard deviations, and share of the depth.
 constexpr double kShownSigmas = 2, kShownShare = 0.02;
 
 class DepthSearch {
@@ -35,8 +36,8 @@ class DepthSearch {
 
   std::vector<EdgePiece> run() {
     for (const EdgeChain& chain : level_.edges.chains) follow(chain);
-    lend_at_corners(level_.edges, kLenderShare * params_.max_relative_sigma, &settled_);
-    for (SettledChain& chain : settled_) bridge(&chain), collect(chain);
+    copy_depth_at_corners(level_.edges, kCornerSourceShare * params_.max_relative_sigma, &chains_);
+    for (FinalChain& chain : chains_) bridge(&chain), collect(chain);
     return std::move(pieces_);
   }
 
@@ -49,7 +50,7 @@ class DepthSearch {
       ChainNode node;
       node.edge_pixel = i;
       node.at = i - chain.begin;
-      reached(i, EdgeFate::kNoCrossing);
+      reached(i, EdgeStage::kNoCrossing);
       if (!nodes.empty()) carry_along(nodes.back(), &node);
       if (i - last_search >= kSearchEveryPx) search(&node), last_search = i;
       keep_best(&node.hypotheses);
@@ -74,10 +75,10 @@ class DepthSearch {
   void try_out(double idepth, Guess guess, ChainNode* node) const {
     const Hypothesis h = weigh(sight_, views_, idepth, guess, max_idepth_, params_);
     if (is_supported(h) && h.informative > 0) node->hypotheses.push_back(h);
-    reached(node->edge_pixel, h.views < params_.min_views ? EdgeFate::kFewViews
-                              : !is_supported(h)          ? EdgeFate::kNoSupport
-                              : h.informative == 0        ? EdgeFate::kNoMotion
-                                                          : EdgeFate::kNotChosen);
+    reached(node->edge_pixel, h.views < params_.min_views ? EdgeStage::kFewViews
+                              : !is_supported(h)          ? EdgeStage::kNoSupport
+                              : h.informative == 0        ? EdgeStage::kNoMotion
+                                                          : EdgeStage::kNotChosen);
   }
 
   void carry_along(const ChainNode& from, ChainNode* to) const {
@@ -92,7 +93,7 @@ class DepthSearch {
     for (const double idepth : distinct(std::move(idepths))) try_out(idepth, Guess::kRough, node);
   }
 
-  // What the search found further along reaches back, too.
+  // Hypotheses found further along are also carried back.
   void carry_back(std::vector<ChainNode>* nodes) {
     for (size_t k = nodes->size(); k-- > 1;) {
       ChainNode& to = (*nodes)[k - 1];
@@ -111,7 +112,7 @@ class DepthSearch {
     return idepths;
   }
 
-  // The cheapest ones; of those that came to the same depth, one.
+  // The cheapest hypotheses, one for each depth.
   static void keep_best(std::vector<Hypothesis>* hypotheses) {
     std::sort(hypotheses->begin(), hypotheses->end(), [](const Hypothesis& a, const Hypothesis& b) {
       return a.cost != b.cost ? a.cost < b.cost : a.idepth < b.idepth;
@@ -126,28 +127,28 @@ class DepthSearch {
     *hypotheses = std::move(best);
   }
 
-  // Labels the nodes and settles their depths.
+  // Labels the nodes and smooths their depths.
   void finish(std::vector<ChainNode>* nodes) {
     if (int(nodes->size()) >= params_.min_vertices) {
       carry_back(nodes);
       const ChainLabels labels = label_chain(*nodes);
-      SettledChain settled(nodes->size());
+      FinalChain chain(nodes->size());
       size_t begin = 0;
       for (size_t i = 0; i < nodes->size(); ++i) {
-        settled[i].node.edge_pixel = (*nodes)[i].edge_pixel;
+        chain[i].node.edge_pixel = (*nodes)[i].edge_pixel;
         if (!labels.breaks[i]) continue;
-        settled[i].breaks = i + 1 < nodes->size() && labels.label[i] >= 0 && labels.label[i + 1] >= 0;
-        if (labels.label[i] >= 0) smooth_piece(*nodes, labels.label, begin, i + 1, &settled);
+        chain[i].breaks = i + 1 < nodes->size() && labels.label[i] >= 0 && labels.label[i + 1] >= 0;
+        if (labels.label[i] >= 0) smooth_piece(*nodes, labels.label, begin, i + 1, &chain);
         begin = i + 1;
       }
-      bridge(&settled);
-      settled_.push_back(std::move(settled));
+      bridge(&chain);
+      chains_.push_back(std::move(chain));
     }
     nodes->clear();
   }
 
   void smooth_piece(const std::vector<ChainNode>& nodes, const std::vector<int>& label, size_t begin,
-                    size_t end, SettledChain* settled) const {
+                    size_t end, FinalChain* chain) const {
     std::vector<ChainValue> values;
     for (size_t i = begin; i < end; ++i) {
       const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
@@ -157,24 +158,24 @@ class DepthSearch {
     for (size_t i = begin; i < end; ++i) {
       const Hypothesis& h = nodes[i].hypotheses[size_t(label[i])];
       const SmoothValue& s = smooth[i - begin];
-      SettledNode& to = (*settled)[i];
+      FinalNode& to = (*chain)[i];
       to.node = {nodes[i].edge_pixel, s.value, s.sigma, h.views, h.is_outline()};
       const double limit = params_.max_relative_sigma * s.value;
       if (s.value > 0 && s.sigma <= limit) to.certain = Certain::kByViews;
       const bool may_help = values[i - begin].common <= limit;
-      told(to.node);
-      reached(to.node.edge_pixel, to.is_known() ? EdgeFate::kShort
-                                  : may_help    ? EdgeFate::kUncertain
-                                                : EdgeFate::kAlongMotion);
+      trace_depth(to.node);
+      reached(to.node.edge_pixel, to.is_known() ? EdgeStage::kShort
+                                  : may_help    ? EdgeStage::kUncertain
+                                                : EdgeStage::kAlongMotion);
     }
   }
 
-  void bridge(SettledChain* chain) {
-    const auto shown = [this](const SettledNode& s, double idepth) { return is_shown(s.node, idepth); };
+  void bridge(FinalChain* chain) {
+    const auto shown = [this](const FinalNode& s, double idepth) { return is_shown(s.node, idepth); };
     bridge_gaps(level_.edges, shown, chain);
   }
 
-  // Views see an edge there, and do not tell that it is nearer or farther.
+  // Whether views see an edge there, and no evidence that it is nearer or farther.
   bool is_shown(const EdgeNode& node, double idepth) {
     look_from(node.edge_pixel);
     const Hypothesis h = weigh(sight_, views_, idepth, Guess::kCarriedAlong, max_idepth_, params_);
@@ -184,7 +185,7 @@ class DepthSearch {
                 kShownSigmas / std::sqrt(std::max(h.information, 1e-12)) + kShownShare * idepth);
   }
 
-  void collect(const SettledChain& settled) {
+  void collect(const FinalChain& chain) {
     EdgePiece piece;
     const auto flush = [&] {
       if (int(piece.size()) >= params_.min_vertices) {
@@ -193,24 +194,24 @@ class DepthSearch {
       }
       piece.clear();
     };
-    for (const SettledNode& s : settled) {
+    for (const FinalNode& s : chain) {
       if (s.is_known()) piece.push_back(s.node);
       if (!s.is_known() || s.breaks) flush();
     }
     flush();
   }
 
-  // Root mean square of J: an error common to all views moves the depth by itself over it.
+  // Root mean square of J: an error common to all views moves the depth by that error over J.
   double mean_slope(const Hypothesis& h) const { return kEdgeSigmaPx * std::sqrt(h.information / h.views); }
 
-  void reached(int edge_pixel, EdgeFate gate) const {
+  void reached(int edge_pixel, EdgeStage gate) const {
     if (trace_) (*trace_)[size_t(edge_pixel)].reach(gate);
   }
   void found(const EdgeNode& node) const {
-    reached(node.edge_pixel, EdgeFate::kFound);
-    told(node);
+    reached(node.edge_pixel, EdgeStage::kFound);
+    trace_depth(node);
   }
-  void told(const EdgeNode& node) const {
+  void trace_depth(const EdgeNode& node) const {
     if (trace_) (*trace_)[size_t(node.edge_pixel)].idepth = node.idepth;
   }
 
@@ -220,8 +221,8 @@ class DepthSearch {
   const EdgeMapParams& params_;
   std::vector<TracedPixel>* trace_;  // may be null
   std::vector<ViewGeometry> views_;
-  EdgeSight sight_;  // of the pixel at hand
-  std::vector<SettledChain> settled_;
+  EdgeSight sight_;  // of the current pixel
+  std::vector<FinalChain> chains_;
   std::vector<EdgePiece> pieces_;
 };
 

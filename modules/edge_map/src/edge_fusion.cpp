@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_fusion.h"
 
 #include <algorithm>
@@ -10,29 +11,29 @@
 
 namespace edgevo {
 
-/// A depth that an earlier keyframe's line tells of an edge pixel.
+/// Depth of an edge pixel as predicted by the line of an earlier keyframe.
 struct KnownDepth {
-  double idepth = 0;  // 0: none does
+  double idepth = 0;  // 0: none
   double sigma = 0;
-  double h_z = 0, e_z = 0;  // of the sight line of the vertex that tells it
+  double h_z = 0, e_z = 0;  // of the sight line of the predicting vertex
 };
 
 namespace {
 
-constexpr int kFusionKeyframes = 12;  // a keyframe's lines are compared with those of so many after it
-constexpr double kSeenBorderPx = 4;   // a vertex nearer to the border of an image may not be seen there
+constexpr int kFusionKeyframes = 12;  // number of later keyframes that lines are compared with
+constexpr double kSeenBorderPx = 4;   // a vertex closer to the image border may not be visible
 constexpr double kAcrossPx = 1.5;     // from a projected vertex to the edge that it is
 constexpr double kSeenAlongPx = 2.5;
-constexpr double kInFront = 1.1;  // times the inverse depth: of two lines at one pixel the nearer is seen
+constexpr double kInFront = 1.1;  // ratio of inverse depths: of two lines at one pixel the nearer is visible
 // Depth in the keyframe over that in the host, below which a vertex is too near the camera, or behind it.
 constexpr double kMinDepthRatio = 0.05;
-// A known depth is as good as one found here, unless that is so much more certain.
+// A new depth replaces a known one if its standard deviation is below this share.
 constexpr double kMuchBetter = 0.75;
-// A vertex is confirmed by a second keyframe that tells the same depth, or by so many images: of those that
-// only their host tells, from few, half are wrong.
+// A vertex is confirmed by a second keyframe with the same depth, or by this many images: of the vertices
+// that only their host supports, from few images, half are wrong.
 constexpr int kMinSeen = 2, kManyViews = 6;
-constexpr int kMaxBridge = 40;  // pixels of a chain between two neighbours on a line that comes nearer
-constexpr double kSameSigmas = 3, kSameShare = 0.03;  // two depths of one edge
+constexpr int kMaxBridge = 40;  // pixels between two neighbours on a line, which spread as it comes nearer
+constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
 
 double weight_of(double idepth, double sigma) { return idepth * idepth / (sigma * sigma); }
 
@@ -41,7 +42,7 @@ bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
          kSameSigmas * std::hypot(known.sigma, node.idepth_sigma) + kSameShare * node.idepth;
 }
 
-// Does a vertex that is projected to `px`, with this normal in its host, lie on the edge?
+// Whether a vertex that projects to `px`, with this normal in its host, lies on the edge.
 bool is_at_edge(const ViewGeometry& view, const Eigen::Vector2d& normal, const Eigen::Vector2d& px,
                 const EdgePixel& e) {
   const Eigen::Vector2d offset = e.position().cast<double>() - px;
@@ -51,7 +52,7 @@ bool is_at_edge(const ViewGeometry& view, const Eigen::Vector2d& normal, const E
 
 }  // namespace
 
-// A vertex of an earlier line, where a keyframe should see it.
+// A vertex of an earlier line where a keyframe should see it.
 struct EdgeFusion::Sighting {
   // The edge pixel of the keyframe; -1: there is none.
   int pixel = -1;
@@ -60,22 +61,22 @@ struct EdgeFusion::Sighting {
   bool is_missed() const { return pixel < 0; }
 };
 
-// The edge pixels of a keyframe that lines of earlier ones explain.
+// The edge pixels of a keyframe that lines of earlier keyframes explain.
 struct EdgeFusion::Explained {
   std::vector<KnownDepth> known;  // by edge pixel
-  std::vector<Vertex*> by;        // the vertex that tells it; those between two, the nearer one
+  std::vector<Vertex*> source;    // the predicting vertex; for pixels between two, the nearer one
   std::vector<Vertex*> seen, missed;
 
-  // Of two lines at one pixel the nearer is seen.
+  // Of two lines at one pixel the nearer is visible.
   void mark(int pixel, const KnownDepth& depth, Vertex* vertex) {
     KnownDepth& there = known[size_t(pixel)];
     if (there.idepth > 0 && depth.idepth < kInFront * there.idepth) return;
     there = depth;
-    by[size_t(pixel)] = vertex;
+    source[size_t(pixel)] = vertex;
   }
 
-  // The pixels of the chain between two neighbours on a line: the inverse depth is linear there.
-  void bridge(const EdgeMap& edges, const Sighting& a, const Sighting& b, Vertex* vertex) {
+  // Marks the pixels of the chain between two neighbours on a line: the inverse depth is linear there.
+  void bridge(const ImageEdges& edges, const Sighting& a, const Sighting& b, Vertex* vertex) {
     const bool is_one_chain = edges.pixels[size_t(a.pixel)].chain == edges.pixels[size_t(b.pixel)].chain;
     if (!is_one_chain || std::abs(b.pixel - a.pixel) >= kMaxBridge) return;
     for (int k = std::min(a.pixel, b.pixel) + 1; k < std::max(a.pixel, b.pixel); ++k) {
@@ -92,25 +93,26 @@ void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
                        trace_ ? &(*trace_)[host.id] : nullptr);
   Explained explained;
   explained.known.resize(host.pyramid->finest().edges.pixels.size());
-  explained.by.resize(explained.known.size(), nullptr);
+  explained.source.resize(explained.known.size(), nullptr);
   if (params_.is_fused()) project_lines(host, &explained);
   OpenHost open{host.id, host.T_cam_world, host.motion, {}};
-  for (const EdgePiece& piece : pieces) add_new_stretches(host, piece, &explained, &open.lines);
+  for (const EdgePiece& piece : pieces) add_new_lines(host, piece, &explained, &open.lines);
   count(&explained);
   open_.push_back(std::move(open));
   while (int(open_.size()) > kFusionKeyframes) {
-    settle(open_.front());
+    finalise(open_.front());
     open_.pop_front();
   }
 }
 
-// What no earlier line tells as well becomes lines of this keyframe, which reach to the vertices around them.
-void EdgeFusion::add_new_stretches(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
-                                   std::vector<Line>* lines) const {
+// Pixels that no earlier line explains as well become lines of this keyframe, extended by one vertex at each
+// end.
+void EdgeFusion::add_new_lines(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
+                               std::vector<Line>* lines) const {
   std::vector<bool> is_new(piece.size());
   for (size_t i = 0; i < piece.size(); ++i) {
-    is_new[i] = is_news(piece[i], explained);
-    if (!is_new[i]) trace(host.id, piece[i].edge_pixel, EdgeFate::kExplained);
+    is_new[i] = is_novel(piece[i], explained);
+    if (!is_new[i]) trace(host.id, piece[i].edge_pixel, EdgeStage::kExplained);
   }
   for (size_t begin = 0; begin < piece.size();) {
     size_t end = begin;
@@ -126,10 +128,10 @@ void EdgeFusion::add_new_stretches(const EdgeHost& host, const EdgePiece& piece,
   }
 }
 
-// Notes what a node says of the vertex that explains it.
-bool EdgeFusion::is_news(const EdgeNode& node, Explained* explained) const {
+// Whether the node belongs to a new line. Records its evidence for or against the vertex that explains it.
+bool EdgeFusion::is_novel(const EdgeNode& node, Explained* explained) const {
   const KnownDepth& known = explained->known[size_t(node.edge_pixel)];
-  Vertex* by = explained->by[size_t(node.edge_pixel)];
+  Vertex* by = explained->source[size_t(node.edge_pixel)];
   if (!by) return true;
   if (!is_same_depth(known, node)) {
     explained->missed.push_back(by);
@@ -140,9 +142,9 @@ bool EdgeFusion::is_news(const EdgeNode& node, Explained* explained) const {
   const double z = (known.h_z / double(by->vertex.idepth) + known.e_z) * known.idepth / node.idepth;
   if (z > known.e_z) {
     const double weight = weight_of(node.idepth, node.idepth_sigma);
-    by->told_weight += weight;
-    by->told_sum += weight * known.h_z / (z - known.e_z);
-    ++by->told;
+    by->new_weight += weight;
+    by->new_sum += weight * known.h_z / (z - known.e_z);
+    ++by->new_depths;
   }
   if (node.idepth_sigma > kMuchBetter * known.sigma) return false;
   by->is_replaced = true;
@@ -173,7 +175,7 @@ void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* 
   }
 }
 
-// Nothing where the vertex cannot be seen.
+// Empty if the vertex cannot be seen.
 std::optional<EdgeFusion::Sighting> EdgeFusion::sight(const PyramidLevel& level, const ViewGeometry& view,
                                                       const Vertex& v) const {
   const SightLine line(view, v.vertex.px.cast<double>());
@@ -184,12 +186,12 @@ std::optional<EdgeFusion::Sighting> EdgeFusion::sight(const PyramidLevel& level,
   const int pixel = level.field.nearest(float(p.x()), float(p.y()));
   if (pixel < 0 || !is_at_edge(view, v.normal.cast<double>(), p, level.edges.pixels[size_t(pixel)]))
     return Sighting{};
-  // z' = z (h + rho e)_z: the inverse depth and its deviation in this keyframe.
+  // z' = z (h + rho e)_z: the inverse depth and its standard deviation in this keyframe.
   return Sighting{
       pixel, {idepth / depth_ratio, double(v.vertex.idepth_sigma) / depth_ratio, line.h.z(), line.e.z()}};
 }
 
-// Each vertex is seen or missed once a keyframe at most.
+// Each vertex is seen or missed at most once per keyframe.
 void EdgeFusion::count(Explained* explained) const {
   const auto distinct = [](std::vector<Vertex*>* v) {
     std::sort(v->begin(), v->end());
@@ -199,21 +201,20 @@ void EdgeFusion::count(Explained* explained) const {
   distinct(&explained->missed);
   for (Vertex* v : explained->seen) {
     ++v->seen;
-    take_over(v);
+    merge_new_depths(v);
   }
   for (Vertex* v : explained->missed)
     v->missed += !std::binary_search(explained->seen.begin(), explained->seen.end(), v);
 }
 
-// The mean of what keyframes tell. They look at some of the same images, so it is not said to be more
-// certain.
-void EdgeFusion::take_over(Vertex* v) {
-  if (v->told == 0) return;
-  const double weight = v->told_weight / v->told, mean = v->told_sum / v->told_weight;
+// Averages the depths of the keyframes. They share some images, so the standard deviation does not decrease.
+void EdgeFusion::merge_new_depths(Vertex* v) {
+  if (v->new_depths == 0) return;
+  const double weight = v->new_weight / v->new_depths, mean = v->new_sum / v->new_weight;
   v->vertex.idepth = float((v->weight * double(v->vertex.idepth) + weight * mean) / (v->weight + weight));
   v->weight += weight;
-  v->told = 0;
-  v->told_weight = v->told_sum = 0;
+  v->new_depths = 0;
+  v->new_weight = v->new_sum = 0;
 }
 
 EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode& node,
@@ -227,13 +228,13 @@ EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode&
   v.normal = e.normal();
   v.views = node.views;
   v.is_outline = node.is_outline;
-  const Vertex* before = explained.by[size_t(node.edge_pixel)];
+  const Vertex* before = explained.source[size_t(node.edge_pixel)];
   if (before && is_same_depth(explained.known[size_t(node.edge_pixel)], node)) v.seen += before->seen;
   return v;
 }
 
 void EdgeFusion::add_pixels_between(const EdgeHost& host, Line* line) const {
-  const EdgeMap& edges = host.pyramid->finest().edges;
+  const ImageEdges& edges = host.pyramid->finest().edges;
   for (size_t i = 0; i + 1 < line->size(); ++i)
     for (int k = (*line)[i].edge_pixel + 1; k < (*line)[i + 1].edge_pixel; ++k) {
       const EdgeSides& sides = (*host.sides)[size_t(k)];
@@ -241,22 +242,22 @@ void EdgeFusion::add_pixels_between(const EdgeHost& host, Line* line) const {
     }
 }
 
-void EdgeFusion::settle(const OpenHost& host) {
+void EdgeFusion::finalise(const OpenHost& host) {
   HostedLines hosted{host.id, {}};
-  for (const Line& line : host.lines) settle_line(host.id, line, &hosted.lines);
-  settled_.push_back(std::move(hosted));
+  for (const Line& line : host.lines) finalise_line(host.id, line, &hosted.lines);
+  final_lines_.push_back(std::move(hosted));
   motions_.push_back(host.motion);
 }
 
-EdgeFate EdgeFusion::fate_of(const Vertex& v) const {
-  if (!params_.is_fused()) return EdgeFate::kKept;
-  if (v.is_replaced) return EdgeFate::kReplaced;
-  if (v.missed > v.seen) return EdgeFate::kMissed;
-  return v.seen >= kMinSeen || v.views >= kManyViews ? EdgeFate::kKept : EdgeFate::kUnconfirmed;
+EdgeStage EdgeFusion::stage_of(const Vertex& v) const {
+  if (!params_.is_fused()) return EdgeStage::kKept;
+  if (v.is_replaced) return EdgeStage::kReplaced;
+  if (v.missed > v.seen) return EdgeStage::kMissed;
+  return v.seen >= kMinSeen || v.views >= kManyViews ? EdgeStage::kKept : EdgeStage::kUnconfirmed;
 }
 
-void EdgeFusion::trace(int keyframe, int edge_pixel, EdgeFate fate) const {
-  if (trace_) trace_->at(keyframe)[size_t(edge_pixel)].reach(fate);
+void EdgeFusion::trace(int keyframe, int edge_pixel, EdgeStage stage) const {
+  if (trace_) trace_->at(keyframe)[size_t(edge_pixel)].reach(stage);
 }
 
 // Between two vertices the inverse depth is linear.
@@ -271,36 +272,36 @@ void EdgeFusion::append_pixels_between(const Vertex& a, const Vertex& b, std::ve
   }
 }
 
-EdgeLine EdgeFusion::finish(const std::vector<const Vertex*>& stretch) {
+EdgeLine EdgeFusion::make_line(const std::vector<const Vertex*>& run) {
   std::vector<EdgeVertex> found;
   std::vector<int> keyframes;
   size_t outline = 0;
   EdgeLine line;
-  for (size_t i = 0; i < stretch.size(); ++i) {
-    found.push_back(stretch[i]->vertex);
-    keyframes.push_back(stretch[i]->seen);
-    outline += stretch[i]->is_outline;
-    if (i > 0) append_pixels_between(*stretch[i - 1], *stretch[i], &line.vertices);
-    line.vertices.push_back(stretch[i]->vertex);
+  for (size_t i = 0; i < run.size(); ++i) {
+    found.push_back(run[i]->vertex);
+    keyframes.push_back(run[i]->seen);
+    outline += run[i]->is_outline;
+    if (i > 0) append_pixels_between(*run[i - 1], *run[i], &line.vertices);
+    line.vertices.push_back(run[i]->vertex);
   }
   line.keyframes = median(std::move(keyframes));
   line.is_straight = is_straight(found);
-  line.is_outline = 2 * outline > stretch.size();
+  line.is_outline = 2 * outline > run.size();
   return line;
 }
 
-// Stretches of vertices that stay.
-void EdgeFusion::settle_line(int host, const Line& line, std::vector<EdgeLine>* lines) const {
-  std::vector<const Vertex*> stretch;
+// Splits the line into runs of vertices that are kept.
+void EdgeFusion::finalise_line(int host, const Line& line, std::vector<EdgeLine>* lines) const {
+  std::vector<const Vertex*> run;
   const auto flush = [&] {
-    if (stretch.size() >= 2) lines->push_back(finish(stretch));
-    stretch.clear();
+    if (run.size() >= 2) lines->push_back(make_line(run));
+    run.clear();
   };
   for (const Vertex& v : line) {
-    const EdgeFate fate = fate_of(v);
-    trace(host, v.edge_pixel, fate);
-    if (fate == EdgeFate::kKept)
-      stretch.push_back(&v);
+    const EdgeStage stage = stage_of(v);
+    trace(host, v.edge_pixel, stage);
+    if (stage == EdgeStage::kKept)
+      run.push_back(&v);
     else
       flush();
   }
@@ -324,19 +325,19 @@ void EdgeFusion::apply(const MapRevision& revision) {
           for (EdgeVertex& between : v.after) move(host.motion, r.length_ratio, &between);
         }
     }
-    for (size_t i = 0; i < settled_.size(); ++i) {
-      if (settled_[i].keyframe_id != r.id) continue;
-      for (EdgeLine& line : settled_[i].lines)
+    for (size_t i = 0; i < final_lines_.size(); ++i) {
+      if (final_lines_[i].keyframe_id != r.id) continue;
+      for (EdgeLine& line : final_lines_[i].lines)
         for (EdgeVertex& v : line.vertices) move(motions_[i], r.length_ratio, &v);
     }
   }
 }
 
 std::vector<HostedLines> EdgeFusion::close() {
-  for (const OpenHost& host : open_) settle(host);
+  for (const OpenHost& host : open_) finalise(host);
   open_.clear();
   motions_.clear();
-  return std::exchange(settled_, {});
+  return std::exchange(final_lines_, {});
 }
 
 }  // namespace edgevo

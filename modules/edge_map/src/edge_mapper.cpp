@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edge_map/edge_mapper.h"
 
 #include <algorithm>
@@ -11,16 +12,17 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kOlder = 8;  // keyframes kept beyond the window: what leaves the view is seen by them only
-constexpr double kNearestShare = 0.95,
-                 kNearestTimes = 5;  // nothing is nearer than a fifth of the nearest points
-constexpr int kMaxViews =
-    12;  // handed over; a pixel is looked up in those that show it, params.views at most
-constexpr int kMinPoints = 10;     // to tell how near the scene is, or how bright an image
-constexpr size_t kMaxWaiting = 4;  // keyframes; a thread further behind does not catch up
+// Keyframes kept beyond the window: only they see what leaves the view.
+constexpr size_t kOlder = 8;
+// Nothing is nearer than a fifth of the depth of the nearest points.
+constexpr double kNearestShare = 0.95, kNearestTimes = 5;
+// Views passed on; each pixel is looked up in at most params.views of those that contain it.
+constexpr int kMaxViews = 12;
+constexpr int kMinPoints = 10;     // needed to estimate the nearest depth, or the gain of an image
+constexpr size_t kMaxWaiting = 4;  // keyframes; a thread further behind would not catch up
 
-// Numbers of keyframes after (before, if negative) the host, the nearest first: short baselines find an edge,
-// long ones tell its depth.
+// Offsets of keyframes after (negative: before) the host, nearest first: short baselines find an edge, long
+// ones constrain its depth.
 constexpr int kOffsets[] = {1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 11, 4, -4, 6, -6, 7, -7, 9, 10};
 
 float gray_at(const Keyframe& k, const Eigen::Vector2d& px) {
@@ -30,7 +32,7 @@ float gray_at(const Keyframe& k, const Eigen::Vector2d& px) {
   return float(gray.at(x, y));
 }
 
-// Brightness of another keyframe over the host's, from the points that both show.
+// Brightness of another keyframe over that of the host, from the points that both show.
 double gain_of(const Keyframe& host, const Keyframe& view) {
   std::vector<double> ratios;
   const auto compare = [&](const Keyframe& from, const Keyframe& to, bool is_host) {
@@ -85,7 +87,7 @@ struct EdgeMapper::Impl {
   }
 
   EdgeMapParams params;
-  EdgeFusion fusion;  // the worker's
+  EdgeFusion fusion;  // owned by the worker's thread while it works
   Worker worker;
   std::deque<Keyframe> older;                                          // ascending id
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
@@ -105,7 +107,7 @@ void EdgeMapper::add(const Keyframe& keyframe, const std::deque<Keyframe>& young
   impl_->worker.submit([fusion, host, views = std::move(views)] { fusion->add(host, views); });
 }
 
-// The images of keyframes that have left the window are not corrected: they are not looked at any more.
+// The images of keyframes that have left the window are not corrected, so they are no longer used.
 void EdgeMapper::apply(const MapRevision& revision) {
   if (!impl_->params.is_on()) return;
   impl_->older.clear();
@@ -121,6 +123,6 @@ std::vector<HostedLines> EdgeMapper::close() {
   return impl_->fusion.close();
 }
 
-int EdgeMapper::left_out() const { return impl_->worker.left_out(); }
+int EdgeMapper::skipped() const { return impl_->worker.skipped(); }
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "epipolar_crossings.h"
 
 #include <algorithm>
@@ -6,13 +7,13 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMinLengthPx = 6;    // shorter lines do not tell neighbouring edges apart
-constexpr double kMaxLengthPx = 400;  // beyond, all edges of the image are candidates
-constexpr double kMinDepth = 0.1;     // as in depth_evidence.cpp, with room
-constexpr double kNearPx = 1.5;       // an edge pixel this near to the line is tried
-constexpr double kMaxSlidePx = 3;     // from there to where edge and line cross
+constexpr double kMinLengthPx = 6;    // shorter lines do not separate neighbouring edges
+constexpr double kMaxLengthPx = 400;  // on a longer one, all edges of the image would be candidates
+constexpr double kMinDepth = 0.1;     // as in depth_evidence.cpp, with a margin
+constexpr double kNearPx = 1.5;       // an edge pixel this close to the line is tried
+constexpr double kMaxSlidePx = 3;     // from there to the crossing of edge and line
 constexpr double kMinCrossing = 0.2;  // sine of the angle between edge and line: 12 degrees
-constexpr double kStepPast = 1.5;  // pixels, beyond a crossing: the next pixel of the same edge is the same
+constexpr double kStepPast = 1.5;     // pixels beyond a crossing: closer ones belong to the same edge
 
 // The part of p(0..max_idepth) within the image, as start + s direction, 0 <= s <= length.
 struct Segment {
@@ -48,7 +49,7 @@ Segment visible_segment(const Pinhole& c, const SightLine& line, double max_idep
   return s;
 }
 
-// Where the line crosses the tangent of an edge pixel; negative where it does not nearby.
+// Position at which the line crosses the tangent of an edge pixel; negative if it does not do so nearby.
 double crossing(const EdgeSight& sight, const ViewGeometry& view, const Segment& segment, double s,
                 size_t j) {
   const EdgePixel& e = view.level->edges.pixels[j];

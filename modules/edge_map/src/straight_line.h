@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <vector>
 
@@ -5,8 +6,8 @@
 
 namespace edgevo {
 
-/// Whether the vertices lie on one line of space: on one of the image, with inverse depths that are linear
-/// along it (which a perspective image keeps), within their deviations.
+/// Whether the vertices lie on a straight line in space: on a straight line in the image, with inverse depths
+/// that are linear along it (as perspective preserves), within their standard deviations.
 bool is_straight(const std::vector<EdgeVertex>& vertices);
 
 }  // namespace edgevo

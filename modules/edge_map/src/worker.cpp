@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "worker.h"
 
 #include <sys/resource.h>
@@ -27,7 +28,7 @@ void Worker::submit(std::function<void()> work) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (queue_.size() >= max_waiting_) {
-      ++left_out_;
+      ++skipped_;
       return;
     }
     queue_.push_back(std::move(work));
@@ -43,8 +44,8 @@ void Worker::wait_idle() {
 }
 
 void Worker::loop() {
-  // Tracking and mapping come first: what the thread does not keep up with is left out. On Linux a thread has
-  // a nice level of its own; where it cannot be set, it shares alike.
+  // Tracking and mapping have priority; this thread skips work when it is behind. On Linux a thread has a
+  // nice level of its own; if it cannot be set, the thread keeps the normal priority.
   constexpr int kNice = 10;
   (void)setpriority(PRIO_PROCESS, id_t(gettid()), kNice);
   std::unique_lock<std::mutex> lock(mutex_);

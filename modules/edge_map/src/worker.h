@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Work done in the caller, or in a thread of its own behind a bounded queue.
+// Runs work in the caller, or in a thread of its own behind a bounded queue.
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -9,16 +10,18 @@
 
 namespace edgevo {
 
+/// Executes functions in order.
 class Worker {
  public:
   Worker(bool own_thread, size_t max_waiting);
   ~Worker();
 
-  /// Left out where the thread has `max_waiting` pieces of work before it.
+  /// Runs or queues `work`; skips it if `max_waiting` pieces of work are queued already.
   void submit(std::function<void()> work);
-  /// Until all is done; rethrows what the work threw.
+  /// Waits until all work is done; rethrows an exception of the work.
   void wait_idle();
-  int left_out() const { return left_out_; }
+  /// Number of skipped pieces of work.
+  int skipped() const { return skipped_; }
 
  private:
   void loop();
@@ -30,7 +33,7 @@ class Worker {
   std::deque<std::function<void()>> queue_;
   std::exception_ptr failure_;
   bool busy_ = false, stop_ = false;
-  int left_out_ = 0;  // the caller's
+  int skipped_ = 0;  // used by the caller's thread only
   std::thread thread_;
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/adaptive_threshold.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace edgevo {
 
 double high_threshold(const Plane<float>& magnitude, const EdgeParams& params) {
-  // Of the largest gradient: edges of equal strength, noise on them included, stay above it.
+  // Share of the largest gradient: edges of equal strength stay above it, despite their noise.
   constexpr double kShareOfPeak = 0.7;
   const GradientHistogram histogram(magnitude);
   const double percentile = histogram.percentile(params.canny_percentile), peak = histogram.percentile(1.0);

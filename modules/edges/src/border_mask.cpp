@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "border_mask.h"
 
 #include <algorithm>
@@ -8,20 +9,20 @@
 namespace edgevo {
 namespace {
 
-constexpr int kBlurPx = 9;               // side of the mean: noise of a sensor, blocks of a JPEG
-constexpr double kDarkestShare = 0.001;  // of the pixels, as dark as an image gets
-constexpr int kAboveDarkest = 5;         // gray levels that noise leaves after the blur
-constexpr int kBlackest =
-    20;  // gray level of black at most: 16 in video, and an offset. What is lighter belongs to the scene.
-constexpr double kMinAreaShare = 0.04;  // of the image; smaller ones do little harm
-constexpr double kWorthLooking = 0.01;  // Areas are searched again when this share of the dark pixels was
-                                        // lit: noise lights one now and then.
-constexpr int kMarginPx =
-    kBlurPx / 2 +
-    6;  // The outline is blurred here, by the lens, by the undistortion and by the gradient's filter.
-constexpr int kImagesNeeded = 20;  // One image cannot tell a black border from a dark corner of the scene.
+constexpr int kBlurPx = 9;               // side of the mean filter: sensor noise, JPEG blocks
+constexpr double kDarkestShare = 0.001;  // share of the pixels that defines the darkest level
+constexpr int kAboveDarkest = 5;         // gray levels of noise that remain after the blur
+// Largest gray level of black: 16 in video, plus an offset. Anything lighter belongs to the scene.
+constexpr int kBlackest = 20;
+constexpr double kMinAreaShare = 0.04;  // of the image; smaller areas do little harm
+// Areas are searched again once this share of the dark pixels was lit: noise lights a pixel now and then.
+constexpr double kWorthLooking = 0.01;
+// The outline is blurred by this filter, the lens, the undistortion and the filter of the gradient.
+constexpr int kMarginPx = kBlurPx / 2 + 6;
+// One image is not enough to distinguish a black border from a dark corner of the scene.
+constexpr int kImagesNeeded = 20;
 
-// The gray level that `share` of the pixels do not exceed.
+// Gray level that `share` of the pixels do not exceed.
 int level_of_share(const cv::Mat& image, double share) {
   int count[256] = {};
   for (int y = 0; y < image.rows; ++y)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/canny.h"
 
 #include <algorithm>
@@ -12,13 +13,13 @@ namespace {
 
 constexpr uint8_t kWeak = kWeakMark, kEdge = kStrongMark;  // in the mask: over `low`, over `high`
 
-// One row of maxima across the edge: kEdge over `high`, kWeak over `low`, 0 for all else. The gradient's
-// direction, to the next 45 degrees, says which two neighbours to beat. All four pairs are compared for every
-// pixel: without branches eight pixels go at a time.
+// One row of maxima across the edge: kEdge above `high`, kWeak above `low`, 0 otherwise. The direction of the
+// gradient, rounded to 45 degrees, selects the two neighbours to compare with. All four pairs are compared
+// for every pixel: without branches, eight pixels are processed at a time.
 EDGEVO_WIDE_CLONES void mark_maxima(const float* above, const float* m, const float* below, const int16_t* dx,
                                     const int16_t* dy, float low, float high, uint8_t* __restrict mask,
                                     int width) {
-  // Tan 22.5 degrees: where the next of the 45 degree directions begins.
+  // tan 22.5 degrees, the boundary between two of the 45 degree directions.
   constexpr float kTan22 = 0.41421356f;
   for (int x = 1; x < width - 1; ++x) {
     const float gx = dx[x], gy = dy[x], ax = std::abs(gx), ay = std::abs(gy), at = m[x];
@@ -35,7 +36,7 @@ EDGEVO_WIDE_CLONES void mark_maxima(const float* above, const float* m, const fl
   }
 }
 
-// Positions of the marks in the mask. Most of it is empty: eight pixels at a time.
+// Positions of the marks in the mask. Most of it is empty, so eight pixels are tested at a time.
 struct Maxima {
   std::vector<int> weak, strong;
 

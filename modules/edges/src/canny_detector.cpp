@@ -1,5 +1,5 @@
-// Canny with thresholds that follow the image, so that the number of edge pixels stays steady when exposure
-// moves.
+// SPDX-License-Identifier: BSD-3-Clause
+// Canny with adaptive thresholds, so that the number of edge pixels stays constant when the exposure changes.
 #include "canny_detector.h"
 
 #include "edgevo/edges/adaptive_threshold.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/edge_detector.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ const EdgeDetectorKind& kind_of(const EdgeParams& params, const EdgeDetectorTabl
   if (std::find(names.begin(), names.end(), params.detector) != names.end())
     throw InputError("edges.detector",
                      "this program was built without the detector '" + params.detector + "'",
-                     "link edgevo::detectors and hand over all_edge_detectors(), or take canny");
+                     "link edgevo::detectors and pass all_edge_detectors(), or use canny");
   throw InputError("edges.detector", "unknown detector '" + params.detector + "'",
                    "did you mean '" + nearest_name(params.detector, names) + "'?");
 }
@@ -23,8 +24,7 @@ const EdgeDetectorKind& kind_of(const EdgeParams& params, const EdgeDetectorTabl
 }  // namespace
 
 const EdgeDetectorTable& basic_edge_detectors() {
-  static const EdgeDetectorTable kTable{
-      {"canny", "hysteresis thresholds that follow the image", make_canny_detector}};
+  static const EdgeDetectorTable kTable{{"canny", "adaptive hysteresis thresholds", make_canny_detector}};
   return kTable;
 }
 

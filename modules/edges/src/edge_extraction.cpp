@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/edge_extraction.h"
 
 #include <algorithm>
@@ -10,27 +11,28 @@
 namespace edgevo {
 namespace {
 
-// Pixels that are gathered, then placed, at a time: they stay in the nearest cache.
+// Number of pixels gathered, then located, at a time, so that they stay in the L1 cache.
 constexpr int kRun = 256;
-constexpr float kLeastCurvature = 1e-3f;  // Sobel units; a flatter parabola has no top to speak of
-constexpr float kLeastMagnitude = 1e-3f;  // Sobel units; keeps the division by it finite
-// Sobel units, an eighth of a gray level per pixel: no normal to speak of.
+constexpr float kLeastCurvature = 1e-3f;  // Sobel units; a flatter parabola has no usable maximum
+constexpr float kLeastMagnitude = 1e-3f;  // Sobel units; keeps the division finite
+// Sobel units, an eighth of a gray level per pixel: below it there is no usable normal.
 constexpr float kFlat = 1.0f;
 using Floats = std::array<float, kRun>;
 
-// Gradient at each pixel, and its magnitude there, at the next pixels along the gradient in x, in y and in
-// both, and at those behind.
+// Gradient at each pixel, and its magnitude there and at the neighbours ahead and behind along the gradient,
+// in x, in y and in both.
 struct Surroundings {
   Floats dx, dy, here, ahead_x, ahead_y, ahead_xy, behind_x, behind_y, behind_xy;
 };
 
-struct Places {
+// Normals, and sub-pixel shifts along them.
+struct SubPixel {
   Floats nx, ny, shift;
 };
 
-// The maximum of a parabola through the magnitudes at the pixel and one pixel along the normal on both sides,
-// at most half a pixel away.
-EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, Places* __restrict out) {
+// Maximum of a parabola through the magnitudes at the pixel and one pixel along the normal on both sides, at
+// most half a pixel away.
+EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, SubPixel* __restrict out) {
   for (int i = 0; i < count; ++i) {
     const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, kLeastMagnitude));
     const float nx = s.dx[i] * scale, ny = s.dy[i] * scale, ax = std::abs(nx), ay = std::abs(ny);
@@ -41,23 +43,23 @@ EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, Places* __restri
     const float ahead = ahead_row + ay * (ahead_next - ahead_row),
                 behind = behind_row + ay * (behind_next - behind_row);
     const float curvature = behind - 2.0f * m + ahead;
-    const float top = 0.5f * (behind - ahead) /
-                      std::min(curvature, -kLeastCurvature);  // a division that never fails needs no branch
+    // A division that is always defined needs no branch.
+    const float top = 0.5f * (behind - ahead) / std::min(curvature, -kLeastCurvature);
     out->nx[i] = nx, out->ny[i] = ny;
     out->shift[i] = curvature < -kLeastCurvature ? std::min(std::max(top, -0.5f), 0.5f) : 0.0f;
   }
 }
 
-// Writes edge pixels at `pixels`; their chains are not known here.
+// Writes edge pixels at `pixels`, without their chains.
 class Placement {
  public:
   explicit Placement(const Gradient& gradient) : gradient_(gradient), width_(gradient.magnitude.width()) {}
 
   void run(const MaskPixel* pixels, int count, EdgePixel* out) {
     for (int i = 0; i < count; ++i) gather(pixels[i], i);
-    place(around_, count, &places_);
+    place(around_, count, &sub_pixel_);
     for (int i = 0; i < count; ++i) {
-      const float nx = places_.nx[i], ny = places_.ny[i], shift = places_.shift[i];
+      const float nx = sub_pixel_.nx[i], ny = sub_pixel_.ny[i], shift = sub_pixel_.shift[i];
       out[i] = {float(pixels[i].x) + shift * nx,
                 float(pixels[i].y) + shift * ny,
                 nx,
@@ -80,10 +82,10 @@ class Placement {
   const Gradient& gradient_;
   int width_;
   Surroundings around_;
-  Places places_;
+  SubPixel sub_pixel_;
 };
 
-// Without flat pixels: a detector other than Canny may mark such.
+// Drops flat pixels, which detectors other than Canny may mark.
 PixelChains without_flat(const PixelChains& all, const Gradient& gradient) {
   PixelChains kept;
   kept.pixels.reserve(all.pixels.size());
@@ -98,8 +100,8 @@ PixelChains without_flat(const PixelChains& all, const Gradient& gradient) {
   return kept;
 }
 
-EdgeMap place_all(PixelChains chains, const Gradient& gradient) {
-  EdgeMap map;
+ImageEdges place_all(PixelChains chains, const Gradient& gradient) {
+  ImageEdges map;
   map.width = gradient.magnitude.width();
   map.height = gradient.magnitude.height();
   const int count = int(chains.pixels.size());
@@ -115,7 +117,7 @@ EdgeMap place_all(PixelChains chains, const Gradient& gradient) {
 
 }  // namespace
 
-EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain) {
+ImageEdges extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain) {
   return place_all(without_flat(link_edges(mask, min_chain), gradient), gradient);
 }
 

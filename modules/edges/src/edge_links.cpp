@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/edge_links.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace {
 constexpr std::array<MaskPixel, 8> kStep{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-// By the set of open neighbours, bit d for kStep[d]: an end of an edge has one, or two that touch each other.
+// Whether a set of open neighbours (bit d for kStep[d]) is that of an end of an edge: one neighbour, or two
+// that touch each other.
 std::array<bool, 256> make_end_table() {
   std::array<bool, 256> is_end{};
   for (int set = 0; set < 256; ++set) {
@@ -26,7 +28,7 @@ std::array<bool, 256> make_end_table() {
   return is_end;
 }
 
-// Edge mask in which walked pixels are struck out.
+// Edge mask from which walked pixels are erased.
 class Walker {
  public:
   explicit Walker(const Plane<uint8_t>& mask) : open_(mask.width(), mask.height()) {
@@ -56,7 +58,7 @@ class Walker {
     return table[set];
   }
 
-  // Follows the edge from p, striking it out, and appends it to `path`.
+  // Follows the edge from p, erases it, and appends it to `path`.
   void walk(MaskPixel p, std::vector<MaskPixel>* path) {
     uint8_t* at = &open_.at(p.x, p.y);
     for (int heading = -1;;) {
@@ -71,7 +73,7 @@ class Walker {
   }
 
  private:
-  // Most of a row is empty: eight pixels at a time.
+  // Most of a row is empty, so eight pixels are tested at a time.
   void list_edges(const uint8_t* row, int y, int width) {
     int x = 0;
     for (; x + 8 <= width; x += 8) {
@@ -85,8 +87,8 @@ class Walker {
       if (row[x]) pixels_.push_back({x, y});
   }
 
-  // Side neighbours before corner ones at equal turn, smaller turns first; never more than 90 degrees. -1:
-  // the edge ends here.
+  // Next direction: smaller turns first, at equal turns side neighbours before corner ones, never more than
+  // 90 degrees; -1 at the end of the edge.
   int next_direction(const uint8_t* at, int heading) const {
     static constexpr std::array<int, 5> kTurns{0, 1, -1, 2, -2};  // of 45 degrees
     if (heading >= 0) {
@@ -129,8 +131,8 @@ PixelChains link_edges(const Plane<uint8_t>& mask, int min_chain) {
   }
   for (const MaskPixel& p : walker.pixels()) {
     if (!walker.is_open(p)) continue;
-    // A closed edge, or what a branch left: walk both ways from here and join the two halves, without p
-    // twice.
+    // A closed edge, or the remainder of a branch: walk in both directions and join the two halves, with p
+    // only once.
     walker.walk(p, &path);
     std::reverse(path.begin(), path.end());
     path.pop_back();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/edge_params.h"
 
 namespace edgevo {
@@ -8,16 +9,14 @@ std::vector<std::string> edge_detector_names() {
 }
 
 void EdgeParams::visit(ParamVisitor& v) {
-  v.text(kBasic, "detector", detector, edge_detector_names(), "what marks edge pixels");
+  v.text(kBasic, "detector", detector, edge_detector_names(), "edge detector");
   v.text(kAdvanced, "model", model, {},
-         "structured: forest in OpenCV's format; network: .onnx with its .yaml beside it; empty: the one "
-         "that comes with edgevo");
+         "forest in OpenCV's format, or .onnx with a .yaml of the same name; empty: model of edgevo");
   v.text(kAdvanced, "folder", folder, {},
-         "precomputed: folder of probability images, NAME.png for the image NAME.*, as `edgevo edges` writes "
-         "it");
+         "folder of probability images NAME.png for images NAME.*, as written by `edgevo edges`");
   v.integer(kAdvanced, "levels", levels, 1, 8, "levels of the image pyramid");
   v.integer(kAdvanced, "edge_levels", edge_levels, 1, 4,
-            "finest levels that get edges and a nearest-neighbour field");
+            "number of finest levels with edges and a nearest-neighbour field");
   v.number(kBasic, "canny_percentile", canny_percentile, 0.5, 0.99,
            "high threshold: this share of the pixels has a smaller gradient");
   v.number(kAdvanced, "canny_low_ratio", canny_low_ratio, 0.1, 1.0, "low threshold over high threshold");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/frame_pyramid.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace edgevo {
 namespace {
 
-// Nearest-neighbour fields reach this far, pixels: further than any search does that asks them.
+// Radius of the nearest-neighbour fields, pixels: larger than that of any search in them.
 constexpr int kFieldRadiusPx = 12;
 
 // Clears the pixels of level l that lie in `border`, a mask of level 0.
@@ -27,7 +28,7 @@ void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
   }
 }
 
-// To the size that `to` has.
+// Halves an image to the size of `to`.
 void halve(const Plane<uint8_t>& from, Plane<uint8_t>* to) {
   cv::Mat half = as_mat(*to);
   cv::pyrDown(as_mat(from), half, half.size());
@@ -46,11 +47,11 @@ struct PyramidBuilder::Impl {
   double readout_s = 0;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
-  std::unique_ptr<EdgeProbability>
-      probability;  // null where the detector needs none, or nothing but rebuilding is asked for
-  std::optional<Undistortion> undistortion;    // none where the camera has no distortion
+  // Null if the detector needs none, or for a builder that only rebuilds.
+  std::unique_ptr<EdgeProbability> probability;
+  std::optional<Undistortion> undistortion;    // empty if the camera has no distortion
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
-  BorderMask border;                           // of the images as they come
+  BorderMask border;                           // of the raw images
 
   bool has_area() const { return camera.pinhole.width > 1 && camera.pinhole.height > 1; }
 
@@ -74,7 +75,7 @@ struct PyramidBuilder::Impl {
     return out;
   }
 
-  // How far the rolling shutter moves the points of the undistorted image in the raw one, at the nodes of a
+  // Shift of points of the undistorted image in the raw image due to the rolling shutter, at the nodes of a
   // grid.
   ShiftGrid rolling_shift(const ImageMotion& motion) const {
     const Pinhole& p = camera.pinhole;
@@ -90,7 +91,7 @@ struct PyramidBuilder::Impl {
     return grid;
   }
 
-  // `border`: the border mask of the finest level, or empty; `likely`: of this one, or empty.
+  // `border`: border mask of the finest level, or empty; `likely`: probability on this level, or empty.
   void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& likely,
                   PyramidLevel* level) const {
     Gradient gradient = compute_gradient(level->gray.view());

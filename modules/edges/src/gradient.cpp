@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/gradient.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace edgevo {
 namespace {
 
 // Binomial and Sobel are separable, and so is their product: seven taps to smooth, [1 4 6 4 1] * [1 2 1], and
-// seven to differentiate, [1 4 6 4 1] * [-1 0 1]. In 16 bits: a smoothed value is at most 64 * 255, an eighth
-// of it times the taps 5, 4, 1 at most 20400.
+// seven to differentiate, [1 4 6 4 1] * [-1 0 1]. In 16 bits: a smoothed value is at most 64 * 255; an eighth
+// of it times the taps 5, 4, 1 is at most 20400.
 constexpr int kReach = 3;
 constexpr int kTaps = 2 * kReach + 1;
 
@@ -61,8 +62,8 @@ void differentiate(const Window<int16_t>& w, int16_t* out, int n) {
   differentiate(w[0], w[1], w[2], w[4], w[5], w[6], out, n);
 }
 
-// The last seven rows of an image, each continued by three pixels on both sides, and the same smoothed along
-// the row.
+// The last seven rows of an image, each extended by three pixels on both sides, and the same rows smoothed
+// horizontally.
 class RowRing {
  public:
   explicit RowRing(const ImageView<uint8_t>& gray) : gray_(gray), padded_(gray.width + 2 * kReach) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/image_correction.h"
 
 #include "edgevo/core/radial.h"
@@ -5,12 +6,12 @@
 namespace edgevo {
 namespace {
 
-// Normalised coordinates.
-// Each shortens the error to about the share of its height that the image moves while it is read.
+// Each step reduces the error to about the share of its height that the image moves during the read-out.
 constexpr int kMostSteps = 12;
-// At which it has converged: the 1e-12 that are promised, with a margin.
+// Normalised coordinates: the iteration has converged, with a margin to the documented 1e-12.
 constexpr double kErrorSquare = 1e-26;
-// Of differences: a hundredth of a pixel, much less than the cells of the motion.
+// Step of numeric differences, normalised coordinates: a hundredth of a pixel, much less than a cell of the
+// motion.
 constexpr double kDifference = 1e-5;
 
 }  // namespace
@@ -39,7 +40,7 @@ Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, c
     if (at_first < 0) at_first = at_last;
     if (at_last < kErrorSquare) break;
   }
-  return at_last <= at_first ? x : rolling;  // rolling: the rows overtake one another, no x is the one
+  return at_last <= at_first ? x : rolling;  // rolling: the rows overtake one another, so x is not unique
 }
 
 Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/image_motion.h"
 
 #include <algorithm>
@@ -5,15 +6,15 @@
 namespace edgevo {
 namespace {
 
-// Where `position` in [0, size) lies between the centres of `cells` cells: the one before it, and the share
-// of the next one.
+// Interpolation of `position` in [0, size) between the centres of `cells` cells: the cell before it, and the
+// weight of the next one.
 struct Between {
   int cell;
   double share;
 };
 Between between_cells(double position, double size, int cells) {
   const double p = std::clamp((position + 0.5) / size * cells - 0.5, 0.0, double(cells - 1));
-  const int cell = p > 0 ? std::min(int(p), cells - 2) : 0;  // 0 where p is no number
+  const int cell = p > 0 ? std::min(int(p), cells - 2) : 0;  // 0 if p is NaN
   return {cell, p - cell};
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/nearest_field.h"
 
 #include <algorithm>
@@ -10,10 +11,10 @@ namespace edgevo {
 namespace {
 
 constexpr int kShift = NearestField::kShift;  // bits below the squared distance in a key
-// A key beyond every distance; adding a row's share does not overflow.
+// A key beyond every distance; adding that of a row does not overflow.
 constexpr int16_t kFar = 0x3FFF;
 
-// Keys around one edge pixel of a row, from `radius` columns before it to as many after it.
+// Keys around one edge pixel of a row, from `radius` columns before it to `radius` columns after it.
 std::vector<int16_t> make_ramp(int radius) {
   std::vector<int16_t> keys;
   for (int d = -radius; d <= radius; ++d)
@@ -21,7 +22,7 @@ std::vector<int16_t> make_ramp(int radius) {
   return keys;
 }
 
-// One bit a pixel, row by row: the columns of a row come out of it in ascending order and once each, without
+// One bit per pixel, row by row: it yields the columns of a row in ascending order and once each, without
 // sorting.
 class EdgeBits {
  public:
@@ -41,7 +42,7 @@ class EdgeBits {
   std::vector<uint64_t> bits_;
 };
 
-// Writes, for the edges at columns `xs` (ascending) of one row, each column's key to the nearest.
+// Writes the key of the nearest edge for each column of one row, given its edges at columns `xs` (ascending).
 void fill_row(const std::vector<int>& xs, int width, int radius, const std::vector<int16_t>& ramp,
               int16_t* key) {
   std::fill(key, key + width, kFar);
@@ -53,9 +54,9 @@ void fill_row(const std::vector<int>& xs, int width, int radius, const std::vect
   }
 }
 
-// Sixteen columns; the compiler's vector type, which lives in registers of whatever width there is.
+// Sixteen columns; the compiler's vector type, which maps to registers of the available width.
 using Keys = int16_t __attribute__((vector_size(32)));
-constexpr int kBlock = 64;  // columns that stay in registers while the rows go by
+constexpr int kBlock = 64;  // columns that stay in registers during the loop over the rows
 
 // best[x] = min over rows of rows[k][x] + share[k]; `width` is a multiple of kBlock.
 EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* share, int count,
@@ -77,7 +78,7 @@ EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* 
 
 }  // namespace
 
-NearestField::NearestField(const EdgeMap& edges, int radius)
+NearestField::NearestField(const ImageEdges& edges, int radius)
     : radius_(radius),
       none_((radius * radius + 1) << kShift),
       keys_(edges.width, edges.height),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <map>
 #include <mutex>
 #include <new>
@@ -8,8 +9,8 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kSmallest = 64 << 10;  // bytes; below it the heap does well by itself
-constexpr size_t kKeptOfASize = 8;      // of a frame and the next; more are freed
+constexpr size_t kSmallest = 64 << 10;  // bytes; smaller blocks come from the heap
+constexpr size_t kKeptOfASize = 8;      // blocks kept per size, as two frames need; more are freed
 
 class Store {
  public:
@@ -34,7 +35,7 @@ class Store {
   std::map<size_t, std::vector<void*>> kept_;
 };
 
-// Planes of static lifetime may outlive it otherwise: it is never destroyed.
+// Never destroyed, since planes of static lifetime may outlive it.
 Store& store() {
   static Store* const s = new Store;
   return *s;

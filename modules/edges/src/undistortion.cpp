@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "undistortion.h"
 
 #include <algorithm>
@@ -10,9 +11,10 @@
 namespace edgevo {
 namespace {
 
-constexpr int kOne =
-    128;  // a pixel in the units of the fractions: products of two and a gray level fit 32 bits
-constexpr int kRunLength = 256;  // pixels gathered, then blended, at a time: they stay in the nearest cache
+// One pixel in units of the fractions: products of two fractions and a gray level fit 32 bits.
+constexpr int kOne = 128;
+// Number of pixels gathered, then blended, at a time, so that they stay in the L1 cache.
+constexpr int kRunLength = 256;
 
 // Two neighbours in a row, the left one first.
 struct Pair {
@@ -30,10 +32,10 @@ EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint
   }
 }
 
-// Also where a lens model gives no number.
+// Defined also for NaN, which a lens model may give.
 float within(float position, int size) { return std::min(std::max(0.0f, position), float(size - 1)); }
 
-// Of one row: fetches the neighbours of each position and blends them.
+// Samples one row: fetches the neighbours of each position and blends them.
 void fetch_run(const ImageView<uint8_t>& image, const int32_t* corner, const uint8_t* right,
                const uint8_t* down, int count, uint8_t* out) {
   Pairs above, below;
@@ -45,7 +47,7 @@ void fetch_run(const ImageView<uint8_t>& image, const int32_t* corner, const uin
   blend(above, below, right, down, count, out);
 }
 
-// Positions in the raw image as corners and shares, a run of them.
+// A run of positions in the raw image, as corners and fractions.
 struct Run {
   std::array<float, kRunLength> x, y;
   std::array<int32_t, kRunLength> corner;
@@ -63,14 +65,14 @@ EDGEVO_WIDE_CLONES void split_positions(int count, int width, int height, Run* _
   }
 }
 
-// The shift of one row of the image at the nodes' columns.
+// Shift of one row of the image at the columns of the nodes.
 std::vector<float> between_rows(const float* above, const float* below, float share, int columns) {
   std::vector<float> row(columns);
   for (int k = 0; k < columns; ++k) row[k] = above[k] + share * (below[k] - above[k]);
   return row;
 }
 
-// position + shift, the shift linear between the nodes `x` / kCell and the next one.
+// position + shift, with the shift interpolated between the node `x` / kCell and the next one.
 void add_shift(const float* position, const std::vector<float>& shift, int x, int count, float* out) {
   constexpr int kCell = ShiftGrid::kCell;  // pixels
   for (int first = 0; first < count; first += kCell) {

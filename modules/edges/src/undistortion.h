@@ -1,5 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// An image as a pinhole would have seen it: each pixel fetched from where the lens put it.
+// Undistortion: an image as a pinhole camera would show it, with each pixel sampled at its distorted
+// position.
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -9,12 +11,13 @@
 
 namespace edgevo {
 
-/// Bilinear, positions rounded to 1/128 px; beyond the border the border pixels go on. At least 2x2 pixels.
-/// Faster than OpenCV's remap, whose positions are rounded to 1/32 px.
+/// Bilinear undistortion with positions rounded to 1/128 px; beyond the border the border pixels are
+/// repeated. The image has at least 2x2 pixels. Faster than OpenCV's remap, which rounds positions to 1/32
+/// px.
 class Undistortion {
  public:
   explicit Undistortion(const UndistortionMaps& maps);
-  /// `image` and `out` have the size of the maps.
+  /// Undistorts an image. `image` and `out` have the size of the maps.
   void apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) const;
 
  private:
@@ -23,11 +26,12 @@ class Undistortion {
   std::vector<uint8_t> right_, down_;  // from there, in 1/128 px, 0..128
 };
 
-/// A smooth shift of an image of width x height, given at nodes kCell pixels apart that reach over its
+/// Smooth shift of an image of width x height, given at nodes kCell pixels apart that extend beyond its
 /// border.
 class ShiftGrid {
  public:
-  static constexpr int kCell = 16;  ///< pixels: over so few the shift by a smooth motion is nearly linear
+  /// Distance of nodes, pixels: over so few the shift of a smooth motion is almost linear.
+  static constexpr int kCell = 16;
   ShiftGrid(int width, int height)
       : columns_((width - 1) / kCell + 2),
         rows_((height - 1) / kCell + 2),
@@ -46,12 +50,12 @@ class ShiftGrid {
   std::vector<float> x_, y_;
 };
 
-/// As Undistortion, with a further shift in the raw image that is another for each one: a rolling shutter.
-/// Slower: positions are computed again.
+/// Undistortion with an additional shift in the raw image that differs per frame, for a rolling shutter.
+/// Slower, since positions are computed for each image.
 class ShiftedUndistortion {
  public:
   explicit ShiftedUndistortion(UndistortionMaps maps) : maps_(std::move(maps)) {}
-  /// `image` and `out` have the size of the maps, as `shift` has.
+  /// Undistorts an image. `shift`, `image` and `out` have the size of the maps.
   void apply(const ShiftGrid& shift, const ImageView<uint8_t>& image, Plane<uint8_t>* out) const;
 
  private:

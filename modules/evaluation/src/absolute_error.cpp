@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/absolute_error.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStandstill = 1e-6;  // of the spread of the whole run
+constexpr double kStandstill = 1e-6;  // share of the spread of the whole run
 
 AbsoluteError summarise(const Points& aligned, const Points& truth, double scale) {
   const Eigen::VectorXd distances = (aligned - truth).colwise().norm().transpose();
@@ -38,7 +39,7 @@ double path_length(const Points& p) {
   return length;
 }
 
-// One scale for each block number that occurs.
+// Scale of each block that has poses.
 std::vector<double> block_scales(const std::vector<MatchedPose>& matches, int block_frames, double fallback) {
   const double spread_est = spread(estimate_points(matches)), spread_gt = spread(truth_points(matches));
   std::vector<double> scales(size_t(matches.back().frame / block_frames) + 1, fallback);
@@ -46,7 +47,7 @@ std::vector<double> block_scales(const std::vector<MatchedPose>& matches, int bl
     const int block = begin->frame / block_frames;
     const auto end = std::find_if(begin, matches.end(),
                                   [&](const MatchedPose& m) { return m.frame / block_frames != block; });
-    scales[size_t(block)] = stretch_scale({begin, end}, spread_est, spread_gt, fallback);
+    scales[size_t(block)] = interval_scale({begin, end}, spread_est, spread_gt, fallback);
     begin = end;
   }
   return scales;
@@ -76,9 +77,9 @@ std::optional<AbsoluteError> ate_se3(const std::vector<MatchedPose>& matches) {
   return after(fit_se3(est, truth), est, truth);
 }
 
-double stretch_scale(const std::vector<MatchedPose>& stretch, double whole_spread_est, double whole_spread_gt,
-                     double fallback) {
-  const Points est = estimate_points(stretch), truth = truth_points(stretch);
+double interval_scale(const std::vector<MatchedPose>& interval, double whole_spread_est,
+                      double whole_spread_gt, double fallback) {
+  const Points est = estimate_points(interval), truth = truth_points(interval);
   const bool moves =
       spread(est) > kStandstill * whole_spread_est && spread(truth) > kStandstill * whole_spread_gt;
   if (const auto fit = moves ? fit_sim3(est, truth) : std::nullopt) return fit->scale;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/association.h"
 
 #include <algorithm>
@@ -8,11 +9,11 @@
 namespace edgevo {
 namespace {
 
-// 0.1 ms: times that were written with few digits.
+// 0.1 ms: files may round times.
 constexpr int64_t kEndToleranceTicks = Timestamp::kTicksPerSecond / 10'000;
-// Median steps of the ground truth; over a longer gap nobody knows the way.
+// Longest gap to interpolate, median steps of the ground truth.
 constexpr int kLongestGapSteps = 10;
-constexpr size_t kFewestMatches = 3;  // a similarity fits two points whatever they are
+constexpr size_t kFewestMatches = 3;  // a similarity fits any two points exactly
 
 SE3 interpolate(const StampedPose& a, const StampedPose& b, Timestamp time) {
   const double u = double(time.ticks - a.time.ticks) / double(b.time.ticks - a.time.ticks);

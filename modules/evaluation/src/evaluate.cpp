@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/evaluate.h"
 
 #include <algorithm>
@@ -7,8 +8,8 @@
 namespace edgevo {
 namespace {
 
-// The curve of the scale: some six windows make a curve, ten frames a scale; over more than fifty its drift
-// is averaged away.
+// Windows of the scale curve: about six make a curve; a scale needs ten frames, and more than fifty average
+// its drift away.
 constexpr int kScaleWindowsAtLeast = 6;
 constexpr int kShortestScaleWindow = 10, kLongestScaleWindow = 50;  // input frames
 
@@ -16,7 +17,7 @@ TrajectoryFacts facts_of(const Trajectory& t) {
   return {t.path, std::string(to_string(t.format)), int(t.poses.size())};
 }
 
-// KITTI files have no times: beside a TUM file of as many poses they take its times, line by line.
+// KITTI files have no times: compared with a TUM file of as many poses, they take its times line by line.
 void lend_times(const Trajectory& from, Trajectory* to) {
   if (from.poses.size() != to->poses.size())
     throw InputError(to->path,
@@ -33,7 +34,7 @@ void reconcile_times(Trajectory* estimate, Trajectory* ground_truth) {
   if (kitti_gt && !kitti_est) lend_times(*estimate, ground_truth);
   if (kitti_est && kitti_gt && estimate->poses.size() > ground_truth->poses.size())
     throw InputError(estimate->path, "has more lines than " + ground_truth->path,
-                     "KITTI files hold one line a frame; give the ground truth of the whole sequence");
+                     "KITTI files have one line per frame; give the ground truth of the whole sequence");
 }
 
 void require_motion(const Points& points, const std::string& path) {

@@ -1,4 +1,5 @@
-// Where the list of input frames comes from.
+// SPDX-License-Identifier: BSD-3-Clause
+// Search for the list of input frames.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -11,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-std::string beside(const std::string& path, const char* name) {
+std::string sibling_path(const std::string& path, const char* name) {
   return (std::filesystem::path(path).parent_path() / name).string();
 }
 
@@ -99,13 +100,13 @@ InputFrames find_input_frames(const Trajectory& estimate, const Trajectory& grou
     if (*frames_total < int(est.size()))
       throw InputError("--frames-total " + std::to_string(*frames_total),
                        estimate.path + " holds " + std::to_string(est.size()) + " poses",
-                       "give the number of images that were put in");
+                       "give the number of input images");
     return {evenly(est.front(), step, *frames_total), "--frames-total"};
   }
   const bool has_times = estimate.format == TrajectoryFormat::kTum;
-  const std::string csv = beside(estimate.path, "frames.csv");
+  const std::string csv = sibling_path(estimate.path, "frames.csv");
   if (has_times && std::filesystem::is_regular_file(csv)) return read_times(csv, true);
-  const std::string list = beside(ground_truth.path, "times.txt");
+  const std::string list = sibling_path(ground_truth.path, "times.txt");
   if (has_times && std::filesystem::is_regular_file(list)) return read_times(list, false);
   if (are_frames_of(est, gt)) return {gt, "lines of the ground truth"};
   const int64_t limited = std::min<int64_t>(in_span, 10'000'000);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/relative_error.h"
 
 #include <algorithm>
@@ -10,12 +11,12 @@ namespace edgevo {
 namespace {
 
 constexpr double kShortPath = 400;        // m
-constexpr int kKittiFirstFrameStep = 10;  // frames, as KITTI's own program steps
+constexpr int kKittiFirstFrameStep = 10;  // frames, as in KITTI's devkit
 
-// The input frames with ground truth, and how far along the true path each lies.
+// Input frames with ground truth and their positions along the true path.
 struct Path {
   std::vector<int> frames;     // indices into the input
-  std::vector<double> metres;  // from the first of these
+  std::vector<double> metres;  // distance from the first of them
   double length() const { return metres.empty() ? 0 : metres.back(); }
 };
 
@@ -42,7 +43,7 @@ std::vector<double> drift_lengths(double path_m) {
 }
 
 // First entry of the path at least `length` beyond entry `begin`; -1 if it ends before.
-int end_of_stretch(const Path& path, int begin, double length) {
+int end_of_interval(const Path& path, int begin, double length) {
   const auto it =
       std::lower_bound(path.metres.begin() + begin, path.metres.end(), path.metres[size_t(begin)] + length);
   return it == path.metres.end() ? -1 : int(it - path.metres.begin());
@@ -54,7 +55,7 @@ SE3 relative_error(const MatchedPose& i, const MatchedPose& j, double scale) {
   return motion_est.inverse() * (i.T_gt.inverse() * j.T_gt);
 }
 
-// How many of the frames before frame k have a pose.
+// For each k, the number of frames before frame k with a pose.
 std::vector<int> posed_before(const std::vector<EvaluatedFrame>& frames) {
   std::vector<int> count{0};
   for (const EvaluatedFrame& f : frames) count.push_back(count.back() + f.has_pose);
@@ -66,9 +67,9 @@ double median(std::vector<double> v) {
   return 0.5 * (v[(v.size() - 1) / 2] + v[v.size() / 2]);
 }
 
-// Drift of one stretch, cm/m; nullopt where poses are missing.
-std::optional<double> stretch_drift(const std::vector<EvaluatedFrame>& frames, const std::vector<int>& posed,
-                                    const std::vector<MatchedPose>& matches, int i, int j, double length_m) {
+// Drift of one interval, cm/m; nullopt where poses are missing.
+std::optional<double> interval_drift(const std::vector<EvaluatedFrame>& frames, const std::vector<int>& posed,
+                                     const std::vector<MatchedPose>& matches, int i, int j, double length_m) {
   const int total = j - i + 1;
   const int with_pose = posed[size_t(j) + 1] - posed[size_t(i)];
   const int match_i = frames[size_t(i)].match, match_j = frames[size_t(j)].match;
@@ -102,11 +103,11 @@ std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames,
   for (double length : result.lengths_m) {
     std::vector<double> drifts;
     for (int a = 0; a < int(path.frames.size()); ++a) {
-      const int b = end_of_stretch(path, a, length);
+      const int b = end_of_interval(path, a, length);
       if (b < 0) break;
       const double true_length = path.metres[size_t(b)] - path.metres[size_t(a)];
-      const auto d = stretch_drift(frames, posed, metric_matches, path.frames[size_t(a)],
-                                   path.frames[size_t(b)], true_length);
+      const auto d = interval_drift(frames, posed, metric_matches, path.frames[size_t(a)],
+                                    path.frames[size_t(b)], true_length);
       result.without_poses += !d;
       result.capped += d && *d > cap_cm_per_m;
       drifts.push_back(std::min(d.value_or(cap_cm_per_m), cap_cm_per_m));
@@ -115,7 +116,7 @@ std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames,
     all.insert(all.end(), drifts.begin(), drifts.end());
   }
   if (all.empty()) return std::nullopt;
-  result.stretches = int(all.size());
+  result.intervals = int(all.size());
   result.mean_cm_per_m = mean(all);
   result.median_cm_per_m = median(all);
   return result;
@@ -127,7 +128,7 @@ std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& f
   KittiRelative sum;
   for (int a = 0; a < int(path.frames.size()); a += kKittiFirstFrameStep)
     for (double length : kitti_lengths()) {
-      const int b = end_of_stretch(path, a, length);
+      const int b = end_of_interval(path, a, length);
       if (b < 0) break;
       const int i = frames[size_t(path.frames[size_t(a)])].match,
                 j = frames[size_t(path.frames[size_t(b)])].match;
@@ -135,11 +136,11 @@ std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& f
       const SE3 E = relative_error(matches[size_t(i)], matches[size_t(j)], scale);
       sum.t_rel_percent += 100.0 * E.translation().norm() / length;
       sum.r_rel_deg_per_100m += 100.0 * E.angle() * (180.0 / M_PI) / length;
-      ++sum.stretches;
+      ++sum.intervals;
     }
-  if (sum.stretches == 0) return std::nullopt;
-  sum.t_rel_percent /= sum.stretches;
-  sum.r_rel_deg_per_100m /= sum.stretches;
+  if (sum.intervals == 0) return std::nullopt;
+  sum.t_rel_percent /= sum.intervals;
+  sum.r_rel_deg_per_100m /= sum.intervals;
   return sum;
 }
 
@@ -157,7 +158,7 @@ std::vector<ScalePoint> scale_curve(const std::vector<MatchedPose>& matches, int
     const std::vector<MatchedPose> window(at_frame(start), at_frame(start + window_frames));
     if (window.size() < 3) continue;
     constexpr double kUnknown = -1;  // no scale is negative
-    const double scale = stretch_scale(window, spread_est, spread_gt, kUnknown);
+    const double scale = interval_scale(window, spread_est, spread_gt, kUnknown);
     if (scale > 0) curve.push_back({window.front().frame, window.back().frame, whole_scale / scale});
   }
   return curve;

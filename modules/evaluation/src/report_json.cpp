@@ -1,4 +1,5 @@
-// The evaluation as JSON: units stand in the keys.
+// SPDX-License-Identifier: BSD-3-Clause
+// The evaluation as JSON, with units in the keys.
 #include <nlohmann/json.hpp>
 
 #include "edgevo/evaluation/evaluate.h"
@@ -20,7 +21,7 @@ Json drift_json(const std::optional<Drift>& d, int block_frames) {
   return {{"scale", "re-corrected every " + std::to_string(block_frames) + " input frames"},
           {"mean_cm_per_m", d->mean_cm_per_m},
           {"median_cm_per_m", d->median_cm_per_m},
-          {"stretches", d->stretches},
+          {"stretches", d->intervals},
           {"capped", d->capped},
           {"without_poses", d->without_poses},
           {"lengths_m", d->lengths_m},
@@ -32,7 +33,7 @@ Json kitti_json(const std::optional<KittiRelative>& k) {
   return {{"scale", "one Sim(3) scale"},
           {"t_rel_percent", k->t_rel_percent},
           {"r_rel_deg_per_100m", k->r_rel_deg_per_100m},
-          {"stretches", k->stretches}};
+          {"stretches", k->intervals}};
 }
 
 Json scale_json(const TrajectoryEvaluation& e) {
@@ -76,7 +77,7 @@ std::string to_json(const TrajectoryEvaluation& e) {
   out["kitti"] = kitti_json(e.kitti);
   out["local_scale"] = scale_json(e);
   out["coverage"] = coverage_json(e.coverage);
-  // Paths need not be UTF-8: what is not is replaced rather than refused.
+  // Paths need not be UTF-8: invalid bytes are replaced rather than refused.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

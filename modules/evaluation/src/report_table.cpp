@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The evaluation as aligned text.
 #include <cstdio>
 #include <sstream>
@@ -18,7 +19,7 @@ std::string number(double value, const char* format = "%.4f") {
 }
 
 std::string poses(int count) { return std::to_string(count) + " poses"; }
-std::string stretches(int count) { return std::to_string(count) + " stretches"; }
+std::string intervals(int count) { return std::to_string(count) + " intervals"; }
 
 std::string lengths_text(const std::vector<double>& lengths) {
   std::string text;
@@ -33,7 +34,7 @@ void add_absolute(const TrajectoryEvaluation& e, std::vector<Row>* rows) {
   rows->push_back({"ATE median", number(e.ate_sim3.median), "m", poses(e.ate_sim3.poses), "same"});
   rows->push_back({"ATE max", number(e.ate_sim3.max), "m", poses(e.ate_sim3.poses), "same"});
   rows->push_back({"ATE RMSE", number(e.ate_se3.rmse), "m", poses(e.ate_se3.poses),
-                   "SE(3), Umeyama; says something only if the estimate is in metres"});
+                   "SE(3), Umeyama; meaningful only if the estimate is in metres"});
   rows->push_back({"ATE" + blocks + " RMSE", number(e.ate_blocks.rmse), "m", poses(e.ate_blocks.poses),
                    "scale re-corrected every " + blocks + " input frames, then SE(3)"});
 }
@@ -41,18 +42,18 @@ void add_absolute(const TrajectoryEvaluation& e, std::vector<Row>* rows) {
 void add_relative(const TrajectoryEvaluation& e, std::vector<Row>* rows) {
   const std::string blocks = "scale re-corrected every " + std::to_string(e.block_frames) + " input frames";
   if (e.drift)
-    rows->push_back({"drift", number(e.drift->mean_cm_per_m, "%.2f"), "cm/m", stretches(e.drift->stretches),
-                     blocks + "; stretches of " + lengths_text(e.drift->lengths_m) + "; " +
+    rows->push_back({"drift", number(e.drift->mean_cm_per_m, "%.2f"), "cm/m", intervals(e.drift->intervals),
+                     blocks + "; intervals of " + lengths_text(e.drift->lengths_m) + "; " +
                          std::to_string(e.drift->capped) + " capped, " +
                          std::to_string(e.drift->without_poses) + " without poses"});
   else
-    rows->push_back({"drift", "-", "cm/m", stretches(0), "the ground truth does not move"});
-  const std::string kitti = "one Sim(3) scale; stretches of 100 to 800 m";
-  const int n = e.kitti ? e.kitti->stretches : 0;
+    rows->push_back({"drift", "-", "cm/m", intervals(0), "the ground truth does not move"});
+  const std::string kitti = "one Sim(3) scale; intervals of 100 to 800 m";
+  const int n = e.kitti ? e.kitti->intervals : 0;
   rows->push_back(
-      {"t_rel", e.kitti ? number(e.kitti->t_rel_percent, "%.3f") : "-", "%", stretches(n), kitti});
+      {"t_rel", e.kitti ? number(e.kitti->t_rel_percent, "%.3f") : "-", "%", intervals(n), kitti});
   rows->push_back({"r_rel", e.kitti ? number(e.kitti->r_rel_deg_per_100m, "%.3f") : "-", "deg/100m",
-                   stretches(n), kitti});
+                   intervals(n), kitti});
 }
 
 void add_scale(const TrajectoryEvaluation& e, std::vector<Row>* rows) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/similarity_fit.h"
 
 #include <Eigen/Geometry>
@@ -7,8 +8,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFewestPoints = 3;    // a similarity fits two points whatever they are
-constexpr double kCoincide = 1e-9;  // of the distance from the origin: nearer points differ by rounding
+constexpr int kFewestPoints = 3;  // a similarity fits any two points exactly
+// Share of the distance from the origin: closer points differ only by rounding.
+constexpr double kCoincide = 1e-9;
 
 }  // namespace
 

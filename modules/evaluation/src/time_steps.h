@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Small helpers on sorted times.
 #include <cstdint>
@@ -8,9 +9,10 @@
 
 namespace edgevo {
 
+/// Times of all poses.
 std::vector<Timestamp> times_of(const Trajectory& trajectory);
 
-/// Median of the steps between neighbours, ticks; 0 with fewer than two times.
+/// Median step between consecutive times, ticks; 0 for fewer than two times.
 int64_t median_step_ticks(const std::vector<Timestamp>& times);
 
 /// Index of the time nearest to `t`; `times` must not be empty.

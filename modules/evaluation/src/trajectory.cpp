@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/trajectory.h"
 
 #include <Eigen/LU>
@@ -12,7 +13,7 @@ namespace edgevo {
 namespace {
 
 constexpr size_t kTumFields = 8, kKittiFields = 12;
-// Files round to a few digits; what is further from a rotation than this was no rotation.
+// Files round to a few digits; anything further from a rotation than this is not one.
 constexpr double kRotationTolerance = 0.02;
 
 using Fields = std::vector<std::string_view>;
@@ -39,7 +40,7 @@ Fields split_fields(std::string_view line) {
   return fields;
 }
 
-// A field as an error message may show it: short and without control characters.
+// A field made fit for an error message: short and without control characters.
 std::string shown(std::string_view field) {
   std::string s(field.substr(0, 24));
   for (char& c : s)
@@ -52,8 +53,7 @@ double to_number(std::string_view field, const std::string& where) {
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc() || end != field.data() + field.size())
     throw InputError(where, shown(field) + " is not a number", "correct or remove the line");
-  if (!std::isfinite(value))
-    throw InputError(where, shown(field) + " is not finite", "leave out poses that are unknown");
+  if (!std::isfinite(value)) throw InputError(where, shown(field) + " is not finite", "remove unknown poses");
   return value;
 }
 
@@ -77,7 +77,7 @@ StampedPose parse_kitti(const Fields& f, int row, const std::string& where) {
   const Eigen::Matrix3d R = M.leftCols<3>();
   const bool orthonormal = (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < kRotationTolerance;
   if (!orthonormal || R.determinant() < 0)
-    throw InputError(where, "the 3x3 part is not a rotation", "a KITTI line holds r11 r12 r13 tx r21 ... tz");
+    throw InputError(where, "the 3x3 part is not a rotation", "a KITTI line is r11 r12 r13 tx r21 ... tz");
   return {Timestamp{row * Timestamp::kTicksPerSecond}, SE3(R, M.col(3))};
 }
 
@@ -114,11 +114,11 @@ Trajectory parse_trajectory(std::string_view text, const std::string& where) {
       throw InputError(
           at,
           "time " + to_string(pose.time) + " does not come after " + to_string(trajectory.poses.back().time),
-          "sort the lines and keep one a time");
+          "sort the lines and keep one per time");
     trajectory.poses.push_back(pose);
   }
   if (trajectory.poses.empty())
-    throw InputError(where, "holds no pose", "give a trajectory with lines t tx ty tz qx qy qz qw");
+    throw InputError(where, "contains no pose", "give a trajectory with lines t tx ty tz qx qy qz qw");
   return trajectory;
 }
 

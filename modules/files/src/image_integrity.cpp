@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/files/image_integrity.h"
 
 #include <zlib.h>
@@ -33,7 +34,7 @@ std::string png_damage(std::string_view bytes) {
   return kCutShort;
 }
 
-// A JPEG is a row of segments with their lengths up to the start of scan; in the scan data 0xFF stands only
+// A JPEG is a row of segments with their lengths up to the start of scan; in the scan data 0xFF occurs only
 // before markers, and the end-of-image marker closes it.
 std::string jpeg_damage(std::string_view bytes) {
   size_t at = 2;
@@ -50,12 +51,12 @@ std::string jpeg_damage(std::string_view bytes) {
   return kCutShort;
 }
 
-// The numbers of a PNM's header; a comment goes from # to the end of its line.
+// Reads the numbers of a PNM's header; a comment extends from # to the end of its line.
 class PnmHeader {
  public:
   explicit PnmHeader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// 0: there is none, or it is larger than any image's.
+  /// Next number; 0 if there is none or it is larger than in any image.
   uint64_t next() {
     constexpr uint64_t kMost = 1 << 24;
     skip_space();
@@ -64,7 +65,7 @@ class PnmHeader {
       value = 10 * value + uint64_t(bytes_[at_] - '0');
     return value <= kMost ? value : 0;
   }
-  /// Of the pixels: one white space ends the header.
+  /// Offset of the pixels: one white space ends the header.
   uint64_t bytes_left() const { return at_ < bytes_.size() ? bytes_.size() - at_ - 1 : 0; }
 
  private:
@@ -81,7 +82,7 @@ class PnmHeader {
   size_t at_ = 2;
 };
 
-// P1 to P3 are numbers as text, P4 to P6 bytes; P1 and P4 have bits, and no largest value.
+// P1 to P3 are text, P4 to P6 binary; P1 and P4 have bits and no maximum value.
 std::string pnm_damage(std::string_view bytes) {
   PnmHeader header(bytes);
   const char kind = bytes[1];
@@ -89,13 +90,13 @@ std::string pnm_damage(std::string_view bytes) {
   const uint64_t width = header.next(), height = header.next(), most = has_bits ? 1 : header.next();
   if (width == 0 || height == 0 || most == 0 || most > 65535) return "its header is wrong";
   const uint64_t channels = kind == '3' || kind == '6' ? 3 : 1;
-  uint64_t row = width * channels;  // of text at least a digit each
+  uint64_t row = width * channels;  // in text, at least a digit each
   if (kind == '4') row = (width + 7) / 8;
   if (kind > '4' && most > 255) row *= 2;
   return header.bytes_left() < row * height ? kCutShort : "";
 }
 
-// The size of the whole file stands behind the two letters.
+// The size of the whole file follows the two letters.
 std::string bmp_damage(std::string_view bytes) {
   if (bytes.size() < 26) return kCutShort;
   uint64_t size = 0;

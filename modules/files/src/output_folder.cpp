@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/files/output_folder.h"
 
 #include <algorithm>
@@ -10,12 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Without links and dots, and without a slash at the end.
+// Path without links, dots and a trailing slash.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
   fs::path whole = fs::weakly_canonical(absolute, error);
-  if (error) whole = absolute.lexically_normal();  // a name too long, a folder that may not be looked into
+  if (error) whole = absolute.lexically_normal();  // a name too long, a folder without permission
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
@@ -24,7 +25,7 @@ bool is_within(const fs::path& inner, const fs::path& outer) {
   return end == outer.end();
 }
 
-// Folders that are linked into `folder`: its own and those of the folders in it (mav0/cam0).
+// Targets of links in `folder` and in the folders directly in it (mav0/cam0).
 void add_linked_folders(const fs::path& folder, std::vector<fs::path>* folders) {
   std::error_code error;
   fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
@@ -61,14 +62,14 @@ void check_apart(const std::string& source, const std::string& output) {
     if (!inside && !around) continue;
     const std::string how = inside && around ? "is" : inside ? "lies inside" : "holds";
     throw InputError(output, how + " its own source " + source + ", which writing would change",
-                     "give a place apart from the source");
+                     "give a folder outside the source");
   }
 }
 
 void check_not_there(const std::string& path, bool force) {
   std::error_code ignored;
   if (force || !fs::exists(fs::symlink_status(path, ignored))) return;
-  throw InputError(path, "is there already", "give another name, or --force to write over it");
+  throw InputError(path, "exists already", "give another name, or --force to write over it");
 }
 
 void check_folder_is_ours(const std::string& folder, const std::vector<std::string>& marks, bool force) {
@@ -78,8 +79,8 @@ void check_folder_is_ours(const std::string& folder, const std::vector<std::stri
   };
   if (force || names.empty() || std::any_of(marks.begin(), marks.end(), is_there)) return;
   throw InputError(folder,
-                   "holds something else already (" + names.front() + (names.size() > 1 ? ", ..." : "") + ")",
-                   "give another -o, or --force to write there all the same");
+                   "contains other files already (" + names.front() + (names.size() > 1 ? ", ..." : "") + ")",
+                   "give another -o, or --force to write there anyway");
 }
 
 std::vector<std::string> names_in(const std::string& folder) {

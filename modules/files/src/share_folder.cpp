@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/files/share_folder.h"
 
 #include "edgevo/core/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mapping/bootstrap.h"
 
 #include <algorithm>
@@ -14,22 +15,22 @@
 namespace edgevo {
 namespace {
 
-// Views whose pyramids are kept, a matter of memory; three of them become keyframes. The others keep their
-// corners only.
+// Number of views whose pyramids are kept, to bound memory; three of them become keyframes. The others keep
+// their corners only.
 constexpr size_t kMaxKeptViews = 14;
-// Corners: three fix a pose, and a view between the two is worth nothing with a wrong one.
+// Corners needed for PnP: three determine a pose, but a view between the two is useless with a wrong one.
 constexpr int kMinPnpCorners = 20;
-// RANSAC runs that have to agree on the rotation: one alone was wrong in two of five seeds
+// RANSAC runs that have to agree on the rotation: a single one was wrong for two of five seeds
 // (share/lab/archive/2026-11-22_bootstrap.md).
 constexpr int kMotionTrials = 5;
-// Frames in a row whose corners do not agree on one motion: the first view was taken in bad light
+// Frames in a row without a consensus of the corners, after which the first view counts as taken in bad light
 // (share/lab/archive/2026-11-22_bootstrap.md).
 constexpr int kMaxDisagreeing = 8;
 constexpr int kMaxFirstCorners = 1200;      // followed from the first view
 constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix
-// Of the corners, that must agree with the essential matrix.
+// Share of the corners that must agree with the essential matrix.
 constexpr double kMinInlierShare = 0.6;
-// Depth in the unit of the baseline below which a triangulated corner counts as behind the camera.
+// Depth in units of the baseline below which a triangulated corner counts as behind the camera.
 constexpr double kMinCornerDepth = 1e-6;
 
 std::string sentence(const char* pattern, double a, double b) {
@@ -52,7 +53,7 @@ bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen:
   return true;
 }
 
-// Corners of the two views with a depth.
+// Triangulated corners of the two views.
 struct Triangulation {
   std::vector<BootstrapCorner> corners;
   /// Index of each among the corners of a view.
@@ -67,7 +68,7 @@ struct Bootstrap::Impl {
   BootstrapParams params;
   Random random{0};
   std::vector<BootstrapView> views;
-  std::vector<Corners> corners_in_view;  // for each view, where the corners still alive now were
+  std::vector<Corners> corners_in_view;  // for each view, pixels of the corners that are still alive
   size_t first_corners = 0;              // followed from the first view on
   int disagreeing = 0;                   // frames in a row
   cv::Mat previous;
@@ -77,7 +78,7 @@ struct Bootstrap::Impl {
     corners_in_view.clear();
   }
 
-  // Takes `view` for the first one. False: it shows too few corners, and the next frame is tried.
+  // Makes `view` the first one. Returns false if it shows too few corners; the next frame is tried then.
   bool start(BootstrapView view, cv::Mat image) {
     reset();
     disagreeing = 0;
@@ -93,7 +94,7 @@ struct Bootstrap::Impl {
     return enough;
   }
 
-  // The newest view becomes the first one.
+  // Makes the newest view the first one.
   BootstrapStatus start_again(const std::string& reason) {
     start(BootstrapView(views.back()), previous);
     return {std::nullopt, reason + "; new first view"};
@@ -113,7 +114,7 @@ struct Bootstrap::Impl {
     return status;
   }
 
-  // Why the first view is of no more use; nothing while it is.
+  // Why the first view is no longer useful; nothing while it is.
   std::optional<std::string> restart_reason() const {
     const int alive = int(corners_in_view.back().size());
     const bool too_few = alive < kMinBootstrapCorners;
@@ -124,8 +125,7 @@ struct Bootstrap::Impl {
     return std::nullopt;
   }
 
-  // Follows the corners into `image`; those that fail the forward-backward check are struck out of every
-  // view.
+  // Follows the corners into `image`; those that fail the forward-backward check are removed from every view.
   void follow(BootstrapView view, cv::Mat image) {
     const Corners& from = corners_in_view.back();
     Corners to;
@@ -143,7 +143,7 @@ struct Bootstrap::Impl {
     thin_views();
   }
 
-  // Keeps memory bounded: of many views in between, every other image goes.
+  // Bounds memory: of many views in between, every other image is dropped.
   void thin_views() {
     size_t kept = 0;
     for (const BootstrapView& v : views) kept += v.pyramid != nullptr;
@@ -181,7 +181,7 @@ struct Bootstrap::Impl {
     return build_result(best.T_last_first, best.inliers);
   }
 
-  // The inliers that lie in front of both cameras.
+  // Triangulates the inliers that lie in front of both cameras.
   Triangulation triangulate_inliers(const SE3& T_last_first, const cv::Mat& inliers) const {
     const Corners& a = corners_in_view.front();
     const Corners& b = corners_in_view.back();
@@ -225,7 +225,7 @@ struct Bootstrap::Impl {
     return {std::move(result), ""};
   }
 
-  // PnP of each view in between, from the triangulated corners.
+  // Estimates the pose of each view in between by PnP from the triangulated corners.
   void place_views_between(const BootstrapResult& result, const std::vector<int>& used) {
     std::vector<cv::Point3f> object;
     for (const BootstrapCorner& c : result.corners) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mapping/corner_motion.h"
 
 #include <algorithm>
@@ -9,22 +10,22 @@
 namespace edgevo {
 namespace {
 
-// RANSAC runs; the one with which more corners agree is taken. A second for the sample that one run misses; a
-// third of the time each.
+// RANSAC runs, of which the one with more inliers is used. The second one helps if the first misses a good
+// sample; each takes a third of the time.
 constexpr int kTrials = 2;
 constexpr int kMaxFollowedCorners = 450;   // followed from the last keyframe
 constexpr double kCornerRansacPx = 1.0;    // inlier threshold of the essential matrix
 constexpr double kMinAgreeingShare = 0.7;  // of the corners that could be followed
-// Median over the inliers, rotation taken out; with less they say nothing.
+// Median over the inliers after derotation; with less parallax the direction is not observable.
 constexpr double kMinParallaxDeg = 0.3;
 
-// Corners of the first image, and where a rotation has them in the second; those that it turns out of the
-// view are left out.
-struct ForeseenCorners {
+// Corners of the first image, and their predicted pixels in the second after a rotation; those that leave the
+// view are skipped.
+struct PredictedCorners {
   Corners from, to;
 };
-ForeseenCorners foresee(const Pinhole& pinhole, const Corners& corners, const Eigen::Matrix3d& R) {
-  ForeseenCorners f;
+PredictedCorners predict_corners(const Pinhole& pinhole, const Corners& corners, const Eigen::Matrix3d& R) {
+  PredictedCorners f;
   for (const cv::Point2f& corner : corners) {
     const Eigen::Vector3d ray = R * pinhole.ray({corner.x, corner.y});
     if (!(ray.z() > 0) || !pinhole.contains(pinhole.project(ray))) continue;
@@ -41,7 +42,8 @@ std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const Fra
                                                const FramePyramid& to, const SE3& T_to_from,
                                                const CornerParams& params, Random* random) {
   const cv::Mat image_from = equalised(from);
-  ForeseenCorners corners = foresee(pinhole, find_corners(image_from, kMaxFollowedCorners), T_to_from.R());
+  PredictedCorners corners =
+      predict_corners(pinhole, find_corners(image_from, kMaxFollowedCorners), T_to_from.R());
   const std::vector<bool> found = follow_corners(image_from, equalised(to), corners.from, &corners.to);
   Corners first, last;
   for (size_t i = 0; i < found.size(); ++i)

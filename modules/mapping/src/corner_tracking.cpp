@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "corner_tracking.h"
 
 #include <algorithm>
@@ -10,18 +11,18 @@
 namespace edgevo {
 namespace {
 
-// Pixels between where a corner began and where it is when followed there and back: about RANSAC's threshold,
-// what is off by more is lost.
+// Largest distance in pixels between a corner and where it is found when followed there and back: about
+// RANSAC's threshold.
 constexpr double kMaxForwardBackwardPx = 0.7;
-// Of a corner, share of the strongest one's: low, so that they cover the image; those that move wrongly are
-// struck out later.
+// Least quality relative to the strongest corner: low, so that corners cover the image; wrongly moving ones
+// are removed later.
 constexpr double kQuality = 0.005;
-// Corners stand at least an image's width over this apart, and never less than kMinDistancePx: spread over
-// the image.
+// Least distance between corners: the image's width divided by kCornersAcross, and never less than
+// kMinDistancePx, to spread them over the image.
 constexpr double kCornersAcross = 120, kMinDistancePx = 5.0;
-constexpr int kLevels = 4;      // halvings: corners are found 100 px from where the search starts
-constexpr int kLevelsBack = 1;  // on the way back it is known where they began
-// Side of the patch that is compared, OpenCV's own default, as are the two that follow.
+constexpr int kLevels = 4;      // pyramid levels: corners are found 100 px from where the search starts
+constexpr int kLevelsBack = 1;  // when following back, the start is known
+// Side of the compared patch; OpenCV's default, like the next two.
 constexpr int kPatchPx = 21;
 constexpr int kMaxIterations = 30;
 constexpr double kLeastStepPx = 0.01;
@@ -46,8 +47,8 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
                                  Corners* to) {
   std::vector<bool> found(from.size());
   if (from.empty()) return found;
-  const bool is_foreseen = !to->empty();
-  const int flags = is_foreseen ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
+  const bool is_predicted = !to->empty();
+  const int flags = is_predicted ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
   const cv::Size window(kPatchPx, kPatchPx);
   const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxIterations, kLeastStepPx);
   Corners back = from;
@@ -55,7 +56,7 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
   std::vector<float> error;
   cv::calcOpticalFlowPyrLK(image_from, image_to, from, *to, ok, error, window, kLevels, stop, flags);
   cv::calcOpticalFlowPyrLK(image_to, image_from, *to, back, ok_back, error, window,
-                           is_foreseen ? kLevelsBack : kLevels, stop, flags);
+                           is_predicted ? kLevelsBack : kLevels, stop, flags);
   for (size_t i = 0; i < from.size(); ++i) {
     const cv::Point2f& p = (*to)[i];
     const bool inside = p.x >= 0 && p.y >= 0 && p.x < float(image_to.cols) && p.y < float(image_to.rows);

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Corners followed from one image into another (Lucas and Kanade, as OpenCV has it), forwards and back.
+// Corners followed from one image into another (Lucas-Kanade of OpenCV), forwards and backwards.
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -9,21 +10,20 @@ namespace edgevo {
 
 using Corners = std::vector<cv::Point2f>;
 
-/// The finest image with its histogram made flat, so that exposure does not matter.
+/// The finest image with equalised histogram, so that exposure does not matter.
 cv::Mat equalised(const FramePyramid& pyramid);
 
-/// At most `count` corners, spread over the image, the strongest first.
+/// Finds at most `count` corners, spread over the image, strongest first.
 Corners find_corners(const cv::Mat& image, int count);
 
-/// Where the corners `from` of one image are in another. `to` holds where the search starts, or is empty:
-/// where they were. Returns one flag a corner: found in the image, and found again where it began when
-/// followed back.
+/// Follows the corners `from` of one image into another. `to` holds where the search starts, or is empty: at
+/// `from`. Returns one flag per corner: found in the image, and found again at its start when followed back.
 std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from,
                                  Corners* to);
 
-/// Median motion, pixels, of the `all` corners of a first view, of which those left went from `from` to `to`
-/// (one or more). Under noise and changing light those that move fast are lost first: the lost ones count as
-/// moved further than the median, up to half as many as are left, or the median of what is left would fall
+/// Median motion in pixels of the `all` corners of a first view, of which the surviving ones moved from
+/// `from` to `to` (one or more). Under noise and changing light fast corners are lost first: lost ones count
+/// as moved further than the median, up to half as many as survive, or the median of the survivors would fall
 /// with time (share/lab/archive/2026-11-22_bootstrap.md).
 double median_motion(size_t all, const Corners& from, const Corners& to);
 

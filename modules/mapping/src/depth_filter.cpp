@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mapping/depth_filter.h"
 
 #include <algorithm>
@@ -6,29 +7,29 @@
 namespace edgevo {
 namespace {
 
-// Standard deviations of both: a measurement further off is an outlier.
+// Combined standard deviations beyond which a measurement is an outlier.
 constexpr double kAgreeSigmas = 3;
-// Outliers more than agreements, beyond which a point is given up: two may be an occlusion.
+// Excess of outliers over agreements beyond which a point is given up: two may be an occlusion.
 constexpr int kMoreBad = 2;
 constexpr double kSearchSigmas = 2;  // standard deviations to each side: 95 of 100 points lie within
-// Share of an inverse depth that a search goes down to: it stays in front of the camera.
+// Least share of an inverse depth that a search goes down to: it stays in front of the camera.
 constexpr double kNearestToNone = 1e-3;
-// Between neighbours, across the edge: further off it is another one, or a corner.
+// Largest distance between neighbours across the edge: beyond, it is another edge, or a corner.
 constexpr double kAcrossPx = 2;
 constexpr double kNeighbourPx = 14;  // neighbours further along the edge do not count
-// Standard deviations of both, beyond which neighbours are at different depths.
+// Combined standard deviations beyond which neighbours are at different depths.
 constexpr double kNeighbourSigmas = 2;
 
 }  // namespace
 
 void fuse(const EpipolarMatch& m, ImmaturePoint* p) {
-  const bool says_nothing = m.outcome == EpipolarOutcome::kOutOfView ||
-                            m.outcome == EpipolarOutcome::kNoBaseline ||
-                            m.outcome == EpipolarOutcome::kAlongLine;
-  if (says_nothing) return;
+  const bool is_uninformative = m.outcome == EpipolarOutcome::kOutOfView ||
+                                m.outcome == EpipolarOutcome::kNoBaseline ||
+                                m.outcome == EpipolarOutcome::kAlongLine;
+  if (is_uninformative) return;
   const double sigma = std::hypot(p->idepth_sigma, m.idepth_sigma);
   if (m.outcome == EpipolarOutcome::kFound && std::abs(m.idepth - p->idepth) < kAgreeSigmas * sigma) {
-    if (p->good == 0) {  // the first depth replaces the range it was found in
+    if (p->good == 0) {  // the first depth replaces the search range
       p->idepth = m.idepth;
       p->idepth_sigma = m.idepth_sigma;
     } else {
@@ -53,7 +54,7 @@ void update_depths(const FramePyramid& target, const SE3& T_target_host, const D
   }
 }
 
-void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
+void smooth_along_edges(const ImageEdges& edges, const DepthFilterParams& params,
                         std::vector<ImmaturePoint>* points) {
   if (params.smoothing_weight <= 0) return;
   const auto neighbours = [&](const ImmaturePoint& a, const ImmaturePoint& b) {

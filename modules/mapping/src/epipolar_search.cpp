@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mapping/epipolar_search.h"
 
 #include <algorithm>
@@ -15,32 +16,33 @@
 namespace edgevo {
 namespace {
 
-// Pixels of the line: below this a match says nothing about depth, an edge is found to half a pixel or so.
+// Pixels: on a shorter segment a match does not constrain depth, since an edge is located to about half a
+// pixel.
 constexpr double kMinSegmentPx = 1.5;
 // A patch of two pixels' radius and its interpolation stay inside the image.
 constexpr double kBorderPx = 3;
-// Of one search; longer lines are looked at in larger steps, which bounds the time.
+// Most steps of one search; longer segments are searched in larger steps, which bounds the time.
 constexpr double kMaxSteps = 300;
-// Two minima further apart are different places: patches no longer overlap by half.
+// Two minima further apart are different positions: their patches overlap by less than half.
 constexpr double kSeparatePx = 2.5;
 // Patches with costs (of 0 to 2) below are equal: their ratio means nothing.
 constexpr double kEqualCost = 1e-3;
-// Five by five pixels: small, since the look changes with the viewing angle.
+// Five by five pixels: small, since the appearance changes with the viewing angle.
 constexpr int kPatchRadiusPx = 2;
-// Depths within this ratio share one warp: a patch of five pixels changes by less than one.
+// Depths within this ratio share one warp: a patch of five pixels changes by less than one pixel.
 constexpr double kSameWarpRatio = 1.3;
-// A crossing may lie so far outside the segment: edges are found to half a pixel.
+// How far a crossing may lie outside the segment: edges are located to half a pixel.
 constexpr double kBeyondEndPx = 1;
 // Edges more parallel to the epipolar line give no depth.
 constexpr double kMinEpipolarCosine = 0.25;
-// Edges within this of the epipolar line are candidates.
+// Edges this close to the epipolar line are candidates.
 constexpr double kMaxEdgeDistancePx = 1.5;
 // Gate on the angle between the two edge normals, signed: 45 degrees.
 constexpr double kMinNormalCosine = 0.7;
 constexpr double kEpipolarSigmaPx = 0.3;  // position noise of the epipolar line
-// From the step to the crossing: further on another step of the line has a nearer edge.
+// Largest distance from the step to the crossing: beyond, another step of the line has a nearer edge.
 constexpr double kMaxSlidePx = 2.5;
-// The next pixel of the same edge crosses at the same place, within this.
+// Crossings this close are those of neighbouring pixels of one edge.
 constexpr double kSameCrossingPx = 0.3;
 
 class EpipolarSearch {
@@ -75,12 +77,12 @@ class EpipolarSearch {
  private:
   struct Candidate {
     double cost = 2;
-    double along = 0;  // on the segment, pixels
+    double along = 0;  // position on the segment, pixels
     Eigen::Vector2d px, normal;
     double idepth = 0;
   };
 
-  // One search follows another thousands of times a frame: they share the memory.
+  // Searches follow each other thousands of times per frame and share this memory.
   static std::vector<double>& scratch() {
     thread_local std::vector<double> memory;
     return memory;
@@ -92,22 +94,22 @@ class EpipolarSearch {
     return m;
   }
 
-  // Of the host's edge as it is seen here, at the middle of the range.
+  // Whether the host's edge, as seen in the target at the middle of the range, runs along the segment.
   bool runs_along(const EpipolarSegment& s, const IdepthRange& range) const {
     const Eigen::Matrix2d A = patch_warp(target_.pinhole, T_, px_host_, 0.5 * (range.low + range.high));
     return std::abs(warp_normal(A, normal_host_).dot(s.direction)) < kMinEpipolarCosine;
   }
 
-  // Steps along the segment that may have an edge in reach.
+  // Steps along the segment that may have an edge within reach.
   struct Batch {
-    static constexpr int kSize = 16;  // requests that a core has under way at once, or a little more
-    std::array<double, kSize> along;  // the segment, pixels
-    std::array<int, kSize> pixel;     // of the nearest edge
+    static constexpr int kSize = 16;  // about as many requests as a core has in flight at once
+    std::array<double, kSize> along;  // position on the segment, pixels
+    std::array<int, kSize> pixel;     // pixel with the nearest edge
     int count = 0;
   };
 
-  // A search waits for memory most of its time: field, index and edges of a batch are prefetched before they
-  // are read.
+  // Scans the segment for edges. A search mostly waits for memory: field, index and edges of a batch are
+  // prefetched before they are read.
   void scan(const EpipolarSegment& s) {
     const double step = std::max(1.0, s.length / kMaxSteps);
     const int steps = int(s.length / step) + 1;
@@ -131,21 +133,21 @@ class EpipolarSearch {
       const Eigen::Vector2d p = s.start + i * step * s.direction;
       if (target_.field.squared_distance(float(p.x()), float(p.y())) > in_reach) continue;
       const int pixel = target_.field.nearest_pixel(float(p.x()), float(p.y()));
-      if (pixel < 0) continue;  // the field reaches less far than the search
+      if (pixel < 0) continue;  // the field's range is smaller than that of the search
       batch->along[batch->count] = i * step;
       batch->pixel[batch->count++] = pixel;
     }
     return i;
   }
 
-  // The largest of the field's distances, which are between pixels, at which an edge may lie within `reach`
-  // of a position: both may be half a diagonal from their pixels.
+  // The largest distance of the field, which is between pixels, at which an edge may lie within `reach` of a
+  // position: both may be half a diagonal away from their pixels.
   static int max_squared_distance(double reach) {
     const double between_pixels = reach + std::sqrt(2.0);
     return int(between_pixels * between_pixels);
   }
 
-  // The nearest edge at one step.
+  // Visits the nearest edge of one step.
   void visit(int edge, const EpipolarSegment& s, double along, int* last_edge) {
     if (edge == *last_edge) return;
     const EdgePixel& e = target_.edges.pixels[edge];
@@ -156,7 +158,7 @@ class EpipolarSearch {
     consider(e, s, along, p);
   }
 
-  // One edge near the line: where the line crosses its tangent, and how alike it looks there.
+  // Evaluates one edge near the line: where the line crosses its tangent, and how alike it looks there.
   void consider(const EdgePixel& e, const EpipolarSegment& s, double along, const Eigen::Vector2d& p) {
     const Eigen::Vector2d n = e.normal().cast<double>();
     const double cosine = n.dot(s.direction);
@@ -178,7 +180,7 @@ class EpipolarSearch {
     rank(c);
   }
 
-  // The second best counts only where it is a different place.
+  // The second best counts only if it is at a different position.
   void rank(const Candidate& c) {
     if (c.cost < best_.cost) {
       if (std::abs(c.along - best_.along) > kSeparatePx) second_cost_ = std::min(second_cost_, best_.cost);
@@ -200,7 +202,7 @@ class EpipolarSearch {
     return warp_ok_;
   }
 
-  // Depth and its sigma at the best candidate, refined along its normal if asked for.
+  // Depth and its sigma at the best candidate, refined along its normal if requested.
   EpipolarMatch measure(const EpipolarSegment& s) {
     double cosine = best_.normal.dot(s.direction);
     if (params_.refine) {
@@ -239,7 +241,7 @@ class EpipolarSearch {
   bool warp_ok_ = false;
   Eigen::Matrix2d A_ = Eigen::Matrix2d::Identity();
   Patch patch_;
-  std::vector<double>& crossings_ = scratch();  // of the segment with edges, pixels along it
+  std::vector<double>& crossings_ = scratch();  // crossings of the segment with edges, pixels along it
   Candidate best_;
   double second_cost_ = 2;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "epipolar_segment.h"
 
 #include <algorithm>
@@ -8,9 +9,9 @@
 namespace edgevo {
 namespace {
 
-// Depth in the target over that in the host; nearer points fill the image and are not searched.
+// Least depth in the target over that in the host; nearer points fill the image and are not searched.
 constexpr double kMinZ = 0.1;
-// Pixels, or a component of a unit vector: less is rounding and has no direction.
+// Pixels, or a component of a unit vector: anything shorter is rounding and has no direction.
 constexpr double kShort = 1e-9;
 
 }  // namespace
@@ -19,7 +20,7 @@ EpipolarSegment epipolar_segment(const Pinhole& camera, const Eigen::Vector3d& r
                                  const Eigen::Vector3d& t, const IdepthRange& range) {
   EpipolarSegment s;
   double high = range.high;
-  // Where the camera moves towards the point, inverse depths beyond this would lie behind it.
+  // If the camera moves towards the point, larger inverse depths would lie behind it.
   if (rotated_ray.z() + high * t.z() < kMinZ) {
     if (!(t.z() < 0)) return s;
     high = (kMinZ - rotated_ray.z()) / t.z();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The line on which a point of one image must lie in another.
 #include <Eigen/Core>
@@ -10,15 +11,17 @@ namespace edgevo {
 /// The epipolar segment of a range of inverse depths, in target pixels.
 struct EpipolarSegment {
   bool visible = false;
-  Eigen::Vector2d start, direction;  ///< direction is a unit vector from low to high inverse depth
+  /// Start point, and unit direction from low to high inverse depth.
+  Eigen::Vector2d start, direction;
   double length = 0;
 };
 
-/// `rotated_ray` is R x for the host's ray x, `t` the translation; of points in front of the target only.
+/// Epipolar segment of a host ray x: `rotated_ray` is R x, `t` the translation. Covers points in front of the
+/// target only.
 EpipolarSegment epipolar_segment(const Pinhole& camera, const Eigen::Vector3d& rotated_ray,
                                  const Eigen::Vector3d& t, const IdepthRange& range);
 
-/// Cuts the segment to what lies inside the image, `border` pixels away from its edge; false if nothing does.
+/// Clips the segment to the image without a border of `border` pixels; false if nothing is left.
 bool clip(const Pinhole& camera, double border, EpipolarSegment* s);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Cameras and poses as OpenCV's two-view geometry takes and gives them: matrices of doubles.
+// Conversion of cameras and poses from and to OpenCV's matrices of doubles.
 #include <opencv2/core.hpp>
 
 #include "edgevo/core/camera.h"
@@ -15,7 +16,7 @@ inline Eigen::Vector3d to_vector(const cv::Mat& t) {
   return {t.at<double>(0), t.at<double>(1), t.at<double>(2)};
 }
 
-/// `R` a rotation matrix, `t` its translation.
+/// Pose from a rotation matrix `R` and a translation `t`.
 inline SE3 to_se3(const cv::Mat& R, const Eigen::Vector3d& t) {
   Eigen::Matrix3d rotation;
   for (int i = 0; i < 9; ++i) rotation(i / 3, i % 3) = R.at<double>(i / 3, i % 3);

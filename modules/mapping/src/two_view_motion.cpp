@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "two_view_motion.h"
 
 #include <Eigen/Cholesky>
@@ -14,10 +15,12 @@
 namespace edgevo {
 namespace {
 
-constexpr int kRefineIterations = 10;  // steps of Gauss-Newton at most; it ends when it has settled
-// Radians and directions of unit vectors, a step's length: far below what pixels tell.
-constexpr double kSettled = 1e-9;
-// That a run of RANSAC draws at least one sample of five right corners; what it misses the other runs find.
+// Most steps of Gauss-Newton.
+constexpr int kRefineIterations = 10;
+// Length of a last step, in radians and components of unit vectors: far below what pixels can resolve.
+constexpr double kConverged = 1e-9;
+// Probability that a RANSAC run draws at least one sample of five right corners; the other runs find what it
+// misses.
 constexpr double kConfidence = 0.999;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
@@ -36,7 +39,7 @@ double epipolar_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Ve
   return line.dot(y) / std::max(line.head<2>().norm(), kLeastLineLength);
 }
 
-// Median error and parallax over all corners.
+// Computes median error and parallax over all corners.
 void measure(const std::vector<Eigen::Vector3d>& first, const std::vector<Eigen::Vector3d>& last,
              double focal_px, TwoViewMotion* m) {
   std::vector<double> errors, angles;
@@ -54,18 +57,18 @@ double sampson_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vec
   return focal_px * std::abs(lines.in_to.dot(y)) / lines.length;
 }
 
-// Does the point of two rays lie in front of both views? One without parallax is far away and no evidence
+// Whether the point of two rays lies in front of both views. One without parallax is far away and no evidence
 // against it.
 bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y,
                       double min_parallax_rad) {
   const Eigen::Vector3d Rx = T.rotation() * x, normal = Rx.cross(y);
   if (angle_between(Rx, y) < min_parallax_rad) return true;
-  // Both depths.
+  // Signs of both depths.
   return T.translation().cross(y).dot(normal) < 0 && T.translation().cross(Rx).dot(normal) < 0;
 }
 
-// What a sample of five corners gives, refined over all that agree with it, these found again each time: the
-// more agree, the less depends on the sample.
+// Refines the motion of a five-corner sample over all corners that agree with it, found anew in each round:
+// the more agree, the less depends on the sample.
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
                         const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
                         cv::Mat* inliers) {
@@ -102,7 +105,7 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
     for (size_t i = 0; i < rays_first.size(); ++i) {
       const Eigen::Vector3d Rx = T.rotation() * rays_first[i], &y = rays_last[i];
       const Eigen::Vector3d line = t.cross(Rx);
-      // Held during a step.
+      // Fixed during a step.
       const double scale = focal_px / std::max(line.head<2>().norm(), kLeastLineLength);
       const double r = scale * line.dot(y);
       Vector5d J;
@@ -111,14 +114,14 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
       H.noalias() += w * J * J.transpose();
       b.noalias() += w * r * J;
     }
-    // Keeps it invertible where nothing turns with an unknown.
+    // Keeps the matrix invertible where an unknown is not constrained.
     H.diagonal().array() += 1e-9 * (H.trace() + 1e-9);
     const Vector5d step = -H.ldlt().solve(b);
     if (!step.allFinite()) break;
     Vector6d rotation = Vector6d::Zero();
     rotation.tail<3>() = step.head<3>();
     T = SE3(SE3::exp(rotation).rotation() * T.rotation(), (t + B * step.tail<2>()).normalized());
-    if (step.norm() < kSettled) break;
+    if (step.norm() < kConverged) break;
   }
   return T;
 }
@@ -153,7 +156,7 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
 }
 
 bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions) {
-  constexpr double kFitsToo = 1.5;            // times the best median error: not told apart by it
+  constexpr double kFitsToo = 1.5;            // times the best median error: it cannot distinguish them
   constexpr double kMaxRotationShare = 0.25;  // of the parallax: depths would be wrong by as much
   for (const TwoViewMotion& m : motions) {
     const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();

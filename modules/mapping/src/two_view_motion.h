@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Motion between two views from matched corners: essential matrices by RANSAC, each refined over all corners
-// that agree.
+// Motion between two views from matched corners: essential matrices by RANSAC, each refined over all inlier
+// corners.
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -11,25 +12,28 @@
 namespace edgevo {
 
 struct TwoViewMotion {
-  SE3 T_last_first;            ///< |translation| = 1
-  cv::Mat inliers;             ///< CV_8U, one a corner: fits within the threshold, in front of both views
-  double median_error_px = 0;  ///< distance from the epipolar line, over all corners
-  double parallax_rad = 0;     ///< median angle between the two rays, rotation taken out
+  /// Motion between the views, |translation| = 1.
+  SE3 T_last_first;
+  /// CV_8U, one per corner: non-zero if it fits within the threshold, in front of both views.
+  cv::Mat inliers;
+  /// Median distance from the epipolar line over all corners, pixels.
+  double median_error_px = 0;
+  /// Median angle between the two rays after derotation, radians.
+  double parallax_rad = 0;
 };
 
-/// The motions of `trials` RANSAC runs, from corners in shuffled order so that each draws others. May be
-/// empty.
+/// The motions of `trials` RANSAC runs, each on corners in another random order. May be empty.
 std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
                                             const std::vector<cv::Point2f>& last, double ransac_px,
                                             int trials, Random* random);
 
-/// With little parallax a wrong rotation with a wrong translation fits nearly as well as the right ones: true
-/// while motions that fit about as well as `best` disagree on the rotation by more than a share of the
-/// parallax that depths would come from (share/lab/archive/2026-11-22_bootstrap.md).
+/// True if motions that fit about as well as `best` disagree on the rotation by more than a share of the
+/// parallax that depths would come from: with little parallax a wrong rotation with a wrong translation fits
+/// nearly as well as the right ones (share/lab/archive/2026-11-22_bootstrap.md).
 bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions);
 
-/// Gauss-Newton on the distances from the epipolar lines, rotation and translation direction (five unknowns),
-/// Huber at `huber_px`. `rays_first` and `rays_last` are (x, y, 1).
+/// Refines a motion by Gauss-Newton on the distances from the epipolar lines, over rotation and translation
+/// direction (five unknowns), with Huber weights at `huber_px`. `rays_first` and `rays_last` are (x, y, 1).
 SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
                   const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mapping/window.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace edgevo {
 namespace {
 
 // Covariance of a window pose against another one after an adjustment, squared map units and radians: a
-// deviation of 1e-4, small beside the tracking covariance.
-Matrix6d settled_covariance() { return 1e-8 * Matrix6d::Identity(); }
+// standard deviation of 1e-4, small compared with that of tracking.
+Matrix6d adjusted_covariance() { return 1e-8 * Matrix6d::Identity(); }
 
 }  // namespace
 
@@ -43,7 +44,7 @@ AssociationQuery Window::query(const Keyframe& host, const MapPoint& point, cons
   q.idepth = point.idepth;
   q.idepth_sigma = point.idepth_sigma;
   q.T_target_host = view.T_target_host;
-  q.pose_covariance = settled_covariance();
+  q.pose_covariance = adjusted_covariance();
   return q;
 }
 
@@ -70,9 +71,9 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
   return matches;
 }
 
-void Window::hold_bootstrap_scale() {
+void Window::fix_bootstrap_scale() {
   if (keyframes_.size() < 2) return;
-  prior_ = ba::hold_baseline(keyframes_.front().T_cam_world, newest().T_cam_world, newest().id);
+  prior_ = ba::fix_baseline(keyframes_.front().T_cam_world, newest().T_cam_world, newest().id);
   bootstrap_gauge_ = true;
 }
 
@@ -85,7 +86,7 @@ Keyframe Window::remove_oldest() {
   return oldest;
 }
 
-// Only the points that the oldest keyframe hosts go into the prior with it. Points of other hosts lose their
+// Only the points hosted by the oldest keyframe go into the prior. Points of other hosts lose their
 // observation there and live on: their other observations stay in the window and must not be counted twice.
 BaPrior Window::marginalise_oldest() {
   const BaProblem all = build_adjustment().problem;
@@ -97,7 +98,7 @@ BaPrior Window::marginalise_oldest() {
   return marginalize(leaving, keyframes_.front().id, options, &drop);
 }
 
-// Points that were matched nowhere else go, too.
+// Removes matches in a keyframe, and points that were matched nowhere else.
 void Window::drop_matches_in(int keyframe_id, Keyframe* host) {
   for (MapPoint& p : host->points)
     p.observations.erase(std::remove_if(p.observations.begin(), p.observations.end(),

@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which immature points become active, and which of these stay.
 #include <algorithm>
 #include <set>
 
-#include "edgevo/association/look_ahead.h"
+#include "edgevo/association/prefetcher.h"
 #include "edgevo/association/uncertainty.h"
 #include "edgevo/mapping/depth_filter.h"
 #include "edgevo/mapping/window.h"
@@ -11,12 +12,12 @@
 namespace edgevo {
 namespace {
 
-// Depth observations of a point that confirm each other: they are of two images. A point with fewer is
+// Depth observations of a point that confirm each other, since they are of two images. A point with fewer is
 // tentative.
 constexpr int kConfirmingDepths = 2;
-// Matches of a point that confirm a tentative one.
+// Matches that confirm a tentative point.
 constexpr size_t kConfirmingMatches = 2;
-// Active points in a cell of the newest image: one everywhere first, then a second one.
+// Most active points in a cell of the newest image: one everywhere first, then a second one.
 constexpr int kPointsPerCell = 2;
 
 }  // namespace
@@ -31,7 +32,7 @@ std::vector<Window::Sight> Window::in_sight(const ImmaturePoint& candidate,
   return sights;
 }
 
-// Active points by cell of the newest image.
+// Number of active points by cell of the newest image.
 std::vector<int> Window::count_active(const CellGrid& grid) const {
   std::vector<int> count(grid.size(), 0);
   Eigen::Vector2d px;
@@ -47,7 +48,7 @@ std::vector<int> Window::count_active(const CellGrid& grid) const {
   return count;
 }
 
-// The immature points of a keyframe that have enough depths and lie in the newest image.
+// Adds the immature points of a keyframe that have enough depths and lie in the newest image.
 void Window::add_candidates(const ActivationPolicy& policy, const CellGrid& grid, CandidateHost* host,
                             std::vector<Candidate>* candidates) const {
   const SE3 T_newest_host = relative_pose(newest(), *host->keyframe);
@@ -59,7 +60,7 @@ void Window::add_candidates(const ActivationPolicy& policy, const CellGrid& grid
   }
 }
 
-// As it is projected into the newest of the other keyframes.
+// Evaluates the depth uncertainty projected into the newest of the other keyframes.
 bool Window::is_certain(const Candidate& c) const {
   const ImmaturePoint& p = *c.point;
   const DepthMotion motion = depth_motion(pinhole_, c.host->views.back().T_target_host, pinhole_.ray(p.px),
@@ -67,7 +68,7 @@ bool Window::is_certain(const Candidate& c) const {
   return !(motion.sigma_mu_px > params_.max_projected_sigma_px);
 }
 
-// The point with its matches in all keyframes that have it in view.
+// Matches the point in all keyframes that have it in view.
 MapPoint Window::match_candidate(const Candidate& c, const std::vector<Sight>& sights) const {
   MapPoint point;
   point.px = c.point->px;
@@ -75,9 +76,9 @@ MapPoint Window::match_candidate(const Candidate& c, const std::vector<Sight>& s
   point.idepth = c.point->idepth;
   point.idepth_sigma = c.point->idepth_sigma;
   point.edge_pixel = c.point->edge_pixel;
-  LookAhead look_ahead(association_);
-  for (const Sight& s : sights) look_ahead.add(*s.view->target->pyramid, s.px);
-  look_ahead.run();
+  Prefetcher prefetcher(association_);
+  for (const Sight& s : sights) prefetcher.add(*s.view->target->pyramid, s.px);
+  prefetcher.run();
   for (const Sight& s : sights) {
     const Match match = associate(query(*c.host->keyframe, point, *s.view), association_);
     if (match.kind != MatchKind::kNone) point.observations.push_back({s.view->target->id, match});
@@ -88,10 +89,10 @@ MapPoint Window::match_candidate(const Candidate& c, const std::vector<Sight>& s
 bool Window::try_activate(const ActivationPolicy& policy, const Candidate& c) {
   if (!is_certain(c)) return false;
   const std::vector<Sight> sights = in_sight(*c.point, c.host->views);
-  // New in view, as the border is when the camera backs away: it waits.
+  // Points new in view, as at the border when the camera backs away, wait.
   if (int(sights.size()) < policy.min_matches) return false;
   const bool tentative = c.point->good < kConfirmingDepths;
-  // Tried once: it becomes active or is gone.
+  // A point is tried once: it becomes active or is removed.
   c.point->dead = !tentative;
   MapPoint point = match_candidate(c, sights);
   if (int(point.observations.size()) < policy.min_matches) return false;
@@ -123,7 +124,7 @@ int Window::activate(const ActivationPolicy& policy) {
   return activated;
 }
 
-// A tentative point that is not there any more did not fit: its immature point goes, too.
+// A tentative point that no longer exists did not fit: its immature point is removed, too.
 void Window::demote_unconfirmed() {
   for (Keyframe& host : keyframes_) {
     std::set<int> unconfirmed;

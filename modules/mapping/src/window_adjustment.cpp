@@ -1,5 +1,6 @@
-// The window's bundle adjustment: the problem made of the keyframes and their matches, and what becomes of
-// both after a solve.
+// SPDX-License-Identifier: BSD-3-Clause
+// The window's bundle adjustment: builds the problem from the keyframes and their matches, and applies its
+// solution to them.
 #include <algorithm>
 #include <cmath>
 
@@ -8,15 +9,13 @@
 namespace edgevo {
 namespace {
 
-// Keyframes that should have seen a point and did not, beyond which it is dropped: a quarter of the window,
-// an occlusion or two.
+// Keyframes that may miss a point before it is dropped: a quarter of the window, an occlusion or two.
 constexpr int kMaxMisses = 3;
-// Standard deviations of a match, beyond which it is dropped after the last adjustment: hardly ever chance.
+// Standard deviations beyond which a match is dropped after the last adjustment: rarely by chance.
 constexpr double kDropSigmas = 4.0;
-constexpr double kCornerSigmaPx = 0.5;  // one standard deviation of a corner
-// Share of the cost whose decrease ends an adjustment: what is left after it is below the noise of the
-// matches. A fifth of the time less than with 1e-4, at the same errors
-// (share/lab/archive/2026-11-21_end_of_adjustment.md).
+constexpr double kCornerSigmaPx = 0.5;  // standard deviation of a corner
+// Relative decrease of the cost that ends an adjustment: what is left is below the noise of the matches. A
+// fifth less time than with 1e-4, at the same errors (share/lab/archive/2026-11-21_end_of_adjustment.md).
 constexpr double kEnoughDecrease = 1e-3;
 
 }  // namespace
@@ -52,7 +51,7 @@ void Window::add_point(int host, MapPoint* point, Adjustment* a) const {
     problem.observations.push_back(
         {index, target, o.match.px, o.match.normal, o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
   }
-  problem.points.push_back({host, pinhole_.ray(point->px), point->idepth, is_depth_held(*point)});
+  problem.points.push_back({host, pinhole_.ray(point->px), point->idepth, is_depth_fixed(*point)});
   a->points.push_back(point);
 }
 
@@ -61,7 +60,7 @@ void Window::add_corners(BaProblem* problem) const {
   for (size_t to = 0; to < keyframes_.size(); ++to) {
     const auto from =
         std::find(problem->pose_ids.begin(), problem->pose_ids.end(), keyframes_[to].corners_from);
-    // It has left the window, and taken what they say into the prior.
+    // That keyframe has left the window, and the information of its corners is in the prior.
     if (from == problem->pose_ids.end()) continue;
     for (const CornerPair& c : keyframes_[to].corners)
       problem->corners.push_back(
@@ -73,7 +72,7 @@ void Window::apply_gauge(BaProblem* problem) const {
   if (problem->poses.empty()) return;
   problem->prior = prior_;
   const bool marginalised = prior_ && !bootstrap_gauge_;
-  if (marginalised) return;  // the prior holds position, rotation and scale
+  if (marginalised) return;  // the prior fixes position, rotation and scale
   problem->poses[0].fixed = true;
   if (!bootstrap_gauge_ && problem->poses.size() > 2) problem->poses[1].fixed = true;
 }
@@ -89,7 +88,7 @@ void Window::take_result(const BaResult& result, const Adjustment& a) {
 void Window::update_matches(const BaResult& result, const Adjustment& adjustment) {
   std::vector<std::vector<View>> views;
   for (const Keyframe& host : keyframes_) views.push_back(views_from(host));
-  size_t k = 0;  // matches stand in the order of build_adjustment
+  size_t k = 0;  // matches are in the order of build_adjustment
   for (size_t i = 0; i < adjustment.points.size(); ++i) {
     MapPoint& p = *adjustment.points[i];
     const size_t host = size_t(adjustment.problem.points[i].host);
@@ -105,7 +104,7 @@ void Window::update_matches(const BaResult& result, const Adjustment& adjustment
   }
 }
 
-// `keyframe_id` is that of one of the views.
+// `keyframe_id` must be that of one of the views.
 Match Window::match_again(const Keyframe& host, const MapPoint& point, int keyframe_id,
                           const std::vector<View>& views) const {
   const auto view =

@@ -1,5 +1,6 @@
-// What a keyframe of the window shows the tracker: its points of known depth, and immature ones where those
-// are few.
+// SPDX-License-Identifier: BSD-3-Clause
+// The clouds that the tracker receives: the points of known depth that a keyframe sees, and immature ones if
+// those are few.
 #include <algorithm>
 
 #include "edgevo/alignment/projection.h"
@@ -10,14 +11,13 @@ namespace edgevo {
 namespace {
 
 // Points of known depth below which the cloud is filled up with immature ones, and below which tentative ones
-// are added to the map: 300 and 400 let runs break, 700 costs accuracy
+// are added to the map: with 300 and 400 runs were lost, 700 costs accuracy
 // (share/lab/archive/2026-11-22_sparse_maps.md).
 constexpr size_t kEnoughCloud = 500;
-// Points of known depth for each cell of the activation, below which they are few for a small image, too: 402
-// at 640x480.
-constexpr double kThinShare = 0.25;
+// Points of known depth per cell of the activation below which a small image also has few: 402 at 640x480.
+constexpr double kSparseShare = 0.25;
 
-// `wanted` of the evenly ordered points.
+// Selects `wanted` points in even steps.
 std::vector<CloudPoint> every_nth(const std::vector<CloudPoint>& points, size_t wanted) {
   std::vector<CloudPoint> thinned;
   thinned.reserve(wanted);
@@ -29,12 +29,12 @@ std::vector<CloudPoint> every_nth(const std::vector<CloudPoint>& points, size_t 
 
 int Window::points_lacking() const {
   const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
-  const size_t enough = std::min(kEnoughCloud, size_t(kThinShare * grid.size()));
+  const size_t enough = std::min(kEnoughCloud, size_t(kSparseShare * grid.size()));
   return std::max(0, int(enough) - int(cloud(newest()).size()));
 }
 
-// Immature points of a keyframe, evenly chosen. Their depth is a guess that the tracker weighs by its sigma:
-// under a pure rotation, where depth does not matter, they count fully
+// Adds immature points of a keyframe, selected in even steps. Their depth is a guess that the tracker weights
+// by its sigma: under a pure rotation, where depth does not matter, they count fully
 // (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
 void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
   std::vector<const ImmaturePoint*> alive;
@@ -75,12 +75,12 @@ std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
   return cloud.size() > limit ? every_nth(cloud, limit) : cloud;
 }
 
-// A point that the reference hosts.
+// Cloud point of a point that the reference hosts.
 CloudPoint Window::own_point(const MapPoint& p) const {
   return {pinhole_.ray(p.px), p.idepth, p.idepth_sigma, p.px.cast<float>(), p.normal.cast<float>()};
 }
 
-// A point of another host in the frame of the reference; nothing where that does not see it.
+// Cloud point of a point of another host in the frame of the reference; nothing if it is not seen there.
 std::optional<CloudPoint> Window::seen_point(const Keyframe& reference, const SE3& T_reference_host,
                                              const MapPoint& p) const {
   const Observation* seen = p.find(reference.id);
@@ -90,7 +90,7 @@ std::optional<CloudPoint> Window::seen_point(const Keyframe& reference, const SE
   if (!(Y.z() > kMinProjectedDepth)) return std::nullopt;
   const Eigen::Vector2d px = pinhole_.project(Y);
   if (!pinhole_.contains(px)) return std::nullopt;
-  // rho' = rho / Y_z, and so does its sigma to first order.
+  // rho' = rho / Y_z, and the same for its sigma to first order.
   return CloudPoint{Y / Y.z(), p.idepth / Y.z(), p.idepth_sigma / Y.z(), px.cast<float>(),
                     seen->match.normal.cast<float>()};
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The window after a correction of the camera: everything measured in its images moves with them.
 #include <algorithm>
 
@@ -6,8 +7,9 @@
 namespace edgevo {
 namespace {
 
-// An edge pixel of the new image this near, pixels, and within 37 degrees of the same direction is the old
-// one: a resampled edge may be found a pixel's diagonal off, and a neighbouring one is further away.
+// An edge pixel of the new image within this distance in pixels, and within 37 degrees of the old direction,
+// is the old one: a resampled edge may be found a pixel's diagonal off, and a neighbouring edge is further
+// away.
 constexpr double kSameEdgePx = 1.5;
 constexpr double kSameEdgeCosine = 0.8;
 
@@ -39,7 +41,7 @@ void revise_points(const Pinhole& c, const MapRevision& revision, const RevisedK
   }
 }
 
-// Immature points stand on edge pixels: those that the new image does not show are dropped.
+// Immature points lie on edge pixels: those without one in the new image are dropped.
 void revise_immature(const Pinhole& c, const MapRevision& revision, const RevisedKeyframe& r, Keyframe* k) {
   std::vector<ImmaturePoint> kept;
   for (ImmaturePoint p : k->immature) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The one way from decoded pixels to a GrayImage, whether they come from a file or out of a rawlog.
+// The only conversion of decoded pixels to a GrayImage, whether they come from a file or from a rawlog.
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -7,7 +8,8 @@
 
 namespace edgevo {
 
-/// `pixels`: 8 bits, one channel, or BGR, or BGRA. Throws InputError (opened by `where`) for anything else.
+/// Gray image of `pixels`: 8 bits, one channel, BGR or BGRA. Throws InputError (opened by `where`) for
+/// anything else.
 GrayImage to_gray(const cv::Mat& pixels, const std::string& where);
 
 }  // namespace edgevo

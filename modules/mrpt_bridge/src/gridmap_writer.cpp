@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -26,7 +27,7 @@ void write_gridmap(const OccupancyGrid& grid, const std::string& path) {
   const auto x0 = float(grid.origin_x), y0 = float(grid.origin_y);
   mrpt::maps::COccupancyGridMap2D map(x0, x0 + float(grid.width) * resolution, y0,
                                       y0 + float(grid.height) * resolution, resolution);
-  // MRPT rounds the corners to multiples of a cell, so that cells are found by where they lie.
+  // MRPT rounds the corners to multiples of a cell, so that cells are identified by position.
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x)
       if (grid.at(x, y) != GridCell::kUnknown)

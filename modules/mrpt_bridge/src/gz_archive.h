@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// An MRPT archive read from a gz file, which never loses an error.
+// An MRPT archive read from a gz file, with complete error reporting.
 //
-// MRPT's own streams report the end of a file, a file cut short and damaged data alike; here they are three
-// things. A file that is not compressed reads as it is, as zlib and MRPT have it.
+// MRPT's own streams report the end of a file, a truncated file and damaged data alike; here they are
+// distinguished. An uncompressed file is read as it is, as by zlib and MRPT.
 #include <mrpt/serialization/CArchive.h>
 #include <zlib.h>
 
@@ -19,17 +20,17 @@ class GzInputArchive : public mrpt::serialization::CArchive {
   GzInputArchive(const GzInputArchive&) = delete;
   GzInputArchive& operator=(const GzInputArchive&) = delete;
 
-  /// No byte is left; damage() then tells whether that is the true end.
+  /// True if no byte is left; damage() then says whether that is the true end.
   bool at_end();
-  /// A read asked for bytes that were not there.
+  /// True if a read requested more bytes than there were.
   bool ran_short() const { return ran_short_; }
-  /// Empty, or in words why the stream ended: cut short or damaged.
+  /// Why the stream ended early, in words: cut short or damaged; empty if it did not.
   std::string damage() const;
-  /// Bytes of the file (compressed) consumed so far.
+  /// Number of bytes of the (compressed) file consumed so far.
   int64_t position() const { return gzoffset(file_); }
 
  protected:
-  /// All `size` bytes, else throws std::runtime_error and sets ran_short().
+  /// Reads all `size` bytes; else throws std::runtime_error and sets ran_short().
   size_t read(void* buffer, size_t size) override;
   size_t write(const void* buffer, size_t size) override;
 
@@ -38,8 +39,8 @@ class GzInputArchive : public mrpt::serialization::CArchive {
   bool ran_short_ = false;
 };
 
-/// Reads the compressed file through, at most `limit` bytes of it, and lets zlib compare its checksum.
-/// Returns what is wrong with its data, empty if nothing; a file cut short is not wrong as far as it goes.
+/// Reads at most `limit` bytes of the compressed file and lets zlib verify its checksum. Returns a
+/// description of the damage, empty if there is none; truncation alone does not count as damage.
 std::string gz_checksum_damage(const std::string& path, int64_t limit);
 
 }  // namespace edgevo

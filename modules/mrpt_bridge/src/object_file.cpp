@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "object_file.h"
 
 #include <mrpt/serialization/CArchive.h>
@@ -21,7 +22,7 @@ ObjectFile::ObjectFile(const std::string& path) : file_(path) {
 ObjectFile::~ObjectFile() {
   try {
     if (is_open_) close();
-  } catch (const std::exception&) {  // a disk that is full, and whoever cares has called close()
+  } catch (const std::exception&) {  // disk full: close() would have reported it
   }
   deflateEnd(&gzip_);
 }

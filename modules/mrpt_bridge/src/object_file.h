@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// MRPT objects into a gzip file (.rawlog, .simplemap, .3Dscene), every write checked.
+// Writes MRPT objects to a gzip file (.rawlog, .simplemap, .3Dscene), every write checked.
 //
 // mrpt::io::CFileGZOutputStream ignores the result of its close, which is where a full disk shows. Each
-// object is serialised to memory first, so that an InputError of ours never passes through MRPT's code, which
-// would rewrite it.
+// object is serialised to memory first, so that an InputError never passes through MRPT's code, which would
+// rewrite it.
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CSerializable.h>
 #include <zlib.h>
@@ -16,15 +17,15 @@ namespace edgevo {
 
 class ObjectFile {
  public:
-  /// Throws InputError, as all of these do.
+  /// Opens the file. Throws InputError, as all members do.
   explicit ObjectFile(const std::string& path);
-  /// Closes, if that was not done; a failure here goes unheard.
+  /// Closes the file if it is open and ignores errors.
   ~ObjectFile();
   ObjectFile(const ObjectFile&) = delete;
   ObjectFile& operator=(const ObjectFile&) = delete;
 
   void write(const mrpt::serialization::CSerializable& object);
-  /// Nothing may be written afterwards.
+  /// Closes the file; nothing may be written afterwards.
   void close();
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/playback_writer.h"
 
 #include <algorithm>
@@ -63,7 +64,7 @@ void PlaybackWriter::add_frame_copy(int frame_index, const std::string& image_pa
   const fs::path copy = fs::path(folder_) / kImageFolder / name;
   std::error_code error, ignored;
   fs::copy_file(image_path, copy, error);
-  if (error) fs::remove(copy, ignored);  // half of it
+  if (error) fs::remove(copy, ignored);  // partial copy
   if (error) fail(copy, error);
   images_.emplace_back(frame_index, name);
 }
@@ -83,7 +84,7 @@ std::string PlaybackWriter::prepare_image(int frame_index, const std::string& ex
   char stem[32];
   std::snprintf(stem, sizeof stem, kImageStem, frame_index);
   const std::string name = stem + extension;
-  // A link that an earlier run left must go, or writing through it would change the image of the source.
+  // A link left by an earlier run must be removed: writing through it would change the image of the source.
   const fs::path path = fs::path(folder_) / kImageFolder / name;
   std::error_code error;
   fs::remove(path, error);

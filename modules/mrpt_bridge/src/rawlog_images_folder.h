@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
 namespace edgevo {
 
-/// The folder with the external images of a rawlog; throws InputError naming the places looked at if there is
-/// none.
+/// Folder of a rawlog's external images. Throws InputError naming the folders searched if there is none.
 std::string find_images_folder(const std::string& rawlog_path);
 
 }  // namespace edgevo

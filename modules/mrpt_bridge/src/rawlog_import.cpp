@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 
 #include <mrpt/obs/CObservationImage.h>
@@ -16,8 +17,8 @@ namespace {
 
 constexpr const char* kDefaultLabel = "CAM0";  // of a source whose camera has no name
 
-// The image's own name; when a second folder of the source has one of that name, too, with the frame's
-// number.
+// The image's own name; with the frame's number if a second folder of the source has an image of the same
+// name.
 std::string unused_name(const Frame& frame, std::set<std::string>* used) {
   std::string name = image_name(frame);
   while (!used->insert(name).second) name += "_" + padded_number(frame.index);

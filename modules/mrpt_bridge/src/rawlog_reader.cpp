@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 
 #include <mrpt/maps/registerAllClasses.h>
@@ -71,7 +72,7 @@ bool RawlogReader::read_object() {
     const std::string name = unregistered_class(e.what());
     if (is_printable(name))
       throw InputError(where, "an object of the unknown class '" + name + "' follows",
-                       "take it out with the tool that wrote it; nothing behind it can be read");
+                       "remove it with the tool that wrote it; nothing after it can be read");
     throw InputError(where, "no MRPT object follows", "check that the file is a rawlog and copy it again");
   }
   ++objects_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 
 #include <algorithm>
@@ -22,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A recorder that filled in milliseconds as seconds, or seconds as ticks: the odometry goes on, but knows no
+// A recorder that stored milliseconds as seconds, or seconds as ticks: the odometry runs, but without a valid
 // speed.
 std::string doubt_about_times(const std::vector<Timestamp>& times) {
-  constexpr double kShortest = 1e-4, kLongest = 5;  // seconds from image to image: no video's
+  constexpr double kShortest = 1e-4, kLongest = 5;  // seconds from image to image, outside of any video
   if (times.size() < 3) return {};
   std::vector<double> steps;
   for (size_t i = 1; i < times.size(); ++i) steps.push_back(seconds_between(times[i - 1], times[i]));
@@ -86,9 +87,9 @@ class RawlogSource : public ImageSource {
     return survey_.complete ? chosen_.times : std::vector<Timestamp>();
   }
   std::string ground_truth_path() const override {
-    const std::string beside = rawlog_stem(path_) + "_groundtruth_tum.txt";
+    const std::string at = rawlog_stem(path_) + "_groundtruth_tum.txt";
     std::error_code ignored;
-    return fs::exists(beside, ignored) ? beside : std::string();
+    return fs::exists(at, ignored) ? at : std::string();
   }
   std::optional<Frame> next() override;
   bool skip() override {
@@ -100,7 +101,7 @@ class RawlogSource : public ImageSource {
  private:
   std::optional<RawlogImage> advance();
   void check(const RawlogImage& image, const std::string& where) const;
-  /// The frame, but for its number.
+  /// The frame without its number.
   Frame read(const RawlogImage& image, const std::string& where);
   std::string file_of(const mrpt::img::CImage& image) const;
 
@@ -111,7 +112,7 @@ class RawlogSource : public ImageSource {
   bool own_calibration_;
   std::string images_folder_;
   RawlogReader reader_;
-  mrpt::obs::CObservation::Ptr current_;  // keeps alive what a RawlogImage points into
+  mrpt::obs::CObservation::Ptr current_;  // owner of what a RawlogImage points into
   int index_ = 0;
   std::optional<Timestamp> previous_;
   bool done_ = false;
@@ -133,7 +134,7 @@ std::vector<std::pair<std::string, std::string>> RawlogSource::details() const {
   return result;
 }
 
-// Moves on to the next image of the chosen camera.
+// Advances to the next image of the chosen camera.
 std::optional<RawlogImage> RawlogSource::advance() {
   while (!done_) {
     done_ = true;  // stays so if the reader throws
@@ -179,7 +180,7 @@ Frame RawlogSource::read(const RawlogImage& image, const std::string& where) {
   return {0, image.time, std::move(pixels), std::move(file)};
 }
 
-// Where an external image lies; empty for one inside the rawlog. An absolute name stays what it is.
+// Path of an external image; empty for one inside the rawlog. An absolute name is kept.
 std::string RawlogSource::file_of(const mrpt::img::CImage& image) const {
   if (!image.isExternallyStored()) return {};
   const fs::path folder = images_folder_.empty() ? find_images_folder(path_) : images_folder_;

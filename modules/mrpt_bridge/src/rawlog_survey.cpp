@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rawlog_survey.h"
 
 #include "edgevo/core/error.h"
@@ -8,7 +9,8 @@
 namespace edgevo {
 namespace {
 
-constexpr int64_t kSurveyLimit = int64_t(256) << 20;  // bytes of the compressed file; one to two seconds
+constexpr int64_t kSurveyLimit = int64_t(256)
+                                 << 20;  // bytes of the compressed file, read in one to two seconds
 
 void add_image(const RawlogImage& image, RawlogSurvey* survey) {
   auto* camera = const_cast<SurveyedCamera*>(survey->find(image.label));

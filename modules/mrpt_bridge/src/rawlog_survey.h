@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is in a rawlog, found by reading it once without touching its images.
+// Contents of a rawlog, determined by reading it once without its images.
 #include <mrpt/img/TCamera.h>
 
 #include <map>
@@ -15,25 +16,32 @@ namespace edgevo {
 struct SurveyedCamera {
   std::string label, kind;
   std::vector<Timestamp> times;
-  mrpt::img::TCamera camera;         ///< of the first image
-  std::optional<SE3> T_vehicle_cam;  ///< of the first image
-  bool external = false;             ///< its images lie in files beside the rawlog
+  /// Calibration of the first image.
+  mrpt::img::TCamera camera;
+  /// Mount at the first image.
+  std::optional<SE3> T_vehicle_cam;
+  /// True if its images are files next to the rawlog.
+  bool external = false;
 };
 
 struct RawlogSurvey {
-  std::vector<SurveyedCamera> cameras;  ///< in the order of their first image
-  std::map<std::string, int> others;    ///< class name -> number of observations that hold no image
-  bool complete = true;                 ///< false: the file was longer than the survey reads
-  std::string damage;  ///< message of the InputError that ended the reading early; else empty
+  /// The cameras, in the order of their first image.
+  std::vector<SurveyedCamera> cameras;
+  /// Number of observations without an image, by class name.
+  std::map<std::string, int> others;
+  /// False if the file is longer than the survey reads.
+  bool complete = true;
+  /// Message of the InputError that ended the reading early; else empty.
+  std::string damage;
 
   const SurveyedCamera* find(const std::string& label) const;
-  /// "CAM0 (300 images), CAM1 (300 images)"
+  /// Text such as "CAM0 (300 images), CAM1 (300 images)".
   std::string list() const;
 };
 
 /// Reads at most the first 256 MB of the file. Throws InputError if it cannot be opened or its checksum is
-/// wrong (then nothing in it can be trusted); a file that is cut short or holds an unknown class is surveyed
-/// as far as it goes.
+/// wrong (then nothing in it can be trusted); a truncated file or one with an unknown class is surveyed up to
+/// that point.
 RawlogSurvey survey_rawlog(const std::string& path);
 
 }  // namespace edgevo

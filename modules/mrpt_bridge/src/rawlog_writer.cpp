@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/scene_writer.h"
 
 #include <mrpt/img/color_maps.h>
@@ -78,8 +79,10 @@ void add_frusta(const Run& run, double size, mrpt::opengl::COpenGLScene* scene) 
 }
 
 struct Cloud {
-  Points points;             ///< world of the map files
-  std::vector<float> depth;  ///< in the host camera
+  /// World of the map files.
+  Points points;
+  /// Frame of the host camera.
+  std::vector<float> depth;
 };
 
 Cloud gather(const Run& run, const PointFilter& filter, int max_points) {
@@ -110,7 +113,7 @@ class HeightColours {
     span_ = std::max(quantile(heights, 0.95) - low_, 1e-6f);
   }
   float share(float height) const { return std::clamp((height - low_) / span_, 0.f, 1.f); }
-  /// Not from 0: the darkest blue cannot be seen on the gray of the viewers.
+  /// Not from 0: the darkest blue is invisible on the gray of the viewers.
   static mrpt::img::TColorf colour(float share) {
     mrpt::img::TColorf c;
     mrpt::img::colormap(mrpt::img::cmJET, 0.15f + 0.85f * share, c.R, c.G, c.B);
@@ -155,8 +158,7 @@ void add_cloud(const Cloud& cloud, const HeightColours& colours, mrpt::opengl::C
   scene->insert(object);
 }
 
-// The box that holds the path and nine tenths of the edges along each axis: the few that are far off do not
-// count.
+// The box around the path and nine tenths of the edges along each axis, which ignores distant outliers.
 struct Extent {
   Eigen::Vector3f low{-1, -1, -1}, high{1, 1, 1};
 
@@ -182,7 +184,7 @@ Extent extent_of(const Cloud& cloud, const Run& run) {
   return e;
 }
 
-// Lines a power of ten apart, ten to a hundred over the width of what there is.
+// Grid lines a power of ten apart, ten to a hundred over the width of the scene.
 void add_ground(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   const float step = std::pow(10.f, std::floor(std::log10(extent.width())) - 1);
   const auto outward = [&](float from, float to) {
@@ -197,8 +199,8 @@ void add_ground(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   scene->insert(mrpt::opengl::stock_objects::CornerXYZSimple(step));
 }
 
-// The main viewport's own camera has all in sight, from behind the start and above. SceneViewer3D takes it
-// over only where the scene asks for that.
+// The camera of the main viewport views the whole scene from above and behind the start. SceneViewer3D adopts
+// it only if the scene requests that.
 void look_at(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
   const Eigen::Vector3f c = extent.centre();
   mrpt::opengl::CCamera& camera = scene->getViewport()->getCamera();
@@ -213,7 +215,7 @@ void look_at(const Extent& extent, mrpt::opengl::COpenGLScene* scene) {
 
 void write_scene(const Run& run, const PointFilter& filter, const std::string& path,
                  const SceneOptions& options) {
-  // Frusta of a twentieth of the median depth can be told apart in most maps and do not hide the edges.
+  // Frusta of a twentieth of the median depth are distinguishable in most maps and do not hide the edges.
   constexpr float kFrustumShare = 0.05f;
   const Cloud cloud = gather(run, filter, std::max(options.max_points, 1));
   mrpt::opengl::COpenGLScene scene;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/simplemap_writer.h"
 
 #include <mrpt/maps/CSimpleMap.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/vehicle_observations.h"
 
 #include "edgevo/mrpt_bridge/conversions.h"

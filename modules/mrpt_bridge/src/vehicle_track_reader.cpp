@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/vehicle_track_reader.h"
 
 #include <mrpt/obs/CObservationGPS.h>
@@ -49,7 +50,7 @@ std::optional<Eigen::Vector3d> position_of(const CObservation& observation, Vehi
   return o ? std::make_optional<Eigen::Vector3d>(from_mrpt(o->pose.mean).translation()) : std::nullopt;
 }
 
-// An odometer's positions are those of the vehicle itself.
+// Positions of an odometer are those of the vehicle itself.
 Eigen::Vector3d place_on_vehicle(const CObservation& observation, VehicleSensor sensor) {
   if (sensor == VehicleSensor::kOdometry) return Eigen::Vector3d::Zero();
   mrpt::poses::CPose3D pose;
@@ -82,7 +83,7 @@ VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor se
       track.positions.push_back({from_mrpt(observation->timestamp), *position});
     }
   } catch (const InputError&) {
-    // The images' own reader meets the same damage at the same place, and tells.
+    // The reader of the images meets the same damage and reports it.
   }
   VehicleTrack longest;
   for (auto& [label, track] : tracks)

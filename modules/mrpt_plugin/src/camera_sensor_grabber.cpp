@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "camera_sensor_grabber.h"
 
 #include <mrpt/hwdrivers/CCameraSensor.h>
@@ -18,8 +19,8 @@ namespace {
 
 using Grabbed = std::vector<mrpt::serialization::CSerializable::Ptr>;
 
-// CCameraSensor hands out nothing, at once and for ever, at the end of a video, and for a moment where a
-// stream falters. Asked so often, with a pause between, it has had a second: no camera waits that long.
+// CCameraSensor returns nothing, immediately and for ever, at the end of a video, and for a moment when a
+// stream stalls. This many attempts with a pause between them give it a second: no camera takes that long.
 constexpr int kEmptyGrabs = 50;
 constexpr std::chrono::milliseconds kPause{20};
 
@@ -63,8 +64,8 @@ class CameraSensorGrabber : public Grabber {
   }
 
  private:
-  /// Null when there are no more, or Ctrl-C came meanwhile. With grab_decimation CCameraSensor hands out null
-  /// objects for the frames that it leaves out.
+  /// Null when there are no more images, or after Ctrl-C. With grab_decimation CCameraSensor returns null
+  /// objects for the frames it skips.
   mrpt::obs::CObservation::Ptr grab_until_an_image_comes() {
     try {
       why_ended_ = "end of the video, or the stream has stopped";

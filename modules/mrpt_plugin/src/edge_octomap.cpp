@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edge_octomap.h"
 
 #include <mrpt/maps/CPointsMap.h>
@@ -42,7 +43,7 @@ struct Scan {
   std::vector<point3d> points;
 };
 
-// The points of an observation in the map; nullopt if it is of no class that holds any.
+// Points of an observation in the map; nullopt if its class has none.
 std::optional<Scan> scan_of(const mrpt::obs::CObservation& observation,
                             const mrpt::poses::CPose3D& robot_pose) {
   Scan scan;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "grabber.h"
 
 #include "camera_sensor_grabber.h"

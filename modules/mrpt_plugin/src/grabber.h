@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Images for the sensor, one after the other, from whatever CCameraSensor grabs.
 #include <mrpt/config/CConfigFileBase.h>
@@ -13,7 +14,8 @@ namespace edgevo {
 
 struct Grab {
   Frame frame;
-  mrpt::img::CImage original;  ///< as it came, colour included; empty: the same as frame.image
+  /// The image as delivered, colour included; empty if it equals frame.image.
+  mrpt::img::CImage original;
 };
 
 class Grabber {
@@ -21,15 +23,15 @@ class Grabber {
   virtual ~Grabber() = default;
   virtual const Camera& camera() const = 0;
   virtual std::optional<SE3> T_vehicle_cam() const = 0;
-  /// nullopt at the end of a source that has one. Throws InputError when an image does not come or cannot be
-  /// used.
+  /// The next image; nullopt at the end of a finite source. Throws InputError when an image does not arrive
+  /// or cannot be used.
   virtual std::optional<Grab> next() = 0;
 };
 
-/// Opens what the section says, with CCameraSensor's keys. A rawlog is read by our own reader, which finds
+/// Opens what the section names, with CCameraSensor's keys. A rawlog is read by rawlog_source.h, which finds
 /// its external images from any folder and takes calibration and mount from its observations; all others go
-/// through mrpt::hwdrivers::CCameraSensor. `calibration_file` (datasets/camera_file.h) wins over the
-/// calibration that comes with the images; may be empty. Throws InputError.
+/// through mrpt::hwdrivers::CCameraSensor. `calibration_file` (datasets/camera_file.h) takes precedence over
+/// the calibration of the images; may be empty. Throws InputError.
 std::unique_ptr<Grabber> open_grabber(const mrpt::config::CConfigFileBase& config, const std::string& section,
                                       const std::string& calibration_file);
 

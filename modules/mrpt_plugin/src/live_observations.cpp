@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "live_observations.h"
 
 #include <cstdio>
@@ -13,7 +14,7 @@
 namespace edgevo {
 namespace {
 
-// What the frame sees of the map, as if it were a keyframe that hosts it.
+// The map points visible in the frame, as if the frame were their host keyframe.
 KeyframeRecord as_keyframe(const FrameRecord& record, const FrameView& view) {
   KeyframeRecord keyframe;
   keyframe.frame_index = record.index;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // One frame of a running odometry as MRPT observations: image, pose, odometry and 3D edge points, all of one
 // time.
@@ -15,18 +16,18 @@ class LiveObservations {
  public:
   LiveObservations(const SensorConfig& config, const Camera& camera, const std::optional<SE3>& T_vehicle_cam);
 
-  /// Images go to this folder, which exists; empty: inside the rawlog.
+  /// Existing folder for the images; empty: they are stored inside the rawlog.
   void set_images_folder(const std::string& folder) { images_folder_ = folder; }
 
-  /// The image always; a pose where there is one; the points whenever a new keyframe has become the reference
-  /// (EDGE_VO_POINTS: axes and origin of the vehicle, as in playback.rawlog). Throws InputError when an image
-  /// cannot be written.
+  /// Observations of a frame: always the image; a pose if there is one; the points whenever a new keyframe
+  /// becomes the reference (EDGE_VO_POINTS: axes and origin of the vehicle, as in playback.rawlog). Throws
+  /// InputError when an image cannot be written.
   std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record,
                                                             const FrameView& view);
 
  private:
   mrpt::serialization::CSerializable::Ptr image_of(const Grab& grab) const;
-  /// The frame alone as a run, in metres if a scale was given.
+  /// The frame as a run of its own, in metres if a scale was given.
   Run run_of(const FrameRecord& record, const FrameView& view) const;
 
   SensorConfig config_;

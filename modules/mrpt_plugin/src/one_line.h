@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <exception>
 #include <string>
 
 namespace edgevo {
 
-/// What an exception of MRPT says, without the call stack below it.
+/// Message of an MRPT exception without its call stack.
 std::string one_line(const std::exception& error);
 
 }  // namespace edgevo

@@ -1,4 +1,5 @@
-// Makes our classes known to the program that loads the library.
+// SPDX-License-Identifier: BSD-3-Clause
+// Registers the classes with the program that loads the library.
 #include <mrpt/core/initializer.h>
 #include <mrpt/hwdrivers/CGenericSensor.h>
 #include <mrpt/rtti/CObject.h>

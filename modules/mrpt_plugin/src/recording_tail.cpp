@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "recording_tail.h"
 
 #include <chrono>
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Name = std::pair<std::string, int64_t>;  // label and time tell the observations of one recording apart
+using Name = std::pair<std::string, int64_t>;  // label and time identify an observation of a recording
 
 Name name_of(const mrpt::obs::CObservation& observation) {
   return {observation.sensorLabel, observation.timestamp.time_since_epoch().count()};
@@ -62,7 +63,7 @@ void append(const std::vector<mrpt::obs::CObservation::Ptr>& observations, const
 
 }  // namespace
 
-void RecordingTail::record_beside(const std::string& images_folder) {
+void RecordingTail::record_next_to(const std::string& images_folder) {
   const std::string ending = "_Images";
   const size_t length = images_folder.size() - std::min(images_folder.size(), ending.size());
   if (images_folder.substr(length) == ending) rawlog_ = images_folder.substr(0, length) + ".rawlog";

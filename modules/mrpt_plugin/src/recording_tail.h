@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What rawlog-grabber has taken from the sensor and not written yet.
+// Observations that rawlog-grabber has taken from the sensor but not yet written.
 //
-// rawlog-grabber (MRPT 2.5.8) writes the older half of what it holds each GRABBER_PERIOD_MS, once more when
-// it ends, and drops the rest: without this, each recording would lose its last frames. An observation is
-// held here until the grabber has let go of it, which it does after writing it; what it leaves behind is
-// appended to the rawlog once that is closed (a rawlog is a gz stream, and gz streams may follow each other).
-// One thread.
+// rawlog-grabber (MRPT 2.5.8) writes the older half of its buffer every GRABBER_PERIOD_MS, once more when it
+// ends, and drops the rest: without this class, every recording would lose its last frames. An observation is
+// held here until the grabber releases it, which it does after writing it; what remains is appended to the
+// rawlog once that is closed (a rawlog is a gz stream, and gz streams may be concatenated). One thread.
 #include <mrpt/obs/CObservation.h>
 
 #include <deque>
@@ -16,13 +16,14 @@ namespace edgevo {
 
 class RecordingTail {
  public:
-  /// `images_folder` as rawlog-grabber gives it to the sensors, NAME_Images: the rawlog is NAME.rawlog.
-  void record_beside(const std::string& images_folder);
+  /// Sets the rawlog: NAME.rawlog for `images_folder` NAME_Images, as rawlog-grabber passes it to the
+  /// sensors.
+  void record_next_to(const std::string& images_folder);
   void add(const mrpt::obs::CObservation::Ptr& observation) { held_.push_back(observation); }
-  /// Everything that was added has been written.
+  /// True if everything added has been written.
   bool all_written();
-  /// Waits until the program has closed the rawlog (at most ten seconds) and appends what is not in it.
-  /// Returns how many. Throws InputError. Does nothing when there is no rawlog or nothing is held.
+  /// Waits until the program has closed the rawlog (at most ten seconds), appends the missing observations
+  /// and returns their number. Does nothing when there is no rawlog or nothing is held. Throws InputError.
   int append_the_rest();
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor.h"
 
 #include <mrpt/config/CConfigFileMemory.h>
@@ -44,11 +45,11 @@ void CEdgeVoSensor::name_section(const std::function<void()>& work) const {
   }
 }
 
-// Kept, and read in initialize(): MRPT buries what is thrown here under a call stack.
+// Only stored here and parsed in initialize(): MRPT buries an exception thrown here under a call stack.
 void CEdgeVoSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBase& config,
                                               const std::string& section) {
   section_ = section;
-  m_grab_decimation = 0;  // CCameraSensor reads the key itself: a frame left out costs no odometry
+  m_grab_decimation = 0;  // CCameraSensor reads the key itself: a skipped frame costs no odometry
   ini_ = std::make_unique<mrpt::config::CConfigFileMemory>();
   std::vector<std::string> keys;
   config.getAllKeys(section, keys);
@@ -57,7 +58,7 @@ void CEdgeVoSensor::loadConfig_sensorSpecific(const mrpt::config::CConfigFileBas
 
 void CEdgeVoSensor::setPathForExternalImages(const std::string& directory) {
   images_folder_ = directory;
-  tail_.record_beside(directory);
+  tail_.record_next_to(directory);
 }
 
 void CEdgeVoSensor::initialize() {
@@ -68,7 +69,7 @@ void CEdgeVoSensor::initialize() {
 }
 
 void CEdgeVoSensor::open() {
-  if (!ini_) throw std::runtime_error("loadConfig() comes first");
+  if (!ini_) throw std::runtime_error("call loadConfig() first");
   config_ = read_sensor_config(*ini_, section_);
   m_sensorLabel = config_.label;
   grabber_ = open_grabber(*ini_, section_, config_.calibration_file);
@@ -86,10 +87,10 @@ void CEdgeVoSensor::open() {
 }
 
 void CEdgeVoSensor::doProcess() {
-  if (!odometry_) throw std::runtime_error("CEdgeVoSensor: initialize() comes first");
+  if (!odometry_) throw std::runtime_error("CEdgeVoSensor: call initialize() first");
   if (why_ended_.empty() && stop_requested()) end("interrupted");
   if (!why_ended_.empty()) return end_when_all_is_written();
-  tail_.all_written();  // lets go of what was written
+  tail_.all_written();  // releases what was written
   try {
     if (const auto grab = grabber_->next())
       process(*grab);
@@ -112,7 +113,7 @@ void CEdgeVoSensor::process(const Grab& grab) {
   poses_ += record.T_world_cam_live.has_value();
 }
 
-// The comment stands behind the last frame in time: the grabber never writes the newest object that it holds.
+// The comment is dated after the last frame: the grabber never writes the newest object in its buffer.
 void CEdgeVoSensor::end(const std::string& why) {
   why_ended_ = why;
   say(why + ", after " + std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The odometry as a sensor of rawlog-grabber: any camera that CCameraSensor grabs, recorded with pose and 3D
 // edges as it goes. Keys of its section: share/rawlog_grabber_*.ini.
@@ -18,13 +19,13 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
 
  public:
   CEdgeVoSensor();
-  /// Appends to the rawlog what the grabber left out of it.
+  /// Appends to the rawlog the observations that the grabber has not written.
   ~CEdgeVoSensor() override;
 
   void setPathForExternalImages(const std::string& directory) override;
-  /// Opens camera and odometry. Throws std::runtime_error with one line.
+  /// Opens camera and odometry. Throws std::runtime_error with a one-line message.
   void initialize() override;
-  /// One image through the odometry. When no more come, or after Ctrl-C, says so once, waits until all is
+  /// Processes one image. At the end of the images, or after Ctrl-C, reports it once, waits until all is
   /// written and then throws, which is how a sensor ends rawlog-grabber; with at_end = wait only after
   /// Ctrl-C.
   void doProcess() override;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "sensor_config.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ const std::vector<std::string>& own_keys() {
   return keys;
 }
 
-// Of CCameraSensor: whole keys, and the beginnings of families of keys.
+// Keys of CCameraSensor: complete keys, and prefixes of families of keys.
 const std::vector<std::string>& camera_keys() {
   static const std::vector<std::string> keys{"grabber_type",
                                              "preview_decimation",
@@ -66,7 +67,7 @@ void check_keys(const CConfigFileBase& config, const std::string& section) {
       throw InputError("key '" + key + "'", "unknown", "did you mean " + nearest_name(key, known) + "?");
 }
 
-// The same file as for `edgevo run`; its group `occupancy` is of no use here and yet must be right.
+// The same file as for `edgevo run`; its group `occupancy` is not used here but must be valid.
 void read_params_of_run(const std::string& file, OdometryParams* odometry) {
   OccupancyParams unused;
   read_params_file(file, [&](ParamVisitor& v) {

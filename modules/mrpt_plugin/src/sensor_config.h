@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The keys of a [section] that the sensor reads, checked: MRPT's own readers accept a misspelt key silently.
 #include <mrpt/config/CConfigFileBase.h>
@@ -10,19 +11,27 @@
 namespace edgevo {
 
 struct SensorConfig {
-  std::string label = "EDGE_VO_CAM";  ///< sensorLabel: of the images
-  std::string calibration_file;       ///< empty: as the images say
-  double metres_per_unit = 0;         ///< 0: not known, lengths are in an arbitrary unit
-  OdometryParams odometry;            ///< params_file and detector
-  double max_relative_sigma = 0.15;   ///< of the depth of a point that is recorded
+  /// sensorLabel: label of the images.
+  std::string label = "EDGE_VO_CAM";
+  /// Calibration file; empty: the calibration of the images.
+  std::string calibration_file;
+  /// Metres per unit; 0: unknown, lengths are in an arbitrary unit.
+  double metres_per_unit = 0;
+  /// Parameters, from params_file and detector.
+  OdometryParams odometry;
+  /// Largest relative standard deviation of the depth of a recorded point.
+  double max_relative_sigma = 0.15;
   int seed = 1;
-  bool realtime = false;        ///< two threads
-  bool external_images = true;  ///< beside the rawlog, lossless; else inside it
-  bool stop_at_end = true;      ///< at_end = stop | wait: what to do when no more images come
+  /// True: two threads.
+  bool realtime = false;
+  /// True: images are lossless files next to the rawlog; false: inside it.
+  bool external_images = true;
+  /// Key at_end = stop | wait: true ends rawlog-grabber at the end of the images.
+  bool stop_at_end = true;
 };
 
-/// Throws InputError: an unknown key (with the nearest one), a value that cannot be. Keys of CCameraSensor
-/// are left to it.
+/// Reads and checks the section. Throws InputError for an unknown key (with the nearest one) and for an
+/// invalid value. Keys of CCameraSensor are not checked.
 SensorConfig read_sensor_config(const mrpt::config::CConfigFileBase& config, const std::string& section);
 
 }  // namespace edgevo

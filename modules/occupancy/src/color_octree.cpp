@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/color_octree.h"
 
 #include <octomap/ColorOcTree.h>
@@ -14,7 +15,7 @@ namespace {
 
 octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
 
-// Mean gray of voxels.
+// Mean gray of each voxel.
 class VoxelGrays {
  public:
   explicit VoxelGrays(const octomap::OcTree& tree) : tree_(tree) {}
@@ -44,8 +45,7 @@ class VoxelGrays {
       const auto mean = uint8_t(gray.sum / gray.count);
       colored.setNodeValue(key, node->getLogOdds(), /*lazy_eval=*/true)->setColor(mean, mean, mean);
     }
-    if (colored.size() > 0)
-      colored.updateInnerOccupancy();  // octomap 1.9 does not look whether there is a root
+    if (colored.size() > 0) colored.updateInnerOccupancy();  // octomap 1.9 does not check for a root
     return colored;
   }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/edge_ply.h"
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-// Little endian whatever the machine is.
+// Appends values in little-endian order on any machine.
 void put(std::string* bytes, uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes->push_back(char((value >> shift) & 0xff));
 }
@@ -20,7 +21,7 @@ void put(std::string* bytes, double value) {
   put(bytes, bits);
 }
 
-// What a vertex of the file has beside its place and depth.
+// Properties of a vertex besides position and depth.
 struct VertexNotes {
   int keyframe = 0, observations = 0, line = -1;
   uint8_t gray = 0, gray_dark = 0, gray_bright = 0, line_kind = 0;
@@ -40,7 +41,7 @@ void put_vertex(const Eigen::Vector3d& p_map, float idepth, float idepth_sigma, 
   bytes->push_back(char(notes.line_kind));
 }
 
-// The body of the file, so far.
+// The body of the file as written so far.
 struct Body {
   std::string vertices, edges;
   int vertex_count = 0, edge_count = 0, line_count = 0, point_count = 0;
@@ -86,7 +87,7 @@ std::string comment(const char* key, const std::string& value) {
   return std::string("comment ") + key + value + "\n";
 }
 
-// What it takes to build the map again: edge_ply_reader.h.
+// Comments from which edge_ply_reader.h rebuilds the map.
 std::string run_comments(const Run& run) {
   std::string text = comment(ply::kScale, " " + run.scale_source + " " + fixed(run.scale.factor, 9) + " " +
                                               fixed(run.scale.sigma, 9));

@@ -1,20 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What writer and reader of edges.ply have to agree on.
+// Layout of edges.ply, common to writer and reader.
 #include <cstddef>
 
 namespace edgevo::ply {
 
-/// First words of the header's comments: `keyframe FRAME SEGMENT tx ty tz qx qy qz qw` (its pose in the map,
-/// in the order of the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE
+/// First words of the header's comments: `keyframe FRAME SEGMENT tx ty tz qx qy qz qw` (pose in the map; the
+/// order is that of the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE
 /// METRES_PER_UNIT SIGMA`.
 constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale";
 
-/// float x y z, uchar red green blue, float idepth idepth_sigma, int keyframe observations line, uchar
-/// gray_dark gray_bright line_kind.
+/// Byte offsets and size of a vertex: float x y z, uchar red green blue, float idepth idepth_sigma, int
+/// keyframe observations line, uchar gray_dark gray_bright line_kind.
 constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kLineOffset = 31, kSidesOffset = 35,
                  kVertexBytes = 38;
 
-/// int vertex1 vertex2.
+/// Size of an edge, bytes: int vertex1 vertex2.
 constexpr size_t kEdgeBytes = 8;
 
 /// Bits of line_kind.

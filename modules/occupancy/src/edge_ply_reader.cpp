@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/edge_ply_reader.h"
 
 #include <cmath>
@@ -36,13 +37,13 @@ bool read_pose(std::istream& in, SE3* T) {
   return T->is_finite();
 }
 
-// T_map_cam of each keyframe goes to `poses`: where the map lies depends on unit and mount, which may come
-// after.
+// The parsed header. Poses are kept in the map frame at first: their world depends on unit and mount, which
+// may come later.
 struct Header {
   Run run;
   std::vector<SE3> T_map_cam;
   size_t vertices = 0, edges = 0, end = 0;
-  int line = -1;  // that the last vertex was of
+  int line = -1;  // index of the last vertex's line
   bool is_ours = false, has_lines = false;
 };
 
@@ -52,9 +53,9 @@ void read_line(const std::string& path, const std::string& line, Header* header)
   in >> word >> key;
   if (word == "property" && line == "property uchar line_kind") header->has_lines = true;
   if (word == "element" && key == "vertex" && !(in >> header->vertices))
-    refuse(path, "its header tells no number of points");
+    refuse(path, "its header does not give the number of points");
   if (word == "element" && key == "edge" && !(in >> header->edges))
-    refuse(path, "its header tells no number of edges");
+    refuse(path, "its header does not give the number of edges");
   if (word != "comment") return;
   bool readable = true;
   if (key == ply::kKeyframe) {
@@ -82,17 +83,17 @@ Header read_header(const std::string& path, const std::string& bytes) {
   if (end == std::string::npos) refuse(path, "its header does not end");
   std::istringstream lines(bytes.substr(0, end));
   for (std::string line; std::getline(lines, line);) read_line(path, line, &header);
-  if (!header.is_ours) refuse(path, "its header tells neither scale nor keyframes");
+  if (!header.is_ours) refuse(path, "its header gives neither scale nor keyframes");
   if (!header.has_lines) refuse(path, "was written by an older version, without lines of edges");
   header.end = end + std::strlen("end_header\n");
   const size_t body = bytes.size() - header.end;
   if (body / ply::kVertexBytes < header.vertices ||
       (body - header.vertices * ply::kVertexBytes) / ply::kEdgeBytes < header.edges)
-    refuse(path, "is cut short: " + std::to_string(header.vertices) + " points are announced");
+    refuse(path, "is truncated: its header announces " + std::to_string(header.vertices) + " points");
   return header;
 }
 
-// Lines come one after the other. `notes`: gray_dark, gray_bright, line_kind.
+// Adds a vertex; the vertices of a line are consecutive. `notes`: gray_dark, gray_bright, line_kind.
 void add_to_line(int number, const EdgePoint& p, const uint8_t* notes, Header* header, KeyframeRecord* host) {
   if (std::exchange(header->line, number) != number) {
     EdgeLine line;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/grid_map.h"
 
 #include <octomap/OcTree.h>
@@ -15,22 +16,22 @@ namespace edgevo {
 namespace {
 
 constexpr int64_t kMostCells = int64_t(1) << 28;  // 256 MB
-// Of an image, as ROS map_saver writes them; occupied is 0.
+// Gray values as written by ROS map_saver; occupied is 0.
 constexpr uint8_t kGrayFree = 254, kGrayUnknown = 205;
 
 struct Band {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
-// Heights of the band over each cell.
-class BandAlongTheWay {
+// Heights of the band at each cell.
+class BandAlongThePath {
  public:
-  BandAlongTheWay(const Run& run, double camera_height, const GridParams& params)
+  BandAlongThePath(const Run& run, double camera_height, const GridParams& params)
       : camera_height_(camera_height), params_(params) {
     const SE3 T_map = T_map_world(run);
     for (const KeyframeRecord& k : run.keyframes) {
       const Eigen::Vector3d p = (T_map * k.T_world_cam).translation();
-      // One in a camera height of way is enough, and a standstill adds none.
+      // One position per camera height of path is enough; a standstill adds none.
       if (cameras_.empty() || (p - cameras_.back()).norm() > camera_height_) cameras_.push_back(p);
     }
   }
@@ -72,8 +73,8 @@ OccupancyGrid empty_grid(const octomap::OcTree& tree) {
 // Occupied wins over free, free over unknown.
 void raise(GridCell value, GridCell* cell) { *cell = std::max(*cell, value); }
 
-void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, OccupancyGrid* grid) {
-  std::vector<Band> band;  // of each cell
+void flatten(const octomap::OcTree& tree, const BandAlongThePath& bands, OccupancyGrid* grid) {
+  std::vector<Band> band;  // one for each cell
   for (int y = 0; y < grid->height; ++y)
     for (int x = 0; x < grid->width; ++x)
       band.push_back(bands.at(grid->origin_x + (x + 0.5) * grid->resolution,
@@ -93,7 +94,7 @@ void flatten(const octomap::OcTree& tree, const BandAlongTheWay& bands, Occupanc
   }
 }
 
-// All cells within `radius` of the way from a to b.
+// Frees all cells within `radius` of the line from a to b.
 void free_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius, OccupancyGrid* grid) {
   const Eigen::Vector2d origin(grid->origin_x, grid->origin_y), span = b - a;
   const Eigen::Vector2d low = (a.cwiseMin(b) - origin).array() - radius,
@@ -112,8 +113,8 @@ void free_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radiu
     }
 }
 
-// A cell that the vehicle's border cuts through counts as its own.
-void free_driven_way(const Run& run, double width, OccupancyGrid* grid) {
+// Frees the corridor driven by the vehicle, including cells on its border.
+void free_driven_corridor(const Run& run, double width, OccupancyGrid* grid) {
   const double radius = 0.5 * width + 0.71 * grid->resolution;
   const SE3 T_map = T_map_world(run);
   const FrameRecord* last = nullptr;
@@ -158,13 +159,14 @@ std::string pgm(const OccupancyGrid& grid) {
 }  // namespace
 
 void GridParams::visit(ParamVisitor& v) {
-  v.text(kBasic, "camera_height", camera_height, {},
-         "of the camera over the ground, unit of the run, or auto: as --scale, the ground that was seen or "
-         "the mount say");
+  v.text(
+      kBasic, "camera_height", camera_height, {},
+      "height of the camera above the ground, unit of the run, or auto: from --scale, the observed ground or "
+      "the mount");
   v.number(kBasic, "band_low", band_low, -10, 10,
-           "the grid shows what stands higher than this, in camera heights over the ground");
+           "lower end of the band of heights shown in the grid, in camera heights above the ground");
   v.number(kBasic, "band_high", band_high, -10, 100,
-           "the grid shows what stands lower than this, in camera heights over the ground");
+           "upper end of the band of heights shown in the grid, in camera heights above the ground");
   v.number(kAdvanced, "driven_width", driven_width, 0, 10,
            "where the vehicle was nothing stands: its way is free, so wide, in camera heights; 0: as the map "
            "says");
@@ -181,9 +183,9 @@ void GridParams::check() const {
 OccupancyGrid make_grid(const Run& run, const OctreeMap& map, double camera_height,
                         const GridParams& params) {
   OccupancyGrid grid = empty_grid(map.tree());
-  flatten(map.tree(), BandAlongTheWay(run, camera_height, params), &grid);
+  flatten(map.tree(), BandAlongThePath(run, camera_height, params), &grid);
   if (camera_height > 0 && params.driven_width > 0)
-    free_driven_way(run, params.driven_width * camera_height, &grid);
+    free_driven_corridor(run, params.driven_width * camera_height, &grid);
   grid.statement = statement_of(run, camera_height, params);
   return grid;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/line_table.h"
 
 #include "edgevo/core/output_file.h"
@@ -46,8 +47,7 @@ std::string row_of(const Run& run, const EdgeLine& line, const SE3& T_map_cam) {
 std::string line_table_csv(const Run& run) {
   std::string text =
       "line,keyframe,frame,x1,y1,z1,x2,y2,z2,length,dx,dy,dz,sigma,vertices,keyframes,straight,outline,gray_"
-      "dark,"
-      "gray_bright\n";
+      "dark,gray_bright\n";
   int number = 0;
   for (size_t k = 0; k < run.keyframes.size(); ++k) {
     const KeyframeRecord& keyframe = run.keyframes[k];

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_lengths.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-// Unit of the run: voxels of an empty map, of which nothing tells a size.
+// Voxel size of an empty map, unit of the run.
 constexpr double kResolutionWithoutPoints = 0.1;
 
 double median_depth(const Run& run, const PointFilter& filter) {
@@ -20,10 +21,11 @@ double median_depth(const Run& run, const PointFilter& filter) {
   return median(std::move(depths));
 }
 
-// Metres, of "auto" where the unit is the metre: coarser voxels close the ways that a vehicle has driven.
+// Largest "auto" voxel size of a metric run, metres: coarser voxels block the corridors that a vehicle has
+// driven.
 constexpr double kCoarsestMetric = 0.2;
 
-// Two significant digits, so that "auto" gives a length that one can read and type again.
+// Two significant digits, so that "auto" gives a length that is easy to read and to type.
 double round_to_two_digits(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/map_size.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@
 namespace edgevo {
 namespace {
 
-constexpr double kReach = 32768;      // voxels from the origin that octomap's keys count
+constexpr double kReach = 32768;      // voxels from the origin that octomap's keys reach
 constexpr double kMostSamples = 2e6;  // along all rays: half a second
-constexpr double kBytesPerVoxel =
-    110;  // measured over maps of 0.2 to 20 million voxels, the copy for .bt included
-constexpr double kOutsideShare = 0.01;  // of points: wrong ones lie anywhere
-constexpr double kUsableShare = 0.8;    // of the free memory: the run itself needs some, and other programs
+// Measured on maps of 0.2 to 20 million voxels, including the copy for .bt.
+constexpr double kBytesPerVoxel = 110;
+constexpr double kOutsideShare = 0.01;  // share of the points: outliers lie anywhere
+constexpr double kUsableShare = 0.8;    // share of the free memory; the run and other programs need the rest
 
-// From the camera to a point, in the world of the map.
+// A ray from the camera to a point, in the world of the map.
 struct MapRay {
   Eigen::Vector3d from, to;
 };
@@ -47,7 +48,8 @@ double total_length(const std::vector<MapRay>& rays) {
   return sum;
 }
 
-// Were no voxel crossed by two rays: a ray leaves it in one of three directions.
+// Upper bound on the number of crossed voxels, as if no voxel were crossed by two rays: a ray leaves each
+// voxel along one of three axes.
 double most_voxels(const std::vector<MapRay>& rays, double resolution) {
   return 3 * (total_length(rays) / resolution + double(rays.size()));
 }
@@ -61,11 +63,11 @@ uint64_t key_of(const Eigen::Vector3d& p, double cell) {
   return key;
 }
 
-// Cells of that size that the rays cross.
+// Number of cells of size `cell` that the rays cross.
 double crossed_cells(const std::vector<MapRay>& rays, double cell) {
   std::vector<uint64_t> keys;
   for (const MapRay& r : rays) {
-    // Twice a cell: octomap's walk along a ray leaves out no corner.
+    // Two samples a cell: octomap's ray traversal visits every cell, even at corners.
     const int steps = std::max(1, int(std::ceil(2 * (r.to - r.from).norm() / cell)));
     for (int i = 0; i <= steps; ++i)
       keys.push_back(key_of(r.from + (r.to - r.from) * (double(i) / steps), cell));
@@ -74,7 +76,7 @@ double crossed_cells(const std::vector<MapRay>& rays, double cell) {
   return double(std::unique(keys.begin(), keys.end()) - keys.begin());
 }
 
-// Crossed cells as a function of their size, in closed form.
+// Number of crossed cells as a power of their size.
 struct Growth {
   double cell = 1, cells = 0, power = 3;
   double at(double resolution) const { return cells * std::pow(cell / resolution, power); }
@@ -90,7 +92,7 @@ Growth growth_of(const std::vector<MapRay>& rays, double resolution) {
   return growth;
 }
 
-// The coordinate that all but kOutsideShare of the points are within.
+// Coordinate that all but kOutsideShare of the points stay within.
 double extent_of(const std::vector<MapRay>& rays) {
   std::vector<double> far;
   for (const MapRay& r : rays) far.push_back(r.to.cwiseAbs().maxCoeff());
@@ -113,7 +115,7 @@ double rounded_up(double x) {
 
 std::string in_gigabytes(double bytes) { return fixed(bytes / 1e9, bytes < 1e10 ? 1 : 0) + " GB"; }
 
-// A length with the digits that count: 0.024, not 0.023999999.
+// A length with its significant digits: 0.024, not 0.023999999.
 std::string length_text(double length) {
   return fixed(length, std::max(0, 1 - int(std::floor(std::log10(length)))));
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/occupancy_params.h"
 
 #include <charconv>
@@ -19,17 +20,18 @@ double auto_or_length(const std::string& key, const std::string& text) {
 }
 
 void OccupancyParams::visit(ParamVisitor& v) {
-  v.text(kBasic, "resolution", resolution, {}, "edge of a voxel in the unit of the run, or auto");
+  v.text(kBasic, "resolution", resolution, {}, "voxel size in the unit of the run, or auto");
   v.number(kAdvanced, "resolution_share", resolution_share, 0.001, 1,
            "auto resolution as a share of the median point depth");
-  v.text(kBasic, "max_range", max_range, {}, "nothing farther from the path is mapped, or auto");
+  v.text(kBasic, "max_range", max_range, {},
+         "largest distance of mapped points from the path, unit of the run, or auto");
   v.number(kAdvanced, "max_range_share", max_range_share, 0.1, 100,
            "auto range as a multiple of the median point depth");
   v.number(kAdvanced, "carve_max_relative_sigma", carve_max_relative_sigma, 0, 1,
-           "points carve free space when idepth_sigma/idepth is at most this");
+           "points carve free space if idepth_sigma/idepth is at most this");
   v.integer(kAdvanced, "carve_neighbours", carve_neighbours, 0, 100,
-            "points carve when this many others of their segment lie near: a wrong one is alone");
-  v.number(kAdvanced, "prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel that holds a point, per sight");
+            "points carve if this many other points of their segment are near; outliers are alone");
+  v.number(kAdvanced, "prob_hit", prob_hit, 0.51, 0.99, "occupancy of a voxel with a point, per observation");
   v.number(kAdvanced, "prob_miss", prob_miss, 0.01, 0.49,
            "occupancy of a voxel that a ray crosses, per keyframe");
   auto group = v.group("points");

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Octrees as files that octomap's readers open, with comments of ours: its own writers print to stderr.
+// Octree files for octomap's readers, with comments. octomap's own writers print to stderr.
 #include <octomap/AbstractOcTree.h>
 
 #include <string>
@@ -8,14 +9,14 @@
 
 namespace edgevo {
 
-/// First lines of an .ot file, and of a .bt file.
+/// First lines of .ot and .bt files.
 constexpr const char* kOtFirstLine = "# Octomap OcTree file";
 constexpr const char* kBtFirstLine = "# Octomap OcTree binary file";
 
-/// Axes and unit of a run's map, as comments.
+/// Comment lines with axes and unit of a run's map.
 std::string octree_comments(const Run& run);
 
-/// The header that octomap would write; `comments` are whole lines that begin with #.
+/// The header that octomap would write, with `comments`: complete lines that begin with #.
 std::string octree_header(const char* first_line, const std::string& comments,
                           const octomap::AbstractOcTree& tree);
 

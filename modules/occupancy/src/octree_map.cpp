@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/octree_map.h"
 
 #include <octomap/OcTree.h>

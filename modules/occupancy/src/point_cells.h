@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Are there other points near a place? The points of a map, sorted into cubes.
+// Neighbour search: the points of a map, sorted into cubes.
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
@@ -8,15 +9,16 @@
 
 namespace edgevo {
 
+/// Points that can be searched by position.
 class PointCells {
  public:
-  /// Edge of a cube, > 0: the largest radius that can be asked for.
+  /// `cell`: edge of a cube, > 0; the largest radius of a search.
   explicit PointCells(double cell) : cell_(cell) {}
 
-  /// A finite point, not farther from the origin than some 10^15 cubes.
+  /// Adds a finite point, at most 10^15 cubes from the origin.
   void add(const Eigen::Vector3d& p);
-  /// Whether `count` points or more lie within `radius` (at most the edge of a cube) of p; a point at p
-  /// itself counts. Cost: the points in the 27 cubes around p, at most.
+  /// Whether at least `count` points lie within `radius` (at most the edge of a cube) of p, including a point
+  /// at p itself. Cost: at most the points in the 27 cubes around p.
   [[nodiscard]] bool has_within(const Eigen::Vector3d& p, double radius, int count) const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segment_inserter.h"
 
 #include <algorithm>
@@ -13,13 +14,16 @@ double relative_sigma(const PointOrVertex& p) {
   return double(p.idepth_sigma) / double(p.idepth);
 }
 
-// Times the range of the map: points beyond it carve up to it. Those farther than this are asked for
-// neighbours as if they were here.
+// Multiple of the range of the map (points beyond the range carve up to it). The radius of the neighbour
+// search does not grow beyond this distance.
 constexpr double kFarthest = 2;
 
-constexpr double kStopSigmas = 3;         // of depth, before the point: there its ray ends
-constexpr double kNeighbourShare = 0.03;  // near is within this share of a point's range
-const double kDiagonal = std::sqrt(3.0);  // of a voxel over its edge: the ray ends outside that of the point
+// A ray ends so many standard deviations of depth before the point.
+constexpr double kStopSigmas = 3;
+// Radius of the neighbour search as a share of a point's range.
+constexpr double kNeighbourShare = 0.03;
+// Diagonal of a voxel over its edge: the ray ends outside the voxel of the point.
+const double kDiagonal = std::sqrt(3.0);
 
 octomap::point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
 
@@ -68,15 +72,14 @@ double SegmentInserter::neighbour_radius(double range) const {
   return kNeighbourShare * std::min(range, kFarthest * limits_.max_range);
 }
 
-// Outliers leave points far behind the surface, certain of themselves (depth off by 20 to 300 of their
-// sigmas), but each alone.
+// Outliers lie far behind the surface with a small sigma (depth off by 20 to 300 sigmas), but each alone.
 bool SegmentInserter::has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const {
   const int with_itself = limits_.carve_neighbours + 1;
   return limits_.carve_neighbours == 0 ||
          points_.has_within(T_map_cam * p_cam, neighbour_radius(p_cam.norm()), with_itself);
 }
 
-// What a keyframe saw from afar counts where the camera came near it later, if its depth is certain to a
+// A point beyond the range counts if the path comes within range of it later and its depth is known to a
 // voxel: the top of a lamp leaves the view long before the camera is there.
 bool SegmentInserter::is_in_reach(double range, double relative_sigma, const Eigen::Vector3d& p_map) const {
   return range <= limits_.max_range ||
@@ -103,7 +106,7 @@ void SegmentInserter::note_seen(const octomap::OcTreeKey& key, int observations)
   entry->second = std::max(entry->second, batch_ + std::max(observations, 1) - 1);
 }
 
-// Voxel by voxel from vertex to vertex.
+// Marks the voxels of a line from vertex to vertex.
 void SegmentInserter::draw(const EdgeLine& line, const SE3& T_map_cam) {
   std::optional<octomap::point3d> before;
   for (const EdgeVertex& v : line.vertices) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Keyframe after keyframe of one segment into an octree, each as one batch.
+// Inserts the keyframes of one segment into an octree, each as one batch.
 #include <octomap/OcTree.h>
 
 #include <unordered_map>
@@ -11,7 +12,7 @@
 
 namespace edgevo {
 
-/// What is fixed for the whole map; lengths in its unit.
+/// Constants of a map; lengths in its unit.
 struct InsertionLimits {
   PointFilter points;
   double max_range = 0;
@@ -19,18 +20,19 @@ struct InsertionLimits {
   int carve_neighbours = 0;
 };
 
+/// Inserts one segment.
 class SegmentInserter {
  public:
-  /// `tree` and `stats` outlive this.
+  /// `tree` and `stats` must outlive this object.
   SegmentInserter(const Pinhole& pinhole, const InsertionLimits& limits, octomap::OcTree* tree,
                   OctreeStats* stats);
 
-  /// Notes where a keyframe and its points lie: all keyframes together tell which points have neighbours, and
-  /// which places come near the path. Before the first insert().
+  /// Registers the positions of a keyframe and its points. Call for all keyframes before the first insert():
+  /// they determine which points have neighbours and which positions are near the path.
   void note(const KeyframeRecord& keyframe, const SE3& T_map_cam);
 
-  /// Adds a keyframe, in time order. Inner nodes of the tree are left behind (lazy). Cost: its rays, whatever
-  /// the size of the tree. `T_map_cam`: its pose in the map's world.
+  /// Inserts a keyframe; call in time order. Inner nodes of the tree are not updated (lazy). Cost: the rays
+  /// of the keyframe, whatever the size of the tree. `T_map_cam`: pose in the map's world.
   void insert(const KeyframeRecord& keyframe, const SE3& T_map_cam);
 
  private:
@@ -38,7 +40,7 @@ class SegmentInserter {
   double neighbour_radius(double range) const;
   bool has_neighbours(const Eigen::Vector3d& p_cam, const SE3& T_map_cam) const;
   bool is_in_reach(double range, double relative_sigma, const Eigen::Vector3d& p_map) const;
-  /// Whether a voxel was marked; `range` from the keyframe.
+  /// Marks the voxel of a point at `range` from the keyframe. Returns whether it was marked.
   bool mark(const Eigen::Vector3d& p_map, double range, double relative_sigma, int observations);
   void draw(const EdgeLine& line, const SE3& T_map_cam);
   void note_seen(const octomap::OcTreeKey& key, int observations);
@@ -50,12 +52,15 @@ class SegmentInserter {
   octomap::OcTree* const tree_;
   OctreeStats* const stats_;
 
-  PointCells points_, path_;  ///< points and keyframes of the whole segment, in the map's world
-  int batch_ = 0;             ///< number of the keyframe within the segment
-  /// Voxels with a point, and the last batch that sees it. Each is updated once a batch, so the order does
-  /// not matter.
+  /// Positions of points and keyframes of the whole segment, in the map's world.
+  PointCells points_, path_;
+  /// Index of the keyframe within the segment.
+  int batch_ = 0;
+  /// Voxels with a point, and the last batch in which it counts as observed. Each is updated once a batch, so
+  /// the order does not matter.
   std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> seen_until_;
-  octomap::KeySet free_, ray_ends_;  ///< of the batch at hand
+  /// Free voxels and end voxels of rays of the current batch.
+  octomap::KeySet free_, ray_ends_;
   octomap::KeyRay ray_;
 };
 

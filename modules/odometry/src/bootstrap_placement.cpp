@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bootstrap_placement.h"
 
 #include "edgevo/alignment/tracker.h"
@@ -5,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-// Where the map has a view: the two that made it are keyframes, the first and the newest.
+// Pose of a view in the map. The two views that made it are keyframes: the first and the newest.
 SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
   if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
   const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
@@ -29,8 +30,8 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& r
     record->state = TrackingState::kTracking;
     if (view.pyramid) {
       const TrackResult r = track(*view.pyramid, reference.cloud, {T_cam_ref}, params);
-      if (r.verdict != TrackingState::kTracking) record->state = TrackingState::kDegraded;
-      if (r.verdict != TrackingState::kLost && !is_keyframe(view, bootstrap))
+      if (r.status != TrackingState::kTracking) record->state = TrackingState::kDegraded;
+      if (r.status != TrackingState::kLost && !is_keyframe(view, bootstrap))
         T_cam_ref = r.T_cur_ref, record->covariance = reference.error_factor * r.covariance;
       record->inlier_share = r.evidence.inlier_share;
       record->residual_px = r.stats.residual_px;

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The frames of a bootstrap get their poses from the map that it made.
+// Poses of the frames of a bootstrap, from the map that it made.
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/reference.h"
@@ -7,9 +8,8 @@
 
 namespace edgevo {
 
-/// Frames between the two views are tracked against the finished map; those whose image is gone, or that the
-/// map does not explain, keep the pose of PnP. A pose that the map does not explain is DEGRADED. Cost: one
-/// alignment a frame.
+/// Tracks the frames between the two views against the finished map. Frames whose image is gone, or that the
+/// map does not explain, keep the pose of PnP; the latter are DEGRADED. Cost: one alignment per frame.
 void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
                             const AlignmentParams& params, RunRecords* records);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "bootstrapper.h"
 
 #include "bootstrap_placement.h"

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The beginning of a segment: two views that make a map, where that map lies in the world, and the poses of
+// The beginning of a segment: two views that make a map, the pose of that map in the world, and the poses of
 // the frames that led to it.
 #include <memory>
 #include <optional>
@@ -13,28 +14,30 @@
 
 namespace edgevo {
 
-/// A segment that has begun.
+/// A segment that has begun, as tracking needs it.
 struct NewSegment {
+  /// Reference that the next frames are tracked against.
   std::shared_ptr<const Reference> reference;
-  /// Of the camera, from the frame before the newest to the newest; nothing where that frame has no pose.
+  /// Motion of the camera from the frame before the newest to the newest; nothing if that frame has no pose.
   std::optional<SE3> motion;
 };
 
-/// The tracking thread's.
+/// Runs bootstraps and begins segments; for the tracking thread.
 class Bootstrapper {
  public:
-  /// `map` and `records` must outlive it.
+  /// `map` and `records` must outlive this object.
   Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
                RunRecords* records);
 
   /// Forgets the first view.
   void reset() { bootstrap_.reset(); }
-  /// The next frame: two views that may make a map, or why there are none yet.
+  /// Adds the next frame. Returns two views that may make a map, or why there are none yet.
   [[nodiscard]] BootstrapStatus add(const ArrivedFrame& now);
-  /// Makes their map (MapLink::make_map), and forgets them.
+  /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns an empty string, or why
+  /// they make no map.
   [[nodiscard]] std::string make_map(const BootstrapResult& views);
-  /// The map that was made is that of `segment`: joins it to the segment before and gives the frames of the
-  /// bootstrap their poses. `scale`, world over map, where it is known better than by equal speed.
+  /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
+  /// bootstrap their poses. `scale` is world over map, where it is known better than from equal speed.
   NewSegment begin_segment(int segment, const BootstrapResult& views, std::optional<double> scale);
 
  private:

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the log says about the camera.
+// Log lines about the camera.
 #include <string>
 #include <vector>
 
@@ -8,9 +9,9 @@
 
 namespace edgevo {
 
-/// A log line for each thing about the camera that self-calibration has corrected since `before`.
+/// One log line for each property of the camera that self-calibration has corrected since `before`.
 std::vector<std::string> describe_changes(const ImageCorrection& before, const CameraRefinement& now);
-/// A log line on images of which `share`, 0 to 1, is never lit.
+/// Log line for images of which a share, 0 to 1, never receives light.
 std::string describe_border_mask(double share);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "first_keyframes.h"
 
 #include <algorithm>
@@ -16,11 +17,10 @@ IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last
   return range_around(idepth, idepth);
 }
 
-// Two views alone would not do: an edge match is one equation,
-// and with one match a point its own depth takes that up, so that the pose between the two views would be
-// free.
+// Two views alone are not enough: an edge match is one equation, and with one match per point the point's own
+// depth absorbs it, so that the pose between the two views would be free.
 std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views) {
-  constexpr size_t kMaxBetween = 3;  // views: with five keyframes in all a point has up to four matches
+  constexpr size_t kMaxBetween = 3;  // with five keyframes in all a point has up to four matches
   std::vector<const BootstrapView*> between;
   for (size_t i = 1; i + 1 < views.size(); ++i)
     if (views[i].placed && views[i].pyramid) between.push_back(&views[i]);

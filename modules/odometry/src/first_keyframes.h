@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // How the views of a bootstrap become the first keyframes of a map.
 #include <vector>
@@ -8,11 +9,11 @@
 
 namespace edgevo {
 
-/// Search range of the inverse depth at `px` of the first view or the last one: around that of the
-/// triangulated corner nearest to it.
+/// Search range of the inverse depth at `px` of the first or the last view: around that of the nearest
+/// triangulated corner.
 IdepthRange range_near(const std::vector<BootstrapCorner>& corners, bool in_last, const Eigen::Vector2d& px);
 
-/// First and last view, and up to three between them. `views` has two or more.
+/// The first view, up to three between, and the last view. `views` has two or more.
 std::vector<const BootstrapView*> choose_keyframe_views(const std::vector<BootstrapView>& views);
 
 }  // namespace edgevo

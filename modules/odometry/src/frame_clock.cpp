@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frame_clock.h"
 
 #include <algorithm>
@@ -9,13 +10,14 @@
 namespace edgevo {
 namespace {
 
-// Intervals a frame: times of arrival jitter by less; one frame more or less lies right beyond.
+// Bounds of a frame's interval, in usual intervals: arrival times jitter by less, and a missing frame lies
+// just outside.
 constexpr double kShortest = 0.5, kLongest = 1.5;
 
-// Of those that no frame is missing from: the median of what lies about the lower quartile, then about that
-// median.
+// The interval of frames that follow each other without a gap: the median of what lies around the lower
+// quartile, then around that median.
 double usual_interval(const std::deque<double>& intervals) {
-  constexpr int kRounds = 3;  // the median settles within two
+  constexpr int kRounds = 3;  // the median converges within two
   std::vector<double> some(intervals.begin(), intervals.end());
   double usual = quantile(some, 0.25);
   for (int round = 0; round < kRounds; ++round) {

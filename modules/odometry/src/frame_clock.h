@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far a source goes on from frame to frame. Motion is counted in frames: that of the next one is foreseen
-// from it. A source may leave frames out (a camera does when its computer is busy), which the time tells; but
-// times are often those of arrival and jitter, so only whole intervals count, of the usual one, and no frame
-// is taken to last less than half of it or more than half as long again.
+// How many frame intervals lie between two processed frames. The motion model predicts the next frame by
+// counting frames. A source may skip frames (a camera does when its computer is busy), which shows in the
+// timestamps. Timestamps are often times of arrival and jitter, so only whole multiples of the usual interval
+// count, and a frame lasts at least half and at most one and a half of it.
 #include <deque>
 #include <optional>
 
@@ -10,26 +11,32 @@
 
 namespace edgevo {
 
+/// Counts frame intervals from timestamps.
 class FrameClock {
  public:
+  /// Step from one processed frame to the next.
   struct Step {
-    int frames = 1;      ///< 1: none was left out; at most kMostFrames
-    double seconds = 0;  ///< that they took; 0: not known
+    /// Number of frame intervals: 1 if no frame was skipped, at most kMostFrames.
+    int frames = 1;
+    /// Duration in seconds; 0: not known.
+    double seconds = 0;
   };
 
-  /// The frame of this time came. Times that do not grow tell nothing: one frame, 0 s.
+  /// Records a frame's timestamp and returns the step to it. Timestamps that do not increase carry no
+  /// information: one frame, 0 s.
   Step tick(Timestamp time);
 
-  static constexpr int kMostFrames =
-      100;  // left out in a row: further on nothing can be foreseen, and a sum of steps stays finite
+  /// Most skipped frames in a row: beyond them nothing can be predicted, and a sum of steps stays finite.
+  static constexpr int kMostFrames = 100;
 
  private:
-  static constexpr size_t kIntervals =
-      15;  // of late: where a third of the frames is missing, their lower quartile is still one frame's
-  static constexpr size_t kFewIntervals = 3;  // with fewer no interval is the usual one
+  /// Recent intervals kept: even with a third of the frames missing, their lower quartile is one frame's.
+  static constexpr size_t kIntervals = 15;
+  /// Intervals needed before a usual one is known.
+  static constexpr size_t kFewIntervals = 3;
 
   std::optional<Timestamp> newest_;
-  std::deque<double> intervals_;  // the latest, seconds
+  std::deque<double> intervals_;  // the most recent ones, seconds
 };
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The pose of one frame: hypotheses are proposed, one judge chooses, the rows of a rolling shutter are
-// accounted for, and the pose gets its covariance and verdict.
+// The pose of one frame: hypotheses are proposed, one scorer selects, the rows of a rolling shutter are
+// accounted for, and the pose gets its covariance and status.
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,7 @@
 
 namespace edgevo {
 
-/// All that is known before a frame is tracked. Nothing in it changes but the random numbers.
+/// All that is known before a frame is tracked. Only the random numbers change.
 struct TrackingTask {
   const FramePyramid& pyramid;
   const Reference& reference;
@@ -23,25 +24,32 @@ struct TrackingTask {
   const KeyframePolicy& keyframes;
   const OdometryParams& params;
   RowRectification rows;
-  bool was_lost = false;  ///< the frame before has no pose
-  Random* random;         ///< for RANSAC
+  /// True if the frame before has no pose.
+  bool was_lost = false;
+  /// Random numbers of RANSAC.
+  Random* random;
 };
 
-/// A frame as it was tracked.
+/// The result of tracking a frame.
 struct Track {
+  /// Pose, status and evidence.
   TrackResult result;
-  Vector6d twist =
-      Vector6d::Zero();  ///< how the camera moved when the image was taken (edges/image_motion.h)
-  std::vector<CornerPair>
-      corners;  ///< seen in the reference and here; empty unless requested, and the motion is large
-  bool took_usual_step = false;  ///< the pose is near the usual step because that was expected
-  double corner_ms = 0;          ///< CPU time of asking the corners, 0: they were not
+  /// Motion of the camera when the image was taken (edges/image_motion.h).
+  Vector6d twist = Vector6d::Zero();
+  /// Corners seen in the reference and in this frame; empty unless they were requested and the motion is
+  /// large.
+  std::vector<CornerPair> corners;
+  /// True if the pose was selected because the median-motion prior predicted it.
+  bool used_median_motion = false;
+  /// CPU time of corner tracking in milliseconds; 0: corners were not tracked.
+  double corner_ms = 0;
 };
 
-/// Cost: one alignment of patches and edges as a rule, some 3 ms for 1500 points.
+/// Estimates the pose of a frame. Cost: usually one alignment of patches and edges, some 3 ms for 1500
+/// points.
 Track track_frame(const TrackingTask& task);
 
-/// The motion of the image as the pose T_cur_ref and `twist` have it, with the depths that were expected.
+/// Image motion that follows from the pose T_cur_ref and `twist`, with the depths that were expected.
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
                             const SE3& T_cur_ref, const Vector6d& twist);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "front_end.h"
 
 #include <utility>
@@ -21,7 +22,7 @@ ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
   return {frame, newest_pyramid_, rows, nullptr};
 }
 
-// What the rows of the next image are rectified for: the camera goes on as before.
+// The motion for which the rows of the next image are rectified: constant velocity.
 ImageMotion FrontEnd::expected_motion(bool has_pose) const {
   const std::optional<Vector6d> twist = motion_.expected_twist();
   if (builder_.correction().readout_s == 0 || !has_pose || !twist) return {};
@@ -42,8 +43,8 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   return track;
 }
 
-TrackedFrame FrontEnd::hand_over(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
-  motion_.follow(track.result.T_cur_ref, track.took_usual_step);
+TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
+  motion_.follow(track.result.T_cur_ref, track.used_median_motion);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;
@@ -56,12 +57,11 @@ TrackedFrame FrontEnd::hand_over(const ArrivedFrame& now, Track track, bool is_m
   tracked.corners = std::move(track.corners);
   tracked.return_to = decision.return_to;
   tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
-  if (tracked.make_keyframe && params_.camera.knows_rolling())
-    rectify_keyframe(now, track.twist, &tracked);
+  if (tracked.make_keyframe && params_.camera.knows_rolling()) rectify_keyframe(now, track.twist, &tracked);
   return tracked;
 }
 
-// What is measured in a keyframe stays: its rows are rectified again, for the motion that was found.
+// Measurements in a keyframe are final: its rows are rectified again, for the motion that was found.
 void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked) {
   const double start = thread_cpu_ms();
   tracked->motion = measured_motion(builder_.pinhole(), *reference_, now.rows, tracked->T_cam_ref, twist);
@@ -70,7 +70,7 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
     for (CornerPair& c : tracked->corners)
       c.to = shift_ray(builder_.pinhole(), now.rows.readout_s, now.rows.expected, tracked->motion, c.to);
   }
-  // The first stage of a frame: Stage::kEdges.
+  // The first stage of a frame is Stage::kEdges.
   now.record->stage_ms.front().second += thread_cpu_ms() - start;
 }
 

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From an image to a pose: edges, tracking against the reference, and what mapping gets of it. Knows no state
-// and no map but the reference.
+// From an image to a pose: edges, tracking against the reference, and the frame that mapping receives. Knows
+// no state and no map but the reference.
 #include <memory>
 #include <optional>
 
@@ -19,7 +20,7 @@
 
 namespace edgevo {
 
-/// A frame on its way.
+/// A frame while it is processed.
 struct ArrivedFrame {
   const Frame& frame;
   std::shared_ptr<const FramePyramid> pyramid;
@@ -27,42 +28,45 @@ struct ArrivedFrame {
   FrameRecord* record;
 };
 
-/// The tracking thread's.
+/// Edges, pose and keyframe decision of each frame; for the tracking thread.
 class FrontEnd {
  public:
   /// Throws InputError for an unusable camera or detector.
   FrontEnd(const Camera& camera, const OdometryParams& params, const OdometryOptions& options);
 
-  /// Each frame first, also one that is not looked at.
+  /// Must be called first for each frame, also for one that is skipped.
   void begin_frame(Timestamp time) { motion_.begin_frame(time); }
-  /// The edges of a frame; its rows are rectified for the expected motion if the frame before has a pose.
-  /// Without a record. Throws InputError for an image of another size.
+  /// Finds the edges of a frame; its rows are rectified for the expected motion if the frame before has a
+  /// pose. Leaves `record` null. Throws InputError for an image of another size.
   ArrivedFrame find_edges(const Frame& frame, bool has_pose);
-  /// The pose of a frame against the reference. Notes times and figures in its record.
+  /// Finds the pose of a frame against the reference. Writes times and figures to its record.
   Track find_pose(const ArrivedFrame& now, bool was_lost);
-  /// Is the map in view (MapCoverage::look)?
+  /// Whether the map is in view (MapCoverage::look).
   std::optional<Event> look(const TrackResult& tracked) { return coverage_.look(*reference_, tracked); }
-  /// The frame has this pose: what mapping gets of it. Notes a call for a keyframe in its record.
-  TrackedFrame hand_over(const ArrivedFrame& now, Track track, bool is_mapping_busy);
+  /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its
+  /// record.
+  TrackedFrame accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy);
 
-  /// What frames are tracked against; null without a map.
+  /// Reference that frames are tracked against; null without a map.
   const std::shared_ptr<const Reference>& reference() const { return reference_; }
-  /// Mapping has handed out another reference: the last pose is re-expressed against it, and images are
-  /// corrected as those of its map.
+  /// Adopts a new reference from mapping: expresses the last pose against it and corrects images as those of
+  /// its map are corrected.
   void change_reference(std::shared_ptr<const Reference> newest);
-  /// The map of a new segment. The frame is its reference; `motion` since the frame before, where known.
+  /// Adopts the map of a new segment, whose reference is the newest frame. `motion` is the motion since the
+  /// frame before, where known.
   void begin_map(std::shared_ptr<const Reference> reference, const std::optional<SE3>& motion);
-  /// There is no map any more.
+  /// Drops the reference: there is no map any more.
   void drop_map() { reference_.reset(); }
 
-  /// What is taken out of the images.
+  /// Correction that is applied to the images.
   ImageCorrection correction() const { return builder_.correction(); }
   void set_correction(const ImageCorrection& correction) { builder_.set_correction(correction); }
-  /// Frames in a row that would have been keyframes had the mapping not been busy.
+  /// Frames in a row that would have become keyframes had mapping not been busy.
   int postponed_keyframes() const { return keyframes_.postponed(); }
-  /// Of the newest frame; null before the first.
+  /// Pyramid of the newest frame; null before the first.
   const std::shared_ptr<const FramePyramid>& newest_pyramid() const { return newest_pyramid_; }
-  /// What the newest frame, which has a pose, sees of the map. `idepth_factor`: world over map.
+  /// View of the map from the newest frame, which must have a pose. `idepth_factor`: inverse depth in the
+  /// world over inverse depth in the map.
   FrameView view(double idepth_factor) const;
 
  private:
@@ -71,7 +75,7 @@ class FrontEnd {
 
   OdometryParams params_;
   PyramidBuilder builder_;
-  Random random_;  // of corners
+  Random random_;  // for corners
   MotionModel motion_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;

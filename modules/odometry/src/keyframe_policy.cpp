@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "keyframe_policy.h"
 
 #include <algorithm>
@@ -10,23 +11,24 @@
 namespace edgevo {
 namespace {
 
-// What the cloud does not know comes into view when the camera backs away, and it is the nearest of the
-// scene. A view like the reference's own, left by the motion back, tells how fast: 0 where that makes no more
-// flow than the motion out, up to 1 (share/lab/archive/2026-11-23_backward_motion.md).
-double opening(const ViewChange& out, const ViewChange& back) {
-  constexpr double kFullyOpening =
-      0.15;  // excess of the flow back: 0.1 to 0.4 on a drive backwards, within 0.1 by hand
+// How fast the view expands, 0 to 1. When the camera backs away, points that the cloud does not know come
+// into view, and they are the nearest of the scene. A view like the reference's own, moved by the motion
+// back, shows how fast: 0 if that makes no more flow than the motion out
+// (share/lab/archive/2026-11-23_backward_motion.md).
+double expansion(const ViewChange& out, const ViewChange& back) {
+  // Excess of the flow back: 0.1 to 0.4 when driving backwards, within 0.1 by hand.
+  constexpr double kFullExpansion = 0.15;
   if (!(back.flow_px > out.flow_px)) return 0;
-  return std::min(1.0, (back.flow_px - out.flow_px) / (kFullyOpening * out.flow_px));
+  return std::min(1.0, (back.flow_px - out.flow_px) / (kFullExpansion * out.flow_px));
 }
 
-// At a standstill or in a pure rotation a keyframe brings matches but no depth: there is one only to follow
+// At a standstill or in a pure rotation a keyframe brings matches but no depth: one is made only to follow
 // the rotation.
 bool moves(const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > p.min_flow_px; }
 
-// Flow that calls for a keyframe.
+// Flow that calls for a keyframe, pixels.
 double keyframe_flow_px(const KeyframeView& v, const KeyframeParams& p) {
-  return p.shorten_in_opening_view ? v.reach * p.flow_px : p.flow_px;
+  return p.shorten_in_expanding_view ? v.flow_factor * p.flow_px : p.flow_px;
 }
 
 struct Criterion {
@@ -34,7 +36,7 @@ struct Criterion {
   bool (*calls)(const KeyframeView&, const KeyframeParams&);
 };
 
-// In this order. A new criterion is a line here, its KeyframeReason, and a test in keyframe_policy_test.cpp.
+// The criteria in order. To add one: a line here, its KeyframeReason, and a test in keyframe_policy_test.cpp.
 constexpr Criterion kCriteria[] = {
     {KeyframeReason::kParallax,
      [](const KeyframeView& v, const KeyframeParams& p) { return v.flow_px > keyframe_flow_px(v, p); }},
@@ -56,8 +58,8 @@ constexpr Criterion kCriteria[] = {
 
 KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                               int frames) {
-  constexpr double kReachOfOpeningView =
-      0.5;  // share of the usual flow: what comes into view is nearer by half and more
+  // Share of flow_px: what comes into view is nearer by half and more.
+  constexpr double kExpandingViewFactor = 0.5;
   KeyframeView v;
   v.frames = frames;
   const std::optional<ViewChange> out = view_change(pinhole, cloud.points, T_cam_ref);
@@ -65,7 +67,7 @@ KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& clou
   const ViewChange back = view_change(pinhole, cloud.points, T_cam_ref.inverse()).value_or(*out);
   v.flow_px = at_reference_width(pinhole, std::max(out->flow_px, back.flow_px));
   v.view_share = out->view_share;
-  v.reach = 1 - (1 - kReachOfOpeningView) * opening(*out, back);
+  v.flow_factor = 1 - (1 - kExpandingViewFactor) * expansion(*out, back);
   const double growth = 1.0 + 1.0 / std::max(1, frames);
   v.next_view_share = 1.0 - growth * (1.0 - v.view_share);
   v.view_loss = (1.0 - v.view_share) / std::max(1, frames);
@@ -80,7 +82,7 @@ KeyframeReason reason_for_keyframe(const KeyframeView& view, const KeyframeParam
 
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference,
                                       const SE3& T_cam_ref, const KeyframeParams& params) {
-  constexpr size_t kPoints = 200;  // are enough for an rms
+  constexpr size_t kPoints = 200;  // enough for an rms
   const std::vector<CloudPoint> seen = visible_points(pinhole, reference.cloud, T_cam_ref, kPoints);
   const SE3 T_world_cam = (T_cam_ref * reference.T_ref_world).inverse();
   NearestKeyframe nearest;
@@ -96,10 +98,10 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 }
 
 bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params) {
-  constexpr double kBackShare =
-      0.5;  // of the flow to the reference: nearer by half is nearer whatever the noise
-  // Further on than a keyframe's distance it is no return: after a jump all keyframes are far, the reference
-  // only furthest.
+  // Share of the flow to the reference: nearer by half is nearer whatever the noise.
+  constexpr double kBackShare = 0.5;
+  // Beyond a keyframe's distance it is no return: after a jump all keyframes are far away, and the reference
+  // is merely the furthest.
   return nearest.id >= 0 && nearest.id != reference_id &&
          nearest.flow_px < kBackShare * nearest.reference_flow_px && nearest.flow_px < params.flow_px &&
          nearest.reference_flow_px > params.min_flow_px;

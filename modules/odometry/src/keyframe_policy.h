@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // When a frame becomes a keyframe, and when the camera is back at an older one.
 //
-// A keyframe is needed before the map leaves the view or its depths are too poor for the way gone since, and
-// not sooner: each costs an adjustment. The criteria stand in a list (keyframe_policy.cpp); the first that
-// calls for a keyframe is its reason in frames.csv.
+// A keyframe is needed before the map leaves the view or before its depths are too poor for the distance
+// travelled since, and not sooner: each costs an adjustment. The criteria form a list (keyframe_policy.cpp);
+// the first that calls for a keyframe is the reason in frames.csv.
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/keyframe_reason.h"
 #include "edgevo/odometry/keyframe_params.h"
@@ -11,71 +12,85 @@
 
 namespace edgevo {
 
-/// What the criteria look at. Flows in pixels at kReferenceWidth (view_change.h).
+/// Quantities that the criteria evaluate. Flows are in pixels at kReferenceWidth (view_change.h).
 struct KeyframeView {
-  double flow_px =
-      0;  ///< by the motion from the reference to here or by the motion back, whichever is larger
-  double view_share = 1;       ///< of the cloud, still in view
-  double next_view_share = 1;  ///< of the next frame, if the motion goes on
-  double view_loss = 0;        ///< share of the cloud that has left the view, a frame
-  double reach = 1;  ///< share of the usual flow that a keyframe may lie away: 0.5 where the view opens
-  int frames = 1;    ///< since the last keyframe, this one included
+  /// Flow of the motion from the reference to this frame, or of the motion back, whichever is larger.
+  double flow_px = 0;
+  /// Share of the cloud that is still in view, 0 to 1.
+  double view_share = 1;
+  /// Predicted `view_share` of the next frame at constant velocity, 0 to 1.
+  double next_view_share = 1;
+  /// Share of the cloud that leaves the view per frame.
+  double view_loss = 0;
+  /// Factor on the flow at which a keyframe is made: 1, down to 0.5 in an expanding view.
+  double flow_factor = 1;
+  /// Frames since the last keyframe, this one included.
+  int frames = 1;
 };
 
-/// Going forward near things leave the view; going backward near ones come into it that the cloud does not
-/// know yet: hence the motion both ways. Nothing is needed where no point can be projected. Cost: four
-/// projections a point.
+/// Measures a frame against its keyframe. Moving forward, near points leave the view; moving backward, near
+/// ones enter it that the cloud does not know yet: hence the flow of the motion both ways. Default values
+/// where no point can be projected. Cost: four projections per point.
 KeyframeView look_at_keyframe(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cam_ref,
                               int frames);
 
-/// The first criterion that calls for a keyframe; kNone where none does.
+/// The first criterion that calls for a keyframe; kNone if none does.
 KeyframeReason reason_for_keyframe(const KeyframeView& view, const KeyframeParams& params);
 
-/// Of the keyframes of the window, the one that the camera stands nearest to.
+/// The keyframe of the window that the camera is nearest to.
 struct NearestKeyframe {
-  int id = -1;                   ///< -1: none has enough of what is seen in view
-  double flow_px = 0;            ///< image motion by the translation from there to here, at kReferenceWidth
-  double reference_flow_px = 0;  ///< the same from the reference; 0: none of what is seen lies before it
+  /// Keyframe id; -1: no keyframe has enough of the visible points in view.
+  int id = -1;
+  /// Flow by the translation from that keyframe to this frame, pixels at kReferenceWidth.
+  double flow_px = 0;
+  /// Flow by the translation from the reference, pixels at kReferenceWidth; 0: no visible point is in front
+  /// of it.
+  double reference_flow_px = 0;
 };
-/// Among those that have `params.min_view_share` of the cloud's visible points in view. Cost: keyframes x 200
-/// projections.
+/// Searches the keyframes that have `params.min_view_share` of the cloud's visible points in view. Cost:
+/// keyframes x 200 projections.
 NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& reference,
                                       const SE3& T_cam_ref, const KeyframeParams& params);
 
-/// Is the camera back at another keyframe than its reference? One that is nearer by half, and nearer than
-/// keyframes lie to one another; and the reference is left by more than the smallest flow: at a standstill
-/// all are equally near (share/lab/archive/2026-11-21_return_to_a_keyframe.md).
+/// Whether the camera is back at a keyframe other than its reference: one that is nearer by half, and nearer
+/// than keyframes are to one another, while the reference is further away than the smallest flow. At a
+/// standstill all are equally near (share/lab/archive/2026-11-21_return_to_a_keyframe.md).
 bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params);
 
+/// Decision on a tracked frame.
 struct KeyframeDecision {
   enum class Action {
     kNone,
-    kMake,      ///< the frame becomes a keyframe
-    kPostpone,  ///< it would, but the mapping is still busy with another
-    kReturn,    ///< what follows is tracked against `return_to`
+    /// Make the frame a keyframe.
+    kMake,
+    /// The frame should become a keyframe, but mapping is still busy with another.
+    kPostpone,
+    /// Track the next frames against `return_to`.
+    kReturn,
   };
   Action action = Action::kNone;
-  /// What called for it.
+  /// The criterion that called for a keyframe.
   KeyframeReason reason = KeyframeReason::kNone;
-  int return_to = -1;  ///< a keyframe of the window
+  /// Keyframe of the window to return to; -1: none.
+  int return_to = -1;
 };
 
-/// Counts the frames between keyframes.
+/// Decides on keyframes and counts the frames between them.
 class KeyframePolicy {
  public:
   KeyframePolicy(const Pinhole& pinhole, const KeyframeParams& params) : pinhole_(pinhole), params_(params) {}
 
-  /// Of a frame with a pose. `is_mapping_busy`: another keyframe is not finished yet.
+  /// Decides on a frame with a pose. `is_mapping_busy`: another keyframe is not finished yet.
   KeyframeDecision decide(const TrackResult& tracked, const Reference& reference, bool is_mapping_busy);
-  /// Would such a pose call for a keyframe? Changes nothing.
+  /// Whether such a pose would call for a keyframe. Changes nothing.
   bool calls_for_keyframe(const SE3& T_cam_ref, const Reference& reference) const;
 
-  /// The frame before was made a keyframe.
+  /// True if the frame before became a keyframe.
   bool follows_keyframe() const { return frames_ == 0; }
-  /// Frames in a row, up to now, that would have been keyframes had the mapping not been busy.
+  /// Frames in a row, up to now, that would have become keyframes had mapping not been busy.
   int postponed() const { return postponed_; }
 
-  /// A new map: its last view is a keyframe.
+  /// Starts over with a new map, whose last view is a keyframe.
   void restart() { frames_ = 0; }
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_coverage.h"
 
 #include <algorithm>
@@ -7,17 +8,17 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFewKnownPoints = 200;  // of known depth in the reference; fewer may not hold a translation
-constexpr double kAwayViewShare =
-    0.15;  // of the window's points in view: a turn on the spot leaves 3 %, bad light 40 % and more
-// A frame is explained where all points, those of guessed depth too, lie on edges as they do in view of a
-// map.
-constexpr double kExplainedShare = 0.7;       // of the points, matched
+// Points of known depth in the reference: fewer may not constrain a translation.
+constexpr int kFewKnownPoints = 200;
+// Share of the window's points in view: a pure rotation leaves 3 %, bad light 40 % and more.
+constexpr double kAwayViewShare = 0.15;
+// A frame is explained if all points, also those of guessed depth, lie on edges as well as in view of a map.
+constexpr double kExplainedShare = 0.7;       // of the points are matched
 constexpr double kExplainedResidualPx = 1.0;  // rms along the normal
-constexpr int kManyUnexplained = 12;          // frames; a keyframe may mend a shorter stretch
+constexpr int kManyUnexplained = 12;          // frames; a keyframe may end a shorter interval
 
 // Bad light leaves few points of known depth, too, but they are in view: a new map would see no more of them.
-bool is_thin(const Reference& reference) {
+bool is_sparse(const Reference& reference) {
   return reference.known_points < kFewKnownPoints && reference.view_share < kAwayViewShare;
 }
 
@@ -28,8 +29,8 @@ bool is_explained(const AlignmentStats& stats) {
 }  // namespace
 
 std::optional<Event> MapCoverage::look(const Reference& reference, const TrackResult& tracked) {
-  if (!is_thin(reference)) {
-    unexplained_frames_ = 0;  // fast motion blurs images of a map that is in view, too
+  if (!is_sparse(reference)) {
+    unexplained_frames_ = 0;  // fast motion also blurs images of a map that is in view
     return Event::kInView;
   }
   unexplained_frames_ =

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Is the map out of view? A rotation can be followed with points of unknown depth, a
-// translation only while what is left of the map explains the images. Where it does not, a new map is worth
-// more than the old one (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
+// Detects that the map is out of view. A rotation can be followed with points of unknown depth, a translation
+// only while what is left of the map explains the images. Where it does not, a new map is worth more than the
+// old one (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
 #include <optional>
 
 #include "edgevo/alignment/tracker.h"
@@ -12,18 +13,21 @@ namespace edgevo {
 
 struct Reference;
 
+/// Watches how well the part of the map in view explains the frames.
 class MapCoverage {
  public:
   explicit MapCoverage(const RecoveryParams& params) : bootstrap_out_of_view_(params.bootstrap_out_of_view) {}
 
-  /// After each frame with a pose: Event::kOutOfView, Event::kInView, or nothing where neither is certain.
+  /// Call after each frame with a pose. Returns Event::kOutOfView, Event::kInView, or nothing if neither is
+  /// certain.
   std::optional<Event> look(const Reference& reference, const TrackResult& tracked);
-  /// A new map.
+  /// Starts over with a new map.
   void restart() { unexplained_frames_ = 0; }
 
  private:
   bool bootstrap_out_of_view_;
-  int unexplained_frames_ = 0;  ///< more frames of late that the map does not explain than others
+  /// Recent frames that the map does not explain, less those that it explains; never negative.
+  int unexplained_frames_ = 0;
 };
 
 }  // namespace edgevo

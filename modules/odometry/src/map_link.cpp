@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_link.h"
 
 namespace edgevo {
@@ -8,7 +9,7 @@ MapLink::MapLink(const Camera& camera, const OdometryParams& params, const Odome
       rebuilder_(PyramidBuilder::for_rebuilding(camera, params.edges, options.detectors)),
       mapper_(camera.pinhole, params,
               {options.seed,
-               // In realtime the mapping must not stand still for long.
+               // In realtime mapping must not pause for long.
                options.realtime,
                [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
                  rebuilder_.set_correction(now);
@@ -32,27 +33,27 @@ void MapLink::begin_segment(int segment) {
 MapLink::Rest MapLink::finish() {
   thread_.wait_idle();
   close_segment();
-  return {mapper_.camera(), thread_.left_out()};
+  return {mapper_.camera(), thread_.skipped()};
 }
 
-// If there is one.
+// Does nothing without a map.
 void MapLink::close_segment() {
   if (!mapper_.reference()) return;
   mapper_.close();
-  take_settled();
+  record_marginalised();
   note_window();
 }
 
-// In the mapping thread.
+// Called in the mapping thread.
 void MapLink::take_update(const TrackedFrame& frame, const MapUpdate& update) {
   records_->note_times(frame.frame_index, update.times);
-  take_settled();
+  record_marginalised();
   if (update.keyframe_id >= 0) note_window();
 }
 
-// Keyframes that have left the window, and what the camera's correction moved.
-void MapLink::take_settled() {
-  records_->retire(mapper_.take_retired(), segment_);
+// Records keyframes that have left the window, and those that a correction of the camera moved.
+void MapLink::record_marginalised() {
+  records_->add_marginalised(mapper_.take_marginalised(), segment_);
   records_->set_lines(mapper_.take_lines());
   records_->revise(mapper_.take_revised());
 }

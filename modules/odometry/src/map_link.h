@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The tracking side's end of the mapping: hands frames over, and takes keyframes and references back. All
-// that the mapping thread touches is in here, and in MapRecords.
+// The tracking side's end of mapping: submits frames, and receives keyframes and references. All that the
+// mapping thread touches is in here and in MapRecords.
 #include <memory>
 #include <string>
 
@@ -12,35 +13,37 @@
 
 namespace edgevo {
 
-/// For the tracking thread; what it is given by `records` must outlive it.
+/// Connects tracking to mapping; for the tracking thread.
 class MapLink {
  public:
+  /// `records` must outlive this object.
   MapLink(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
           MapRecords* records);
 
   /// The newest reference; null without a map.
   std::shared_ptr<const Reference> reference() const { return thread_.reference(); }
-  /// Hands a frame over (MappingThread::submit).
+  /// Passes a frame to mapping (MappingThread::submit).
   void submit(TrackedFrame frame) { thread_.submit(std::move(frame)); }
-  /// A keyframe was handed over and is not finished.
+  /// True while a submitted keyframe is not finished.
   bool is_keyframe_pending() const { return thread_.keyframe_pending(); }
-  /// Waits until none is.
+  /// Waits until no keyframe is pending.
   void wait_keyframe() { thread_.wait_keyframe(); }
 
-  /// Builds a map from two views; the one before is closed whatever comes of it. Returns an empty string, or
-  /// why they make no map. Waits until all that was handed over is done.
+  /// Closes the present map, if any, and builds a new one from two views. Returns an empty string, or why
+  /// they make no map. Waits until all submitted frames are processed.
   [[nodiscard]] std::string make_map(const BootstrapResult& views);
-  /// The map that was made last is that of `segment`.
+  /// Makes the newest map that of `segment`.
   void begin_segment(int segment);
 
-  /// What is known of the camera, for the first frame.
+  /// Camera knowledge before the first frame.
   const CameraRefinement& initial_camera() const { return mapper_.camera(); }
 
-  /// What is left when the run has ended.
+  /// Results of mapping at the end of a run.
   struct Rest {
+    /// Self-calibration.
     CameraRefinement camera;
     /// Frames that mapping has skipped.
-    int left_out = 0;
+    int skipped = 0;
   };
   /// Closes the map. Waits as make_map() does.
   Rest finish();
@@ -48,7 +51,7 @@ class MapLink {
  private:
   void close_segment();
   void take_update(const TrackedFrame& frame, const MapUpdate& update);
-  void take_settled();
+  void record_marginalised();
   void note_window();
 
   MapRecords* records_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_records.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ void revise_record(const RevisedKeyframe& r, KeyframeRecord* k) {
   for (size_t i = 0; i < k->points.size(); ++i) {
     EdgePoint& p = k->points[i];
     p.px = r.points[i].px.cast<float>();
-    // Not by the ratio of the two depths: a point that moves out to infinity is no more certain for it.
+    // Not by the ratio of the two depths: a point that moves to infinity does not become more certain.
     p.idepth_sigma /= float(r.length_ratio);
     p.idepth = float(r.points[i].idepth);
   }
@@ -54,11 +55,11 @@ void MapRecords::note_window(const std::deque<Keyframe>& keyframes, int segment)
   window_.keyframes = std::move(records);
 }
 
-void MapRecords::retire(const std::vector<Keyframe>& keyframes, int segment) {
+void MapRecords::add_marginalised(const std::vector<Keyframe>& keyframes, int segment) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const Keyframe& k : keyframes) {
     all_.keyframes[k.id] = to_record(k, segment);
-    retired_.push_back(k.id);
+    marginalised_.push_back(k.id);
   }
 }
 
@@ -74,7 +75,7 @@ void MapRecords::revise(const std::vector<RevisedKeyframe>& keyframes) {
   for (const RevisedKeyframe& r : keyframes) {
     all_.length_ratio[r.id].emplace_back(all_.revision, r.length_ratio);
     const auto known = all_.keyframes.find(r.id);
-    // One that is still in the window retires with its new values.
+    // A keyframe that is still in the window is recorded with its new values when it leaves.
     if (known != all_.keyframes.end()) revise_record(r, &known->second);
   }
 }
@@ -84,15 +85,16 @@ int MapRecords::revision() const {
   return all_.revision;
 }
 
-SettledKeyframes MapRecords::settled(size_t skip) const {
+MarginalisedKeyframes MapRecords::marginalised(size_t first) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  SettledKeyframes settled;
-  settled.revision = all_.revision;
-  for (size_t i = skip; i < retired_.size(); ++i) settled.keyframes.push_back(all_.keyframes.at(retired_[i]));
-  return settled;
+  MarginalisedKeyframes marginalised;
+  marginalised.revision = all_.revision;
+  for (size_t i = first; i < marginalised_.size(); ++i)
+    marginalised.keyframes.push_back(all_.keyframes.at(marginalised_[i]));
+  return marginalised;
 }
 
-std::optional<UnsettledKeyframes> MapRecords::unsettled(int version) const {
+std::optional<ActiveKeyframes> MapRecords::active(int version) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (window_.version == version) return std::nullopt;
   return window_;
@@ -100,7 +102,7 @@ std::optional<UnsettledKeyframes> MapRecords::unsettled(int version) const {
 
 MapRecords::Everything MapRecords::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  retired_.clear();
+  marginalised_.clear();
   return std::exchange(all_, {});
 }
 

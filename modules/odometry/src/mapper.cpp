@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/mapper.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-// Points of the first window: fewer do not hold its poses against outliers.
+// Fewest points of the first window: fewer do not constrain its poses against outliers.
 constexpr int kMinFirstPoints = 100;
 constexpr int kMaxAgeKeyframes = 4;  // immature points older than this are dropped
 
@@ -36,7 +37,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   add_first_keyframes(bootstrap);
   filter_first_depths(bootstrap);
   smooth_depths();
-  window_.hold_bootstrap_scale();
+  window_.fix_bootstrap_scale();
   window_.activate({1, 1});
   window_.adjust();
   const WindowStats stats = window_.adjust();
@@ -62,7 +63,7 @@ void Mapper::add_first_keyframes(const BootstrapResult& bootstrap) {
   }
 }
 
-// Each view of the bootstrap observes the points of all keyframes but its own.
+// Each view of the bootstrap observes the points of all keyframes except its own.
 void Mapper::filter_first_depths(const BootstrapResult& bootstrap) {
   for (const BootstrapView& view : bootstrap.views) {
     if (!view.placed || !view.pyramid) continue;
@@ -105,8 +106,8 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   return update;
 }
 
-// A frame that was on its way while the camera was corrected gets the images of now, and none of the corners
-// that were seen in those of before.
+// A frame that was queued while the camera was corrected gets images with the new correction, and loses its
+// corners, which were measured in the old ones.
 TrackedFrame Mapper::corrected(const TrackedFrame& tracked) const {
   TrackedFrame frame = tracked;
   const ImageCorrection now = calibration_.state().correction();
@@ -123,7 +124,7 @@ void Mapper::filter_depths(const TrackedFrame& frame, const SE3& T_cam_world, St
       update_depths(*frame.pyramid, T_cam_world * host.T_cam_world.inverse(), params_.depth_filter, &host);
 }
 
-// The camera is back near an older keyframe: what follows is tracked against that one, and does not drift
+// The camera is back near an older keyframe: the next frames are tracked against that one and do not drift
 // away from it.
 void Mapper::return_to(int keyframe_id, StageTimes* times) {
   const StageTimer timer(Stage::kWindow, times);
@@ -142,7 +143,7 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   associate(frame, times);
   activate_points(times);
   update->stats = adjust(times);
-  // An adjustment that failed has moved nothing.
+  // A failed adjustment has moved nothing.
   if (update->stats.points > 0) check_tracking(frame);
   if (window_.full()) {
     remove_oldest(times);
@@ -178,7 +179,7 @@ void Mapper::activate_points(StageTimes* times) {
   window_.demote_unconfirmed();
   window_.activate({2, params_.window.min_matches});
   // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
-  // What the first pass has tried, with two depths, is not tried again.
+  // Candidates that the first pass has tried, with two depths, are not tried again.
   if (params_.window.use_tentative_points) window_.activate({1, 1, window_.points_lacking()});
 }
 
@@ -187,7 +188,7 @@ WindowStats Mapper::adjust(StageTimes* times) {
   return window_.adjust();
 }
 
-// What the adjustment made of the pose that tracking had found for the newest keyframe.
+// Compares the tracked pose of the newest keyframe with the adjusted one.
 void Mapper::check_tracking(const TrackedFrame& frame) {
   for (const Keyframe& k : window_.keyframes())
     if (k.id == frame.reference_id)
@@ -196,21 +197,21 @@ void Mapper::check_tracking(const TrackedFrame& frame) {
 
 void Mapper::remove_oldest(StageTimes* times) {
   const StageTimer timer(Stage::kWindow, times);
-  retired_.push_back(window_.remove_oldest());
-  calibration_.remember(retired_.back());
+  marginalised_.push_back(window_.remove_oldest());
+  calibration_.remember(marginalised_.back());
 }
 
-// The lines of the keyframe that has just left the window.
+// Maps the lines of the keyframe that has just left the window.
 void Mapper::map_edges(StageTimes* times) {
   const StageTimer timer(Stage::kEdgeMap, times);
-  edge_mapper_.add(retired_.back(), window_.keyframes());
+  edge_mapper_.add(marginalised_.back(), window_.keyframes());
 }
 
-// Once in a long while.
+// Due at a few checkpoints only.
 void Mapper::calibrate_if_due(StageTimes* times) {
   if (!calibration_.is_running() && !calibration_.is_due(int(window_.keyframes().size()))) return;
   const StageTimer timer(Stage::kSelfCalibration, times);
-  calibrate_on_the_way();
+  calibrate_during_run();
 }
 
 void Mapper::seed_and_publish(StageTimes* times) {
@@ -222,7 +223,7 @@ void Mapper::seed_and_publish(StageTimes* times) {
 
 // ---- self-calibration ----
 
-void Mapper::calibrate_on_the_way() {
+void Mapper::calibrate_during_run() {
   if (options_.own_threads && !calibration_.is_running())
     calibration_.begin(window_pointers(), calibration_options());
   else if (!calibration_.is_running() || calibration_.is_ready())
@@ -251,19 +252,18 @@ void Mapper::calibrate(bool at_end) {
   for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
 }
 
-// ---- new points, and what tracking gets ----
+// ---- new points, and the reference for tracking ----
 
-// Every immature point is searched in every frame: as many as it takes to fill the window again, and not
-// more.
+// Every immature point is searched in every frame: no more than it takes to fill the window again.
 int Mapper::new_points_wanted() const {
-  constexpr int kAtLeast = 300;  // points a keyframe: also a full window needs some where the view is new
+  constexpr int kAtLeast = 300;  // points per keyframe: even a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
   return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points),
                     p.max_new_points);
 }
 
-// Immature points that are dead, or have been immature for too long.
+// Drops immature points that are dead, or have been immature for too long.
 void Mapper::drop_old_points() {
   for (Keyframe& host : window_.keyframes()) {
     auto& points = host.immature;
@@ -273,7 +273,7 @@ void Mapper::drop_old_points() {
   }
 }
 
-// New immature points in a keyframe, where the map has none.
+// Adds immature points to a keyframe where the map has none.
 void Mapper::seed_points(Keyframe* keyframe) {
   IdepthPrior prior(pinhole_, params_.depth_filter, median_idepth_);
   for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
@@ -305,9 +305,9 @@ void Mapper::close() {
   calibrate(true);
   calibration_.forget();
   while (!window_.keyframes().empty()) {
-    retired_.push_back(std::move(window_.keyframes().front()));
+    marginalised_.push_back(std::move(window_.keyframes().front()));
     window_.keyframes().pop_front();
-    edge_mapper_.add(retired_.back(), window_.keyframes());
+    edge_mapper_.add(marginalised_.back(), window_.keyframes());
   }
   for (HostedLines& lines : edge_mapper_.close()) lines_.push_back(std::move(lines));
   reference_.reset();

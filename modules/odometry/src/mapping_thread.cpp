@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "mapping_thread.h"
 
 namespace edgevo {
 namespace {
-constexpr size_t kMaxQueue =
-    6;  // frames, a fifth of a second: beyond it only keyframes are taken, and the map stays near the camera
-}
+// Frames, a fifth of a second: beyond it only keyframes are queued, and the map stays near the camera.
+constexpr size_t kMaxQueue = 6;
+}  // namespace
 
 MappingThread::MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update)
     : mapper_(mapper), own_thread_(own_thread), on_update_(std::move(on_update)) {
@@ -36,7 +37,7 @@ void MappingThread::submit(TrackedFrame frame) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (own_thread_ && !frame.make_keyframe && queue_.size() >= kMaxQueue) {
-      ++left_out_;
+      ++skipped_;
       return;
     }
     if (frame.make_keyframe) ++keyframes_pending_;

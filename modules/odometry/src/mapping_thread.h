@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Runs a Mapper either in the caller (synchronous) or in a thread of its own behind a bounded queue
+// Runs a Mapper either in the caller's thread (synchronous) or in a thread of its own behind a bounded queue
 // (realtime).
 #include <condition_variable>
 #include <deque>
@@ -13,29 +14,32 @@
 
 namespace edgevo {
 
+/// Feeds a Mapper and holds its newest reference.
 class MappingThread {
  public:
+  /// Called with each processed frame.
   using OnUpdate = std::function<void(const TrackedFrame&, const MapUpdate&)>;
 
-  /// `on_update` is called after each processed frame, in the mapping thread, with no lock held.
+  /// `on_update` is called in the mapping thread, with no lock held.
   MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update);
   ~MappingThread();
 
-  /// Hands a frame over. In realtime, frames that are no keyframes are left out while the queue is full;
-  /// keyframes never are.
+  /// Passes a frame to the mapper. In realtime, frames other than keyframes are skipped while the queue is
+  /// full; keyframes never are.
   void submit(TrackedFrame frame);
-  /// Waits until all that was submitted is processed; rethrows what the mapping thread threw. Afterwards the
+  /// Waits until all submitted frames are processed; rethrows what the mapping thread threw. Afterwards the
   /// caller may use the mapper.
   void wait_idle();
-  /// A keyframe was submitted and is not processed yet.
+  /// True while a submitted keyframe is not processed.
   bool keyframe_pending() const;
-  /// Waits until none is pending: a map that falls behind is waited for before it is lost.
+  /// Waits until no keyframe is pending: better to wait for a map that falls behind than to lose it.
   void wait_keyframe();
-  /// The newest reference.
+  /// The newest reference; null without a map.
   std::shared_ptr<const Reference> reference() const;
-  /// Takes the mapper's own reference over: after the caller has used the mapper in wait_idle's shelter.
+  /// Adopts the mapper's reference after the caller has used the mapper (see wait_idle()).
   void refresh();
-  int left_out() const { return left_out_; }
+  /// Frames that were skipped because the queue was full.
+  int skipped() const { return skipped_; }
 
  private:
   void loop();
@@ -51,7 +55,7 @@ class MappingThread {
   std::exception_ptr failure_;
   bool busy_ = false, stop_ = false;
   int keyframes_pending_ = 0;
-  int left_out_ = 0;
+  int skipped_ = 0;
   std::thread thread_;
 };
 

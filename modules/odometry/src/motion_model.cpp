@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "motion_model.h"
 
 #include <algorithm>
@@ -42,9 +43,9 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
   const SE3 motion = T_cur_ref * T_last_ref_.inverse();
   const bool is_next = frames_since_ <= 1;
   if (is_next)
-    steady_.follow(motion.log().head<3>(), held);
+    median_motion_.follow(motion.log().head<3>(), held);
   else
-    steady_.interrupt();
+    median_motion_.interrupt();
   velocity_ = is_next ? motion : SE3::exp(motion.log() / double(frames_since_));
   velocity_s_ = seconds_since_ / std::max(frames_since_, 1);
   T_last_ref_ = T_cur_ref;
@@ -54,7 +55,7 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
 
 void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
-  steady_ = SteadyMotion();  // the unit of length is another
+  median_motion_ = MedianMotion();  // the unit of length is a new one
   velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3())
                                              : SE3::exp(motion->log() / double(newest_.frames));
   velocity_s_ = motion ? newest_.seconds / newest_.frames : 0;

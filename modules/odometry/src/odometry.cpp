@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/odometry.h"
 
 #include "bootstrapper.h"
@@ -36,16 +37,16 @@ struct Odometry::Impl {
     return *arrived.record;
   }
 
-  // The motion model bridges the gap, as it does after frames that were lost.
-  const FrameRecord& pass_over(const Frame& frame, const std::string& why) {
+  // The motion model bridges the gap, as after lost frames.
+  const FrameRecord& skip(const Frame& frame, const std::string& why) {
     FrameRecord& record = records.begin_frame(frame);
-    record.state = state.passed_over();
+    record.state = state.when_skipped();
     record.note = why;
     front_end.begin_frame(frame.time);
     return record;
   }
 
-  // Self-calibration may have corrected the map: the images that follow are corrected alike.
+  // Self-calibration may have corrected the map: the next images are corrected in the same way.
   void change_reference(const Frame& frame) {
     const std::shared_ptr<const Reference> newest = map.reference();
     const ImageCorrection before = front_end.correction();
@@ -55,7 +56,7 @@ struct Odometry::Impl {
     for (const std::string& line : describe_changes(before, newest->camera)) say(frame, line);
   }
 
-  // A frame that throws has no record.
+  // A frame that throws leaves no record.
   ArrivedFrame find_edges(const Frame& frame) {
     const double start = thread_cpu_ms();
     const bool had_mask = front_end.newest_pyramid() && front_end.newest_pyramid()->border_mask;
@@ -69,11 +70,11 @@ struct Odometry::Impl {
     return arrived;
   }
 
-  // ---- a map to follow ----
+  // ---- tracking in a map ----
 
   void follow_map(const ArrivedFrame& now) {
     Track track = front_end.find_pose(now, !state.has_pose());
-    act(now.frame, state.after(event_of(track.result.verdict), now.frame.index), track.result.reason);
+    act(now.frame, state.after(event_of(track.result.status), now.frame.index), track.result.reason);
     if (!state.has_pose()) {
       now.record->state = TrackingState::kLost;
       return;
@@ -81,18 +82,18 @@ struct Odometry::Impl {
     if (const std::optional<Event> seen = front_end.look(track.result))
       act(now.frame, state.after(*seen, now.frame.index));
     record_pose(track.result, now.record);
-    map.submit(front_end.hand_over(now, std::move(track), map.is_keyframe_pending()));
+    map.submit(front_end.accept_pose(now, std::move(track), map.is_keyframe_pending()));
   }
 
   void record_pose(const TrackResult& tracked, FrameRecord* record) {
     const Reference& reference = *front_end.reference();
-    record->state = tracked.verdict;
+    record->state = tracked.status;
     record->covariance = reference.error_factor * tracked.covariance;
     records.place(record, state.segment(), reference.keyframe_id, tracked.T_cur_ref, reference.T_ref_world);
     newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
   }
 
-  // ---- a map to be made ----
+  // ---- making a map ----
 
   void bootstrap_map(const ArrivedFrame& now) {
     FrameRecord& record = *now.record;
@@ -107,7 +108,7 @@ struct Odometry::Impl {
     record.note = (record.note.empty() ? "" : record.note + "; ") + status.reason;
   }
 
-  // A new segment; an empty string, or why the two views make no map.
+  // Begins a new segment. Returns an empty string, or why the two views make no map.
   std::string make_map(const ArrivedFrame& now, const BootstrapResult& views) {
     const std::optional<double> scale = scale_by_depths();
     const std::string problem = bootstrapper.make_map(views);
@@ -117,7 +118,8 @@ struct Odometry::Impl {
     return problem;
   }
 
-  // World over map, of a map that takes the place of one that is still tracked: the depths in view stay.
+  // Scale (world over map) of a map that replaces one that is still tracked: the median depth in view is
+  // kept.
   std::optional<double> scale_by_depths() const {
     if (!state.has_pose()) return std::nullopt;
     return 1.0 / front_end.reference()->median_idepth / kFirstMedianDepth;
@@ -155,13 +157,13 @@ struct Odometry::Impl {
     front_end.drop_map();
     Run run = records.finish();
     run.camera = rest.camera;
-    if (options.realtime) run.realtime.emplace().left_out_of_mapping = rest.left_out;
+    if (options.realtime) run.realtime.emplace().left_out_of_mapping = rest.skipped;
     return run;
   }
 
   FrameView frame_view() const {
     if (!state.has_pose() || !front_end.reference()) return {front_end.newest_pyramid(), {}, -1};
-    // From the segment's map to the world lengths grow by the scale.
+    // From the segment's map to the world lengths are multiplied by the scale.
     return front_end.view(1.0 / records.scale_of(state.segment()));
   }
 
@@ -185,13 +187,15 @@ Odometry::~Odometry() = default;
 
 const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
-SettledKeyframes Odometry::settled_keyframes(size_t skip) const { return impl_->records.settled(skip); }
-std::optional<UnsettledKeyframes> Odometry::unsettled_keyframes(int version) const {
-  return impl_->records.unsettled(version);
+MarginalisedKeyframes Odometry::marginalised_keyframes(size_t first) const {
+  return impl_->records.marginalised(first);
+}
+std::optional<ActiveKeyframes> Odometry::active_keyframes(int version) const {
+  return impl_->records.active(version);
 }
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
-const FrameRecord& Odometry::pass_over(const Frame& frame, const std::string& why) {
-  return impl_->pass_over(frame, why);
+const FrameRecord& Odometry::skip(const Frame& frame, const std::string& why) {
+  return impl_->skip(frame, why);
 }
 Run Odometry::finish() { return impl_->finish(); }
 

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
 
 void RecoveryParams::visit(ParamVisitor& v) {
-  v.integer(kBasic, "max_frames", max_frames, 0, 1000,
-            "relocalisation in the old map is tried in so many frames after a loss, next to a new bootstrap; "
-            "those that show nothing do not count");
+  v.integer(
+      kBasic, "max_frames", max_frames, 0, 1000,
+      "frames in which relocalisation in the old map is tried after a loss, next to a new bootstrap; frames "
+      "without edges do not count");
   v.boolean(kExperimental, "bootstrap_out_of_view", bootstrap_out_of_view,
             "bootstrap a new map while the old one is out of view and does not explain the images");
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "rolling_shutter.h"
 
 #include <cmath>
@@ -7,12 +8,12 @@ namespace {
 
 using Cells = Eigen::Matrix<double, ImageMotion::kRows, ImageMotion::kColumns>;
 
-constexpr double kSmoothness =
-    10;  // a neighbouring cell counts as so many points: some 1500 points fall into 80 cells
-constexpr double kFaint =
-    0.5;  // the mean of all points counts as so many in each cell: it decides where there is none
-constexpr int kMinPoints = 50;  // in view; the mean of fewer says less than the map's median
-constexpr int kSweeps = 60;     // of Gauss and Seidel's method: the picture of depths is smooth by then
+// Weight of a neighbouring cell, in points: some 1500 points fall into 80 cells.
+constexpr double kSmoothness = 10;
+// Weight of the mean of all points in each cell, in points: it decides where there is none.
+constexpr double kFaint = 0.5;
+constexpr int kMinPoints = 50;  // in view; the mean of fewer is less reliable than the map's median
+constexpr int kSweeps = 60;     // of the Gauss-Seidel method: depths are smooth by then
 
 // The point times its inverse depth, in the current camera.
 Eigen::Vector3d in_current(const SE3& T_cur_ref, const CloudPoint& p) {
@@ -44,7 +45,7 @@ ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, co
   motion.velocity = twist;
   Cells sum = Cells::Zero(), count = Cells::Zero();
   for (const CloudPoint& p : cloud.points) {
-    if (p.host_keyframe < 0) continue;  // its depth is still being found
+    if (p.host_keyframe < 0) continue;  // its depth has not converged yet
     const Eigen::Vector3d Y = in_current(T_cur_ref, p);
     if (!(Y.z() > 0.1)) continue;
     const Eigen::Vector2d px = pinhole.project(Y);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "run_records.h"
 
 #include <algorithm>
@@ -49,53 +50,52 @@ void RunRecords::begin_segment(int segment, const Sim3& T_world_map) {
 
 void RunRecords::place(FrameRecord* record, int segment, int keyframe_id, const SE3& T_cam_ref,
                        const SE3& T_ref_map) {
-  Hook hook{keyframe_id, map_.revision(), T_cam_ref, T_cam_ref * T_ref_map};
+  const FrameAnchor anchor{keyframe_id, map_.revision(), T_cam_ref, T_cam_ref * T_ref_map};
   record->segment = segment;
-  record->T_world_cam_live = T_world_map_[segment].apply(hook.T_cam_map_live.inverse());
-  hooks_[record->index] = hook;
+  record->T_world_cam_live = T_world_map_[segment].apply(anchor.T_cam_map_live.inverse());
+  anchors_[record->index] = anchor;
 }
 
 std::optional<SE3> RunRecords::pose_before(int frame_index, int segment) const {
-  auto it = hooks_.lower_bound(frame_index);
-  if (it == hooks_.begin()) return std::nullopt;
+  auto it = anchors_.lower_bound(frame_index);
+  if (it == anchors_.begin()) return std::nullopt;
   --it;
   if (frames_[position_.at(it->first)].segment != segment) return std::nullopt;
   return it->second.T_cam_map_live;
 }
 
-SettledKeyframes RunRecords::settled(size_t skip) const {
-  SettledKeyframes settled = map_.settled(skip);
-  for (KeyframeRecord& k : settled.keyframes) move_to_world(T_world_map_[size_t(k.segment)], &k);
-  return settled;
+MarginalisedKeyframes RunRecords::marginalised(size_t first) const {
+  MarginalisedKeyframes marginalised = map_.marginalised(first);
+  for (KeyframeRecord& k : marginalised.keyframes) move_to_world(T_world_map_[size_t(k.segment)], &k);
+  return marginalised;
 }
 
-std::optional<UnsettledKeyframes> RunRecords::unsettled(int version) const {
-  std::optional<UnsettledKeyframes> unsettled = map_.unsettled(version);
-  if (unsettled)
-    for (KeyframeRecord& k : unsettled->keyframes) move_to_world(T_world_map_[size_t(k.segment)], &k);
-  return unsettled;
+std::optional<ActiveKeyframes> RunRecords::active(int version) const {
+  std::optional<ActiveKeyframes> active = map_.active(version);
+  if (active)
+    for (KeyframeRecord& k : active->keyframes) move_to_world(T_world_map_[size_t(k.segment)], &k);
+  return active;
 }
 
-// The frame of a keyframe stands where the keyframe does: its pose was adjusted, while the one it was tracked
-// with was not.
-void RunRecords::hang_on_itself(int keyframe_id, const KeyframeRecord& keyframe) {
+// A keyframe's frame takes the final pose of the keyframe: that was adjusted, unlike the pose from tracking.
+void RunRecords::anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe) {
   FrameRecord* frame = find(keyframe.frame_index);
   if (!frame) return;
   frame->is_keyframe = true;
   if (frame->keyframe_reason == KeyframeReason::kNone) frame->keyframe_reason = KeyframeReason::kBootstrap;
-  const auto hook = hooks_.find(keyframe.frame_index);
-  if (hook == hooks_.end() || frame->segment != keyframe.segment) return;
-  hook->second.keyframe_id = keyframe_id;
-  hook->second.T_cam_ref = SE3();
+  const auto anchor = anchors_.find(keyframe.frame_index);
+  if (anchor == anchors_.end() || frame->segment != keyframe.segment) return;
+  anchor->second.keyframe_id = keyframe_id;
+  anchor->second.T_cam_ref = SE3();
 }
 
-// The final pose of a frame, from that of its keyframe.
+// Computes the final pose of a frame from that of its keyframe.
 void RunRecords::finish_frame(const MapRecords::Everything& map,
                               const std::map<int, int>& position_of_keyframe,
                               const std::vector<KeyframeRecord>& keyframes, FrameRecord* frame) const {
-  const auto hook = hooks_.find(frame->index);
-  if (hook == hooks_.end()) return;
-  const auto& [keyframe_id, revision, T_cam_ref, T_cam_map_live] = hook->second;
+  const auto anchor = anchors_.find(frame->index);
+  if (anchor == anchors_.end()) return;
+  const auto& [keyframe_id, revision, T_cam_ref, T_cam_map_live] = anchor->second;
   const double length =
       T_world_map_[size_t(frame->segment)].scale * map.length_ratio_since(keyframe_id, revision);
   Vector6d unit = Vector6d::Ones();
@@ -117,7 +117,7 @@ Run RunRecords::finish() {
   for (auto& [id, keyframe] : map.keyframes) {
     move_to_world(T_world_map_[size_t(keyframe.segment)], &keyframe);
     position_of_keyframe[id] = int(run.keyframes.size());
-    hang_on_itself(id, keyframe);
+    anchor_to_own_keyframe(id, keyframe);
     run.keyframes.push_back(std::move(keyframe));
   }
   for (FrameRecord& frame : frames_) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The points of a reference cloud as another frame sees them.
 #include <vector>
@@ -7,7 +8,7 @@
 
 namespace edgevo {
 
-/// Those that lie in front of the camera and inside the image. `idepth_factor` takes inverse depths from the
+/// The points in front of the camera and inside the image. `idepth_factor` converts inverse depths from the
 /// map's unit to the world's.
 std::vector<SeenPoint> see_points(const ReferenceCloud& cloud, const SE3& T_cur_ref,
                                   const FramePyramid& current, double idepth_factor);

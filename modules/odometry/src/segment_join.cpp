@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segment_join.h"
 
 namespace edgevo {
 namespace {
 
-// Lengths a second below which a camera stands still.
+// Speed, in lengths per second, below which a camera stands still.
 constexpr double kStill = 1e-9;
 
-// Of the bootstrap, in the unit of its map.
+// Speed during the bootstrap, in the unit of its map.
 double speed_of(const BootstrapResult& bootstrap) {
   const BootstrapView& first = bootstrap.views.front();
   const BootstrapView& last = bootstrap.views.back();

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What each stage of a run costs, in CPU time.
+// CPU time of each stage of a run.
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace edgevo {
 
-/// The stages of tracking, then those of mapping.
+/// The stages of tracking, followed by those of mapping.
 enum class Stage {
   kEdges,
   kAlignment,
@@ -20,10 +21,10 @@ enum class Stage {
   kSelfCalibration,
 };
 
-/// The name of a stage in the files of a run.
+/// Name of a stage in the output files of a run.
 const char* name_of(Stage stage);
 
-/// Notes the CPU time from its construction to its end.
+/// Records the CPU time from its construction to its destruction.
 class StageTimer {
  public:
   StageTimer(Stage stage, StageTimes* times) : stage_(stage), times_(times), start_(thread_cpu_ms()) {}

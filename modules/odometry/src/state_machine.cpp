@@ -1,16 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "state_machine.h"
 
 namespace edgevo {
 namespace {
 
-constexpr int kMinEdges =
-    200;  // pixels; an image with fewer shows nothing to follow (a bootstrap wants 80 corners alone)
+// Edge pixels: an image with fewer shows nothing to follow (a bootstrap alone needs 80 corners).
+constexpr int kMinEdges = 200;
 
 }  // namespace
 
-Event event_of(TrackingState verdict) {
-  if (verdict == TrackingState::kLost) return Event::kUntracked;
-  return verdict == TrackingState::kTracking ? Event::kTracked : Event::kDegraded;
+Event event_of(TrackingState status) {
+  if (status == TrackingState::kLost) return Event::kUntracked;
+  return status == TrackingState::kTracking ? Event::kTracked : Event::kDegraded;
 }
 
 // share/doc/architecture.md draws this table.
@@ -58,7 +59,7 @@ TrackingState OdometryState::without_pose(int frame_index, int edges) const {
                                                                           : TrackingState::kBootstrapping;
 }
 
-TrackingState OdometryState::passed_over() const {
+TrackingState OdometryState::when_skipped() const {
   return ever_tracked() ? TrackingState::kLost : TrackingState::kBootstrapping;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/tracking_check.h"
 
 #include <algorithm>
@@ -8,13 +9,13 @@
 namespace edgevo {
 namespace {
 
-// Weight of the newest keyframe in the mean: the last three to five count.
+// Weight of the newest keyframe in the mean: the last three to five keyframes dominate.
 constexpr double kNewestShare = 1.0 / 3;
-// Shares of the variance that tracking told, measured on rendered scenes
+// Factors on the variance that tracking reports, measured on rendered scenes
 // (share/lab/archive/2026-11-22_pose_covariance.md).
-constexpr double kMost = 4;        // more than that is an outlier of one keyframe
-constexpr double kLeast = 0.7;     // agreement beyond that is chance, or one error in both
-constexpr double kNotSeen = 1.15;  // truth over what the move shows: the adjusted pose errs as well
+constexpr double kMost = 4;        // more is an outlier of one keyframe
+constexpr double kLeast = 0.7;     // better agreement is chance, or one error in both
+constexpr double kNotSeen = 1.15;  // true error over that move: the adjusted pose has an error as well
 
 }  // namespace
 

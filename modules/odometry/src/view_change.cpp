@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "view_change.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ void for_both(const Pinhole& pinhole, const std::vector<CloudPoint>& points, con
       project(pinhole, R_b, T_b.translation(), p.ray, p.idepth));
 }
 
-// Mean square of image motions.
+// Accumulates the mean square of image motions.
 struct FlowSum {
   double square = 0;
   int counted = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/opencv_bridge/quiet_opencv.h"
 
 #include <opencv2/core/utils/logger.hpp>

@@ -1,7 +1,7 @@
 'use strict';
-// Sorts the table of runs by the column whose heading is clicked; a second click turns the order round. Cells
-// without a value stay last. Of a long table the first rows are shown, and as many more at each click below it:
-// laying out ten thousand rows with their pictures would take a browser a minute.
+// Sorts the table of runs by the column whose heading is clicked; a second click reverses the order. Cells
+// without a value stay last. Of a long table only the first rows are shown, and as many more at each click below it:
+// a browser would take a minute to lay out ten thousand rows with pictures.
 (() => {
   const table = document.querySelector('table.runs'), body = table.tBodies[0];
   const headings = [...table.tHead.rows[0].cells];
@@ -15,7 +15,7 @@
     return sign * (isNaN(a) || isNaN(b) ? a.localeCompare(b, 'en', {numeric: true}) : a - b);
   }
 
-  // Rows come hidden from the file where they are not among the first.
+  // In the file, all but the first rows are hidden.
   function show() {
     [...body.rows].forEach((row, i) => row.hidden = i >= shown);
     if (!more) return;

@@ -1,7 +1,7 @@
 'use strict';
-// The map in 3D, its data: what map_packing.h wrote, as arrays; what a colour can tell, and the colours.
+// The map in 3D: its data as arrays, read from the output of map_packing.h, and the quantities shown as colours.
 const MapData = (() => {
-  // What is drawn at a vertex: a dot, a line from the one before, nothing.
+  // What is drawn at a vertex: a dot, a line from the vertex before, or nothing.
   const kPoint = 0, kJoint = 1, kLineStart = 2;
 
   // ---- the data, as map_packing.h writes it ----
@@ -66,7 +66,7 @@ const MapData = (() => {
 
   // ---- ranges and colours ----
 
-  // The values below which `low` and `high` of the finite ones lie; a few thousand of them tell.
+  // The `low` and `high` quantiles of the finite values, estimated from a few thousand of them.
   function spread(values, stride, offset, low, high) {
     const count = values.length / stride, step = Math.max(1, Math.floor(count / 5000)), some = [];
     for (let i = 0; i < count; i += step)
@@ -79,7 +79,7 @@ const MapData = (() => {
   const digits = value => Math.abs(value) >= 100 ? 1 : Math.abs(value) >= 1 ? 2 : 3;
   const length = (value, unit) => value.toFixed(digits(value)) + ' ' + unit;
 
-  // What a colour can tell: the value of a vertex, and the words at the ends of the legend.
+  // Quantities that a colour can show: the value of a vertex, and the labels of the legend.
   function quantities(map) {
     const some = map.sigma.filter(s => s > 0), sigma = spread(some.length ? some : [1], 1, 0, 0.02, 0.98);
     return {
@@ -105,12 +105,12 @@ const MapData = (() => {
     };
   }
 
-  const packColor = (r, g, b) => (255 << 24 | b << 16 | g << 8 | r) >>> 0;  // as the bytes lie in the picture
+  const packColor = (r, g, b) => (255 << 24 | b << 16 | g << 8 | r) >>> 0;  // in the byte order of the picture
 
   function rampColors(map, name) {
     const colors = new Uint32Array(256);
     for (let i = 0; i < 256; ++i) {
-      const gray = 56 + Math.round(i * 199 / 255);  // black would not be seen before the dark
+      const gray = 56 + Math.round(i * 199 / 255);  // black would not be visible on the dark background
       const light = k => 36 + Math.round(map.ramp[3 * i + k] * 219 / 255);
       colors[i] = name === 'gray' ? packColor(gray, gray, gray) : packColor(light(0), light(1), light(2));
     }

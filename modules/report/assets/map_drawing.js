@@ -1,12 +1,11 @@
 'use strict';
-// The map in 3D, its drawing. Points and lines go into a picture in memory, with a depth for each pixel, by
-// the loops below: no graphics card is asked. Path, cameras and grid are strokes of the canvas over and under
-// it.
+// The map in 3D: its drawing. The loops below draw points and lines into a picture in memory with a depth buffer,
+// without a graphics card. Path, cameras and grid are canvas strokes above and below it.
 const MapDrawing = (() => {
   const {kPoint, kJoint} = MapData;
   const kHalfView = Math.tan(25 * Math.PI / 180);  // half of the view's shorter side, at distance 1
-  const kNearest = 0.002;                          // of the view's distance: nothing nearer is drawn
-  const kFewPoints = 40000;                        // so few are drawn larger
+  const kNearest = 0.002;                          // share of the view's distance; nothing nearer is drawn
+  const kFewPoints = 40000;                        // up to so many points are drawn larger
 
   // ---- the view ----
 
@@ -64,7 +63,7 @@ const MapDrawing = (() => {
       const dx = x1 - x0, dy = y1 - y0, w = this.width, h = this.height;
       if ((x0 < 0 && x1 < 0) || (y0 < 0 && y1 < 0) || (x0 > w && x1 > w) || (y0 > h && y1 > h)) return;
       const steps = Math.max(1, Math.ceil(Math.max(Math.abs(dx), Math.abs(dy))));
-      if (steps > 4 * (w + h)) return;  // through the eye
+      if (steps > 4 * (w + h)) return;  // the line passes through the eye
       if (size === 1)
         return this.thinLine(x0, y0, near0, dx / steps, dy / steps, (near1 - near0) / steps, steps, color);
       for (let k = 0; k <= steps; ++k) {
@@ -72,7 +71,7 @@ const MapDrawing = (() => {
         this.dot(x0 + s * dx, y0 + s * dy, near0 + s * (near1 - near0), size, color);
       }
     }
-    // Most lines of a large map: one pixel wide, from (x, y) in steps of (dx, dy).
+    // A line one pixel wide from (x, y) in steps of (dx, dy), as most lines of a large map are.
     thinLine(x, y, nearness, dx, dy, dn, steps, color) {
       const {width, height, pixels} = this, all = this.nearness;
       for (let k = 0; k <= steps; ++k, x += dx, y += dy, nearness += dn) {
@@ -83,8 +82,8 @@ const MapDrawing = (() => {
     }
   }
 
-  // Every `step`-th vertex; a line needs the one before, too. The loop knows the projection by heart: a call
-  // for each vertex would cost more than all else.
+  // Draws every `step`-th vertex, and the one before it for a line. The projection is inlined: a call for each
+  // vertex would cost more than everything else.
   function drawMap(picture, map, colors, view, step, sharp) {
     const {right, up, ahead, eye} = axesOf(view), {xyz, kind, count} = map, w = picture.width,
                              h = picture.height;
@@ -119,12 +118,12 @@ const MapDrawing = (() => {
 
   // ---- lines over and under the picture ----
 
-  function strokeWay(context, way, project) {
-    const p = {}, n = way.length / 3;
+  function strokePath(context, path, project) {
+    const p = {}, n = path.length / 3;
     let drawing = false;
     context.beginPath();
     for (let i = 0; i < n; ++i) {
-      const there = isFinite(way[3 * i]) && project(way[3 * i], way[3 * i + 1], way[3 * i + 2], p);
+      const there = isFinite(path[3 * i]) && project(path[3 * i], path[3 * i + 1], path[3 * i + 2], p);
       if (there) drawing ? context.lineTo(p.x, p.y) : context.moveTo(p.x, p.y);
       drawing = there;
     }
@@ -139,7 +138,7 @@ const MapDrawing = (() => {
     ];
   };
 
-  // The pyramid that a camera sees.
+  // The view frustum of a camera, as a pyramid.
   function strokeCamera(context, pose, size, project) {
     const at = (x, y, z) => {
       const v = rotated(pose.slice(3), [size * x, size * y, size * z]), p = {};
@@ -168,8 +167,8 @@ const MapDrawing = (() => {
     return [1, 2, 5, 10].map(f => f * power).find(v => v >= 0.999 * length);
   }
 
-  // A square grid on the ground around the target; a line is cut into pieces, since only a part of it may be
-  // before the eye.
+  // A square grid on the ground around the target. Lines are split into pieces, since only a part of a line may be
+  // in front of the eye.
   function strokeGrid(context, view, step, project) {
     const half = 12, kPieces = 24, a = {}, b = {};
     const middle = [Math.round(view.target[0] / step) * step, Math.round(view.target[1] / step) * step];
@@ -200,7 +199,7 @@ const MapDrawing = (() => {
     projection,
     Picture,
     drawMap,
-    strokeWay,
+    strokePath,
     strokeKeyframes,
     strokeGrid,
     roundLength,

@@ -1,25 +1,25 @@
 'use strict';
-// The map in 3D on the page: where the view is, how it is moved, and what is picked. While it moves only
-// every n-th vertex is drawn, n such that a picture takes kMovingMs; once it rests, all are.
+// The map in 3D on the page: view, navigation and picking. While the view moves, only every n-th vertex is drawn,
+// with n such that a picture takes kMovingMs; at rest all are.
 (() => {
   const {spread, digits, length} = MapData;
   const {axesOf, projection, circle} = MapDrawing;
-  // Of a picture while the view moves: 30 to 60 pictures a second with what the browser adds.
+  // Time for a picture while the view moves: 30 to 60 pictures a second, including the browser's overhead.
   const kMovingMs = 22;
-  const kRestMs = 160;  // without a movement until all is drawn
+  const kRestMs = 160;  // without a movement until all vertices are drawn
   const kTurn = 0.008;  // radians a pixel of dragging
-  const kPickPx = 9;    // a pointer hits a point within so many pixels
+  const kPickPx = 9;    // pixels within which the pointer hits a point
 
-  // ---- where the view begins ----
+  // ---- initial view ----
 
   function startOf(map) {
-    const ways = [map.xyz, map.path].filter(v => v.length > 0), box = [0, 1, 2].map(k => {
-      const parts = ways.map(v => spread(v, 3, k, v === map.xyz ? 0.07 : 0, v === map.xyz ? 0.93 : 1));
+    const paths = [map.xyz, map.path].filter(v => v.length > 0), box = [0, 1, 2].map(k => {
+      const parts = paths.map(v => spread(v, 3, k, v === map.xyz ? 0.07 : 0, v === map.xyz ? 0.93 : 1));
       return [Math.min(...parts.map(p => p[0])), Math.max(...parts.map(p => p[1]))];
     });
     const extent = Math.max(1e-6, Math.hypot(...box.map(([low, high]) => high - low)));
-    const long =
-        box[0][1] - box[0][0] >= box[1][1] - box[1][0];  // the way goes along x: from its side and behind
+    // A scene that is long in x is viewed from the side and behind.
+    const long = box[0][1] - box[0][0] >= box[1][1] - box[1][0];
     return {
       target: box.map(([low, high]) => 0.5 * (low + high)),
       extent,
@@ -42,7 +42,7 @@
       this.picture = new MapDrawing.Picture();
       this.start = startOf(this.map);
       this.layers = {map: true, path: true, truth: true, keyframes: true, grid: true};
-      this.step = 1, this.picked = -1, this.time = -1, this.moved = -1e9, this.asked = false;
+      this.step = 1, this.picked = -1, this.time = -1, this.moved = -1e9, this.requested = false;
       this.goTo({});
       this.paintWith('height');
       for (const e of root.querySelectorAll('[data-needs=truth]')) e.hidden = this.map.truth.length === 0;
@@ -61,21 +61,21 @@
       this.role('low').textContent = q.text(q.range[0]);
       this.role('what').textContent = q.what;
       this.role('high').textContent = q.text(q.range[1]);
-      this.ask();
+      this.request();
     }
 
-    // The start, but for what `change` says.
+    // Goes to the initial view, with the changes in `change`.
     goTo(change) {
       this.view = {...this.start, target: [...this.start.target], ...change};
-      this.ask();
+      this.request();
     }
 
-    // Asks for a picture; all that happens until it is drawn goes into one.
-    ask() {
-      if (this.asked) return;
-      this.asked = true;
+    // Requests a picture; all changes until it is drawn go into the same one.
+    request() {
+      if (this.requested) return;
+      this.requested = true;
       requestAnimationFrame(() => {
-        this.asked = false;
+        this.requested = false;
         this.draw();
       });
     }
@@ -83,8 +83,8 @@
       this.moved = performance.now();
       change(this.view);
       clearTimeout(this.rest);
-      this.rest = setTimeout(() => this.ask(), kRestMs);
-      this.ask();
+      this.rest = setTimeout(() => this.request(), kRestMs);
+      this.request();
     }
     moving() { return performance.now() - this.moved < kRestMs - 10; }
 
@@ -104,7 +104,7 @@
       if (moving) this.pace(performance.now() - began);
       this.canvas.dataset.step = moving ? this.step : 1;
     }
-    // How many vertices the next picture of a movement may have.
+    // Adapts the number of vertices of the next picture during a movement.
     pace(ms) {
       const slower = Math.min(2, Math.max(0.7, ms / kMovingMs)), step = Math.round(this.step * slower);
       const next = ms > kMovingMs ? Math.max(step, this.step + 1) : step;
@@ -120,15 +120,15 @@
       if (layers.keyframes)
         stroke(
             'keyframes', 0.8, () => MapDrawing.strokeKeyframes(context, map, 0.012 * view.extent, project));
-      if (layers.truth) stroke('truth', 3.5, () => MapDrawing.strokeWay(context, map.truth, project));
-      if (layers.path) stroke('path', 1.8, () => MapDrawing.strokeWay(context, map.path, project));
+      if (layers.truth) stroke('truth', 3.5, () => MapDrawing.strokePath(context, map.truth, project));
+      if (layers.path) stroke('path', 1.8, () => MapDrawing.strokePath(context, map.path, project));
       if (this.time >= 0 && project(...map.path.subarray(3 * this.time, 3 * this.time + 3), p))
         stroke('picked', 3, () => circle(context, p, 7 * sharp));
       if (this.picked >= 0 && project(...map.xyz.subarray(3 * this.picked, 3 * this.picked + 3), p))
         stroke('picked', 2, () => circle(context, p, 8 * sharp));
       this.drawGrid(project, sharp);
     }
-    // Under all else.
+    // Drawn below everything else.
     drawGrid(project, sharp) {
       const step = MapDrawing.roundLength(this.view.distance / 12);
       this.role('grid').textContent =
@@ -148,7 +148,7 @@
         v.elevation = Math.max(-1.57, Math.min(1.57, v.elevation + kTurn * dy));
       });
     }
-    // By pixels: what is at the target follows the pointer.
+    // Moves by pixels: the point at the target follows the pointer.
     shift(dx, dy) {
       this.move(v => {
         const {right, up} = axesOf(v), side = Math.min(this.canvas.clientWidth, this.canvas.clientHeight);
@@ -164,7 +164,7 @@
 
     // ---- picking ----
 
-    // The nearest to the eye of the points under the pointer; x and y in CSS pixels of the canvas.
+    // The point under the pointer that is nearest to the eye; x and y in CSS pixels of the canvas.
     pick(x, y) {
       const {map, canvas} = this, project = projection(this.view, canvas.clientWidth, canvas.clientHeight),
                   p = {};
@@ -176,7 +176,7 @@
       }
       this.picked = found;
       this.role('picked').textContent = found < 0 ? 'No point is there.' : this.words(found);
-      this.ask();
+      this.request();
     }
     words(i) {
       const {map, quantity} = this, at = k => map.xyz[3 * i + k].toFixed(digits(map.xyz[3 * i + k])),
@@ -195,7 +195,7 @@
       this.role('color').addEventListener('change', e => this.paintWith(e.target.value));
       for (const box of this.root.querySelectorAll('[data-layer]'))
         box.addEventListener('change', () => {
-          this.layers[box.dataset.layer] = box.checked, this.ask();
+          this.layers[box.dataset.layer] = box.checked, this.request();
         });
       for (const button of this.root.querySelectorAll('[data-do]'))
         button.addEventListener('click', () => this.act(button.dataset.do));
@@ -203,7 +203,7 @@
       this.canvas.addEventListener('contextmenu', e => e.preventDefault());
       this.canvas.addEventListener('wheel', e => this.onWheel(e), {passive: false});
       this.listenToPointers();
-      new ResizeObserver(() => this.ask()).observe(this.canvas);
+      new ResizeObserver(() => this.request()).observe(this.canvas);
       for (const query of ['(prefers-color-scheme: dark)', 'print'])
         matchMedia(query).addEventListener('change', () => this.draw());
       addEventListener('edgevo-time', e => this.showTime(e.detail));
@@ -221,11 +221,11 @@
     }
     onKey(e) {
       const step = 24,
-            ways = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step]};
-      const way = ways[e.key], keys = {'+': 'closer', '=': 'closer', '-': 'farther', '0': 'start'};
+            steps = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step]};
+      const move = steps[e.key], keys = {'+': 'closer', '=': 'closer', '-': 'farther', '0': 'start'};
       if (e.ctrlKey || e.altKey || e.metaKey) return;
-      if (way)
-        e.shiftKey ? this.shift(...way) : this.turn(-way[0], -way[1]);
+      if (move)
+        e.shiftKey ? this.shift(...move) : this.turn(-move[0], -move[1]);
       else if (keys[e.key])
         this.act(keys[e.key]);
       else if (e.key === 'Enter')
@@ -234,14 +234,14 @@
         return;
       e.preventDefault();
     }
-    // The page scrolls over a map that nobody has clicked.
+    // The page scrolls over a map that has not been clicked.
     onWheel(e) {
       if (document.activeElement !== this.canvas) return;
       e.preventDefault();
       this.zoom(Math.exp(0.0015 * Math.max(-300, Math.min(300, e.deltaY))));
     }
     listenToPointers() {
-      const down = new Map();  // pointer -> where it is, from when it was pressed
+      const down = new Map();  // pressed pointer -> its position
       let travel = 0;
       this.canvas.addEventListener('pointerdown', e => {
         this.canvas.focus({preventScroll: true});
@@ -270,13 +270,13 @@
       this.canvas.addEventListener('pointerup', up);
       this.canvas.addEventListener('pointercancel', up);
     }
-    // One of two fingers moved.
+    // Handles the movement of one of two fingers.
     pinch(other, before, now) {
       const span = p => Math.max(20, Math.hypot(p.x - other.x, p.y - other.y));
       this.zoom(span(before) / span(now));
       this.shift(0.5 * (now.x - before.x), 0.5 * (now.y - before.y));
     }
-    // The frame nearest in time to the pointer in a chart; null: none.
+    // Shows the frame that is nearest in time to the pointer in a chart; null: none.
     showTime(seconds) {
       const all = this.map.seconds;
       let low = 0, high = all.length - 1;
@@ -288,7 +288,7 @@
           high = middle;
       }
       this.time = seconds === null || all.length === 0 ? -1 : low;
-      this.ask();
+      this.request();
     }
   }
 

@@ -1,5 +1,5 @@
 'use strict';
-// What every page can do: values under the pointer in charts and plans, pictures that enlarge.
+// Common script of all pages: values under the pointer in charts and plans, pictures that enlarge.
 (() => {
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const element = (name, parent, text = '') => {
@@ -12,9 +12,9 @@
       Math.abs(value) >= 1000             ? value.toFixed(0) :
                                             String(Number(value.toPrecision(4)));
 
-  // ---- charts: one moment in all of them ----
+  // ---- charts: a common cursor ----
 
-  // Index of the value of ascending `xs` that is nearest to x.
+  // Index of the value nearest to x in the ascending `xs`.
   function nearest(xs, x) {
     let low = 0, high = xs.length - 1;
     while (high - low > 1) {
@@ -54,8 +54,8 @@
         element('span', this.output, (series.length > 1 ? s.name + ' ' : '') + written(s.y[this.at]));
       }
     }
-    // The time of the value `steps` further.
-    beside(steps) {
+    // The time `steps` values after the current one.
+    timeAfter(steps) {
       const {x} = this.data, at = this.at === undefined ? 0 : this.at + steps;
       return x[Math.max(0, Math.min(x.length - 1, at))];
     }
@@ -78,11 +78,11 @@
       if (e.key === 'Escape') showTime(null);
       if (steps === undefined || chart.data.x.length === 0) return;
       e.preventDefault();
-      showTime(chart.beside(steps));
+      showTime(chart.timeAfter(steps));
     });
   }
 
-  // ---- plans: where on the ground ----
+  // ---- plans: position on the ground ----
 
   for (const root of all('[data-plan]')) {
     const {left, forward, unit} = JSON.parse(root.dataset.plan), plot = root.querySelector('.plot');

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "advice.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ int frames_in(const Run& run, TrackingState state) {
       std::count_if(run.frames.begin(), run.frames.end(), [&](const auto& f) { return f.state == state; }));
 }
 
-// The note that most frames of a state carry, numbers and all.
+// The most frequent note among frames of a state, including its numbers.
 std::string commonest_note(const Run& run, TrackingState state) {
   std::map<std::string, int> count;
   for (const FrameRecord& f : run.frames)
@@ -26,8 +27,8 @@ std::string commonest_note(const Run& run, TrackingState state) {
   return most == count.end() ? "" : most->first;
 }
 
-// Commands are read in the folder of the report, not where the run was started. What is no path (camera:0)
-// stays.
+// An absolute path, since commands are run from the folder of the report. Anything that is not a path
+// (camera:0) is returned unchanged.
 std::string from_anywhere(const std::string& path) {
   std::error_code error;
   return std::filesystem::exists(path, error)
@@ -40,12 +41,11 @@ std::string because(const std::string& note) { return note.empty() ? "" : " (\""
 void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
   const int frames = int(run.frames.size()), lost = frames_in(run, TrackingState::kLost),
             degraded = frames_in(run, TrackingState::kDegraded);
-  if (info.interrupted) list->push_back({"The run ended early: this is the part up to there.", ""});
+  if (info.interrupted) list->push_back({"The run ended early; this is the part up to there.", ""});
   if (count(run).with_pose == 0)
     list->push_back({"No frame has a pose" + because(commonest_note(run, TrackingState::kBootstrapping)) +
-                         ". The camera must move sideways or forward, not only turn, past things with edges; "
-                         "check also that the "
-                         "calibration is that of these images.",
+                         ". The camera must translate, not only rotate, in view of objects with edges; "
+                         "check also that the calibration belongs to these images.",
                      ""});
   else if (2 * count(run).with_pose < frames)
     list->push_back(
@@ -53,9 +53,8 @@ void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list
   if (count(run).with_pose > 0 && lost > 0)
     list->push_back({std::to_string(lost) + " frames are lost" +
                          because(commonest_note(run, TrackingState::kLost)) +
-                         ". Where a new segment begins its place and scale are a guess. Images at a higher "
-                         "rate or with a shorter exposure "
-                         "help most; look at the images of the red stretches.",
+                         ". Position and scale of a new segment are a guess. Images at a higher rate or with "
+                         "a shorter exposure help most; look at the images of the red intervals.",
                      ""});
   if (10 * degraded > frames)
     list->push_back({std::to_string(degraded) + " frames are degraded" +
@@ -67,20 +66,20 @@ void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list
 void add_camera(const Run& run, std::vector<Advice>* list) {
   if (run.camera.state == CameraRefinement::State::kApplied)
     list->push_back(
-        {"The camera file does not name all of the lens distortion; what was found can be folded into a "
-         "corrected camera file:",
+        {"The camera file does not cover all of the lens distortion; write a camera file with the correction "
+         "that was found:",
          "edgevo calibrate . -o camera.yaml"});
 }
 
 void add_scale(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
   if (run.is_metric() || count(run).with_pose == 0) return;
   list->push_back(
-      {"Lengths are in an arbitrary unit. For metres give a source of scale (edgevo run --help lists them), "
+      {"Lengths are in an arbitrary unit. For metres, give a source of scale (edgevo run --help lists them), "
        "for example",
        "edgevo run " + from_anywhere(info.source_path) + " -o OUT --scale factor=METRES_PER_UNIT"});
 }
 
-// Slower than the camera: on average over the run.
+// Adds a hint if the odometry was slower than the camera, on average over the run.
 void add_speed(const Run& run, std::vector<Advice>* list) {
   if (run.frames.size() < 10) return;
   double busy_ms = 0;
@@ -88,17 +87,18 @@ void add_speed(const Run& run, std::vector<Advice>* list) {
     for (double ms : stage.second) busy_ms += ms;
   const double span_ms = 1000 * seconds_between(run.frames.front().time, run.frames.back().time);
   if (busy_ms <= span_ms) return;
-  list->push_back(
-      {"The odometry takes " + fixed(busy_ms / double(run.frames.size()), 0) +
-           " ms a frame, the images come every " + fixed(span_ms / double(run.frames.size() - 1), 0) +
-           " ms: for live use take two threads (--realtime), smaller images or every second one (--every 2).",
-       ""});
+  list->push_back({"The odometry takes " + fixed(busy_ms / double(run.frames.size()), 0) +
+                       " ms a frame, but images arrive every " +
+                       fixed(span_ms / double(run.frames.size() - 1), 0) +
+                       " ms: for live use, take two threads (--realtime), smaller images or every second "
+                       "image (--every 2).",
+                   ""});
 }
 
 void add_uses(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
   if (count(run).with_pose == 0) return;
   if (!info.ground_truth_path.empty())
-    list->push_back({"All error figures against the ground truth:",
+    list->push_back({"All error figures, compared with ground truth:",
                      "edgevo eval trajectory_tum.txt " + from_anywhere(info.ground_truth_path)});
   list->push_back({"The path and the edges in 3D:", "SceneViewer3D scene.3Dscene"});
   list->push_back(

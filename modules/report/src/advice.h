@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a user can do next, from what a run shows: the list at the top of report.html.
+// Hints on what to do next, derived from the run: the list at the top of report.html.
 #include <string>
 #include <vector>
 
@@ -8,13 +9,13 @@
 
 namespace edgevo {
 
-/// A sentence, and a command to copy where there is one. Both are plain text.
+/// A hint, with a command to copy or an empty one. Both are plain text.
 struct Advice {
   std::string text, command;
 };
 
-/// Troubles first, then where the results are seen and used. Commands are written for a shell in the folder
-/// of the report.
+/// Hints for a run: problems first, then uses of the results. Commands are meant for a shell in the folder of
+/// the report.
 std::vector<Advice> advise(const Run& run, const RunInfo& info);
 
 }  // namespace edgevo

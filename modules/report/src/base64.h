@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Bytes as text that may stand in HTML, JSON and a data: URL (RFC 4648), four characters for three bytes.
+// Base64 encoding (RFC 4648) for HTML, JSON and data: URLs: four characters for three bytes.
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace edgevo {
 
+/// `bytes` in base64, with padding.
 std::string base64(const std::vector<uint8_t>& bytes);
 
 }  // namespace edgevo

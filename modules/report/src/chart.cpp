@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/chart.h"
 
 #include <algorithm>
@@ -11,11 +12,11 @@ namespace edgevo {
 namespace {
 
 constexpr double kPlotHeight = 154;
-// Room around the plot of a drawing that holds its own labels.
+// Margins around the plot in a drawing with labels inside.
 constexpr double kLeft = 72, kRight = 10, kTop = 8, kBottom = 28;
-constexpr size_t kMaxColumns = 600;  // of a chart: more frames than that are drawn as means
+constexpr size_t kMaxColumns = 600;  // more frames than that are drawn as means
 
-// The mean of each stretch of `per` values; NaN where none is finite.
+// The mean of every `per` values; NaN if none of them is finite.
 std::vector<double> means(const std::vector<double>& values, size_t per) {
   std::vector<double> result;
   for (size_t begin = 0; begin < values.size(); begin += per) {
@@ -65,7 +66,7 @@ Range x_range(const std::vector<double>& x) {
   return range;
 }
 
-// A chart as it is drawn, and where.
+// A chart as drawn, with its axes.
 struct Plot {
   TimeChart chart;
   Axis x, y;
@@ -88,7 +89,7 @@ std::string time_grid(const Plot& p) {
   return svg;
 }
 
-std::string labels_beside(const Plot& plot) {
+std::string html_labels(const Plot& plot) {
   std::string html;
   int number = 0;
   for (double t : y_ticks(plot))
@@ -104,7 +105,7 @@ std::string text_at(double x, double y, const std::string& anchor, const std::st
          html_escaped(text) + "</text>\n";
 }
 
-std::string labels_within(const Plot& p) {
+std::string svg_labels(const Plot& p) {
   std::string svg;
   for (double t : y_ticks(p))
     svg += text_at(p.x.at_low - 6, p.y(t) + 4, "end", tick_label(t, step_of(y_ticks(p))));
@@ -133,7 +134,8 @@ std::string line_of(const Series& s, const std::vector<double>& xs, const Axis& 
   return "<path class=\"line\" style=\"stroke:" + s.color + "\" d=\"" + path_of(xs, s.y, x, y) + "\"/>\n";
 }
 
-// From the sum of the series below up to its own; drawn from the topmost down, each over the one above.
+// Area from zero up to the stacked sum. Areas are drawn from the topmost down, so that each covers the lower
+// part of the one above.
 std::string area_of(const Series& s, const std::vector<double>& xs, const Axis& x, const Axis& y) {
   if (xs.empty()) return "";
   const std::string base = svg_number(y(0));
@@ -158,7 +160,7 @@ std::string lines_of(const Plot& p) {
   return svg;
 }
 
-// "var(--blue,#1f5fbf)" -> "#1f5fbf": programs that are no browsers know no variables.
+// "var(--blue,#1f5fbf)" -> "#1f5fbf": programs other than browsers do not know CSS variables.
 TimeChart in_plain_colors(TimeChart chart) {
   for (Series& s : chart.series)
     if (const size_t comma = s.color.find(','); s.color.rfind("var(", 0) == 0 && comma != std::string::npos)
@@ -166,7 +168,7 @@ TimeChart in_plain_colors(TimeChart chart) {
   return chart;
 }
 
-// What page.js tells under the pointer.
+// The values that page.js shows under the pointer.
 std::string values_of(const TimeChart& thin) {
   const Range range = x_range(thin.x);
   std::string series;
@@ -186,13 +188,13 @@ std::string draw(const TimeChart& all) {
          " over time; arrow keys read it\" data-chart=\"" + html_escaped(values_of(thin)) +
          "\">\n<p class=\"name\">" + html_escaped(all.y_name) + "</p>\n" + legend_of(all) +
          "<div class=\"plot\">" + svg_open(kPlotHeight, "chart", true) + time_grid(plot) + lines_of(plot) +
-         "</svg>\n" + labels_beside(plot) + "</div></div>\n";
+         "</svg>\n" + html_labels(plot) + "</div></div>\n";
 }
 
 std::string draw_svg(const TimeChart& all) {
   const Plot plot =
       plot_in(thinned_chart(in_plain_colors(all)), kLeft, kWidth - kRight, kTop, kTop + kPlotHeight);
-  return svg_open(kTop + kPlotHeight + kBottom, "chart", false) + time_grid(plot) + labels_within(plot) +
+  return svg_open(kTop + kPlotHeight + kBottom, "chart", false) + time_grid(plot) + svg_labels(plot) +
          lines_of(plot) + "</svg>\n";
 }
 

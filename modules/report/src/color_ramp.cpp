@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "color_ramp.h"
 
 #include <opencv2/imgproc.hpp>

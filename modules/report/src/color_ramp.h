@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The colours of values in pictures, legends and the map in 3D: one ramp (Turbo), from low to high.
+// The colour ramp (Turbo) of pictures, legends and the map in 3D.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -7,10 +8,10 @@
 
 namespace edgevo {
 
-/// Red, green, blue of 0 to 255.
+/// 256 colours from low to high, each red, green, blue from 0 to 255.
 const std::vector<std::array<uint8_t, 3>>& color_ramp();
 
-/// The same as a CSS gradient from left to right, so that a legend is the ramp itself.
+/// The ramp as a CSS gradient from left to right, for legends.
 std::string color_ramp_css();
 
 }  // namespace edgevo

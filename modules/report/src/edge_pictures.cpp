@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/edge_pictures.h"
 
 #include <algorithm>
@@ -9,15 +10,17 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMaxWidth = 900;           // pixels of a picture
-constexpr size_t kKeyframesBefore = 15;  // with whose points a picture is drawn
+// Pixels of a picture.
+constexpr int kMaxWidth = 900;
+// Number of earlier keyframes whose points are drawn in a picture.
+constexpr size_t kKeyframesBefore = 15;
 
 struct SeenPoint {
   Eigen::Vector2d px;  // in the undistorted image of the picture
-  double idepth;       // there
+  double idepth;       // in the camera of the picture
 };
 
-// Keyframes of the run, by position, that host points.
+// Positions in Run::keyframes of up to `count` keyframes that host points.
 std::vector<size_t> choose_keyframes(const Run& run, const PointFilter& filter, int count) {
   std::vector<size_t> with_points, chosen;
   for (size_t k = 0; k < run.keyframes.size(); ++k) {
@@ -44,7 +47,7 @@ void add_seen(const Run& run, const KeyframeRecord& host, const SE3& T_cam_world
     for (const EdgeVertex& v : line.vertices) add(v);
 }
 
-// Far to near, so that near points are drawn over far ones.
+// Points sorted from far to near, so that near ones are drawn over far ones.
 std::vector<SeenPoint> points_seen(const Run& run, size_t keyframe, const PointFilter& filter) {
   std::vector<SeenPoint> seen;
   const KeyframeRecord& from = run.keyframes[keyframe];
@@ -56,7 +59,7 @@ std::vector<SeenPoint> points_seen(const Run& run, size_t keyframe, const PointF
   return seen;
 }
 
-// Ends of the colours: all but the nearest and farthest fiftieth of the points.
+// Sets the ends of the colour scale to percentiles 2 and 98 of the inverse depths.
 void set_range(const std::vector<std::vector<SeenPoint>>& seen, EdgePictures* pictures) {
   std::vector<double> idepths;
   for (const auto& points : seen)
@@ -67,8 +70,7 @@ void set_range(const std::vector<std::vector<SeenPoint>>& seen, EdgePictures* pi
   pictures->idepth_high = idepths[idepths.size() - 1 - idepths.size() / 50];
 }
 
-// The image with what the points refer to: distortion and residual distortion taken out. Empty if it cannot
-// be read.
+// The image without distortion and residual distortion. Empty if it cannot be read.
 cv::Mat undistorted(const std::string& path, const UndistortionMaps& maps) {
   const cv::Mat image = path.empty() ? cv::Mat() : cv::imread(path, cv::IMREAD_GRAYSCALE);
   if (image.cols != maps.width || image.rows != maps.height) return {};

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The x of the charts of a run.
+// Time axis of the charts of a run.
 #include <vector>
 
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 
-/// Seconds of each frame since the first.
+/// Time of each frame since the first, seconds.
 std::vector<double> seconds_of(const Run& run);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_packing.h"
 
 #include <algorithm>
@@ -12,10 +13,12 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kBlock = 1024;        // vertices: the boxes of so many add 2 %
-constexpr size_t kLongestPiece = 256;  // vertices of a line that are kept or left out together
+// Vertices with a common box; the boxes add 2 % to the size.
+constexpr size_t kBlock = 1024;
+// Vertices of a line that are kept or dropped together.
+constexpr size_t kLongestPiece = 256;
 
-// Bytes in the order of the page, whatever the machine's.
+// Collects values as little-endian bytes, on any machine.
 class Bytes {
  public:
   void u8(uint8_t v) { bytes_.push_back(v); }
@@ -120,10 +123,10 @@ std::string packed_hosts(const std::vector<MapVertex>& vertices) {
   return entry("hosts", hosts.text());
 }
 
-std::string packed_way(const std::string& name, const std::vector<std::optional<Eigen::Vector3d>>& way) {
+std::string packed_path(const std::string& name, const std::vector<std::optional<Eigen::Vector3d>>& path) {
   Bytes positions;
   const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  for (const auto& p : way) positions.vector(p.value_or(none));
+  for (const auto& p : path) positions.vector(p.value_or(none));
   return entry(name, positions.text());
 }
 
@@ -156,14 +159,14 @@ std::vector<MapVertex> thinned(const std::vector<MapVertex>& vertices, size_t mo
   if (vertices.size() <= most) return vertices;
   std::vector<MapVertex> kept;
   const double share = double(most) / double(vertices.size());
-  double due = 0;  // vertices that may be kept by now
+  double due = 0;  // number of vertices that may be kept so far
   for (size_t begin = 0; begin < vertices.size();) {
     const size_t end = end_of_piece(vertices, begin);
     due += share * double(end - begin);
     if (double(kept.size() + end - begin) <= due) {
       kept.insert(kept.end(), vertices.begin() + std::ptrdiff_t(begin),
                   vertices.begin() + std::ptrdiff_t(end));
-      kept[kept.size() - (end - begin)].joined = false;  // the piece before may be gone
+      kept[kept.size() - (end - begin)].joined = false;  // the piece before may have been dropped
     }
     begin = end;
   }
@@ -173,8 +176,8 @@ std::vector<MapVertex> thinned(const std::vector<MapVertex>& vertices, size_t mo
 std::string packed(const MapView& view) {
   const std::vector<MapVertex>& v = view.vertices;
   return "{" + entry("unit", view.unit) + packed_positions(v) + packed_sigmas(v) + packed_grays(v) +
-         packed_joints(v) + packed_hosts(v) + packed_way("path", view.path) +
-         packed_way("truth", view.truth) + packed_seconds(view.seconds) + packed_keyframes(view.keyframes) +
+         packed_joints(v) + packed_hosts(v) + packed_path("path", view.path) +
+         packed_path("truth", view.truth) + packed_seconds(view.seconds) + packed_keyframes(view.keyframes) +
          "\"ramp\":\"" + packed_ramp() + "\"}";
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/map_view.h"
 
 #include "assets.h"
@@ -8,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-// The depth is what is uncertain: the point moves along its ray by as much, relatively. `p`: EdgePoint,
+// Standard deviation along the ray: relative uncertainty of the depth, times the distance. `p`: EdgePoint or
 // EdgeVertex.
 template <typename Seen>
 float sigma_of(const Seen& p, const Eigen::Vector3d& p_cam) {
@@ -30,7 +31,7 @@ std::string count_statement(size_t shown, size_t all) {
   const std::string count = std::to_string(shown) + (shown == 1 ? " vertex" : " vertices") + " of the map";
   return shown == all
              ? count + "."
-             : count + ", taken evenly from " + std::to_string(all) + ": all are in the run's edges.ply.";
+             : count + ", taken evenly from " + std::to_string(all) + "; the run's edges.ply has all.";
 }
 
 std::string script_html(const char* script) { return "<script>" + std::string(script) + "</script>\n"; }

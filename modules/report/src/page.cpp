@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/page.h"
 
 #include "assets.h"
@@ -7,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-// From `open` behind `*at` up to `close`; false if there is none. `*at` is then behind it.
+// Finds the text between `open` and `close` from `*at` on and moves `*at` to its end. False: there is none.
 bool between(const std::string& text, const std::string& open, const std::string& close, size_t* at,
              std::string* found) {
   const size_t begin = text.find(open, *at);
@@ -18,7 +19,7 @@ bool between(const std::string& text, const std::string& open, const std::string
   return true;
 }
 
-// Links to the sections of `body`, as section_html wrote them.
+// Links to the sections that section_html() wrote into `body`.
 std::string contents_of(const std::string& body) {
   std::string links, id, title;
   for (size_t at = 0;

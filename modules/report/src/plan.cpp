@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/plan.h"
 
 #include <algorithm>
@@ -10,11 +11,11 @@ namespace edgevo {
 namespace {
 
 struct PlanAxes {
-  Axis left, forward;  // both with `left` growing to the left and `forward` upwards
+  Axis left, forward;  // `left` grows to the left, `forward` upwards
   double height;
 };
 
-// One scale for both directions; the height follows from the run, within limits.
+// Axes with one scale for both directions; the height follows from the lines, within limits.
 PlanAxes plan_axes(const Plan& plan) {
   Range left, forward;
   for (const PlanLine& line : plan.lines)
@@ -37,7 +38,7 @@ std::vector<double> left_ticks(const PlanAxes& axes) {
   return nice_ticks(axes.left.range.low, axes.left.range.high, 8);
 }
 
-// As far apart as those of the other axis.
+// Ticks as far apart as those of the other axis.
 std::vector<double> forward_ticks(const PlanAxes& axes) {
   const double step = step_of(left_ticks(axes));
   std::vector<double> ticks;
@@ -83,8 +84,8 @@ std::string plan_line(const PlanLine& line, const PlanAxes& axes) {
          (line.dashed ? "\" stroke-dasharray=\"7 5" : "") + "\" d=\"" + d + "\"/>\n";
 }
 
-// What page.js tells under the pointer: where on the ground it is.
-std::string place_of(const PlanAxes& axes, const std::string& unit) {
+// Ranges of the axes, from which page.js computes the position under the pointer.
+std::string ranges_of(const PlanAxes& axes, const std::string& unit) {
   return "{\"left\":" + json_list({axes.left.range.high, axes.left.range.low}) +
          ",\"forward\":" + json_list({axes.forward.range.high, axes.forward.range.low}) +
          ",\"unit\":" + json_text(unit) + "}";
@@ -99,7 +100,7 @@ std::string draw(const Plan& plan) {
     if (!line.name.empty()) entries.emplace_back(line.name, line.color);
   if (!plan.points.empty()) entries.emplace_back("edge points", "var(--dots,#b9bfca)");
   std::string html = "<div class=\"plan\" role=\"figure\" aria-label=\"from above\" data-plan=\"" +
-                     html_escaped(place_of(axes, plan.unit)) + "\">\n<p class=\"name\">" +
+                     html_escaped(ranges_of(axes, plan.unit)) + "\">\n<p class=\"name\">" +
                      html_escaped("forward up, left to the left, " + plan.unit) + "</p>\n" + legend(entries) +
                      "<div class=\"plot\">" + svg_open(axes.height, "plan", false) + plan_grid(axes) +
                      plan_points(plan, axes);

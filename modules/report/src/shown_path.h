@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The way of the camera as report.html shows it.
+// The path of the camera as shown in report.html.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,16 +10,21 @@
 
 namespace edgevo {
 
-/// Positions in map axes (x forward, y left, z up), and in metres where the truth tells.
+/// Positions in map axes (x forward, y left, z up), in metres if the run is metric or aligned with ground
+/// truth.
 struct ShownPath {
+  /// Unit of the positions: "m" or "units".
   std::string unit;
+  /// Factor from the unit of the run to that of the path.
   double metres_per_unit = 1;
-  std::vector<std::optional<Eigen::Vector3d>> estimate, truth;  ///< one for each frame
+  /// Positions, one for each frame; nullopt: none.
+  std::vector<std::optional<Eigen::Vector3d>> estimate, truth;
 };
 
+/// Path of the run, and the true path if `truth` is given.
 ShownPath path_of(const Run& run, const std::optional<TruthComparison>& truth);
 
-/// Sum of the steps within segments, in the path's unit.
+/// Length of the estimated path within segments, in the path's unit.
 double path_length(const ShownPath& path, const Run& run);
 
 }  // namespace edgevo

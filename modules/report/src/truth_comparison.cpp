@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "truth_comparison.h"
 
 #include "edgevo/core/error.h"

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Values as bytes of this machine and back, for files that only the same machine's program reads again.
+// Values as bytes in this machine's layout and back, for files that are read again on the same machine only.
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -8,6 +9,7 @@
 
 namespace edgevo {
 
+/// Appends values and strings to a string of bytes.
 class ByteWriter {
  public:
   template <class T>
@@ -25,7 +27,7 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what a ByteWriter wrote. Past the end it gives zeros and is not ok() any more.
+/// Reads what a ByteWriter wrote. Past the end it returns zeros and is no longer ok().
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -40,7 +42,7 @@ class ByteReader {
     const auto size = value<uint32_t>();
     return take(size) ? std::string(taken_) : std::string();
   }
-  /// Nothing was missing so far.
+  /// Whether all values read so far were complete.
   bool ok() const { return ok_; }
 
  private:

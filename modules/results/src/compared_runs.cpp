@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/compared_runs.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ std::vector<std::string> folders_of(const std::vector<std::string>& paths) {
   return folders;
 }
 
-// The longest folder that all lie below.
+// The deepest folder that contains all `folders`.
 fs::path common_parent(const std::vector<std::string>& folders) {
   fs::path common = plain(folders.front()).parent_path();
   const auto holds = [&](const std::string& folder) {
@@ -39,7 +40,7 @@ fs::path common_parent(const std::vector<std::string>& folders) {
   return common;
 }
 
-// As it may stand in a link: what has a meaning in URLs, and what is not ASCII, as %XX.
+// `path` as a URL: reserved and non-ASCII characters as %XX.
 std::string url_of(const std::string& path) {
   static const char* const kHex = "0123456789ABCDEF";
   const std::string plain_characters = "-._~/";

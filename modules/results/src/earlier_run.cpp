@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "earlier_run.h"
 
 #include <algorithm>
@@ -5,23 +6,23 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/files/output_folder.h"
+#include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_files.h"
-#include "edgevo/results/run_journal.h"
 #include "growing_file.h"
-#include "journal_format.h"
+#include "recovery_format.h"
 
 namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
 
-// By which a run's folder is known; the third is there while a run begins or where one did not get far.
-const std::vector<std::string> kMarks{"trajectory_live_tum.txt", kRunJournal, kEarlierRun};
+// Files by which a run's folder is recognised. The third exists until a run has its first pose.
+const std::vector<std::string> kMarks{"trajectory_live_tum.txt", kRecoveryLog, kEarlierRun};
 
-void check_is_written_to_its_end(const std::string& folder, bool force) {
+void check_is_complete(const std::string& folder, bool force) {
   std::error_code ignored;
-  if (force || !fs::exists(journal_path(folder), ignored)) return;
-  throw InputError(folder, "the run in it was cut off before its results were written",
+  if (force || !fs::exists(recovery_log_path(folder), ignored)) return;
+  throw InputError(folder, "the run in it was interrupted before its results were written",
                    "`edgevo finish " + folder + "` writes them; --force starts over");
 }
 
@@ -29,21 +30,21 @@ void move(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
   if (error)
-    throw InputError(from.string(), "of an earlier run cannot be moved: " + error.message(),
+    throw InputError(from.string(), "cannot be moved out of the way of the new run: " + error.message(),
                      "give another -o");
 }
 
 }  // namespace
 
 EarlierRun::EarlierRun(std::string folder, bool force) : folder_(std::move(folder)) {
-  if (GrowingFile::is_growing(journal_path(folder_)))
+  if (GrowingFile::is_growing(recovery_log_path(folder_)))
     throw InputError(folder_, "another run is writing there", "wait for it, or give another -o");
   check_folder_is_ours(folder_, kMarks, force);
-  check_is_written_to_its_end(folder_, force);
+  check_is_complete(folder_, force);
 }
 
 std::vector<std::string> EarlierRun::files_of_runs() const {
-  std::vector<std::string> known = journal_files(), found;
+  std::vector<std::string> known = recovery_files(), found;
   for (const RunFile& file : run_files()) known.push_back(file.name);
   for (const std::string& name : names_in(folder_))
     if (std::find(known.begin(), known.end(), name) != known.end()) found.push_back(name);
@@ -52,7 +53,7 @@ std::vector<std::string> EarlierRun::files_of_runs() const {
 
 void EarlierRun::set_aside() {
   const std::vector<std::string> files = files_of_runs();
-  // A run that got no pose left that place in use: what lies there is worth more than what it left itself.
+  // Already in use if the last run had no pose: the run that is kept there is worth more than that last one.
   const bool in_use = is_set_aside();
   std::error_code ignored;
   const fs::path folder = folder_, aside = folder / kEarlierRun;

@@ -1,27 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What an earlier run has left in the folder that a new one is to fill. It stays whole until the new run has
-// something to keep: its files wait in `earlier_run` within the folder from the new run's first frame to its
-// first pose.
+// Files that an earlier run has left in the output folder of a new one. They are kept until the new run has
+// results: from its first frame to its first pose they are in the subfolder `earlier_run`.
 #include <string>
 #include <vector>
 
 namespace edgevo {
 
-constexpr const char* kEarlierRun = "earlier_run";  ///< the folder within a run's folder
+/// Name of the subfolder of a run's folder.
+constexpr const char* kEarlierRun = "earlier_run";
 
+/// The files of the earlier run.
 class EarlierRun {
  public:
-  /// Looks into the folder (which may not be there yet) and changes nothing. Throws InputError when it holds
-  /// something else than a run, or a run that was not written to its end, unless `force`; and when a run is
-  /// going on there.
+  /// Inspects the folder (which need not exist) without changing it. Throws InputError if it holds something
+  /// other than a run, or an interrupted run, unless `force` is set; and if another run is writing to it.
   EarlierRun(std::string folder, bool force);
 
-  /// The new run begins: puts what the earlier one left aside, so that the two do not mix. Files that no run
+  /// Moves the files of the earlier run to the subfolder, at the start of the new run. Files that no run
   /// writes stay where they are. Throws InputError.
   void set_aside();
-  /// The new run has something to keep.
+  /// Removes the earlier run, once the new one has results.
   void remove();
-  /// The earlier run lies in `earlier_run`.
+  /// Whether the earlier run is in the subfolder.
   bool is_set_aside() const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <functional>
 
@@ -6,7 +7,7 @@
 
 namespace edgevo {
 
-/// Writes those files of the run whose kind is asked for, as far as they apply; failures are noted in
+/// Writes the files of the run whose kind is `requested` and that apply to it; failures are recorded in
 /// `folder`.
 void export_files(const std::function<bool(FileKind)>& requested, ExportContext* context, RunFolder* folder);
 

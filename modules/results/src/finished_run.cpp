@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/finished_run.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ void add_runs(const fs::path& folder, std::vector<std::string>* found) {
     return;
   }
   std::vector<fs::path> below;
-  std::error_code ignored;  // a folder that may not be read holds no run for us
+  std::error_code ignored;  // an unreadable folder counts as empty
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.is_directory(ignored) && !entry.is_symlink(ignored)) below.push_back(entry.path());
   std::sort(below.begin(), below.end());
@@ -45,7 +46,7 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-// frames.csv by the names of its columns.
+// Reads frames.csv by column names.
 class FrameTable {
  public:
   explicit FrameTable(const std::string& path) : path_(path), lines_(read_file(path, kRemedy)) {
@@ -53,19 +54,19 @@ class FrameTable {
     std::getline(lines_, header);
     names_ = split(header);
   }
-  // False behind the last row.
+  // Reads the next row; false after the last one.
   bool next() {
     std::string line;
     if (!std::getline(lines_, line)) return false;
     ++row_;
     fields_ = split(line);
     if (fields_.size() <= column("keyframe"))
-      throw InputError(path_ + ":" + std::to_string(row_ + 1), "the line breaks off", kRemedy);
+      throw InputError(path_ + ":" + std::to_string(row_ + 1), "the line is incomplete", kRemedy);
     return true;
   }
   const std::string& text(const char* name) const { return fields_[column(name)]; }
   int integer(const char* name) const { return std::atoi(text(name).c_str()); }
-  // Milliseconds of all stages; their columns come last, a stage that did not run is left empty.
+  // Time of all stages in this row, milliseconds; a stage that did not run is empty.
   double stages_ms() const {
     double sum = 0;
     for (size_t i = 0; i < std::min(names_.size(), fields_.size()); ++i)
@@ -99,12 +100,11 @@ void read_frames(FinishedRun* run) {
     ms += table.stages_ms();
     ++run->frames;
   }
-  if (run->frames == 0) throw InputError(run->folder + "/frames.csv", "lists no frame", kRemedy);
+  if (run->frames == 0) throw InputError(run->folder + "/frames.csv", "lists no frames", kRemedy);
   run->cpu_ms = ms / run->frames;
 }
 
-// The lines of one group of a YAML file, the others blank: its other groups may be what parse_block_yaml
-// refuses.
+// The YAML text with all lines outside `group` blanked, since parse_block_yaml may refuse other groups.
 std::string group_of(const std::string& yaml, const std::string& group) {
   std::istringstream lines(yaml);
   std::string kept;
@@ -116,7 +116,7 @@ std::string group_of(const std::string& yaml, const std::string& group) {
   return kept;
 }
 
-// What `edgevo run` says of its source.
+// Reads source and ground truth as `edgevo run` noted them.
 void read_summary(FinishedRun* run) {
   const std::string path = (fs::path(run->folder) / "summary.yaml").string();
   for (const YamlEntry& entry : parse_block_yaml(group_of(read_file(path, kRemedy), "source"), path)) {
@@ -126,7 +126,7 @@ void read_summary(FinishedRun* run) {
   if (holds(run->folder, "report.html")) run->report = (fs::path(run->folder) / "report.html").string();
 }
 
-// A job of a benchmark: OUT/SEQUENCE/VARIANT/seedN, the ground truth beside the seeds.
+// Reads a job of a benchmark: OUT/SEQUENCE/VARIANT/seedN, with the ground truth in the folder of the variant.
 void read_job(FinishedRun* run) {
   const fs::path variant = fs::absolute(run->folder).lexically_normal().parent_path();
   run->source = variant.parent_path().filename().string();
@@ -136,7 +136,7 @@ void read_job(FinishedRun* run) {
 void read_origin(FinishedRun* run) {
   if (holds(run->folder, "summary.yaml")) return read_summary(run);
   if (holds(run->folder, "job.yaml")) return read_job(run);
-  throw InputError(run->folder, "has not ended: there is neither summary.yaml nor job.yaml", kRemedy);
+  throw InputError(run->folder, "is incomplete: there is neither summary.yaml nor job.yaml", kRemedy);
 }
 
 void forget_missing_truth(FinishedRun* run) {
@@ -163,11 +163,11 @@ void read_poses(FinishedRun* run) {
 std::vector<std::string> find_runs(const std::string& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored))
-    throw InputError(path, "is no folder", "give the folder of a run, or one that holds runs");
+    throw InputError(path, "is not a folder", "give the folder of a run, or one that holds runs");
   std::vector<std::string> found;
   add_runs(path, &found);
   if (found.empty())
-    throw InputError(path, "no run has left its results there",
+    throw InputError(path, "holds no results of a run",
                      "give the folder that was -o of `edgevo run` or `edgevo bench`");
   return found;
 }

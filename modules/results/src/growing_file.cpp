@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "growing_file.h"
 
 #include <fcntl.h>
@@ -12,7 +13,7 @@ namespace edgevo {
 bool GrowingFile::open(const std::string& path) {
   close();
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  // The lock goes with the program, however that ends.
+  // The system releases the lock however the program ends.
   if (file_ >= 0 && (flock(file_, LOCK_EX | LOCK_NB) != 0 || !empty_it())) close();
   return is_open();
 }

@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A file that grows while the program runs: what was appended is with the system at once, and stays when the
-// program is killed.
+// A file that grows while the program runs: appended bytes are passed to the operating system at once and
+// survive the death of the program.
 #include <string>
 #include <string_view>
 
 namespace edgevo {
 
+/// An append-only file, locked while it is open.
 class GrowingFile {
  public:
   GrowingFile() = default;
@@ -13,15 +15,15 @@ class GrowingFile {
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
-  /// Begins an empty file, which nobody else may begin while it is open (see is_growing). False: it cannot
-  /// be.
+  /// Opens an empty file and locks it, so that no other program opens it meanwhile (see is_growing). Returns
+  /// false on failure.
   [[nodiscard]] bool open(const std::string& path);
-  /// False: there is no room, or it is not open.
+  /// Appends `bytes`. Returns false if the disk is full or the file is not open.
   [[nodiscard]] bool append(std::string_view bytes);
   void close();
   bool is_open() const { return file_ >= 0; }
 
-  /// Another program has the file open as a GrowingFile.
+  /// Whether a program has `path` open as a GrowingFile.
   static bool is_growing(const std::string& path);
 
  private:

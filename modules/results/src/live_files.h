@@ -1,29 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The files of a run that grow while it goes on: the journal, and for people trajectory_live_tum.txt and
-// frames.csv, which the run writes again, with all that it knows, at its end.
+// Files that grow during a run: the recovery log, trajectory_live_tum.txt and frames.csv. The last two are
+// written again, completely, at the end of the run.
 #include <string>
 
 #include "edgevo/odometry/odometry.h"
-#include "edgevo/results/run_journal.h"
+#include "edgevo/results/recovery_log.h"
 #include "growing_file.h"
 
 namespace edgevo {
 
+/// Writes the files that grow during a run.
 class LiveFiles {
  public:
-  /// Throws InputError when the journal cannot be begun.
-  LiveFiles(const std::string& folder, const JournalHeader& header);
+  /// Throws InputError if the recovery log cannot be made.
+  LiveFiles(const std::string& folder, const RecoveryHeader& header);
 
-  /// One frame, the keyframes that have settled by then, and those of the window.
+  /// Appends a frame, the keyframes marginalised by then and those of the window.
   void add(const FrameRecord& frame, const Odometry& odometry);
 
-  /// There was no room for the journal any more.
-  bool is_broken() const { return journal_.is_broken(); }
+  /// Whether the recovery log has ended for lack of space.
+  bool is_broken() const { return recovery_log_.is_broken(); }
 
  private:
-  void add_settled(const Odometry& odometry);
+  void add_marginalised(const Odometry& odometry);
 
-  RunJournal journal_;
+  RecoveryLog recovery_log_;
   GrowingFile trajectory_, frames_;
 };
 

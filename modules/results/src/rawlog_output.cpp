@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/rawlog_output.h"
 
 #include <filesystem>
@@ -31,7 +32,7 @@ int write_rawlog(ImageSource& source, const std::string& rawlog, const std::stri
 
 std::string describe_rawlog(const std::string& rawlog, int frames, bool has_ground_truth) {
   return rawlog + ": " + std::to_string(frames) + " frames, images in " + rawlog_stem(rawlog) + "_Images" +
-         (has_ground_truth ? ", ground truth beside it" : "");
+         (has_ground_truth ? ", ground truth next to it" : "");
 }
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "resource_use.h"
 
 #include <sys/resource.h>

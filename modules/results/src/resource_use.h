@@ -1,18 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Time and memory of the process, for summary.yaml.
 #include <chrono>
 
 namespace edgevo {
 
+/// Time and memory used.
 struct ResourceUse {
-  double wall_s = 0, cpu_s = 0;  ///< since the meter began
-  double peak_memory_mb = 0;     ///< of the process, ever
+  /// Wall-clock and CPU time since the meter was started, seconds.
+  double wall_s = 0, cpu_s = 0;
+  /// Peak memory of the process since its start, megabytes.
+  double peak_memory_mb = 0;
 };
 
+/// Measures the resources used since its construction.
 class ResourceMeter {
  public:
-  /// Begins to count.
+  /// Starts the clocks.
   ResourceMeter();
+  /// Resources used so far.
   ResourceUse so_far() const;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/run_folder.h"
 
 #include <filesystem>
@@ -7,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-// Libraries add call stacks below it.
+// Drops the call stacks that libraries append.
 std::string first_line(const std::string& text) { return text.substr(0, text.find_first_of("\r\n")); }
 
 }  // namespace
@@ -34,7 +35,7 @@ void RunFolder::note_failure(const std::string& file, const InputError& error) {
   if (!first_failure_) first_failure_ = error;
 }
 
-void RunFolder::tell_failures() const {
+void RunFolder::throw_first_failure() const {
   if (first_failure_) throw *first_failure_;
 }
 

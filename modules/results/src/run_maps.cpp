@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/run_maps.h"
 
 #include "edgevo/results/run_folder.h"
@@ -23,7 +24,7 @@ MapReport write_map_files(const Run& run, const MapParams& params, const std::st
   ExportContext context{run, params};
   context.on_keyframe_mapped = on_keyframe_mapped;
   export_files([](FileKind kind) { return kind == FileKind::kMap; }, &context, &folder);
-  folder.tell_failures();
+  folder.throw_first_failure();
   return context.map;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/run_outputs.h"
 
 #include <algorithm>
@@ -5,13 +6,13 @@
 
 #include "edgevo/core/run_statistics.h"
 #include "export_files.h"
-#include "journal_format.h"
+#include "recovery_format.h"
 #include "run_outputs_impl.h"
 
 namespace edgevo {
 namespace {
 
-// Three trajectories and frames.csv take about 600 bytes a frame: 10 000 frames.
+// Enough for 10 000 frames: three trajectories and frames.csv take about 600 bytes a frame.
 constexpr size_t kTextBytes = 6 << 20, kSummaryBytes = 64 << 10;
 
 const MapParams& checked(const MapParams& map) {
@@ -41,7 +42,7 @@ void RunOutputs::Impl::begin() {
   if (playback) return;
   earlier.set_aside();
   playback.emplace(folder.path(), camera);
-  if (journal_header) live.emplace(folder.path(), *journal_header);
+  if (recovery_header) live.emplace(folder.path(), *recovery_header);
 }
 
 void RunOutputs::Impl::write_image(const Frame& frame, const std::string& image_path) {
@@ -65,7 +66,7 @@ RunOutputs::RunOutputs(const std::string& folder, const Camera& camera, const Ma
 
 RunOutputs::~RunOutputs() { impl_->remove_if_unused(); }
 
-void RunOutputs::keep_journal(const JournalHeader& header) { impl_->journal_header = header; }
+void RunOutputs::keep_recovery_log(const RecoveryHeader& header) { impl_->recovery_header = header; }
 
 void RunOutputs::adopt(int last_frame) {
   impl_->playback.emplace(impl_->folder.path(), impl_->camera);
@@ -99,8 +100,8 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   export_files([](FileKind kind) { return kind != FileKind::kSummary; }, &context, &impl_->folder);
   impl_->summary_reserve.release();
   export_files([](FileKind kind) { return kind == FileKind::kSummary; }, &context, &impl_->folder);
-  impl_->folder.tell_failures();
-  remove_journal(impl_->folder.path());
+  impl_->folder.throw_first_failure();
+  remove_recovery_log(impl_->folder.path());
 }
 
 std::string RunOutputs::earlier_run() const {

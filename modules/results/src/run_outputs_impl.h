@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <optional>
 
@@ -15,7 +16,7 @@ struct RunOutputs::Impl {
   Impl(const std::string& path, const Camera& camera_of_images, const MapParams& map,
        const OutputOptions& requested);
 
-  /// The first frame is there: nothing in the folder is the earlier run's from here on.
+  /// Sets an earlier run aside and opens the growing files, at the first frame.
   void begin();
   void write_image(const Frame& frame, const std::string& image_path);
   void remove_if_unused() const;
@@ -25,11 +26,13 @@ struct RunOutputs::Impl {
   Camera camera;
   OutputOptions options;
   EarlierRun earlier;
-  bool was_there;  ///< the folder
+  /// Whether the folder existed before.
+  bool was_there;
   RunFolder folder;
   SpaceReserve text_reserve, summary_reserve;
-  std::optional<JournalHeader> journal_header;
-  std::optional<PlaybackWriter> playback;  ///< since the run has begun
+  std::optional<RecoveryHeader> recovery_header;
+  /// Writer of the images; set by begin().
+  std::optional<PlaybackWriter> playback;
   std::optional<LiveFiles> live;
   bool images_failed = false;
 };

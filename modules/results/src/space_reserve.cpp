@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "space_reserve.h"
 
 #include <fcntl.h>
@@ -14,7 +15,7 @@ namespace edgevo {
 SpaceReserve::SpaceReserve(const std::string& folder, size_t bytes) {
   std::string name = folder + "/.reserve_XXXXXX";
   file_ = mkostemp(name.data(), O_CLOEXEC);
-  if (file_ < 0) return;  // what will be written there tells why better than this can
+  if (file_ < 0) return;  // the first file written there will give a better reason
   unlink(name.c_str());
   const int error = posix_fallocate(file_, 0, off_t(bytes));
   if (error != ENOSPC && error != EDQUOT) return;

@@ -1,25 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Room on the disk that is taken before a run and given back for its last words: a full disk must not cost
+// Disk space that is reserved before a run and released for its text files, so that a full disk does not cost
 // the trajectory.
 //
-// A run fills a disk with images and maps, which are large; the trajectories, frames.csv and summary.yaml
-// come last and are small. They are what a user would miss most, so their room is held from the start. The
-// file that holds it has no name: it is gone when the process is, however that ends.
+// Images and maps are large and may fill a disk; trajectories, frames.csv and summary.yaml are small, come
+// last and matter most. The file that reserves the space has no name: it disappears with the process, however
+// that ends.
 #include <cstddef>
 #include <string>
 
 namespace edgevo {
 
+/// Reserved disk space.
 class SpaceReserve {
  public:
-  /// Holds `bytes` on the disk of `folder`, where the file system can do that. Throws InputError when that
-  /// much is not free.
+  /// Reserves `bytes` on the disk of `folder`, if its file system supports that. Throws InputError if they
+  /// are not free.
   SpaceReserve(const std::string& folder, size_t bytes);
   ~SpaceReserve() { release(); }
   SpaceReserve(const SpaceReserve&) = delete;
   SpaceReserve& operator=(const SpaceReserve&) = delete;
 
-  /// Gives the room back; more than once does nothing.
+  /// Releases the space; may be called more than once.
   void release();
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/ground_height.h"
 
 #include <algorithm>
@@ -9,26 +10,27 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMinGroundPoints = 20;      // that a stretch must have
-constexpr double kMaxAhead = 3;           // camera heights: beyond the end of a path the pitch would count
-constexpr double kMaxWayPerDistance = 2;  // a point not passed on twice the way to it never will be
-constexpr double kDirectionHeights =
-    0.5;  // the direction of the way is taken over this many heights to each side, at least
-constexpr int kDirectionFrames = 2;  // and over so many frames
-constexpr double kLeastChord = 0.5;  // of that reach: with less it stands, or turns on the spot
-// Sine of the angle between way and camera's y axis: with less it looks up, down or rises.
+constexpr int kMinGroundPoints = 20;       // least number of points in an interval
+constexpr double kMaxAhead = 3;            // camera heights: beyond the end of a path the pitch would count
+constexpr double kMaxPathPerDistance = 2;  // a point not passed after twice the distance to it never will be
+// The direction of travel is taken over at least this many heights to each side.
+constexpr double kDirectionHeights = 0.5;
+constexpr int kDirectionFrames = 2;  // and over at least this many frames
+constexpr double kLeastChord = 0.5;  // of that reach: below this the camera is at rest or in pure rotation
+// Sine of the angle between the direction of travel and the camera's y axis: below this the camera looks up
+// or down, or climbs.
 constexpr double kLeastLevel = 0.5;
 constexpr double kNearHeights = 4;  // a point further away is not passed yet
 
-// Axes of the way at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y
+// Axes of the path at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y
 // axis).
-struct WayAxes {
+struct PathAxes {
   Eigen::Vector3d forward, down;
 };
 
-std::optional<WayAxes> way_axes(const Path& path, size_t j, double reach) {
+std::optional<PathAxes> path_axes(const Path& path, size_t j, double reach) {
   const auto far_enough = [&](size_t i) {
-    return std::abs(path[i].way - path[j].way) >= reach &&
+    return std::abs(path[i].distance - path[j].distance) >= reach &&
            (i > j ? i - j : j - i) >= size_t(kDirectionFrames);
   };
   size_t a = j, b = j;
@@ -39,8 +41,8 @@ std::optional<WayAxes> way_axes(const Path& path, size_t j, double reach) {
   const Eigen::Vector3d forward = chord.normalized();
   const Eigen::Vector3d y = path[j].T_world_cam.R().col(1);
   const Eigen::Vector3d down = y - y.dot(forward) * forward;
-  if (down.norm() < kLeastLevel) return std::nullopt;  // this is no drive
-  return WayAxes{forward, down.normalized()};
+  if (down.norm() < kLeastLevel) return std::nullopt;  // not a drive over ground
+  return PathAxes{forward, down.normalized()};
 }
 
 // The pose of the path at which the camera is level with the point; the last one if there is none and the
@@ -49,10 +51,10 @@ std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::V
                                    double height_guess, bool is_path_ended) {
   const double distance = (p_world - path[host].T_world_cam.translation()).norm();
   for (size_t j = host; j < path.size(); ++j) {
-    if (path[j].way - path[host].way > kMaxWayPerDistance * distance) return std::nullopt;
+    if (path[j].distance - path[host].distance > kMaxPathPerDistance * distance) return std::nullopt;
     const Eigen::Vector3d d = p_world - path[j].T_world_cam.translation();
     if (d.squaredNorm() > kNearHeights * kNearHeights * height_guess * height_guess) continue;
-    const auto axes = way_axes(path, j, kDirectionHeights * height_guess);
+    const auto axes = path_axes(path, j, kDirectionHeights * height_guess);
     if (axes && d.dot(axes->forward) <= 0) return j;
   }
   if (is_path_ended && !path.empty()) return path.size() - 1;
@@ -66,24 +68,24 @@ std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::
   const Eigen::Vector3d p_world = path[host].T_world_cam * p_cam;
   const auto j = passing_pose(path, host, p_world, guess, is_path_ended);
   if (!j) return std::nullopt;
-  const auto axes = way_axes(path, *j, kDirectionHeights * guess);
+  const auto axes = path_axes(path, *j, kDirectionHeights * guess);
   if (!axes) return std::nullopt;
   const Eigen::Vector3d d = p_world - path[*j].T_world_cam.translation();
   const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
   if (!(height > 0) || aside > params.ground_width * height || d.dot(axes->forward) > kMaxAhead * height)
     return std::nullopt;
-  return HeightSample{path[*j].way, height, p_world};
+  return HeightSample{path[*j].distance, height, p_world};
 }
 
 // ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its
 // peak ----
 
-// Of log height: bins of 1 %, smoothed to about the spread of a ground, which makes one peak.
+// Bins of log height: 1 %, smoothed to about the spread of the ground, which gives one peak.
 constexpr double kBin = 0.01, kSmoothing = 0.03;
-// Of log height: three of it hold 97 % of the points under a drive.
+// Spread of log height: three of it hold 97 % of the ground points of a drive.
 constexpr double kWidth = 0.04;
-constexpr double kReachSigmas = 3;   // beyond it a normal weight is nothing
-constexpr int kMeanShifts = 20;      // more than the mean takes to stand still
+constexpr double kReachSigmas = 3;   // beyond it a normal weight is negligible
+constexpr int kMeanShifts = 20;      // more than the mean needs to converge
 constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly
                                      // up to the largest 0.3 to 0.4
 
@@ -137,7 +139,7 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   std::vector<double> logs;
   for (const HeightSample& s : samples) logs.push_back(std::log(s.height));
   const double mode = mean_shift(logs, histogram_peak(logs));
-  std::vector<double> residuals;  // of those near the mode, in the order of the way
+  std::vector<double> residuals;  // of the samples near the mode, in path order
   for (const double x : logs)
     if (std::abs(x - mode) < kReachSigmas * kWidth) residuals.push_back(x - mode);
   if (double(residuals.size()) < kLeastShare * double(logs.size()) ||

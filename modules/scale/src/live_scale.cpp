@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/live_scale.h"
 
 #include <algorithm>
@@ -5,9 +6,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFramesBetweenFits = 5;  // the scale changes over stretches, not frames
-// Points that one stretch needs hang on keyframes up to another one before it.
-constexpr double kRememberedStretches = 3;
+constexpr int kFramesBetweenFits = 5;  // the scale changes over intervals, not frames
+// The points of one interval have host keyframes up to another interval before it.
+constexpr double kRememberedIntervals = 3;
 
 }  // namespace
 
@@ -41,8 +42,8 @@ void LiveScale::add_keyframe(const KeyframeRecord& keyframe) {
   estimate_from_ground();
 }
 
-// The scale of a new segment is that of the old one only by equal speed: a guess, which holds until there is
-// better.
+// The scale of a new segment equals that of the old one only if the speed was kept: a guess, used until there
+// is an estimate.
 void LiveScale::begin_segment(int segment) {
   segment_ = segment;
   path_.clear();
@@ -50,38 +51,38 @@ void LiveScale::begin_segment(int segment) {
   frames_since_fit_ = 0;
 }
 
-double LiveScale::stretch_units() const {
-  return newest_ ? params_.stretch / newest_->factor : path_.back().way;
+double LiveScale::interval_units() const {
+  return newest_ ? params_.interval / newest_->factor : path_.back().distance;
 }
 
 void LiveScale::forget_what_lies_behind() {
   if (!newest_) return;
-  const double oldest = path_.back().way - kRememberedStretches * stretch_units();
-  // In big bites: each moves all that remains.
-  if (path_[path_.size() / 4].way < oldest)
-    path_.erase(path_.begin(),
-                std::find_if(path_.begin(), path_.end(), [&](const PathPose& p) { return p.way >= oldest; }));
-  heights_.erase(
-      std::remove_if(heights_.begin(), heights_.end(), [&](const HeightSample& h) { return h.way < oldest; }),
-      heights_.end());
+  const double oldest = path_.back().distance - kRememberedIntervals * interval_units();
+  // In large blocks, since each erase moves all that remains.
+  if (path_[path_.size() / 4].distance < oldest)
+    path_.erase(path_.begin(), std::find_if(path_.begin(), path_.end(),
+                                            [&](const PathPose& p) { return p.distance >= oldest; }));
+  heights_.erase(std::remove_if(heights_.begin(), heights_.end(),
+                                [&](const HeightSample& h) { return h.distance < oldest; }),
+                 heights_.end());
 }
 
 void LiveScale::estimate_from_track() {
   frames_since_fit_ = 0;
   std::vector<TrackPair> pairs = pair_up(path_, track_);
-  const double begin = path_.back().way - stretch_units();
-  pairs.erase(pairs.begin(),
-              std::find_if(pairs.begin(), pairs.end(), [&](const TrackPair& p) { return p.way >= begin; }));
+  const double begin = path_.back().distance - interval_units();
+  pairs.erase(pairs.begin(), std::find_if(pairs.begin(), pairs.end(),
+                                          [&](const TrackPair& p) { return p.distance >= begin; }));
   if (const auto fit = fit_track(pairs, sensor_in_camera(track_, T_vehicle_cam_), params_)) newest_ = fit;
 }
 
 void LiveScale::estimate_from_ground() {
   if (heights_.empty()) return;
   std::sort(heights_.begin(), heights_.end(),
-            [](const HeightSample& a, const HeightSample& b) { return a.way < b.way; });
-  const double begin = heights_.back().way - stretch_units();
-  const auto first =
-      std::find_if(heights_.begin(), heights_.end(), [&](const HeightSample& h) { return h.way >= begin; });
+            [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
+  const double begin = heights_.back().distance - interval_units();
+  const auto first = std::find_if(heights_.begin(), heights_.end(),
+                                  [&](const HeightSample& h) { return h.distance >= begin; });
   if (const auto fit = fit_height({first, heights_.end()}, source_.value, params_)) newest_ = fit;
 }
 

@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/path.h"
 
 namespace edgevo {
 
 void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path) {
-  double way = 0;
+  double distance = 0;
   if (!path->empty())
-    way = path->back().way + (T_world_cam.translation() - path->back().T_world_cam.translation()).norm();
-  path->push_back({frame_index, time, T_world_cam, way});
+    distance =
+        path->back().distance + (T_world_cam.translation() - path->back().T_world_cam.translation()).norm();
+  path->push_back({frame_index, time, T_world_cam, distance});
 }
 
 std::vector<Path> paths_of(const Run& run) {

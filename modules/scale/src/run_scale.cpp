@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/run_scale.h"
 
 #include <algorithm>
@@ -14,13 +15,13 @@
 namespace edgevo {
 namespace {
 
-// Those of a list sorted by way that lie in a stretch.
+// The samples within an interval, from a list sorted by travelled distance.
 template <class Sample>
-std::vector<Sample> in_stretch(const std::vector<Sample>& sorted, double begin, double end) {
+std::vector<Sample> in_interval(const std::vector<Sample>& sorted, double begin, double end) {
   const auto first = std::lower_bound(sorted.begin(), sorted.end(), begin,
-                                      [](const Sample& s, double w) { return s.way < w; });
+                                      [](const Sample& s, double w) { return s.distance < w; });
   const auto last =
-      std::upper_bound(first, sorted.end(), end, [](double w, const Sample& s) { return w < s.way; });
+      std::upper_bound(first, sorted.end(), end, [](double w, const Sample& s) { return w < s.distance; });
   return {first, last};
 }
 
@@ -33,9 +34,9 @@ std::vector<ScaleEstimate> slide_over_ground(const Run& run, int segment, const 
     heights.insert(heights.end(), more.begin(), more.end());
   }
   std::stable_sort(heights.begin(), heights.end(),
-                   [](const HeightSample& a, const HeightSample& b) { return a.way < b.way; });
-  return slide(path, params.stretch, [&](double begin, double end) {
-    return fit_height(in_stretch(heights, begin, end), source.value, params);
+                   [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
+  return slide(path, params.interval, [&](double begin, double end) {
+    return fit_height(in_interval(heights, begin, end), source.value, params);
   });
 }
 
@@ -43,19 +44,19 @@ std::vector<ScaleEstimate> slide_over_track(const Run& run, const Path& path, co
                                             const ScaleParams& params) {
   const std::vector<TrackPair> pairs = pair_up(path, track);
   const Eigen::Vector3d sensor = sensor_in_camera(track, run.T_vehicle_cam);
-  return slide(path, params.stretch, [&](double begin, double end) {
-    return fit_track(in_stretch(pairs, begin, end), sensor, params);
+  return slide(path, params.interval, [&](double begin, double end) {
+    return fit_track(in_interval(pairs, begin, end), sensor, params);
   });
 }
 
 std::string problem_of(const ScaleSource& source) {
   if (source.kind == ScaleSource::Kind::kCameraHeight)
-    return "the edges show no ground at one height under the camera's way; give another --scale";
+    return "the edges show no ground at one height under the camera's path; give another --scale";
   return "its positions do not fit the path of the camera, or cover too little of it; see `edgevo info`, or "
          "give another --scale";
 }
 
-// Frames that no estimate reaches take that of the nearest frame before them, else after.
+// Frames without an estimate take that of the nearest frame before them, else after.
 void carry_over(std::vector<ScaleEstimate>* of_frame) {
   const auto known = [](const ScaleEstimate& e) { return e.samples > 0; };
   const auto first = std::find_if(of_frame->begin(), of_frame->end(), known);
@@ -70,15 +71,15 @@ void carry_over(std::vector<ScaleEstimate>* of_frame) {
 
 SE3 at(const SE3& T, const Eigen::Vector3d& position) { return {T.rotation(), position}; }
 
-// Chains steps again, each with its own scale.
+// Rebuilds the path step by step, each step with its own scale.
 class Chain {
  public:
-  /// The position in metres of the next pose on the way.
+  /// The position of the next pose along the path, metres.
   Eigen::Vector3d next(const Eigen::Vector3d& position, double factor) {
     if (is_first_) {
       metres_ = factor * position;
     } else {
-      // The scale changes slowly: the mean of both ends stands for the step.
+      // The scale changes slowly: the mean of both ends is used for the step.
       metres_ += 0.5 * (factor + factor_) * (position - position_);
     }
     is_first_ = false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/run_scaling.h"
 
 #include "edgevo/core/error.h"
@@ -8,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-const char* what_it_reads(VehicleSensor sensor) {
+const char* sensor_data_name(VehicleSensor sensor) {
   switch (sensor) {
     case VehicleSensor::kOdometry:
       return "odometry (CObservationOdometry)";
@@ -20,8 +21,9 @@ const char* what_it_reads(VehicleSensor sensor) {
   return "";
 }
 
-// Positions taken while the images were; all of them where the times of the images are not known beforehand.
-size_t positions_beside_images(const VehicleTrack& track, const std::vector<Timestamp>& times) {
+// Number of positions recorded during the images; all of them if the times of the images are not known in
+// advance.
+size_t positions_during_images(const VehicleTrack& track, const std::vector<Timestamp>& times) {
   size_t count = 0;
   for (const VehiclePosition& p : track.positions)
     count += times.empty() || (times.front() <= p.time && p.time <= times.back());
@@ -31,11 +33,11 @@ size_t positions_beside_images(const VehicleTrack& track, const std::vector<Time
 VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) {
   if (!requested.sensor()) return {};
   VehicleTrack track = source.vehicle_track(*requested.sensor());
-  const std::string where = "--scale " + requested.text, what = what_it_reads(*requested.sensor());
+  const std::string where = "--scale " + requested.text, what = sensor_data_name(*requested.sensor());
   if (track.positions.empty())
     throw InputError(where, "this source (" + source.kind() + ") recorded no " + what,
                      "give a rawlog that holds it, or another --scale");
-  if (positions_beside_images(track, source.times()) < kMinTrackPairs)
+  if (positions_during_images(track, source.times()) < kMinTrackPairs)
     throw InputError(where,
                      "fewer than " + std::to_string(kMinTrackPairs) + " of the source's " + what +
                          " were taken while its images were",
@@ -56,10 +58,10 @@ RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const P
       track_(std::move(track)),
       live_(pinhole, requested, track_, T_vehicle_cam, params) {}
 
-void RunScaling::add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled) {
+void RunScaling::add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& marginalised) {
   if (!requested_.is_estimated()) return;
   live_.add_frame(frame);
-  for (const KeyframeRecord& keyframe : settled) live_.add_keyframe(keyframe);
+  for (const KeyframeRecord& keyframe : marginalised) live_.add_keyframe(keyframe);
 }
 
 void RunScaling::apply(Run* run) const {

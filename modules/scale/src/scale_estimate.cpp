@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/scale_estimate.h"
 
 #include <algorithm>
@@ -5,7 +6,7 @@
 namespace edgevo {
 
 double effective_count(const std::vector<double>& residuals) {
-  // A hundredth of the values count then; a short series cannot tell it from 1.
+  // At this value a hundredth of the values count; a short series cannot distinguish it from 1.
   constexpr double kMaxCorrelation = 0.98;
   double squares = 0, products = 0;
   for (size_t i = 0; i < residuals.size(); ++i) {

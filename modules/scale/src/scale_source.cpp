@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/scale_source.h"
 
 #include <charconv>
@@ -11,12 +12,12 @@ namespace {
 
 using Kind = ScaleSource::Kind;
 
-// The list of scale sources. A new one begins with its line here.
+// The list of scale sources. To add one, begin with a line here.
 struct Known {
   const char* name;
   Kind kind;
-  std::optional<VehicleSensor> sensor;  // of the vehicle that it needs
-  const char* value;                    // that it takes, in a word; empty: none
+  std::optional<VehicleSensor> sensor;  // the vehicle sensor it needs
+  const char* value;                    // name of the value it takes; empty: none
   const char* example;                  // with its value, if it takes one
 };
 const std::vector<Known> kKnown{
@@ -46,7 +47,7 @@ const Known& known_source(const std::string& option, const std::string& name) {
     names.emplace_back(k.name);
   }
   throw InputError("--scale " + option,
-                   "is no source of scale; did you mean " + nearest_name(name, names) + "?",
+                   "is not a source of scale; did you mean " + nearest_name(name, names) + "?",
                    "give " + all_sources());
 }
 
@@ -57,7 +58,7 @@ double positive(const std::string& option, const std::string& text, const Known&
   if (error != std::errc() || stop != end || !(value > 0) || !std::isfinite(value))
     throw InputError("--scale " + option, "'" + text + "' is not a positive number",
                      std::string("give for example ") + known.example);
-  // Beyond it squares of lengths leave the range of float, and cells that of the octree's keys.
+  // Beyond this, squared lengths leave the range of float, and cells the range of the octree's keys.
   constexpr double kLeast = 1e-6, kMost = 1e6;
   if (value < kLeast || value > kMost)
     throw InputError("--scale " + option, "'" + text + "' is not between 0.000001 and 1000000",

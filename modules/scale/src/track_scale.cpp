@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/track_scale.h"
 
 #include <Eigen/Geometry>
@@ -8,8 +9,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxFrameGap_s = 0.5;    // between poses further apart the path is no straight line
-constexpr double kOutlierSigmas = 3.5;    // one in two thousand of right positions
+constexpr double kMaxFrameGap_s = 0.5;    // between poses further apart the path is not a straight line
+constexpr double kOutlierSigmas = 3.5;    // rejects one in two thousand correct positions
 constexpr double kMedianPerSigma = 1.18;  // median of a 2-D normal distance: a vehicle moves in a plane
 constexpr double kNoLength = 1e-12;       // metres: where all residuals are 0 none is an outlier
 constexpr double kNoSpread = 1e-9;        // units or metres: positions that are all the same fit any scale
@@ -25,8 +26,8 @@ struct Fit {
   std::vector<double> residuals;  // distance of each pair, metres
 };
 
-// target ~ scale R source + t. The sensor's place in the run's units depends on the scale: `scale_guess` > 0
-// puts it there.
+// target ~ scale R source + t. The sensor's position in units of the run depends on the scale: it is computed
+// with `scale_guess` > 0.
 std::optional<Fit> fit_pairs(const std::vector<TrackPair>& pairs, const Eigen::Vector3d& sensor_in_camera,
                              double scale_guess) {
   Eigen::Matrix3Xd source(3, pairs.size()), target(3, pairs.size());
@@ -71,8 +72,8 @@ std::vector<TrackPair> pair_up(const Path& path, const VehicleTrack& track) {
     const double gap = seconds_between(a.time, b.time), since = seconds_between(a.time, p.time);
     if (since < 0 || !(gap > 0) || gap > kMaxFrameGap_s) continue;
     const double share = since / gap;
-    pairs.push_back(
-        {(1 - share) * a.way + share * b.way, interpolate(a.T_world_cam, b.T_world_cam, share), p.position});
+    pairs.push_back({(1 - share) * a.distance + share * b.distance,
+                     interpolate(a.T_world_cam, b.T_world_cam, share), p.position});
   }
   return pairs;
 }
@@ -90,7 +91,7 @@ std::optional<ScaleEstimate> fit_track(const std::vector<TrackPair>& all,
   double squares = 0;
   for (const double r : fit->residuals) squares += r * r;
   const double n = double(pairs.size()), per_axis = std::sqrt(squares / n / 3);
-  // Variance of a regression's slope, the residuals counted for as much as they are worth.
+  // Variance of a regression's slope, with the effective number of residuals.
   const double sigma = per_axis / fit->spread * std::sqrt(n / effective_count(fit->residuals)) / fit->scale;
   if (!(sigma <= params.max_sigma)) return std::nullopt;
   return ScaleEstimate{fit->scale, sigma, int(pairs.size())};

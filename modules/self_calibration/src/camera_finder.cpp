@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "camera_finder.h"
 
 #include <algorithm>
@@ -11,16 +12,16 @@ namespace {
 
 using State = CameraRefinement::State;
 
-// A k1 known no better than this is not observed: 1.2 px at the border of a wide image, more than a match may
-// be off.
+// A k1 with a larger standard deviation is not observable: 1.2 px at the border of a wide image, more than
+// the tolerance of a match.
 constexpr double kMaxUsefulSigma = 0.004;
-// Seconds: nor is a read-out time known no better than to a quarter of the 20 ms that a webcam takes.
+// Seconds: a read-out time with a larger one is not observable, a quarter of the 20 ms of a webcam.
 constexpr double kMaxUsefulReadoutSigma = 0.005;
-// Standard deviations below which an applied read-out time is given up: found early in bad light it may turn
-// out to be none. Half of what it takes to be applied, so that it does not come and go.
+// Standard deviations below which an applied read-out time is given up: found early in bad light, it may turn
+// out to be zero. Half of the threshold for applying one, so that it does not alternate.
 constexpr double kLeastSignificance = 1.5;
-// Share of an estimate's change that is applied. Matches found in images with crooked rows hold on to them:
-// estimates come out a fifth to a half short and reach the truth step by step
+// Factor on an estimated change of the read-out time. Matches found in images with rolling-shutter distortion
+// bias the estimates: they come out a fifth to a half short and approach the truth step by step
 // (share/lab/archive/2026-11-22_rolling_shutter.md).
 constexpr double kOverRelaxation = 1.3;
 
@@ -34,11 +35,11 @@ class CameraFinder {
         keyframes_(int(problem.file.poses.size())),
         known_(known),
         state_(known) {
-    // Of a first solve that starts far off, which took 9 to 15 at a tolerance of 1e-6.
+    // A first solve that starts far off took 9 to 15 at a tolerance of 1e-6.
     options_.max_iterations = 15;
-    // Of a cost of thousands: less than a standard deviation of k1 is worth.
+    // Relative to a cost of thousands: less than the effect of a standard deviation of k1.
     options_.relative_decrease = 1e-5;
-    // The way has been adjusted before: an iteration or more fewer at 120 keyframes.
+    // The trajectory has been adjusted before: saves an iteration or more at 120 keyframes.
     options_.initial_damping = 1e-6;
   }
 
@@ -50,7 +51,7 @@ class CameraFinder {
     CameraEstimate e = search(estimate_k1, estimate_readout);
     if (!e.usable) return nothing();
     if (params_.refines_readout() && !estimate_readout) e = look_at_shutter(std::move(e));
-    return settle(std::move(e));
+    return apply_significant(std::move(e));
   }
 
  private:
@@ -70,9 +71,9 @@ class CameraFinder {
     return estimate_camera(problem_, s, options_);
   }
 
-  // Beside a k1 that was estimated alone: the read-out time as one more step shows it. Such a step is less
-  // sure than a search, and far from the minimum its own deviation says little; where it is large a search
-  // for both decides.
+  // Looks for a rolling shutter after k1 was estimated alone, by the read-out time that one more step yields.
+  // Such a step is less reliable than a search, and far from the minimum its own standard deviation means
+  // little; if it is large, a search for both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
     const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, keyframes_);
     if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
@@ -104,9 +105,8 @@ class CameraFinder {
     return f;
   }
 
-  // What of an estimate is applied. What is not significant goes back to what it was, and the rest is
-  // estimated again.
-  CameraFinding settle(CameraEstimate e) {
+  // Decides what of an estimate is applied. Insignificant values are reset, and the rest is estimated again.
+  CameraFinding apply_significant(CameraEstimate e) {
     const bool k1_free = e.free[0], readout_free = e.free[1];
     bool k1 = false, readout = false, given_up = false;
     if (readout_free) {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What all keyframes so far say about the camera, and what of it is applied.
+// What all keyframes so far show about the camera, and what of it is applied.
 #include <optional>
 
 #include "camera_problem.h"
@@ -8,15 +9,17 @@
 
 namespace edgevo {
 
+/// Outcome of an estimate.
 struct CameraFinding {
-  /// What is known now; its values are those of `estimate`, else as before.
+  /// Knowledge after the estimate; its values are those of `estimate`, or as before.
   CameraRefinement state;
-  std::optional<CameraEstimate> estimate;  ///< where something is to be applied
+  /// The estimate, if something is to be applied.
+  std::optional<CameraEstimate> estimate;
 };
 
-/// Before `params.min_keyframes` only the read-out time is estimated: k1 shows later. From then on k1, and
-/// the read-out time with it where it is known already or one more step makes the shutter look like a rolling
-/// one. `known`: what earlier estimates found.
+/// Estimates the camera. Before `params.min_keyframes` only the read-out time is estimated: k1 becomes
+/// observable later. From then on k1 is, and the read-out time with it if it is known already or if one more
+/// step indicates a rolling shutter. `known`: results of earlier estimates.
 CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known,
                           const SelfCalibrationParams& params, const BaOptions& options);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "camera_problem.h"
 
 #include <Eigen/LU>
@@ -11,17 +12,16 @@ namespace {
 
 using ba::GlobalDerivative, ba::ImageRate, ba::kUnknowns, ba::ProfileStep, ba::Unknowns, ba::UnknownsSquare;
 
-// Steps: twice what an estimate took at most; a search that has not ended by then is taken as it stands.
+// Most steps: twice what any estimate took; a search that has not ended by then is used as it is.
 constexpr int kMaxNewtonSteps = 8;
-// Change of k1, and of the read-out time in seconds, that ends the search: 0.03 px at the border of a wide
-// image, a hundredth of a pixel.
+// Changes of k1 and of the read-out time (seconds) that end the search: 0.03 px at the border of a wide
+// image, and a hundredth of a pixel.
 const Unknowns kEnough(1e-4, 1e-4);
-// Share of its standard deviation that a last step may have: nothing that the result could be told from.
+// Share of its standard deviation that the last step may have: too little to change the result.
 constexpr double kEnoughSigmas = 0.15;
-// Times the tolerance at which the first solve may stop: its solution serves only until the unknowns move.
+// Factor on the tolerance of the first solve: its solution is used only until the unknowns move.
 constexpr double kRough = 10;
-// Factor by which a predicted inverse depth may change: a linear prediction of a far point is far off
-// beyond.
+// Largest factor by which an inverse depth may change: beyond, a linear prediction of a far point is wrong.
 constexpr double kMaxIdepthChange = 2;
 
 Eigen::Vector2d normalised(const Pinhole& c, const Eigen::Vector2d& px) { return c.ray(px).head<2>(); }
@@ -36,7 +36,7 @@ Eigen::Matrix2d pixel_jacobian(const Pinhole& c, const ImageCorrection& correcti
   return f.asDiagonal() * file_jacobian(c, correction, motion, x) * f.cwiseInverse().asDiagonal();
 }
 
-// x(k) with x_file held: dx/dk = -(dx_file/dx)^-1 dx_file/dk.
+// x(k) with x_file fixed: dx/dk = -(dx_file/dx)^-1 dx_file/dk.
 ImageRate removal_rate(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
                        const Eigen::Vector2d& x) {
   const Eigen::Vector2d rolling = add_rolling(c, correction.readout_s, motion, x);
@@ -63,7 +63,7 @@ void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem
 
 using Mask = Eigen::Array<bool, kUnknowns, 1>;
 
-// One Newton step of the free unknowns from k, with the covariance of where it leads; 0 for the others.
+// One Newton step of the free unknowns from k, with the standard deviations of the result; 0 for the others.
 struct NewtonStep {
   Unknowns change = Unknowns::Zero(), sigma = Unknowns::Zero();
 };
@@ -107,11 +107,11 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
     const ImageMotion& motion = problem.motion_of(o.target);
     const Eigen::Vector2d x = from_file(c, correction, motion, normalised(c, o.px));
     const Eigen::Vector2d n = pixel_jacobian(c, correction, motion, x).transpose() * o.normal;
-    const double stretch = n.norm();
+    const double length = n.norm();
     o.px = pixel(c, x);
-    o.normal = n / stretch;
-    o.inv_sigma_normal *= stretch;
-    o.inv_sigma_tangent *= stretch;
+    o.normal = n / length;
+    o.inv_sigma_normal *= length;
+    o.inv_sigma_tangent *= length;
   }
   return p;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "history.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 namespace edgevo {
 namespace {
 
-// Keyframes, the newest that an estimate knew: they tell its unit of length. As many as are covisible with
-// the newest one, which is where the map goes on; a median over them needs no more.
+// Number of newest keyframes of an estimate that define its unit of length: those covisible with the newest
+// one, from which the map continues; a median needs no more.
 constexpr size_t kNewestSpan = 8;
 
 void add_point(const Pinhole& c, const ImageCorrection& now, const MapPoint& p, int host,
@@ -30,27 +31,27 @@ void add_point(const Pinhole& c, const ImageCorrection& now, const MapPoint& p, 
                                  normal, o.match.inv_sigma_normal, 0.0});
   }
   if (file.observations.size() == before) return;
-  file.points.push_back({host, Eigen::Vector3d::Zero(), p.idepth, is_depth_held(p)});
+  file.points.push_back({host, Eigen::Vector3d::Zero(), p.idepth, is_depth_fixed(p)});
   h->problem.px_host.push_back(correct_pixel(c, now, none, h->problem.motion_of(host), p.px));
   h->point_index[host].push_back(index);
 }
 
-// Inverse depths by place in one host: what a point is known by, since points come and go between two
+// Inverse depths by pixel in one host. The pixel identifies a point, since points come and go between two
 // histories.
 using IdepthAt = std::map<std::pair<double, double>, double>;
-std::pair<double, double> place(const CalibrationHistory& h, int i) {
+std::pair<double, double> pixel_key(const CalibrationHistory& h, int i) {
   return {h.problem.px_host[i].x(), h.problem.px_host[i].y()};
 }
 
 IdepthAt idepths_of_host(const CalibrationHistory& h, const BaProblem& solution, size_t host) {
   IdepthAt idepths;
   for (const int i : h.point_index[host])
-    if (i >= 0) idepths[place(h, i)] = solution.points[i].idepth;
+    if (i >= 0) idepths[pixel_key(h, i)] = solution.points[i].idepth;
   return idepths;
 }
 
-// Gives the points of `p` the solution's inverse depths, new ones scaled alike; returns new over old inverse
-// depth at the newest known keyframes.
+// Sets the points of `p` to the solution's inverse depths, and scales new ones by the same ratio. Returns new
+// over old inverse depth at the newest known keyframes.
 double carry_idepths(const CalibrationHistory& then, const BaProblem& solution, const CalibrationHistory& now,
                      BaProblem* p) {
   const size_t known = then.problem.file.poses.size();
@@ -59,7 +60,7 @@ double carry_idepths(const CalibrationHistory& then, const BaProblem& solution, 
   for (size_t host = 0; host < known; ++host) {
     const IdepthAt idepths = idepths_of_host(then, solution, host);
     for (const int i : now.point_index[host]) {
-      const auto found = i >= 0 ? idepths.find(place(now, i)) : idepths.end();
+      const auto found = i >= 0 ? idepths.find(pixel_key(now, i)) : idepths.end();
       if (found == idepths.end()) continue;
       if (host + kNewestSpan >= known) ratios.push_back(found->second / p->points[i].idepth);
       p->points[i].idepth = found->second;
@@ -72,8 +73,8 @@ double carry_idepths(const CalibrationHistory& then, const BaProblem& solution, 
   return ratio;
 }
 
-// Gives the first poses of `p` those of the solution; the others keep their motion against the newest of
-// them, lengths times `length`.
+// Sets the first poses of `p` to those of the solution; the others keep their motion against the newest of
+// them, with lengths multiplied by `length`.
 void carry_poses(const BaProblem& solution, double length, BaProblem* p) {
   const size_t known = solution.poses.size();
   const SE3 T_newest_world = p->poses[known - 1].T_cam_world;
@@ -102,7 +103,7 @@ CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& n
   file.poses.front().fixed = true;
   // The gauge: the first pose, and the distance from it to the newest one.
   const Keyframe& newest = *keyframes.back();
-  file.prior = ba::hold_baseline(keyframes.front()->T_cam_world, newest.T_cam_world, newest.id);
+  file.prior = ba::fix_baseline(keyframes.front()->T_cam_world, newest.T_cam_world, newest.id);
   h.point_index.resize(keyframes.size());
   for (size_t host = 0; host < keyframes.size(); ++host)
     for (const MapPoint& p : keyframes[host]->points) {

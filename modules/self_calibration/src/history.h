@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // All keyframes so far as one problem in the camera file's images.
 #include <vector>
@@ -7,19 +8,21 @@
 
 namespace edgevo {
 
-/// Keyframes as one problem in the camera file's images.
+/// All keyframes as one problem.
 struct CalibrationHistory {
+  /// The problem.
   CameraProblem problem;
-  std::vector<std::vector<int>> point_index;  ///< [keyframe][point] -> problem point, -1: none
+  /// Index of a point in the problem, as [keyframe][point]; -1: not in it.
+  std::vector<std::vector<int>> point_index;
 };
 
-/// `now`: what the keyframes' images are corrected for.
+/// Builds the problem. `now`: correction of the keyframes' images.
 CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& now,
                                 const std::vector<const Keyframe*>& keyframes);
 
-/// The solution of an estimate on `then` for the keyframes and points of `now`, which begins with those of
-/// `then`. A keyframe that came later keeps its motion against the newest known one, in the solution's unit
-/// there, and so does a point.
+/// Applies the solution of an estimate on `then` to the keyframes and points of `now`, which begins with
+/// those of `then`. Later keyframes and points keep their motion against the newest known keyframe, in the
+/// unit of length that the solution has there.
 BaProblem carry_over(const CalibrationHistory& then, const CameraEstimate& estimate,
                      const CalibrationHistory& now);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "revision.h"
 
 #include <algorithm>
@@ -9,11 +10,11 @@
 namespace edgevo {
 namespace {
 
-// Keyframes over which the scale of a new prior is held: a longer baseline than that of two neighbours, and
-// still within reach of the points of one. Only a gauge.
+// Keyframes over which the scale of a new prior is fixed: a longer baseline than that of two neighbours, and
+// still covisible with the first. Only a gauge.
 constexpr int kGaugeSpan = 8;
 
-// Median of new over old inverse depth of the points of some keyframes; 1 where there are none.
+// Median of new over old inverse depth of the points of some keyframes; 1 without points.
 double idepth_ratio(const std::vector<const Keyframe*>& keyframes, size_t from, size_t to,
                     const CalibrationHistory& h, const BaProblem& solution) {
   std::vector<double> ratios;
@@ -44,8 +45,8 @@ BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions&
   int span = held + 1;  // keyframes that any one shares points with, itself included
   for (const BaObservation& o : solution.observations)
     span = std::max(span, o.target - solution.points[o.point].host + 1);
-  BaPrior prior = ba::hold_baseline(solution.poses[0].T_cam_world, solution.poses[held].T_cam_world,
-                                    solution.pose_ids[held]);
+  BaPrior prior = ba::fix_baseline(solution.poses[0].T_cam_world, solution.poses[held].T_cam_world,
+                                   solution.pose_ids[held]);
   std::vector<bool> drop;
   for (int i = 0; i < count; ++i) {
     BaProblem part = ba::problem_of_host(solution, index, i, std::min(n, i + span));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/self_calibration/self_calibration.h"
 
 #include <algorithm>
@@ -16,11 +17,11 @@ namespace {
 
 using State = CameraRefinement::State;
 
-// Estimates while running; the last one is the most expensive, about a second at 120 keyframes.
+// Number of estimates during a run; the last one is the most expensive, about a second at 120 keyframes.
 constexpr int kCheckpoints = 3;
 
-// A read-out time is known from fewer keyframes than k1 is, and each estimate brings the matches of the next
-// one nearer to the truth.
+// A read-out time is observable with fewer keyframes than k1, and each estimate improves the matches of the
+// next one.
 int first_checkpoint(const SelfCalibrationParams& p) {
   return p.refines_readout() ? std::max(1, p.min_keyframes / 3) : p.min_keyframes;
 }
@@ -31,24 +32,28 @@ int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
 
 }  // namespace
 
-// An estimate in a thread of its own, on what was known when it began.
+// An estimate in a thread of its own, on a copy of the data at its beginning.
 struct SelfCalibration::Job {
   CalibrationHistory history;
-  std::future<CameraFinding> finding;  // last: it waits for its thread before the history goes
+  std::future<CameraFinding> finding;  // last member: it waits for its thread before the history is destroyed
 };
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
-  v.text(kBasic, "refine", refine, {"none", "k1", "readout", "all"},
-         "found while running: residual radial distortion, read-out time of a rolling shutter; none: the "
-         "file is taken as it is");
+  v.text(
+      kBasic, "refine", refine, {"none", "k1", "readout", "all"},
+      "what is estimated during a run: residual radial distortion, read-out time of a rolling shutter; none: "
+      "use the camera file as it is");
   v.integer(kAdvanced, "min_keyframes", min_keyframes, 10, 200,
-            "at the first estimate of k1 (of the read-out time: a third); each further one at twice as many");
+            "keyframes at the first estimate of k1 (a third for the read-out time); twice as many at each "
+            "further one");
   v.number(kAdvanced, "significance", significance, 0, 100,
-           "standard deviations from zero that an estimate needs to be applied");
+           "standard deviations from zero from which an estimate is applied");
   v.number(kBasic, "readout_s", readout_s, -0.2, 0.2,
-           "rolling shutter: seconds from the first row to the last, where known; 0: global, or to be found");
-  v.boolean(kExperimental, "over_relax_readout", over_relax_readout,
-            "apply a third more than the estimated change of the read-out time: estimates come out short");
+           "read-out time of a rolling shutter, seconds from the first row to the last; 0: global shutter or "
+           "unknown");
+  v.boolean(
+      kExperimental, "over_relax_readout", over_relax_readout,
+      "apply a third more than the estimated change of the read-out time: estimates come out too small");
 }
 
 SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params)
@@ -80,7 +85,7 @@ void SelfCalibration::forget() {
   history_.clear();
 }
 
-// The next checkpoint; after the last one nothing is remembered any more.
+// Advances to the next checkpoint; after the last one nothing is remembered any more.
 void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
   const int last = params_.min_keyframes << (kCheckpoints - 1);
   while (keyframes >= next_checkpoint_ && next_checkpoint_ < last)

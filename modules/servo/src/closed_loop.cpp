@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/servo/closed_loop.h"
 
 #include <visp3/core/vpExponentialMap.h>
@@ -14,7 +15,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kDegree = 180 / 3.14159265358979323846;
-constexpr double kHold_s = 1;  // at the goal for so long: converged
+constexpr double kHold_s = 1;  // time at the goal until the loop counts as converged
 
 class ClosedLoop {
  public:
@@ -34,14 +35,14 @@ class ClosedLoop {
     }
     if (result_.failure.empty() && result_.points_taught.empty())
       result_.failure = "ended before the servo loop began";
-    if (result_.failure.empty()) judge_end();
+    if (result_.failure.empty()) measure_end();
     result_.replaced = sensor_.replaced();
     result_.camera = camera_.model();
     return std::move(result_);
   }
 
  private:
-  // One image and, in the servo phase, one command that holds until the next.
+  // Processes one image and, in the servo phase, one command that holds until the next.
   bool step(int index, double now) {
     const Phase phase = plan_.phase(now);
     if (phase != Phase::kServo) T_scene_cam_ = plan_.T_scene_cam(now);
@@ -63,7 +64,7 @@ class ClosedLoop {
     return true;
   }
 
-  // At the end of the teaching the camera rests at the taught pose.
+  // Teaches the goal at the end of the first phase, with the camera at rest at the taught pose.
   void teach(const ServoPose& pose) {
     taught_ = true;
     if (!set_scale(pose)) return;
@@ -85,7 +86,7 @@ class ClosedLoop {
     result_.taught = camera_.renderer().render_image_from(plan_.T_scene_taught, 0);
   }
 
-  // True metres of a unit of the map, where the map knows it best.
+  // Sets the scale to the true metres per unit of the map, which is best known at the taught pose.
   bool set_scale(const ServoPose& pose) {
     if (!pose.usable) {
       result_.failure = "the pose could not be taught: " + pose.reason;
@@ -110,7 +111,7 @@ class ClosedLoop {
     return true;
   }
 
-  // The nearest surface within a pixel, which an edge belongs to; 0: none, or outside the image.
+  // Depth of the nearest surface within a pixel, to which an edge belongs; 0: none, or outside the image.
   double depth_near(const std::vector<float>& depth, const Eigen::Vector2d& px) const {
     const Pinhole& p = camera_.model().pinhole;
     if (!p.contains(px, 1)) return 0;
@@ -133,7 +134,7 @@ class ClosedLoop {
     result_.stopped_s += stopped ? 1 / params_.rate_hz : 0;
     at_goal_s_ = row->command.at_goal && !stopped ? at_goal_s_ + 1 / params_.rate_hz : 0;
     result_.converged = at_goal_s_ >= kHold_s;
-    // T_c(t)_c(t+dt) = exp(v dt): the velocity is the camera's, in its own axes.
+    // T_c(t)_c(t+dt) = exp(v dt), with the velocity of the camera in its own axes.
     T_scene_cam_ =
         T_scene_cam_ * to_se3(vpExponentialMap::direct(row->command.velocity, 1 / params_.rate_hz));
   }
@@ -147,7 +148,7 @@ class ClosedLoop {
     result_.start_px = rms_px(result_.points_start);
   }
 
-  void judge_end() {
+  void measure_end() {
     ServoRow end;
     end.T_scene_cam = T_scene_cam_;
     note_truth(&end);
@@ -164,7 +165,7 @@ class ClosedLoop {
     row->true_deg = kDegree * T_taught_cam.angle();
   }
 
-  // Where the fed points truly are in the image from a pose.
+  // True pixels of the feed's points in the image at a pose.
   std::vector<Eigen::Vector2d> pixels_from(const SE3& T_scene_cam) const {
     std::vector<Eigen::Vector2d> px;
     for (const Eigen::Vector3d& p : points_scene_)
@@ -195,7 +196,7 @@ class ClosedLoop {
 
 ServoResult run_closed_loop(const ServoParams& params, const OdometryParams& odometry,
                             const std::function<bool(double)>& on_step) {
-  cv::setNumThreads(1);  // the odometry's time is that of one thread
+  cv::setNumThreads(1);  // the latency is that of a single thread
   return ClosedLoop(params, odometry).run(on_step);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/servo/control_laws.h"
 
 #include <visp3/core/vpMath.h>
@@ -10,11 +11,11 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxSpeed = 0.25, kMaxTurn = 0.8;  // metres and radians a second
+constexpr double kMaxSpeed = 0.25, kMaxTurn = 0.8;  // metres and radians per second
 constexpr double kGoal_m = 0.001, kGoal_deg = 0.1, kGoal_px = 0.25;
 constexpr int kFewestPoints = 4;
 
-// The same direction, no faster than the robot may go.
+// The velocity, scaled down to the limits of the robot.
 vpColVector limited(vpColVector v) {
   double share = 1;
   for (unsigned i = 0; i < 6; ++i)
@@ -50,7 +51,7 @@ class TaughtLaw : public ControlLaw {
   Command command(const ServoPose& pose) override {
     if (!pose.usable) return stop(pose.reason);
     if (pose.map_version != map_version_)
-      return stop("a new map: the goal was taught in another one; teach again");
+      return stop("a new map: the goal belongs to another one; teach again");
     Command command = law(pose);
     command.velocity = limited(command.velocity);
     return command;
@@ -69,7 +70,7 @@ class TaughtLaw : public ControlLaw {
   int count_, map_version_ = -1;
 };
 
-// The pose of the camera in the taught camera's axes goes to the identity.
+// Moves the pose of the camera in the taught camera's axes to the identity.
 class Pbvs : public TaughtLaw {
  public:
   Pbvs(const Pinhole& pinhole, double gain, int count)
@@ -100,7 +101,7 @@ class Pbvs : public TaughtLaw {
   vpHomogeneousMatrix cdMw_;
 };
 
-// The fed points go to where they were in the taught image; Z is the feed's.
+// Moves the points of the feed to their positions in the taught image; Z is that of the feed.
 class Ibvs : public TaughtLaw {
  public:
   Ibvs(const Pinhole& pinhole, double gain, int count) : TaughtLaw(pinhole, count), gain_(gain) {}

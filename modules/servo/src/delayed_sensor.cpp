@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "delayed_sensor.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ OdometryOptions options_of(const ServoParams& servo) {
   return options;
 }
 
-// By the CPU's time or by the clock on the wall.
+// Duration of `work`, in CPU time or wall-clock time.
 template <class Work>
 double seconds_of(bool cpu, const Work& work) {
   const double cpu_begin_ms = thread_cpu_ms();

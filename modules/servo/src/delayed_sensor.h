@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The odometry as the sensor of the servo loop, and how long its results are under way.
+// The odometry as the sensor of the servo loop, with its latency.
 #include <deque>
 #include <optional>
 #include <utility>
@@ -12,18 +13,20 @@
 
 namespace edgevo {
 
+/// The odometry, whose results reach the feed after its latency.
 class DelayedSensor {
  public:
   DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
                 ServoFeed* feed);
 
-  /// An image at its time; one that still waits is replaced.
+  /// Adds an image at its time, in place of one that still waits.
   void push(Frame frame);
 
-  /// Works on the waiting image if the odometry comes free before `until_s`; hands results out that are ready
-  /// by then.
+  /// Processes the waiting image if the odometry becomes free before `until_s`, and publishes results that
+  /// are ready by then.
   void advance(double until_s, std::vector<ServoRow>* rows);
 
+  /// Number of images that were replaced.
   int replaced() const { return replaced_; }
 
  private:
@@ -34,7 +37,8 @@ class DelayedSensor {
   bool cpu_latency_;
   ServoFeed* feed_;
   std::optional<Frame> waiting_;
-  std::deque<std::pair<double, NewestPose>> ready_;  // when, and what
+  /// Results, with the times at which they are ready.
+  std::deque<std::pair<double, NewestPose>> ready_;
   double free_at_s_ = 0;
   int replaced_ = 0;
 };

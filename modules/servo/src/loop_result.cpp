@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/servo/loop_result.h"
 
 namespace edgevo {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/servo/motion_plan.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kLeg_s = 1.6, kRest_s = 0.6, kAway_s = 3.5;
 
-// Offsets from the taught pose in its own axes that the teaching goes through: metres and radians.
+// Waypoints of the teaching phase as offsets from the taught pose in its own axes: metres and radians.
 const std::array<Vector6d, 4>& teaching_offsets() {
   static const std::array<Vector6d, 4> offsets{
       (Vector6d() << -0.07, 0.02, -0.02, 0, 0.02, 0.04).finished(),
@@ -20,7 +21,7 @@ const std::array<Vector6d, 4>& teaching_offsets() {
   return offsets;
 }
 
-// From 0 to 1 with the least jerk: velocity and acceleration are 0 at both ends.
+// Minimum-jerk step from 0 to 1: velocity and acceleration are 0 at both ends.
 double smooth_step(double u) {
   u = std::clamp(u, 0.0, 1.0);
   return u * u * u * (10 + u * (-15 + 6 * u));
@@ -57,7 +58,7 @@ SE3 MotionPlan::T_scene_cam(double seconds) const {
 
 MotionPlan plan_over_desk(uint64_t seed) {
   MotionPlan plan;
-  const Eigen::Vector3d middle(0.9, 0.0, 0.74);  // of the part of the desk before the monitors
+  const Eigen::Vector3d middle(0.9, 0.0, 0.74);  // of the desk in front of the monitors
   const Eigen::Vector3d away(-0.5, 0.0, std::sqrt(0.75));
   plan.T_scene_taught = look_at(middle + 0.5 * away, middle);
   Vector6d offset = (Vector6d() << 0.13, -0.10, -0.16, 0.10, -0.20, 0.30).finished();

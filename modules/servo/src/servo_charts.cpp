@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "servo_charts.h"
 
 #include <cmath>
@@ -35,7 +36,7 @@ double norm(const vpColVector& v, unsigned begin) {
 }  // namespace
 
 std::vector<TimeChart> error_charts(const ServoResult& r, const ServoParams& params) {
-  const Series truth{"true", palette::kInk, {}}, believed{"as the loop sees it", palette::kBlue, {}};
+  const Series truth{"true", palette::kInk, {}}, believed{"as estimated by the loop", palette::kBlue, {}};
   if (params.law == "ibvs")
     return {
         servo_chart(r, "from goal, mm", {{truth, [](const auto& row) { return row.true_mm; }}}),
@@ -74,15 +75,14 @@ std::string state_ribbon(const ServoResult& r) {
                                                                    : palette::kGreen);
   }
   return "<p class=\"legend\"><span><i style=\"background:#2e9e5b\"></i>steered, TRACKING</span> <span><i "
-         "style=\"background:#e0a100\"></i>steered, "
-         "DEGRADED</span> <span><i style=\"background:#d0342c\"></i>stopped</span></p>\n" +
+         "style=\"background:#e0a100\"></i>steered, DEGRADED</span> <span><i "
+         "style=\"background:#d0342c\"></i>stopped</span></p>\n" +
          draw(ribbon);
 }
 
 Plan path_plan(const ServoResult& r) {
   Plan plan{"mm", {}, {}};
-  PlanLine away{"moved away by hand", palette::kGray, true, {{}}},
-      servo{"steered", palette::kBlue, false, {{}}};
+  PlanLine away{"moved by hand", palette::kGray, true, {{}}}, servo{"steered", palette::kBlue, false, {{}}};
   const ServoRow* taught = nullptr;
   for (const ServoRow& row : r.rows)
     if (row.phase == Phase::kAway && !taught) taught = &row;
@@ -111,7 +111,7 @@ std::string convergence_svg(const ServoResult& r, const ServoParams& params) {
          "font-size=\"12\">\n<style>.grid{stroke:#e6e9ef;fill:none}.line{fill:none;stroke-width:1.8}</"
          "style>\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
-         "<text x=\"980\" y=\"24\" text-anchor=\"end\">black: true; blue: as the loop sees it</text>\n" +
+         "<text x=\"980\" y=\"24\" text-anchor=\"end\">black: true; blue: as estimated by the loop</text>\n" +
          inner + "</svg>\n";
 }
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The charts of a servo run.
+// Charts of a servo run.
 #include <string>
 #include <vector>
 
@@ -10,16 +11,16 @@
 
 namespace edgevo {
 
-/// True and believed error over the time that the loop steered.
+/// True and estimated error over the servo phase.
 std::vector<TimeChart> error_charts(const ServoResult& r, const ServoParams& params);
 /// Speed, age of the pose and latency of the odometry.
 std::vector<TimeChart> loop_charts(const ServoResult& r);
-/// When it was steered, and when stopped, with a legend.
+/// States of the loop (steered, stopped) over time, with a legend.
 std::string state_ribbon(const ServoResult& r);
-/// The camera's true path in the taught camera's axes, seen along its y axis: z forward, -x left.
+/// True path of the camera in the axes of the taught camera, seen along its y axis: z forward, -x left.
 Plan path_plan(const ServoResult& r);
 
-/// The error charts below each other in one drawing that stands alone.
+/// The error charts below each other in one stand-alone SVG file.
 std::string convergence_svg(const ServoResult& r, const ServoParams& params);
 
 }  // namespace edgevo

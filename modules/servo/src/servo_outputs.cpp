@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/servo/servo_outputs.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ void write_servo_outputs(const ServoResult& result, const ServoRunInfo& info, Ru
   if (!result.points_start.empty())
     write("convergence.svg", [&] { return convergence_svg(result, info.params); });
   write("report.html", [&] { return servo_report(result, info, views); });
-  folder->tell_failures();
+  folder->throw_first_failure();
 }
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "servo_report.h"
 
 #include "edgevo/core/output_file.h"
@@ -21,10 +22,10 @@ std::string tiles(const ServoResult& r) {
   const LatencyFigures latency = latency_figures(r);
   return tiles_html(
       {{r.failure.empty() ? (r.converged ? "converged" : "not converged") : "did not begin",
-        "as the loop sees it"},
+        "as estimated by the loop"},
        {fixed(r.final_mm, 2) + " mm", "true distance at the end"},
        {fixed(r.final_deg, 3) + "°", "true rotation at the end"},
-       {fixed(r.final_px, 2) + " px", "fed points, true, rms"},
+       {fixed(r.final_px, 2) + " px", "true error of the points, rms"},
        {fixed(r.start_mm, 0) + " mm, " + fixed(r.start_deg, 1) + "°", "at the start"},
        {fixed(r.rows.empty() ? 0 : r.rows.back().time_s, 1) + " s", "whole run"},
        {fixed(latency.p50, 0) + " / " + fixed(latency.p95, 0) + " ms", "latency, median / 95 %"},
@@ -37,10 +38,10 @@ std::string servo_report(const ServoResult& r, const ServoRunInfo& info,
                          const std::vector<ServoView>& views) {
   std::string body = tiles(r);
   if (!r.failure.empty())
-    body += section_html("failure", "Why it did not begin",
+    body += section_html("failure", "Why the loop did not begin",
                          "<p class=\"bad\">" + html_escaped(r.failure) + "</p>\n");
   std::string pictures =
-      "<p class=\"note\">Circles: where the fed points are wanted. Crosses: where they truly are.</p>\n<div "
+      "<p class=\"note\">Circles: desired positions of the points. Crosses: true positions.</p>\n<div "
       "class=\"edges\">\n";
   for (const ServoView& v : views) pictures += figure_html("png", v.png, v.name + " view", v.name);
   body += section_html("views", "Start, taught and final view", pictures + "</div>\n");

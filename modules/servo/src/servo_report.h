@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // report.html of a servo run.
 #include <string>
@@ -8,6 +9,7 @@
 
 namespace edgevo {
 
+/// The report as HTML.
 std::string servo_report(const ServoResult& r, const ServoRunInfo& info, const std::vector<ServoView>& views);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/output_file.h"
 #include "edgevo/results/yaml_writer.h"
 #include "edgevo/servo/servo_outputs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "servo_views.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ cv::Point2d pixel(const Camera& camera, const Eigen::Vector2d& undistorted_px) {
   return {p.fx * x.x() + p.cx, p.fy * x.y() + p.cy};
 }
 
-// Drawn to a sixteenth of a pixel.
+// Drawing coordinates in sixteenths of a pixel.
 cv::Point fine(const cv::Point2d& p) { return {int(std::lround(16 * p.x)), int(std::lround(16 * p.y))}; }
 
 std::vector<uint8_t> view_png(const Camera& camera, const GrayImage& image,

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The three views of a servo run with the fed points: where they truly are (crosses) and where they are
-// wanted (circles).
+// Three views of a servo run with the points of the feed: true (crosses) and desired positions (circles).
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,12 +9,15 @@
 
 namespace edgevo {
 
+/// A view as a picture.
 struct ServoView {
-  std::string name;  ///< start, taught or final
+  /// "start", "taught" or "final".
+  std::string name;
+  /// Bytes of the PNG file.
   std::vector<uint8_t> png;
 };
 
-/// As many as the run came to.
+/// The views that the run reached.
 std::vector<ServoView> views_of(const ServoResult& r);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The camera of the servo loop: what it takes at a pose, with the light and the blackout of the moment.
+// The camera of the servo loop: images at a pose, with the current light and blackout.
 #include <optional>
 
 #include "edgevo/servo/loop_params.h"
@@ -9,14 +10,17 @@
 
 namespace edgevo {
 
+/// Renders the images of the loop.
 class SimulatedCamera {
  public:
   SimulatedCamera(const ServoParams& params, const MotionPlan& plan);
 
+  /// Renderer without light changes and blackout.
   const SceneRenderer& renderer() const { return renderer_; }
+  /// Camera of the images.
   const Camera& model() const { return renderer_.camera(); }
 
-  /// nullopt: the camera drops the image.
+  /// Image number `index` at a pose; nullopt: the camera drops it.
   std::optional<GrayImage> take(const SE3& T_scene_cam, int index, double seconds) const;
 
  private:

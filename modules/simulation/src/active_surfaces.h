@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The surfaces that a row of the image may see, row after row.
+// The surfaces that may be visible in a row of the image, row by row.
 #include <vector>
 
 #include "view.h"
 
 namespace edgevo {
 
-/// Calls `draw(surface, its number)` for the surfaces that may touch row v; rows are asked for in order.
-/// Cut-outs come last and from near to far: their masks are then asked only where they are not hidden.
+/// Calls `draw(surface, its number)` for the surfaces that may touch row v; rows must be requested in order.
+/// Cut-outs come last, from near to far, so that their masks are evaluated only where they are not hidden.
 class ActiveSurfaces {
  public:
   explicit ActiveSurfaces(const std::vector<ViewSurface>& views);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "canvas.h"
 
 #include <algorithm>
@@ -84,8 +85,8 @@ void Canvas::ellipse(double cx, double cy, double a, double b, double angle, flo
     for (int x = int(std::floor(cx - reach)); x <= cx + reach; ++x) {
       const double dx = x + 0.5 - cx, dy = y + 0.5 - cy;
       const double u = (c * dx + s * dy) / a, v = (-s * dx + c * dy) / b;
-      const double inside =
-          (1 - std::sqrt(u * u + v * v)) * std::min(a, b) + 0.5;  // texels within the outline
+      // Texels within the outline.
+      const double inside = (1 - std::sqrt(u * u + v * v)) * std::min(a, b) + 0.5;
       if (inside > 0) blend(x, y, gray, opacity * float(std::min(inside, 1.0)));
     }
 }
@@ -101,13 +102,13 @@ void Canvas::line(double x0, double y0, double x1, double y1, double width, floa
     }
 }
 
-void Canvas::noise(Random& random, int cells, int octaves, float amplitude, float gain, int stretch) {
+void Canvas::noise(Random& random, int cells, int octaves, float amplitude, float gain, int elongation) {
   float total = 0, weight = 1;
   for (int o = 0; o < octaves; ++o, weight *= gain) total += weight;
   weight = amplitude / total;
   for (int o = 0; o < octaves && (cells << o) <= width_; ++o, weight *= gain) {
     const int across = cells << o;
-    const int down = std::max(1, across * height_ / width_ / stretch);
+    const int down = std::max(1, across * height_ / width_ / elongation);
     add_octave(random, across, down, weight, width_, height_, gray_.data());
   }
 }
@@ -139,7 +140,7 @@ void write_text(Canvas* canvas, Random& random, double x0, double y0, double x1,
     const double end = random.uniform() < 0.2 ? x0 + (x1 - x0) * random.uniform(0.3, 0.8) : x1;
     double x = x0;
     while (x < end) {
-      if (random.uniform() < 0.17) {  // between two words
+      if (random.uniform() < 0.17) {  // space between two words
         x += 0.45 * line;
         continue;
       }

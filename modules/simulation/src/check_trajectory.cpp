@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 #include <cmath>
 
@@ -7,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-// The way from a to b crosses the surface.
+// True if the segment from a to b crosses the surface.
 bool crosses(const Surface& s, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const Eigen::Vector3d normal = s.side_u.cross(s.side_v);
   const double da = normal.dot(a - s.origin), db = normal.dot(b - s.origin);
@@ -29,7 +30,7 @@ void check_trajectory(const Scene& scene, const std::string& where) {
         throw InputError(where,
                          "the camera passes through a wall between frames " + std::to_string(i) + " and " +
                              std::to_string(i + 1),
-                         "move the way points, or change motion.lane_offset or world.density");
+                         "move the waypoints, or change motion.lane_offset or world.density");
   }
 }
 

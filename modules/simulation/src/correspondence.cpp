@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/correspondence.h"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ Eigen::Vector2i cell_of(const ImageView<float>& depth, const Eigen::Vector2d& px
           std::clamp(int(px.y()), 0, std::max(depth.height - 2, 0))};
 }
 
-// One of the pixels around `px` has the inverse depth `expected`.
+// True if one of the pixels around `px` has the inverse depth `expected`.
 bool has_surface(const ImageView<float>& depth, const Eigen::Vector2d& px, double expected,
                  double tolerance) {
   const Eigen::Vector2i cell = cell_of(depth, px);
@@ -68,7 +69,7 @@ Correspondence find_correspondence(const ViewPair& views, const Eigen::Vector2d&
   if (!(idepth >= 0)) return c;
   c.idepth = idepth;
   const Eigen::Vector3d Y = views.T_to_from.R() * views.pinhole.ray(px) +
-                            idepth * views.T_to_from.translation();  // z_from times closer
+                            idepth * views.T_to_from.translation();  // scaled by 1 / z_from
   if (!(Y.z() > 0)) return c;
   c.px = views.pinhole.project(Y);
   c.in_view = contains(views.depth_to, c.px);

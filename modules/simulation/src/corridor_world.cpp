@@ -1,5 +1,6 @@
-// A corridor with turns. Most edges run along it; in one stretch nothing else is there, so that motion along
-// it hardly shows.
+// SPDX-License-Identifier: BSD-3-Clause
+// A corridor with turns. Most edges run along it; one bare section has no others, so that motion along it is
+// barely observable.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kHalf = 1.25, kHeight = 2.7;       // metres
-constexpr double kBareFrom = 0.42, kBareTo = 0.68;  // the bare stretch, shares of the first leg
+constexpr double kBareFrom = 0.42, kBareTo = 0.68;  // the bare section, shares of the first leg
 
 class CorridorBuilder {
  public:
@@ -18,28 +19,30 @@ class CorridorBuilder {
       : site_(site),
         b_(site.build),
         random_(b_.random()),
-        ways_(streets_of(site.params.way_points, 2, kHalf, 0)),
+        corridors_(streets_of(site.params.waypoints, 2, kHalf, 0)),
         wall_(b_.texture(site.walls.front(), 0)),
         paint_(b_.texture("stripes", 1)) {
-    for (size_t i = 0; i < ways_.size(); ++i) ways_[i].length += i + 1 < ways_.size() ? kHalf : 6;
+    for (size_t i = 0; i < corridors_.size(); ++i)
+      corridors_[i].length += i + 1 < corridors_.size() ? kHalf : 6;
   }
 
   void build() {
-    for (const Street& way : ways_) {
-      for (double sign : {1.0, -1.0}) side_wall({&way, sign});
-      end_wall(way, way.length, 1);
-      if (&way == &ways_.front()) end_wall(way, 0, -1);
+    for (const Street& corridor : corridors_) {
+      for (double sign : {1.0, -1.0}) side_wall({&corridor, sign});
+      end_wall(corridor, corridor.length, 1);
+      if (&corridor == &corridors_.front()) end_wall(corridor, 0, -1);
     }
-    for (const Street& way : ways_) floor_and_ceiling(way);
+    for (const Street& corridor : corridors_) floor_and_ceiling(corridor);
     end_wall_at_corners();
   }
 
  private:
-  bool is_bare(const Street& way, double s) const {
-    return &way == &ways_.front() && s > kBareFrom * way.length && s < kBareTo * way.length;
+  bool is_bare(const Street& corridor, double s) const {
+    return &corridor == &corridors_.front() && s > kBareFrom * corridor.length &&
+           s < kBareTo * corridor.length;
   }
   bool is_wall(const Side& side, double s) const {
-    return room(ways_, *side.street, side.at(s, kHalf)) > kHalf - 0.01;
+    return room(corridors_, *side.street, side.at(s, kHalf)) > kHalf - 0.01;
   }
 
   void side_wall(const Side& side) {
@@ -60,7 +63,7 @@ class CorridorBuilder {
 
   void wall_piece(const Side& side, double s0, double s1) {
     const double w = s1 - s0;
-    const Place p = side.left_end(s0, w, kHalf);
+    const LocalFrame p = side.left_end(s0, w, kHalf);
     const bool bare = is_bare(*side.street, s0 + 0.01);
     const int metal = b_.texture("metal", 1), rail = b_.texture("stripes", 0);
     b_.wall(p, 0, w, 0, kHeight, 0, bare ? paint_ : wall_, true);
@@ -71,7 +74,7 @@ class CorridorBuilder {
     if (!bare) furnish(p, w, metal);
   }
 
-  void furnish(const Place& p, double w, int metal) {
+  void furnish(const LocalFrame& p, double w, int metal) {
     for (double r = random_.uniform(0.3, 1); r + 1.2 < w; r += random_.uniform(0.7, 1.8)) {
       const double what = random_.uniform();
       if (what < 0.4) {
@@ -90,52 +93,54 @@ class CorridorBuilder {
     }
   }
 
-  void floor_and_ceiling(const Street& way) {
+  void floor_and_ceiling(const Street& corridor) {
     const int tiles = b_.texture("floor_tiles", 0), along = b_.texture("stripes", 2),
               white = b_.texture("stripes", 3);
-    const Side left{&way, 1};
-    const double lift =
-        &way == &ways_.front() ? 0 : 0.001;  // where two ways overlap, the later one lies on top
-    const double cuts[] = {0, kBareFrom * way.length, kBareTo * way.length, way.length};
+    const Side left{&corridor, 1};
+    const double lift = &corridor == &corridors_.front()
+                            ? 0
+                            : 0.001;  // where two corridors overlap, the later one lies on top
+    const double cuts[] = {0, kBareFrom * corridor.length, kBareTo * corridor.length, corridor.length};
     for (int i = 0; i < 3; ++i) {
       const double w = cuts[i + 1] - cuts[i];
-      const Place p = left.left_end(cuts[i], w, kHalf, lift);
-      b_.tile(p.point(0, 0, 0), w * p.right, 2 * kHalf * p.out, is_bare(way, cuts[i] + 0.1) ? along : tiles);
+      const LocalFrame p = left.left_end(cuts[i], w, kHalf, lift);
+      b_.tile(p.point(0, 0, 0), w * p.right, 2 * kHalf * p.out,
+              is_bare(corridor, cuts[i] + 0.1) ? along : tiles);
       b_.tile(p.point(0, 2 * kHalf, kHeight - 2 * lift), w * p.right, -2 * kHalf * p.out, white).gain = 1.15f;
     }
     const int lamp = b_.texture("metal", 9);
-    for (double s = 1; s + 1.2 < way.length; s += 2.6) {
-      if (is_bare(way, s) || is_bare(way, s + 1.2)) continue;
-      const Place p = left.left_end(s, 1.2, 0);
+    for (double s = 1; s + 1.2 < corridor.length; s += 2.6) {
+      if (is_bare(corridor, s) || is_bare(corridor, s + 1.2)) continue;
+      const LocalFrame p = left.left_end(s, 1.2, 0);
       b_.tile(p.point(0, 0.15, kHeight - 0.01), 1.2 * p.right, -0.3 * p.out, lamp).gain = 1.6f;
     }
   }
 
-  // Closes a way; `direction` is +1 at its far end.
-  void end_wall(const Street& way, double s, double direction) {
-    const Side left{&way, 1};
-    const Eigen::Vector2d p = left.at(s, 0), back = -direction * way.along;
-    const Place place = facing({p.x(), p.y(), 0}, std::atan2(back.y(), back.x()));
-    for (double r = -kHalf; r < kHalf - 0.01; r += kHalf / 4) {  // open where another way goes through
+  // Closes a corridor; `direction` is +1 at its far end.
+  void end_wall(const Street& corridor, double s, double direction) {
+    const Side left{&corridor, 1};
+    const Eigen::Vector2d p = left.at(s, 0), back = -direction * corridor.along;
+    const LocalFrame place = facing({p.x(), p.y(), 0}, std::atan2(back.y(), back.x()));
+    for (double r = -kHalf; r < kHalf - 0.01; r += kHalf / 4) {  // open where another corridor goes through
       const Eigen::Vector3d at = place.point(r + kHalf / 8, -0.1, 0);
-      if (room(ways_, way, at.head<2>()) > kHalf)
+      if (room(corridors_, corridor, at.head<2>()) > kHalf)
         b_.wall(place, r, r + kHalf / 4, 0, kHeight, 0, wall_, true);
     }
-    if (room(ways_, way, p) < 2 * kHalf + 0.1 && direction > 0)
+    if (room(corridors_, corridor, p) < 2 * kHalf + 0.1 && direction > 0)
       b_.wall(place, -0.35, 0.35, 0.9, 2.2, 0.01, b_.any_texture("poster", 6), false);
     else
       b_.wall(place, -0.55, 0.55, 0, 2.1, 0.03, b_.any_texture("door", 5), false);
   }
 
-  // The near end of every later way, behind the corner.
+  // The near end of every later corridor, behind the corner.
   void end_wall_at_corners() {
-    for (size_t i = 1; i < ways_.size(); ++i) end_wall(ways_[i], 0, -1);
+    for (size_t i = 1; i < corridors_.size(); ++i) end_wall(corridors_[i], 0, -1);
   }
 
   Site& site_;
   WorldBuilder& b_;
   Random& random_;
-  std::vector<Street> ways_;
+  std::vector<Street> corridors_;
   int wall_, paint_;
 };
 

@@ -1,4 +1,5 @@
-// A desk in a room. The second way point is where one looks: the middle of the desk.
+// SPDX-License-Identifier: BSD-3-Clause
+// A desk in a room. The second waypoint is where one looks: the middle of the desk.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +11,8 @@ namespace {
 class DeskBuilder {
  public:
   explicit DeskBuilder(Site& site)
-      : site_(site), b_(site.build), random_(b_.random()), centre_(site.params.way_points[1]) {
-    const Eigen::Vector3d eye = site.params.way_points[0] - centre_;
+      : site_(site), b_(site.build), random_(b_.random()), centre_(site.params.waypoints[1]) {
+    const Eigen::Vector3d eye = site.params.waypoints[0] - centre_;
     desk_ = facing({centre_.x(), centre_.y(), 0}, std::atan2(eye.y(), eye.x()));
     top_ = centre_.z();
   }
@@ -56,26 +57,26 @@ class DeskBuilder {
     b_.box(desk_, {0.45, 0.85, -0.42, 0.4, 0, top_ - 0.1}, metal, metal);  // drawers
   }
 
-  Place on_desk(double r, double o, double angle) const { return desk_.moved(r, o, top_, angle); }
+  LocalFrame on_desk(double r, double o, double angle) const { return desk_.moved(r, o, top_, angle); }
 
   void monitors() {
     const int dark = b_.texture("metal", 2);
     for (int i = 0; i < 2; ++i) {
-      const Place p = on_desk(i == 0 ? -0.33 : 0.27, -0.28, i == 0 ? 0.12 : -0.15);
+      const LocalFrame p = on_desk(i == 0 ? -0.33 : 0.27, -0.28, i == 0 ? 0.12 : -0.15);
       b_.box(p, {-0.27, 0.27, -0.04, 0.02, 0.12, 0.46}, dark, dark, b_.texture("screen", i), false, 0.45f);
       b_.box(p, {-0.04, 0.04, -0.06, -0.04, 0, 0.3}, dark, dark, -1, false, 0.4f);
       b_.box(p, {-0.13, 0.13, -0.12, 0.08, 0, 0.015}, dark, dark, -1, false, 0.4f);
     }
-    const Place p = on_desk(-0.2, 0.12, 0.05);
+    const LocalFrame p = on_desk(-0.2, 0.12, 0.05);
     b_.box(p, {-0.22, 0.22, -0.08, 0.08, 0, 0.022}, dark, b_.texture("keyboard", 0), -1, false, 1.0f);
     b_.box(on_desk(0.14, 0.14, -0.2), {-0.03, 0.03, -0.05, 0.05, 0, 0.03}, dark, dark, -1, false, 0.5f);
   }
 
-  void sheet(const Place& p, double w, double h, double z, const char* kind, int variant) {
+  void sheet(const LocalFrame& p, double w, double h, double z, const char* kind, int variant) {
     b_.fit(p.point(-w / 2, -h / 2, z), w * p.right, h * p.out, b_.texture(kind, variant));
   }
 
-  void books(const Place& p, int count) {
+  void books(const LocalFrame& p, int count) {
     double z = 0;
     for (int i = 0; i < count; ++i) {
       const double h = random_.uniform(0.015, 0.045), w = random_.uniform(0.15, 0.22), d = w * 1.35;
@@ -88,7 +89,7 @@ class DeskBuilder {
     }
   }
 
-  void mug(const Place& p) {
+  void mug(const LocalFrame& p) {
     const int skin = b_.any_texture("mug", 3);
     b_.prism(p, 0.042, 0.1, 12, skin);
     b_.box(p, {0.035, 0.07, -0.008, 0.008, 0.02, 0.08}, b_.texture("metal", 3), b_.texture("metal", 3), -1,
@@ -110,7 +111,7 @@ class DeskBuilder {
     b_.box(on_desk(0.68, -0.3, -0.5), {-0.13, 0.13, -0.1, 0.1, 0, 0.2}, box, box, -1, false);
     b_.box(on_desk(-0.72, 0.15, 0.4), {-0.08, 0.08, -0.06, 0.06, 0, 0.1}, other, other, -1, false);
     for (int i = 0; i < 9; ++i) {  // pens
-      const Place p =
+      const LocalFrame p =
           on_desk(random_.uniform(-0.6, 0.75), random_.uniform(0.0, 0.4), random_.uniform(0, 3.1));
       const int skin = b_.any_texture("metal", 12);
       b_.box(p, {-0.07, 0.07, -0.004, 0.004, 0.008, 0.016}, skin, skin, -1, false,
@@ -143,7 +144,7 @@ class DeskBuilder {
   WorldBuilder& b_;
   Random& random_;
   Eigen::Vector3d centre_;
-  Place desk_;
+  LocalFrame desk_;
   double top_ = 0;
 };
 

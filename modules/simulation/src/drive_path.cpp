@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "drive_path.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace edgevo {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
-constexpr double kStep = 0.05;  // metres between the points of a sampled way
+constexpr double kStep = 0.05;  // metres between the points of a sampled path
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& d) { return {-d.y(), d.x()}; }
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -19,18 +20,19 @@ Points flat(const std::vector<Eigen::Vector3d>& points, const std::string& where
   for (const Eigen::Vector3d& p : points) out.push_back(p.head<2>());
   for (size_t i = 1; i < out.size(); ++i)
     if ((out[i] - out[i - 1]).norm() < 0.1)
-      throw InputError(where, "two way points lie closer than 0.1 m", "leave one of them out");
+      throw InputError(where, "two waypoints lie closer than 0.1 m", "remove one of them");
   return out;
 }
 
-// The way shifted to the right by `offset`: each corner goes to where the shifted legs meet.
-Points shifted(const Points& way, double offset) {
+// The path shifted to the right by `offset`: each corner moves to where the shifted legs meet.
+Points shifted(const Points& path, double offset) {
   Points out;
-  for (size_t i = 0; i < way.size(); ++i) {
-    const Eigen::Vector2d in = i > 0 ? (way[i] - way[i - 1]).normalized() : (way[1] - way[0]).normalized();
-    const Eigen::Vector2d on = i + 1 < way.size() ? (way[i + 1] - way[i]).normalized() : in;
+  for (size_t i = 0; i < path.size(); ++i) {
+    const Eigen::Vector2d in =
+        i > 0 ? (path[i] - path[i - 1]).normalized() : (path[1] - path[0]).normalized();
+    const Eigen::Vector2d on = i + 1 < path.size() ? (path[i + 1] - path[i]).normalized() : in;
     const Eigen::Vector2d right = -left_of(in) - left_of(on);
-    out.push_back(way[i] + 2 * offset * right / std::max(0.5, right.squaredNorm()));
+    out.push_back(path[i] + 2 * offset * right / std::max(0.5, right.squaredNorm()));
   }
   return out;
 }
@@ -41,18 +43,19 @@ void append_line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Points* out
 }
 
 // Straight legs joined by arcs of `radius`, sampled.
-Points rounded(const Points& way, double radius, const std::string& where) {
+Points rounded(const Points& path, double radius, const std::string& where) {
   Points out;
-  Eigen::Vector2d start = way.front();
-  for (size_t i = 1; i + 1 < way.size(); ++i) {
-    const Eigen::Vector2d in = (way[i] - way[i - 1]).normalized(), on = (way[i + 1] - way[i]).normalized();
+  Eigen::Vector2d start = path.front();
+  for (size_t i = 1; i + 1 < path.size(); ++i) {
+    const Eigen::Vector2d in = (path[i] - path[i - 1]).normalized(),
+                          on = (path[i + 1] - path[i]).normalized();
     const double angle = std::atan2(cross(in, on), in.dot(on));
     const double setback = radius * std::tan(std::abs(angle) / 2);
-    if (setback > (way[i] - start).dot(in) || setback > (way[i + 1] - way[i]).norm())
-      throw InputError(
-          where, "the leg before or after way point " + std::to_string(i) + " is too short for its turn",
-          "make motion.turn_radius smaller");
-    const Eigen::Vector2d entry = way[i] - setback * in;
+    if (setback > (path[i] - start).dot(in) || setback > (path[i + 1] - path[i]).norm())
+      throw InputError(where,
+                       "the leg before or after waypoint " + std::to_string(i) + " is too short for its turn",
+                       "make motion.turn_radius smaller");
+    const Eigen::Vector2d entry = path[i] - setback * in;
     append_line(start, entry, &out);
     const Eigen::Vector2d centre = entry + std::copysign(radius, angle) * left_of(in);
     const int n = std::max(1, int(radius * std::abs(angle) / kStep));
@@ -61,31 +64,31 @@ Points rounded(const Points& way, double radius, const std::string& where) {
       const Eigen::Vector2d arm = entry - centre;
       out.push_back(centre + Eigen::Vector2d(c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y()));
     }
-    start = way[i] + setback * on;
+    start = path[i] + setback * on;
   }
-  append_line(start, way.back(), &out);
-  out.push_back(way.back());
+  append_line(start, path.back(), &out);
+  out.push_back(path.back());
   return out;
 }
 
 // Moving average, three times over: curvature then has no jumps, as when a driver turns the wheel.
-Points smoothed(Points way, double length) {
+Points smoothed(Points path, double length) {
   const int half = std::max(1, int(length / kStep / 2));
   for (int pass = 0; pass < 3; ++pass) {
-    Points out = way;
-    for (int i = 0; i < int(way.size()); ++i) {
-      const int reach = std::min({half, i, int(way.size()) - 1 - i});
+    Points out = path;
+    for (int i = 0; i < int(path.size()); ++i) {
+      const int reach = std::min({half, i, int(path.size()) - 1 - i});
       Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-      for (int k = -reach; k <= reach; ++k) sum += way[size_t(i + k)];
+      for (int k = -reach; k <= reach; ++k) sum += path[size_t(i + k)];
       out[size_t(i)] = sum / double(2 * reach + 1);
     }
-    way = std::move(out);
+    path = std::move(out);
   }
-  return way;
+  return path;
 }
 
-// A sampled way: its points, the distance gone and the speed at each.
-struct Way {
+// A sampled path: its points, the distance gone and the speed at each.
+struct SampledPath {
   Points points;
   std::vector<double> gone, speed;
 };
@@ -95,69 +98,70 @@ Eigen::Vector2d direction(const Points& p, size_t i) {
   return (p[b] - p[a]).normalized();
 }
 
-void limit_speed(const MotionParams& m, double stop_at, Way* way) {
-  const size_t n = way->points.size();
-  way->speed.assign(n, m.speed);
+void limit_speed(const MotionParams& m, double stop_at, SampledPath* path) {
+  const size_t n = path->points.size();
+  path->speed.assign(n, m.speed);
   for (size_t i = 0; i + 20 < n; ++i) {  // curvature over a metre
     const double turn = std::abs(
-        std::asin(std::clamp(cross(direction(way->points, i), direction(way->points, i + 20)), -1.0, 1.0)));
+        std::asin(std::clamp(cross(direction(path->points, i), direction(path->points, i + 20)), -1.0, 1.0)));
     const double limit = std::sqrt(m.acceleration * 20 * kStep / std::max(turn, 1e-6));
-    way->speed[i + 10] = std::min(way->speed[i + 10], limit);
+    path->speed[i + 10] = std::min(path->speed[i + 10], limit);
   }
   if (stop_at >= 0)
     for (size_t i = 0; i < n; ++i)
-      way->speed[i] = std::min(
-          way->speed[i], std::max(0.02, std::sqrt(2 * m.acceleration * std::abs(way->gone[i] - stop_at))));
+      path->speed[i] = std::min(
+          path->speed[i], std::max(0.02, std::sqrt(2 * m.acceleration * std::abs(path->gone[i] - stop_at))));
   const auto reachable = [&](double v, size_t a, size_t b) {
-    return std::sqrt(v * v + 2 * m.acceleration * std::abs(way->gone[a] - way->gone[b]));
+    return std::sqrt(v * v + 2 * m.acceleration * std::abs(path->gone[a] - path->gone[b]));
   };
   for (size_t i = 1; i < n; ++i)
-    way->speed[i] = std::min(way->speed[i], reachable(way->speed[i - 1], i, i - 1));
+    path->speed[i] = std::min(path->speed[i], reachable(path->speed[i - 1], i, i - 1));
   for (size_t i = n - 1; i-- > 0;)
-    way->speed[i] = std::min(way->speed[i], reachable(way->speed[i + 1], i, i + 1));
+    path->speed[i] = std::min(path->speed[i], reachable(path->speed[i + 1], i, i + 1));
 }
 
-Way make_way(const SceneParams& params, double stop_share, const std::string& where) {
+SampledPath make_path(const SceneParams& params, double stop_share, const std::string& where) {
   const MotionParams& m = params.motion;
-  Way way;
-  way.points = smoothed(rounded(shifted(flat(params.way_points, where), m.lane_offset), m.turn_radius, where),
-                        0.35 * m.turn_radius);
-  way.gone.push_back(0);
-  for (size_t i = 1; i < way.points.size(); ++i)
-    way.gone.push_back(way.gone.back() + (way.points[i] - way.points[i - 1]).norm());
-  limit_speed(m, stop_share < 0 ? -1 : stop_share * way.gone.back(), &way);
-  return way;
+  SampledPath path;
+  path.points = smoothed(rounded(shifted(flat(params.waypoints, where), m.lane_offset), m.turn_radius, where),
+                         0.35 * m.turn_radius);
+  path.gone.push_back(0);
+  for (size_t i = 1; i < path.points.size(); ++i)
+    path.gone.push_back(path.gone.back() + (path.points[i] - path.points[i - 1]).norm());
+  limit_speed(m, stop_share < 0 ? -1 : stop_share * path.gone.back(), &path);
+  return path;
 }
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 
-// Steps along the way by small times.
+// Advances along the path in small steps of time.
 class Driver {
  public:
-  explicit Driver(const Way& way) : way_(way) {}
+  explicit Driver(const SampledPath& path) : path_(path) {}
   double gone() const { return s_; }
-  bool at_end() const { return at_ + 2 >= way_.points.size(); }
+  bool at_end() const { return at_ + 2 >= path_.points.size(); }
   void advance(double seconds) {
-    s_ += seconds * mix(way_.speed[at_], way_.speed[at_ + 1], share());
-    while (!at_end() && way_.gone[at_ + 1] <= s_) ++at_;
+    s_ += seconds * mix(path_.speed[at_], path_.speed[at_ + 1], share());
+    while (!at_end() && path_.gone[at_ + 1] <= s_) ++at_;
   }
   PathPoint point() const {
     const double t = share();
-    const Eigen::Vector2d p = way_.points[at_] + t * (way_.points[at_ + 1] - way_.points[at_]);
-    const Eigen::Vector2d d = direction(way_.points, at_) * (1 - t) + direction(way_.points, at_ + 1) * t;
+    const Eigen::Vector2d p = path_.points[at_] + t * (path_.points[at_ + 1] - path_.points[at_]);
+    const Eigen::Vector2d d = direction(path_.points, at_) * (1 - t) + direction(path_.points, at_ + 1) * t;
     return {p.x(), p.y(), std::atan2(d.y(), d.x())};
   }
 
  private:
   double share() const {
-    return std::clamp((s_ - way_.gone[at_]) / std::max(1e-9, way_.gone[at_ + 1] - way_.gone[at_]), 0.0, 1.0);
+    return std::clamp((s_ - path_.gone[at_]) / std::max(1e-9, path_.gone[at_ + 1] - path_.gone[at_]), 0.0,
+                      1.0);
   }
-  const Way& way_;
+  const SampledPath& path_;
   size_t at_ = 0;
   double s_ = 0;
 };
 
-// Smooth from 0 to 1, with rest at both ends.
+// Smooth from 0 to 1, with zero speed at both ends.
 double ease(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
 
 }  // namespace
@@ -165,12 +169,12 @@ double ease(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
 std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_frame, const std::string& where) {
   const MotionParams& m = params.motion;
   const bool pauses = m.pause_turn_deg != 0;
-  const Way way = make_way(params, pauses ? m.pause_at : -1, where);
-  const double stop = pauses ? m.pause_at * way.gone.back() : 1e18;
+  const SampledPath path = make_path(params, pauses ? m.pause_at : -1, where);
+  const double stop = pauses ? m.pause_at * path.gone.back() : 1e18;
   const double pause_seconds =
       pauses ? 1.5 * std::abs(m.pause_turn_deg) / m.pause_rate_deg : 0;  // 1.5: peak rate of ease()
   const double dt = 1 / params.rate_hz / steps_per_frame;
-  Driver driver(way);
+  Driver driver(path);
   double paused = 0;
   std::vector<PathPoint> out;
   for (int i = 0; i < params.frames; ++i) {
@@ -185,8 +189,8 @@ std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_fram
     }
     if (driver.at_end() && i + 1 < params.frames)
       throw InputError(where,
-                       "the way ends at frame " + std::to_string(i) + " of " + std::to_string(params.frames),
-                       "add way points, or make frames or motion.speed smaller");
+                       "the path ends at frame " + std::to_string(i) + " of " + std::to_string(params.frames),
+                       "add waypoints, or make frames or motion.speed smaller");
   }
   return out;
 }

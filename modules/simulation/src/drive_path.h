@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A drive along way points: rounded corners, speed held down in turns, an optional turn on the spot.
+// A drive along waypoints: rounded corners, reduced speed in turns, an optional pure rotation.
 #include <string>
 #include <vector>
 
@@ -8,11 +9,12 @@
 namespace edgevo {
 
 struct PathPoint {
-  double x, y, yaw;  ///< metres, radians from the x axis to the left
+  /// Position in metres and yaw in radians from the x axis to the left.
+  double x, y, yaw;
 };
 
-/// Where the vehicle is at each of `steps_per_frame` equal steps of time from every frame to the next. Throws
-/// InputError: the way ends before the frames do, or a leg is too short for the turn.
+/// Poses of the vehicle at `steps_per_frame` equal steps of time between successive frames. Throws
+/// InputError: the path ends before the frames do, or a leg is too short for its turn.
 std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_frame, const std::string& where);
 
 }  // namespace edgevo

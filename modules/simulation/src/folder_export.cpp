@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/folder_export.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ std::string pose_line(Timestamp time, const SE3& T) {
   std::string line = to_string(time);
   const Eigen::Vector3d& t = T.translation();
   Eigen::Quaterniond q = T.rotation();
-  if (q.w() < 0) q.coeffs() *= -1;  // of the two signs, the one that others write, too
+  if (q.w() < 0) q.coeffs() *= -1;  // the sign with w >= 0, as is common
   for (double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) line += " " + fixed(value, 9);
   return line + "\n";
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A house: walls, roof, windows, door, chimney.
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 constexpr double kStorey = 3.0;  // metres
 
 // A window with a sill, its lower left corner at (r, z).
-void add_window(WorldBuilder& b, const Place& place, double r, double z, double width, double height,
+void add_window(WorldBuilder& b, const LocalFrame& place, double r, double z, double width, double height,
                 int texture, int stone) {
   b.wall(place, r, r + width, z, z + height, 0.03, texture, false);
   b.box(place, {r - 0.1, r + width + 0.1, 0, 0.16, z - 0.1, z}, stone, stone, -1, true, 1.15f);
@@ -18,7 +19,7 @@ void add_window(WorldBuilder& b, const Place& place, double r, double z, double 
         1.05f);
 }
 
-void add_ground_floor(WorldBuilder& b, const Place& place, double width, int window, int stone) {
+void add_ground_floor(WorldBuilder& b, const LocalFrame& place, double width, int window, int stone) {
   Random& r = b.random();
   const double use = r.uniform();
   double from = 0.6;
@@ -39,8 +40,8 @@ void add_ground_floor(WorldBuilder& b, const Place& place, double width, int win
     if (x + 1.3 < door - 0.2 || x > door + 1.4) add_window(b, place, x, 0.95, 1.2, 1.5, window, stone);
 }
 
-void add_upper_floors(WorldBuilder& b, const Place& place, double width, int storeys, int window, int other,
-                      int stone) {
+void add_upper_floors(WorldBuilder& b, const LocalFrame& place, double width, int storeys, int window,
+                      int other, int stone) {
   Random& r = b.random();
   const double pitch = r.uniform(1.9, 2.7), w = r.uniform(0.95, 1.3), h = r.uniform(1.4, 1.8);
   const int count = std::max(1, int((width - 0.8) / pitch));
@@ -52,7 +53,7 @@ void add_upper_floors(WorldBuilder& b, const Place& place, double width, int sto
 }
 
 // Ridge along the front; the gables at both sides are two triangles each.
-void add_gable_roof(WorldBuilder& b, const Place& place, double width, double depth, double eaves,
+void add_gable_roof(WorldBuilder& b, const LocalFrame& place, double width, double depth, double eaves,
                     double rise, int tiles, int wall) {
   const Eigen::Vector3d ridge = place.point(-0.3, -depth / 2, eaves + rise),
                         right = (width + 0.6) * place.right;
@@ -69,7 +70,7 @@ void add_gable_roof(WorldBuilder& b, const Place& place, double width, double de
   }
 }
 
-void add_roof(WorldBuilder& b, const Place& place, double width, double depth, double eaves, int wall,
+void add_roof(WorldBuilder& b, const LocalFrame& place, double width, double depth, double eaves, int wall,
               int stone) {
   Random& r = b.random();
   if (r.uniform() < 0.3) {  // flat, with a cornice
@@ -88,15 +89,15 @@ void add_roof(WorldBuilder& b, const Place& place, double width, double depth, d
 
 }  // namespace
 
-void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys,
+void add_house(WorldBuilder& b, const LocalFrame& place, double width, double depth, int storeys,
                const std::string& wall) {
   Random& r = b.random();
   const int skin = b.any_texture(wall, 3), stone = b.any_texture("concrete", 2);
   const int window = b.any_texture("window", 12), other = b.any_texture("window", 12);
   const double eaves = storeys * kStorey + 0.3;
   b.box(place, {0, width, -depth, 0, 0, eaves}, skin, skin, -1, true, float(r.uniform(0.75, 1.2)));
-  b.box(place, {-0.02, width + 0.02, -0.2, 0.06, 0, r.uniform(0.25, 0.6)}, stone, stone, -1, true,
-        0.8f);  // plinth
+  // Plinth.
+  b.box(place, {-0.02, width + 0.02, -0.2, 0.06, 0, r.uniform(0.25, 0.6)}, stone, stone, -1, true, 0.8f);
   if (r.uniform() < 0.5)
     b.box(place, {0, width, 0, 0.08, kStorey, kStorey + 0.2}, stone, stone);  // string course
   add_ground_floor(b, place, width, window, stone);
@@ -104,8 +105,8 @@ void add_house(WorldBuilder& b, const Place& place, double width, double depth, 
   add_roof(b, place, width, depth, eaves, skin, stone);
   b.prism(place.moved(width - 0.15, 0.1, 0), 0.06, eaves, 5, b.texture("metal", 23), 0.7f);  // drain pipe
   for (const double side : {0.0, width}) {  // windows in the side walls
-    const Place wall_place = side == 0 ? Place{place.point(0, -depth, 0), place.out, -place.right}
-                                       : Place{place.point(width, 0, 0), -place.out, place.right};
+    const LocalFrame wall_place = side == 0 ? LocalFrame{place.point(0, -depth, 0), place.out, -place.right}
+                                            : LocalFrame{place.point(width, 0, 0), -place.out, place.right};
     for (int storey = 0; storey < storeys; ++storey)
       for (double x = 1.5; x + 1.2 < depth; x += 3.4)
         if (r.uniform() < 0.5) add_window(b, wall_place, x, storey * kStorey + 0.95, 1.0, 1.4, other, stone);

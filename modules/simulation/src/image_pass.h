@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a camera at one pose sees in some rows of its image.
+// Brightness of some rows of the image of a camera at one pose.
 #include <vector>
 
 #include "edgevo/simulation/scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "lighting_effects.h"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ void for_pixels(LitImage* image, F f) {
         (float(v) - 0.5f * float(image->height - 1)) / half, image->gray[size_t(v) * image->width + u]);
 }
 
-// Mean over 2 radius + 1 pixels along a row or column; `step` and `count` walk the line, beyond its ends it
-// is continued.
+// Mean over 2 radius + 1 pixels along a row or column; `step` and `count` walk the line, continued beyond its
+// ends.
 void box_line(const float* in, float* out, int count, int step, int radius) {
   const auto at = [&](int i) { return in[std::clamp(i, 0, count - 1) * step]; };
   float sum = 0;
@@ -95,8 +96,8 @@ void add_glare(Random random, double seconds, double share, LitImage* image) {
   });
 }
 
-void eat_boundaries(LitImage* image) {
-  constexpr float kFull = 205;  // from here on a well spills over
+void bloom_highlights(LitImage* image) {
+  constexpr float kFull = 205;  // saturation, from which a pixel spills over
   std::vector<float> spill(image->gray.size());
   for (size_t i = 0; i < spill.size(); ++i) spill[i] = image->gray[i] > kFull ? 255.0f : 0.0f;
   box_blur(&spill, image->width, image->height, 4);
@@ -111,8 +112,8 @@ void sweep_shadows(Random random, double seconds, LitImage* image) {
     const double phase = random.uniform(0, 4), half = random.uniform(0.08, 0.3),
                  rim = random.uniform(0.01, 0.06);
     const float c = float(std::cos(angle)), s = float(std::sin(angle));
-    const float middle =
-        float(std::fmod(std::fmod(phase + speed * seconds, 4) + 4, 4) - 2);  // comes back every four widths
+    // Returns every four widths.
+    const float middle = float(std::fmod(std::fmod(phase + speed * seconds, 4) + 4, 4) - 2);
     for_pixels(image, [&](float x, float y, float& g) {
       const float inside = float(half) - std::abs(c * x + s * y - middle);
       if (inside > -float(rim)) g *= 1 - 0.6f * smooth_step(0.5f + 0.5f * inside / float(rim));

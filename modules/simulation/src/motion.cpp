@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "motion.h"
 
 #include <algorithm>
@@ -20,27 +21,27 @@ double seconds_at(size_t step, double rate_hz) {
 
 std::vector<SE3> drive(const SceneParams& params, Random random, const std::string& where) {
   const MotionParams& m = params.motion;
-  const std::vector<PathPoint> way = drive_along(params, kStepsPerFrame, where);
+  const std::vector<PathPoint> path = drive_along(params, kStepsPerFrame, where);
   const SmoothNoise pitch(&random, m.sway_hz), roll(&random, m.sway_hz), yaw(&random, m.sway_hz),
       lift(&random, m.sway_hz);
   std::vector<SE3> poses;
-  for (size_t i = 0; i < way.size(); ++i) {
+  for (size_t i = 0; i < path.size(); ++i) {
     const double t = seconds_at(i, params.rate_hz), sway = m.sway_deg * kRadian;
-    const Eigen::Vector3d position(way[i].x, way[i].y, m.height + m.sway_m * lift(t));
-    poses.push_back(look(position, way[i].yaw - m.look_right_deg * kRadian + sway / 3 * yaw(t),
+    const Eigen::Vector3d position(path[i].x, path[i].y, m.height + m.sway_m * lift(t));
+    poses.push_back(look(position, path[i].yaw - m.look_right_deg * kRadian + sway / 3 * yaw(t),
                          m.look_down_deg * kRadian + sway * pitch(t), sway * roll(t)));
   }
   return poses;
 }
 
-// Moves about the first way point, always looking near the second. Time is stretched so that the mean speed
-// is right.
+// Moves about the first waypoint, always looking near the second. Time is scaled to give the requested mean
+// speed.
 std::vector<SE3> hand(const SceneParams& params, Random random) {
   const MotionParams& m = params.motion;
   const SmoothNoise x(&random, 0.25), y(&random, 0.25), z(&random, 0.25);
   const SmoothNoise yaw(&random, m.sway_hz), down(&random, m.sway_hz), roll(&random, m.sway_hz);
   const auto position = [&](double t) -> Eigen::Vector3d {
-    return params.way_points[0] + 0.55 * m.amplitude * Eigen::Vector3d(x(t), y(t), z(t));
+    return params.waypoints[0] + 0.55 * m.amplitude * Eigen::Vector3d(x(t), y(t), z(t));
   };
   double length = 0;
   constexpr double kStep = 0.01, kSeconds = 200;
@@ -49,7 +50,7 @@ std::vector<SE3> hand(const SceneParams& params, Random random) {
   std::vector<SE3> poses;
   for (size_t i = 0; i < size_t(params.frames) * kStepsPerFrame; ++i) {
     const double t = seconds_at(i, params.rate_hz);
-    const Eigen::Vector3d p = position(pace * t), view = params.way_points[1] - p;
+    const Eigen::Vector3d p = position(pace * t), view = params.waypoints[1] - p;
     poses.push_back(look(p, std::atan2(view.y(), view.x()) + sway * yaw(t),
                          std::atan2(-view.z(), view.head<2>().norm()) + sway * down(t), sway * roll(t)));
   }

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How the camera moves, at each frame and between them; scene axes (x east, y north, z up), metres.
+// Motion of the camera, at the frames and between them; scene axes (x east, y north, z up), metres.
 #include <string>
 #include <vector>
 
@@ -8,11 +9,11 @@
 
 namespace edgevo {
 
-/// Poses at equal steps of time from 0 s on, joined at constant velocity, which also goes on beyond both
-/// ends.
+/// Poses at equal steps of time from 0 s, joined at constant velocity, which continues beyond both ends.
 struct CameraMotion {
   double step_s = 0;
-  std::vector<SE3> T_scene_cam;  ///< two or more
+  /// Poses, two or more.
+  std::vector<SE3> T_scene_cam;
 
   SE3 at(double seconds) const;
 };
@@ -20,10 +21,10 @@ struct CameraMotion {
 constexpr int kStepsPerFrame = 50;
 
 /// The motion, in kStepsPerFrame steps a frame, so that step kStepsPerFrame i is frame i. Throws InputError
-/// naming `where`, e.g. when the way ends before the frames do.
+/// naming `where`, for instance when the path ends before the frames do.
 CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where);
 
-/// A camera at `position` that looks along yaw (radians from x to the left), `down` radians under the
+/// A camera at `position` that looks along yaw (radians from x to the left), `down` radians below the
 /// horizon, and is rolled clockwise by `roll`.
 SE3 look(const Eigen::Vector3d& position, double yaw, double down, double roll);
 

@@ -1,4 +1,5 @@
-// A square among houses, with trees, benches, cars and a monument; the way points lie inside.
+// SPDX-License-Identifier: BSD-3-Clause
+// A square among houses, with trees, benches, cars and a monument; the waypoints lie inside.
 #include <cmath>
 
 #include "props.h"
@@ -8,9 +9,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMargin = 17;  // from the way to the houses, metres
+constexpr double kMargin = 17;  // from the path to the houses, metres
 
-void add_bench(WorldBuilder& b, const Place& place) {
+void add_bench(WorldBuilder& b, const LocalFrame& place) {
   const int wood = b.texture("wood", 1), metal = b.texture("metal", 1);
   b.box(place, {-0.9, 0.9, -0.2, 0.2, 0.42, 0.46}, wood, wood, -1, true, 0.9f);
   b.box(place, {-0.9, 0.9, -0.26, -0.22, 0.5, 0.9}, wood, wood, -1, true, 0.8f);
@@ -18,7 +19,7 @@ void add_bench(WorldBuilder& b, const Place& place) {
     b.box(place, {r, r + 0.06, -0.25, 0.2, 0, 0.42}, metal, metal, -1, false, 0.4f);
 }
 
-void add_monument(WorldBuilder& b, const Place& place) {
+void add_monument(WorldBuilder& b, const LocalFrame& place) {
   const int stone = b.texture("stone", 0), rock = b.texture("rock", 0);
   for (int i = 0; i < 3; ++i) {
     const double half = 2.2 - 0.5 * i;
@@ -32,16 +33,16 @@ struct Box2 {
   Eigen::Vector2d low, high;
 };
 
-Box2 around(const std::vector<Eigen::Vector3d>& way_points) {
-  Box2 box{way_points[0].head<2>(), way_points[0].head<2>()};
-  for (const Eigen::Vector3d& p : way_points)
+Box2 around(const std::vector<Eigen::Vector3d>& waypoints) {
+  Box2 box{waypoints[0].head<2>(), waypoints[0].head<2>()};
+  for (const Eigen::Vector3d& p : waypoints)
     box.low = box.low.cwiseMin(p.head<2>()), box.high = box.high.cwiseMax(p.head<2>());
   box.low.array() -= kMargin, box.high.array() += kMargin;
   return box;
 }
 
 // One row of houses along a side of the square: `place` looks inwards, with its origin at the left end.
-void add_row(Site& site, const Place& place, double length) {
+void add_row(Site& site, const LocalFrame& place, double length) {
   Random& random = site.build.random();
   for (double r = 0; r < length;) {
     const double width = random.uniform(7, 12);
@@ -51,8 +52,8 @@ void add_row(Site& site, const Place& place, double length) {
   }
 }
 
-double distance_to_way(const std::vector<Eigen::Vector3d>& way_points, const Eigen::Vector2d& p) {
-  const std::vector<Street> legs = streets_of(way_points, 0, 0, 0);
+double distance_to_path(const std::vector<Eigen::Vector3d>& waypoints, const Eigen::Vector2d& p) {
+  const std::vector<Street> legs = streets_of(waypoints, 0, 0, 0);
   double nearest = 1e9;
   for (const Street& leg : legs) nearest = std::min(nearest, leg.distance(p));
   return nearest;
@@ -66,8 +67,8 @@ void scatter(Site& site, const Box2& box) {
     const Eigen::Vector2d p(random.uniform(box.low.x() + 3, box.high.x() - 3),
                             random.uniform(box.low.y() + 3, box.high.y() - 3));
     const double what = random.uniform(), angle = random.uniform(0, 2 * M_PI);
-    if (distance_to_way(site.params.way_points, p) < 4.5) continue;
-    const Place place = facing({p.x(), p.y(), 0}, angle);
+    if (distance_to_path(site.params.waypoints, p) < 4.5) continue;
+    const LocalFrame place = facing({p.x(), p.y(), 0}, angle);
     if (what < 0.4)
       add_tree(b, place, random.uniform(5, 9));
     else if (what < 0.55)
@@ -85,7 +86,7 @@ void scatter(Site& site, const Box2& box) {
 
 void build_plaza(Site& site) {
   WorldBuilder& b = site.build;
-  const Box2 box = around(site.params.way_points);
+  const Box2 box = around(site.params.waypoints);
   const double w = box.high.x() - box.low.x(), h = box.high.y() - box.low.y();
   for (double x = box.low.x() - 10; x < box.high.x() + 10; x += 16)
     for (double y = box.low.y() - 10; y < box.high.y() + 10; y += 16)

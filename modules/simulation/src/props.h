@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Things that stand about: houses, trees, cars, lamps.
+// Objects: houses, trees, cars, lamps.
 #include <string>
 
 #include "season.h"
@@ -8,19 +9,21 @@
 namespace edgevo {
 
 /// A house whose front runs from `place`'s origin `width` metres to the right, `depth` metres deep.
-void add_house(WorldBuilder& b, const Place& place, double width, double depth, int storeys,
+void add_house(WorldBuilder& b, const LocalFrame& place, double width, double depth, int storeys,
                const std::string& wall);
 
-/// A broad-leaved tree, or a conifer, with its foot at the origin of `place`.
-void add_tree(WorldBuilder& b, const Place& place, double height, const Leaves& leaves = {});
-void add_conifer(WorldBuilder& b, const Place& place, double height);
-void add_bush(WorldBuilder& b, const Place& place, double width, const Leaves& leaves = {});
+/// A broad-leaved tree with its foot at the origin of `place`.
+void add_tree(WorldBuilder& b, const LocalFrame& place, double height, const Leaves& leaves = {});
+/// A conifer with its foot at the origin of `place`.
+void add_conifer(WorldBuilder& b, const LocalFrame& place, double height);
+void add_bush(WorldBuilder& b, const LocalFrame& place, double width, const Leaves& leaves = {});
 
 /// A car of 4.3 m whose left side is in front; the origin is below its middle.
-void add_car(WorldBuilder& b, const Place& place);
+void add_car(WorldBuilder& b, const LocalFrame& place);
 
-/// A lamp post of 6 m whose arm reaches out; a post with a sign that faces out.
-void add_lamp(WorldBuilder& b, const Place& place);
-void add_sign(WorldBuilder& b, const Place& place);
+/// A lamp post of 6 m whose arm reaches outwards.
+void add_lamp(WorldBuilder& b, const LocalFrame& place);
+/// A post with a sign that faces outwards.
+void add_sign(WorldBuilder& b, const LocalFrame& place);
 
 }  // namespace edgevo

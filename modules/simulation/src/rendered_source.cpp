@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/rendered_source.h"
 
 #include "edgevo/core/error.h"

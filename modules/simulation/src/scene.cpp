@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/scene.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where scenes lie: the source tree while one works in it, else what was installed, with the program or for a
-// program of another's.
+// Folders of scenes: the source tree if the program runs from it, else the installation, of this program or
+// of one that links the library.
 std::vector<fs::path> scene_folders() {
   return {
 #ifdef EDGEVO_SCENE_SOURCE_DIR
@@ -35,7 +36,7 @@ void split_season(const std::string& name, std::string* scene, std::string* seas
   *scene = name.substr(0, colon), *season = name.substr(colon + 1);
   const std::vector<std::string> known{"spring", "summer", "autumn", "winter"};
   if (std::find(known.begin(), known.end(), *season) == known.end())
-    throw InputError("scene " + name, "'" + *season + "' is no season",
+    throw InputError("scene " + name, "'" + *season + "' is not a season",
                      "did you mean '" + nearest_name(*season, known) + "'?");
 }
 
@@ -89,9 +90,9 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   scene.camera = params.camera.camera;
   scene.noise_sigma = params.camera.noise_sigma;
   scene.shutter = {params.camera.rolling_shutter_s, params.camera.exposure_s};
-  set_motion(make_trajectory(params, scene.seed, params.where.way_points), params, &scene);
+  set_motion(make_trajectory(params, scene.seed, params.where.waypoints), params, &scene);
   scene.world = std::make_shared<const World>(build_world(params, scene.seed));
-  check_trajectory(scene, params.where.way_points);
+  check_trajectory(scene, params.where.waypoints);
   return scene;
 }
 

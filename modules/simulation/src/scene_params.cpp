@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scene_params.h"
 
 #include <charconv>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr const char* kKey = "way_points:";
 constexpr const char* kRemedy =
-    "write each way point on a line of its own as `- [x, y]` or `- [x, y, z]`, metres";
+    "write each waypoint on a line of its own as `- [x, y]` or `- [x, y, z]`, metres";
 
 std::string at_line(const std::string& file, int line) { return file + ":" + std::to_string(line); }
 
@@ -23,10 +24,10 @@ std::string_view trimmed(std::string_view s) {
 }
 std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
 
-bool opens_way_points(const std::string& line) {
+bool opens_waypoints(const std::string& line) {
   return line.compare(0, std::string_view(kKey).size(), kKey) == 0;
 }
-// A line of text outside of any list or group: it ends the section before it.
+// A line outside any list or group, which ends the section before it.
 bool is_top_level_key(const std::string& line) {
   return !line.empty() && line[0] != ' ' && line[0] != '\t' && line[0] != '#' && line[0] != '-' &&
          line[0] != '\r';
@@ -53,33 +54,33 @@ bool parse_point(std::string_view text, Eigen::Vector3d* p) {
 Eigen::Vector3d parse_item(std::string_view item, const std::string& where) {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   if (item.front() != '-' || !parse_point(trimmed(item.substr(1)), &p))
-    throw InputError(where, "is no way point, a list of two or three numbers", kRemedy);
-  if (!(p.cwiseAbs().maxCoeff() < 1e5)) throw InputError(where, "a way point lies beyond 100 km", kRemedy);
+    throw InputError(where, "is not a waypoint: a list of two or three numbers", kRemedy);
+  if (!(p.cwiseAbs().maxCoeff() < 1e5)) throw InputError(where, "a waypoint is beyond 100 km", kRemedy);
   return p;
 }
 
-// Takes the way points out of the text, whose other lines keep their numbers.
-std::string take_way_points(std::istream& in, const std::string& file, SceneParams* params) {
+// Removes the waypoints from the text, whose other lines keep their numbers.
+std::string take_waypoints(std::istream& in, const std::string& file, SceneParams* params) {
   std::string line, rest;
   bool inside = false;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (is_top_level_key(line)) inside = opens_way_points(line);
+    if (is_top_level_key(line)) inside = opens_waypoints(line);
     rest += (inside ? "" : line) + "\n";
     const std::string where = at_line(file, number);
-    if (inside && opens_way_points(line)) {
-      if (!params->where.way_points.empty())
+    if (inside && opens_waypoints(line)) {
+      if (!params->where.waypoints.empty())
         throw InputError(where, "way_points was given already", "keep one");
-      params->where.way_points = where;
+      params->where.waypoints = where;
       if (!without_comment(std::string_view(line).substr(std::string_view(kKey).size())).empty())
         throw InputError(where, "something follows way_points on its line", kRemedy);
     } else if (inside && !without_comment(line).empty()) {
-      params->way_points.push_back(parse_item(without_comment(line), where));
+      params->waypoints.push_back(parse_item(without_comment(line), where));
     }
   }
   return rest;
 }
 
-// The line of `key` in the group `world`, which need not be there.
+// The line of `key`, which may be missing, in the group `world`.
 std::string where_in_world(const std::string& text, const std::string& key, const std::string& file) {
   std::istringstream in(text);
   std::string line;
@@ -96,13 +97,13 @@ std::string where_in_world(const std::string& text, const std::string& key, cons
 SceneParams parse_scene(const std::string& text, const std::string& file) {
   SceneParams params;
   std::istringstream in(text);
-  const std::string rest = take_way_points(in, file, &params);
+  const std::string rest = take_waypoints(in, file, &params);
   read_params(rest, file, [&](ParamVisitor& v) { params.visit(v); });
   if (params.frames < 1)
     throw InputError(file, "frames is missing: the scene would be empty", "give for example frames: 300");
-  if (params.where.way_points.empty()) throw InputError(file, "has no way_points", kRemedy);
-  if (params.way_points.size() < 2)
-    throw InputError(params.where.way_points, "has fewer than two way points", kRemedy);
+  if (params.where.waypoints.empty()) throw InputError(file, "has no way_points", kRemedy);
+  if (params.waypoints.size() < 2)
+    throw InputError(params.where.waypoints, "has fewer than two waypoints", kRemedy);
   params.where.walls = where_in_world(text, "walls", file);
   params.where.sky = where_in_world(text, "sky", file);
   params.camera.camera.check(file);

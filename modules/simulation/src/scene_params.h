@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a scene file holds. Each struct names its keys once, in visit(); see datasets/scenes/*.yaml.
+// Contents of a scene file. Each struct names its keys once, in visit(); see datasets/scenes/*.yaml.
 #include <string>
 #include <vector>
 
@@ -35,35 +36,49 @@ struct CameraParams {
 
 struct MotionParams {
   std::string kind = "drive";
-  double speed = 9;            ///< m/s
-  double height = 1.65;        ///< m over the ground (drive)
-  double lane_offset = 0;      ///< m to the right of the way points (drive)
-  double turn_radius = 8;      ///< m (drive)
-  double acceleration = 2.5;   ///< m/s^2, in turns and along the way (drive)
-  double look_right_deg = 0;   ///< the camera looks this far to the right of where it goes (drive)
-  double look_down_deg = 0;    ///< (drive)
-  double sway_deg = 0.25;      ///< standard deviation of pitch and roll; yaw a third of it
-  double sway_m = 0.01;        ///< standard deviation of the height (drive)
-  double sway_hz = 1.2;        ///< typical frequency of the two
-  double pause_at = 0.5;       ///< share of the way where the pure turn happens (drive)
-  double pause_turn_deg = 0;   ///< pure turn on the spot, to the left; 0: none
-  double pause_rate_deg = 30;  ///< degrees a second
-  double amplitude = 0.3;      ///< m, half the range of the movement (hand)
+  /// Metres per second.
+  double speed = 9;
+  /// Height over the ground (drive), metres.
+  double height = 1.65;
+  /// Offset to the right of the waypoints (drive), metres.
+  double lane_offset = 0;
+  /// Radius of turns (drive), metres.
+  double turn_radius = 8;
+  /// Largest acceleration, sideways in turns and along the path (drive), m/s^2.
+  double acceleration = 2.5;
+  /// Direction of view to the right of the direction of travel (drive), degrees.
+  double look_right_deg = 0;
+  /// Direction of view below the horizon (drive), degrees.
+  double look_down_deg = 0;
+  /// Standard deviation of pitch and roll, degrees; that of yaw is a third of it.
+  double sway_deg = 0.25;
+  /// Standard deviation of the height (drive), metres.
+  double sway_m = 0.01;
+  /// Typical frequency of the sway, Hz.
+  double sway_hz = 1.2;
+  /// Share of the path at which the pure rotation happens (drive), 0 to 1.
+  double pause_at = 0.5;
+  /// Angle of the pure rotation, to the left, degrees; 0: none.
+  double pause_turn_deg = 0;
+  /// Rate of the pure rotation, degrees per second.
+  double pause_rate_deg = 30;
+  /// Half the range of the movement (hand), metres.
+  double amplitude = 0.3;
   void visit(KeyVisitor& v) {
     v.text("kind", kind, {"drive", "hand"},
-           "drive along way points, or move about the first one looking at the second");
+           "drive along waypoints, or move about the first one looking at the second");
     v.number("speed", speed, 0.01, 60, "metres a second");
     v.number("height", height, 0.05, 50, "drive: metres over the ground");
-    v.number("lane_offset", lane_offset, -50, 50, "drive: metres to the right of the way points");
+    v.number("lane_offset", lane_offset, -50, 50, "drive: metres to the right of the waypoints");
     v.number("turn_radius", turn_radius, 0.2, 500, "drive: metres");
-    v.number("acceleration", acceleration, 0.05, 20, "drive: m/s^2, sideways in turns and along the way");
-    v.number("look_right_deg", look_right_deg, -180, 180, "drive: degrees between the way and the view");
+    v.number("acceleration", acceleration, 0.05, 20, "drive: m/s^2, sideways in turns and along the path");
+    v.number("look_right_deg", look_right_deg, -180, 180, "drive: degrees between the path and the view");
     v.number("look_down_deg", look_down_deg, -80, 80, "drive: degrees under the horizon");
     v.number("sway_deg", sway_deg, 0, 20, "standard deviation of pitch and roll");
     v.number("sway_m", sway_m, 0, 1, "drive: standard deviation of the height, metres");
     v.number("sway_hz", sway_hz, 0.01, 20, "typical frequency of the sway");
-    v.number("pause_at", pause_at, 0, 1, "drive: share of the way where it stops to turn");
-    v.number("pause_turn_deg", pause_turn_deg, -720, 720, "drive: turn on the spot, to the left; 0: none");
+    v.number("pause_at", pause_at, 0, 1, "drive: share of the path where it stops to turn");
+    v.number("pause_turn_deg", pause_turn_deg, -720, 720, "drive: pure rotation, to the left; 0: none");
     v.number("pause_rate_deg", pause_rate_deg, 0.1, 360, "drive: degrees a second of that turn");
     v.number("amplitude", amplitude, 0.001, 100, "hand: half the range of the movement, metres");
   }
@@ -71,13 +86,16 @@ struct MotionParams {
 
 struct WorldParams {
   std::string kind = "street";
-  std::string walls = "brick plaster stone boards";  ///< kinds of texture, separated by blanks
+  /// Kinds of texture, separated by blanks.
+  std::string walls = "brick plaster stone boards";
   std::string sky = "clouds";
   double horizon_gray = 222;
   double haze_per_metre = 0.0015;
   double sun_azimuth_deg = 130, sun_elevation_deg = 42;
-  double density = 1;  ///< of things that stand about
-  std::string season;  ///< lakeshore: leaves, sun and haze (season.h); empty: none of these
+  /// Density of objects.
+  double density = 1;
+  /// Season of a lakeshore: leaves, sun and haze (season.h); empty: none.
+  std::string season;
   void visit(KeyVisitor& v) {
     v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza"}, "what is built");
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
@@ -87,15 +105,15 @@ struct WorldParams {
              "a surface at z metres keeps 1/(1 + haze z) of its brightness");
     v.number("sun_azimuth_deg", sun_azimuth_deg, -360, 360, "from the x axis to the left");
     v.number("sun_elevation_deg", sun_elevation_deg, 5, 90, "over the horizon");
-    v.number("density", density, 0, 3, "how many cars, trees and other things stand about");
+    v.number("density", density, 0, 3, "how many cars, trees and other objects there are");
     v.text("season", season, {"", "spring", "summer", "autumn", "winter"},
            "lakeshore: leaves, light and haze of a season");
   }
 };
 
-/// "street.yaml:31": the lines that an error found later points to.
+/// Lines such as "street.yaml:31" to which errors detected later refer.
 struct SceneLines {
-  std::string way_points, walls, sky;
+  std::string waypoints, walls, sky;
 };
 
 struct SceneParams {
@@ -105,7 +123,8 @@ struct SceneParams {
   CameraParams camera;
   MotionParams motion;
   WorldParams world;
-  std::vector<Eigen::Vector3d> way_points;  ///< metres
+  /// Waypoints, metres.
+  std::vector<Eigen::Vector3d> waypoints;
   SceneLines where;
   void visit(KeyVisitor& v) {
     v.integer("seed", seed, 0, 1000000000, "everything random follows from it");
@@ -124,9 +143,9 @@ struct SceneParams {
   }
 };
 
-/// Reads the text of a scene file. Throws InputError: unknown key, value out of range, no frames, way points
-/// that are no lists of two or three numbers, fewer than two of them, no camera. Each message opens with
-/// `file` and, where there is one, the line.
+/// Parses the text of a scene file. Throws InputError: unknown key, value out of range, no frames, waypoints
+/// that are not lists of two or three numbers, fewer than two of them, no camera. Each message opens with
+/// `file` and, if there is one, the line.
 SceneParams parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/scene_renderer.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ std::vector<Eigen::Vector2f> rays_through_lens(const Camera& camera) {
         const Eigen::Vector2d distorted = p.ray(Eigen::Vector2d(u, v) + offset.cast<double>()).head<2>();
         Eigen::Vector2d x = distorted;
         if (!camera.undistort(distorted, &x))
-          x = distorted;  // beyond the model: a corner that no ray reaches
+          x = distorted;  // outside the lens model: a corner that no ray reaches
         rays.push_back(x.cast<float>());
       }
   return rays;

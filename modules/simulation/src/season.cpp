@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "season.h"
 
 #include <map>
@@ -6,9 +7,9 @@
 
 namespace edgevo {
 
-// Leaves: young and bright; full and dark; few and yellow; none. The sun at 49 degrees north stands 41
-// degrees high at noon in April, 62 in July, 32 in October, 20 in January; low light leaves the water dark.
-// Reeds are dry and pale from autumn to spring.
+// Leaves: young and bright; full and dark; few and yellow; none. The sun at 49 degrees north is 41 degrees
+// high at noon in April, 62 in July, 32 in October, 20 in January; low light leaves the water dark. Reeds are
+// dry and pale from autumn to spring.
 const SeasonLook& season_look(const std::string& season) {
   static const SeasonLook kNone;
   static const std::map<std::string, SeasonLook> kLooks{

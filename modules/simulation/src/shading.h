@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Brightness of one surface at one pixel: the texture averaged over the pixel's footprint.
 #include "view.h"
 
 namespace edgevo {
 
-/// What shading needs to know besides the surface.
+/// Parameters of shading other than the surface.
 struct ShadingContext {
-  float pixel_x = 0, pixel_y = 0;  ///< size of a pixel in normalised coordinates: 1/fx, 1/fy
+  /// Size of a pixel in normalised coordinates: 1/fx, 1/fy.
+  float pixel_x = 0, pixel_y = 0;
   float haze_gray = 0, haze_per_metre = 0;
 };
 

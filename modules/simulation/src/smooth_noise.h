@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A smooth random function of time.
 #include <cmath>
@@ -7,8 +8,8 @@
 
 namespace edgevo {
 
-/// Sum of a few sines of random phase and frequencies around `hz`; mean 0, standard deviation about 1, all
-/// derivatives exist.
+/// Sum of a few sines of random phase and frequencies around `hz`; mean 0, standard deviation about 1,
+/// infinitely differentiable.
 class SmoothNoise {
  public:
   SmoothNoise(Random* random, double hz) {

@@ -1,4 +1,5 @@
-// A street with turns. Each leg between way points is a street that goes on beyond its ends; where two cross
+// SPDX-License-Identifier: BSD-3-Clause
+// A street with turns. Each leg between waypoints is a street that continues beyond its ends; where two cross
 // there is a junction.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 constexpr double kRoad = 5.0;         // half the road, kerb to middle, metres
 constexpr double kWalk = 7.3;         // outer rim of the pavement
 constexpr double kKerb = 0.13;        // height of the kerb
-constexpr double kStreetBeyond = 65;  // how far a street goes on beyond its way points
+constexpr double kStreetBeyond = 65;  // length of a street beyond its waypoints
 
 class StreetBuilder {
  public:
@@ -21,7 +22,7 @@ class StreetBuilder {
       : site_(site),
         b_(site.build),
         random_(b_.random()),
-        streets_(streets_of(site.params.way_points, 25, kStreetBeyond, kStreetBeyond)) {}
+        streets_(streets_of(site.params.waypoints, 25, kStreetBeyond, kStreetBeyond)) {}
 
   void build() {
     ground();
@@ -42,7 +43,7 @@ class StreetBuilder {
   double density() const { return site_.params.world.density; }
 
   double room(const Street& own, const Eigen::Vector2d& p) const { return edgevo::room(streets_, own, p); }
-  // Nothing of another street lies within `reach` of the strip s0..s1, d0..d1.
+  // True if no other street is within `reach` of the strip s0..s1, d0..d1.
   bool is_free(const Side& side, double s0, double s1, double d0, double d1, double reach) const {
     for (double s = s0; s <= s1 + 0.01; s += (s1 - s0) / 4)
       for (double d = d0; d <= d1 + 0.01; d += std::max(0.5, (d1 - d0) / 4))
@@ -61,7 +62,7 @@ class StreetBuilder {
       for (double y = low.y() - kTile; y < high.y() + kTile; y += kTile)
         if (near_a_street({x + kTile / 2, y + kTile / 2}, 40)) {
           Surface& s = b_.tile({x, y + kTile, 0}, {kTile, 0, 0}, {0, -kTile, 0}, asphalt);
-          s.uv_origin = {0, 0};  // goes on seamlessly: a tile is four repeats
+          s.uv_origin = {0, 0};  // continues seamlessly: a tile is four repeats
         }
   }
   bool near_a_street(const Eigen::Vector2d& p, double reach) const {
@@ -78,7 +79,7 @@ class StreetBuilder {
     }
     const int manhole = b_.texture("manhole", 0);
     for (double s = 9; s < street.length; s += random_.uniform(14, 32)) {
-      const Place p = left.place(s, random_.uniform(-2.5, 2.5), 0.004);
+      const LocalFrame p = left.place(s, random_.uniform(-2.5, 2.5), 0.004);
       b_.fit(p.point(-0.33, 0.33, 0), 0.66 * p.right, -0.66 * p.out, manhole).is_two_sided = true;
     }
     for (double s = 4; s < street.length; s += 1) stop_line(left, s, paint);
@@ -90,7 +91,7 @@ class StreetBuilder {
     for (double d = -kRoad + 0.4; d + 0.5 < kRoad; d += 1.0) mark(left, s - 1, s + 1.4, d, d + 0.5, paint);
   }
   void mark(const Side& side, double s0, double s1, double d0, double d1, int paint) {
-    const Place p = side.place(s0, 0, 0.004);  // right of it: along the street
+    const LocalFrame p = side.place(s0, 0, 0.004);  // right of it: along the street
     b_.tile(p.point(0, -d0, 0), -(d1 - d0) * p.out, (s1 - s0) * p.right, paint).is_two_sided = true;
   }
 
@@ -108,7 +109,7 @@ class StreetBuilder {
     }
   }
   void pavement_piece(const Side& side, double s0, double s1) {
-    const Place p = side.left_end(s0, s1 - s0, kRoad, 0);
+    const LocalFrame p = side.left_end(s0, s1 - s0, kRoad, 0);
     const double w = s1 - s0;
     const int stone = b_.texture("concrete", 0), slabs = b_.texture("slabs", 0);
     b_.box(p, {0, w, -0.16, 0, 0, kKerb}, stone, stone, -1, true, 1.2f);
@@ -128,14 +129,14 @@ class StreetBuilder {
         s += 1.5;
         continue;
       }
-      const Place place = side.left_end(s, width, d, kKerb - 0.02);
+      const LocalFrame place = side.left_end(s, width, d, kKerb - 0.02);
       const std::string& wall = site_.walls[size_t(random_.below(int(site_.walls.size())))];
       add_house(b_, place, width, depth, 2 + (random_.uniform() < 0.45) + (random_.uniform() < 0.15), wall);
       if (setback > 0) front_garden(place, width, setback);
       s += width + (random_.uniform() < 0.5 ? 0.0 : random_.uniform(1, 5));
     }
   }
-  void front_garden(const Place& place, double width, double setback) {
+  void front_garden(const LocalFrame& place, double width, double setback) {
     const double o = setback - 0.1, gate = random_.uniform(0.2, 0.7) * width,
                  height = random_.uniform(0.7, 1.5);
     const int skin = random_.uniform() < 0.5
@@ -154,7 +155,7 @@ class StreetBuilder {
     double next = 3;
     for (double s = 3; s < side.street->length; s += 1) {
       if (s < next || !is_free(side, s - 0.5, s + 0.5, kRoad, kWalk, kRoad + 3)) continue;
-      const Place place = side.place(s, kRoad + 0.65, kKerb);
+      const LocalFrame place = side.place(s, kRoad + 0.65, kKerb);
       const double what = random_.uniform();
       if (what < 0.5)
         add_tree(b_, place, random_.uniform(5.5, 9));
@@ -170,18 +171,18 @@ class StreetBuilder {
     for (double s = 4; s + 5 < side.street->length; s += 5.4) {
       if (random_.uniform() > 0.55 * density()) continue;
       if (!is_free(side, s - 2.5, s + 2.5, kRoad - 2, kRoad, kRoad + 6)) continue;
-      const Place place =
+      const LocalFrame place =
           side.place(s + random_.uniform(-0.3, 0.3), kRoad - 1.05 + random_.uniform(-0.1, 0.05));
       add_car(b_, random_.uniform() < 0.85 ? place : place.moved(0, 0, 0, 3.14159265358979));
     }
   }
 
-  // What one sees at the far end of a street.
+  // View at the far end of a street.
   void closing(const Street& street, double s) {
     const Side left{&street, 1};
     const Eigen::Vector2d p = left.at(s, 0), inwards = (s < 0 ? 1 : -1) * street.along;
     if (room(street, p) < kWalk + 14) return;
-    const Place place = facing({p.x(), p.y(), 0}, std::atan2(inwards.y(), inwards.x()));
+    const LocalFrame place = facing({p.x(), p.y(), 0}, std::atan2(inwards.y(), inwards.x()));
     add_house(b_, place.moved(-13, 0, 0), 13, 8, 3, site_.walls.front());
     add_house(b_, place.moved(0, 0, 0), 13, 8, 2, site_.walls.back());
     for (double r = -11; r < 12; r += random_.uniform(3, 5))

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/texture.h"
 
 #include "edgevo/core/error.h"
@@ -33,10 +34,10 @@ TextureLevel half(const TextureLevel& fine) {
 
 Texture make_texture(const GrayImage& gray, const std::vector<uint8_t>& alpha) {
   if (!is_power_of_two(gray.width) || !is_power_of_two(gray.height))
-    throw InputError(
-        "texture",
-        "its size " + std::to_string(gray.width) + "x" + std::to_string(gray.height) + " is no power of two",
-        "make it for example 512x512");
+    throw InputError("texture",
+                     "its size " + std::to_string(gray.width) + "x" + std::to_string(gray.height) +
+                         " is not a power of two",
+                     "make it for example 512x512");
   Texture texture;
   texture.levels.push_back({gray.width, gray.height, gray.pixels, alpha});
   while (texture.levels.back().width > 1 && texture.levels.back().height > 1)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "texture_kinds.h"
 
 #include "edgevo/core/error.h"

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The kinds of texture that worlds are built of, by name. Each draws from its own stream of random numbers.
+// The kinds of texture used by worlds, by name. Each draws from its own stream of random numbers.
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,18 +11,23 @@ namespace edgevo {
 
 struct TextureKind {
   std::string name;
-  double width_m, height_m;  ///< size of one repeat where it is tiled, and natural size where it is not
+  /// Size of one repeat of a tiled texture, else the natural size, metres.
+  double width_m, height_m;
   std::function<Canvas(Random&)> draw;
 };
 
-std::vector<TextureKind> wall_textures();    // brick, plaster, stone, boards, concrete, roof_tiles, hedge
-std::vector<TextureKind> front_textures();   // window, door, shop, garage, sign, poster
-std::vector<TextureKind> ground_textures();  // asphalt, slabs, grass, carpet, wood, water, tiles, ...
-std::vector<TextureKind> nature_textures();  // bark, leaves, conifer, bush, reeds, clouds, rock
-std::vector<TextureKind>
-object_textures();  // car_side, car_front, car_top, glass, screen, keyboard, paper, book, ...
+/// Kinds brick, plaster, stone, boards, concrete, roof_tiles, hedge.
+std::vector<TextureKind> wall_textures();
+/// Kinds window, door, shop, garage, sign, poster.
+std::vector<TextureKind> front_textures();
+/// Kinds asphalt, slabs, grass, carpet, wood, water, tiles, ...
+std::vector<TextureKind> ground_textures();
+/// Kinds bark, leaves, conifer, bush, reeds, clouds, rock.
+std::vector<TextureKind> nature_textures();
+/// Kinds car_side, car_front, car_top, glass, screen, keyboard, paper, book, ...
+std::vector<TextureKind> object_textures();
 
-/// All of them; names are unique.
+/// All kinds; names are unique.
 const std::vector<TextureKind>& texture_kinds();
 
 /// The kind of that name. Throws InputError naming `where` and the nearest name.

@@ -1,4 +1,5 @@
-// What stands on a wall: windows, doors, shops, signs. One repeat fills the surface.
+// SPDX-License-Identifier: BSD-3-Clause
+// Fronts on a wall: windows, doors, shops, signs. One repeat fills the surface.
 #include <cmath>
 
 #include "texture_kinds.h"

@@ -1,4 +1,5 @@
-// What one walks, drives or looks down on; tiled.
+// SPDX-License-Identifier: BSD-3-Clause
+// Grounds and table tops; tiled.
 #include <cmath>
 
 #include "texture_kinds.h"
@@ -148,7 +149,7 @@ Canvas paint(Random& random) {  // road marks, worn
   return c;
 }
 
-// Lines along x only: nothing in it tells how far one has gone along them.
+// Lines along x only: it has no cue for motion along them.
 Canvas stripes(Random& random) {
   const int n = 256;
   const float tone = float(random.uniform(120, 175));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trees, bushes, reeds, boulders and clouds.
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ Canvas crown_bare(Random& random) {
   return c;
 }
 
-// A branch of needles: short strokes hanging from a line that droops outwards.
+// A branch of needles: short strokes below a line that droops outwards.
 void needle_branch(Canvas* c, Random& random, double y, double side, double reach) {
   const double x0 = c->width() / 2.0, droop = random.uniform(0.15, 0.5);
   const float tone = float(random.uniform(28, 85));
@@ -132,8 +133,8 @@ Canvas bush_bare(Random& random) {
   return c;
 }
 
-// A wood seen from afar: crowns and tips before and above each other, as dark as trees against the sky are.
-// `clusters` of leaves on each crown that sheds them: 700 in summer.
+// A wood from a distance: overlapping crowns and tips, as dark as trees against the sky. `clusters` of leaves
+// on each crown that sheds them: 700 in summer.
 Canvas forest_of(Random& random, int clusters) {
   const int w = 512, h = 256;
   Canvas c(w, h, 55);

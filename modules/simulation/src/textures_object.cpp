@@ -1,4 +1,5 @@
-// Cars, and what lies on a desk or hangs in a corridor.
+// SPDX-License-Identifier: BSD-3-Clause
+// Cars, and objects on a desk or on the walls of a corridor.
 #include <cmath>
 
 #include "texture_kinds.h"

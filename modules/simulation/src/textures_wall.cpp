@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Walls, roofs and hedges: tiled, four metres a repeat.
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ Canvas brick_wall(Random& random) {
   return masonry(random, 52, 16, 1.8, block, block + float(random.uniform(22, 42)), 13);
 }
 
-// Dirt that rain has drawn downwards.
+// Streaks of dirt left by rain.
 void streaks(Canvas* c, Random& random, int count, float strength) {
   for (int i = 0; i < count; ++i) {
     const double x = random.uniform(0, c->width()), y = random.uniform(0, c->height());
@@ -61,7 +62,7 @@ Canvas plaster(Random& random) {
   c.grain(random, 6);
   streaks(&c, random, 18, 0.25f);
   for (int i = 0; i < 4; ++i) crack(&c, random, random.uniform(60, 260));
-  for (int i = 0; i < 5; ++i)  // where it has come off
+  for (int i = 0; i < 5; ++i)  // where plaster has come off
     for (int k = 0, n = 6 + random.below(10); k < n; ++k) {
       const double x = 100.0 * i + random.uniform(0, 40), y = 97.0 * i + random.uniform(0, 60);
       c.ellipse(x, y, random.uniform(3, 14), random.uniform(3, 10), random.uniform(0, 3), 85, 0.8f);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/true_edge_labels.h"
 
 #include <algorithm>
@@ -24,12 +25,13 @@ Look look_of(const SceneRenderer& renderer, int index) {
   return look;
 }
 
-// How two planes of one pixel lie to each other. The line where they have one depth is (N_a - N_b).d = 0.
+// Kind of edge between two planes of one pixel. The line at which their depths are equal is (N_a - N_b).d =
+// 0.
 TrueEdge kind_between(const Eigen::Vector3d& N_a, const Eigen::Vector3d& N_b, const Pinhole& p,
                       const Eigen::Vector2d& px) {
   constexpr double kSamePlane = 1e-7;  // of 1/z: what rounding leaves between surfaces of one plane
-  constexpr double kMeets =
-      1.0;  // pixels: the line passes through the square, whose corners are 0.71 away, or beside it
+  // Pixels: the line passes through the square, whose corners are 0.71 away, or close by.
+  constexpr double kMeets = 1.0;
   const Eigen::Vector3d d = p.ray(px), step = N_a - N_b;
   const double idepth = std::max(N_a.dot(d), N_b.dot(d)), difference = std::abs(step.dot(d));
   const double slope = std::hypot(step.x() / p.fx, step.y() / p.fy);
@@ -62,7 +64,7 @@ struct Owners {
   int32_t at(int u, int v) const { return ids[size_t(v) * size_t(width) + size_t(u)]; }
 };
 
-// A line exactly between two pixels passes between their points, too: the first of them is marked.
+// A line exactly between two pixels also passes between their points: the first of them is marked.
 void mark_between(const Owners& owners, const std::vector<ViewSurface>& views, const Pinhole& p,
                   GrayImage* labels) {
   const auto label = [&](int u, int v) -> uint8_t& {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "view.h"
 
 #include <Eigen/Geometry>
@@ -57,7 +58,7 @@ Polygon clip_to_view(Polygon polygon, const Eigen::Vector4d& limits) {
   return clip(polygon, {0, -1, limits[3]}, 0);
 }
 
-// A ball that no ray within the limits meets: a quick test before the exact one.
+// True for a sphere that no ray within the limits meets: a quick test before the exact one.
 bool is_out_of_view(const Eigen::Vector3d& centre, double radius, const Eigen::Vector4d& limits) {
   const double x = centre.x(), y = centre.y(), z = centre.z();
   const auto outside = [&](double distance, double slope) {
@@ -67,7 +68,7 @@ bool is_out_of_view(const Eigen::Vector3d& centre, double radius, const Eigen::V
          outside(y - limits[2] * z, limits[2]) || outside(limits[3] * z - y, limits[3]);
 }
 
-// Smaller than half a pixel across: most sample points pass it by.
+// Smaller than half a pixel across: most sample points miss it.
 bool is_speck(const Eigen::Vector3d& centre, double radius, const Pinhole& p) {
   return 2 * radius * std::max(p.fx, p.fy) < 0.5 * centre.norm();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The surfaces of a world as one camera pose sees them: linear functions of the viewing ray.
 //
@@ -15,7 +16,8 @@
 
 namespace edgevo {
 
-constexpr double kNear = 0.05;  ///< metres; nothing nearer is drawn
+/// Near plane, metres; nothing nearer is drawn.
+constexpr double kNear = 0.05;
 
 /// A linear function of the image row: slope v + offset.
 struct RowFunction {
@@ -23,19 +25,26 @@ struct RowFunction {
 };
 
 struct ViewSurface {
-  Eigen::Vector3d idepth;     ///< N: 1/z = N.d
-  Eigen::Vector3d inside[5];  ///< >= 0 on the surface; the last holds the near plane
+  /// N, with 1/z = N.d.
+  Eigen::Vector3d idepth;
+  /// Functions of the ray that are >= 0 on the surface; the last is the near plane.
+  Eigen::Vector3d inside[5];
   /// `inside` solved for the image column u of a lens without distortion: at row v, u >= left(v), u <=
-  /// right(v); and where the column does not matter, always(v) >= 0.
+  /// right(v), and always(v) >= 0 if the column does not matter.
   RowFunction left[5], right[5], always[5];
   int left_count = 0, right_count = 0, always_count = 0;
-  Eigen::Vector3f idepth_f;  ///< N again, for what need not be exact
-  Eigen::Vector3f u, v;      ///< texels of level 0, times 1/z
-  double distance = 0;       ///< of its middle from the camera, metres
+  /// N in single precision, where exactness is not needed.
+  Eigen::Vector3f idepth_f;
+  /// Texture coordinates in texels of level 0, times 1/z.
+  Eigen::Vector3f u, v;
+  /// Distance of the surface's middle from the camera, metres.
+  double distance = 0;
   const Surface* surface = nullptr;
   const Texture* texture = nullptr;
-  int row_begin = 0, row_end = 0;  ///< image rows that it may touch
-  int col_begin = 0, col_end = 0;  ///< image columns that it may touch
+  /// Range of image rows that it may touch.
+  int row_begin = 0, row_end = 0;
+  /// Range of image columns that it may touch.
+  int col_begin = 0, col_end = 0;
 };
 
 /// Rows begin <= v < end of an image.
@@ -43,8 +52,8 @@ struct RowRange {
   int begin, end;
 };
 
-/// Surfaces that may touch the rows, in the order of the world's. A surface is described as the whole image
-/// sees it, whatever the rows, so that an image may be put together from rows.
+/// Surfaces that may touch the rows, in the order of the world. A surface is described as for the whole
+/// image, so that an image may be assembled from rows.
 std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam,
                                        RowRange rows);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "visibility.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ Span columns_inside(const ViewSurface& view, double v, int width, double offset)
   return {first + (first < low), int(high) + 1};
 }
 
-// Written so that it vectorises: no branch, and the pointers do not overlap.
+// Written to vectorise: no branches, no overlapping pointers.
 void enter_opaque(const float* __restrict x, float slope, float rest, int32_t id, int count,
                   float* __restrict idepth, int32_t* __restrict owner) {
   for (int u = 0; u < count; ++u) {
@@ -42,7 +43,7 @@ struct RayPlanes {
   float a[5], b[5], c[5];
 };
 
-// The same where each sample has a ray of its own: inside where all five planes are not negative.
+// As above, for samples with individual rays: inside where all five planes are non-negative.
 void enter_opaque_inside(const float* __restrict xy, const Eigen::Vector3f& N, const RayPlanes& f, int32_t id,
                          int count, float* __restrict idepth, int32_t* __restrict owner) {
   const float nx = N.x(), ny = N.y(), nz = N.z();
@@ -89,7 +90,7 @@ bool exists_nearest(const TextureLevel& t, float u, float v) {
   return t.alpha[size_t(y) * t.width + x] >= 128;
 }
 
-// Mask of a cut-out, ready to be asked along a row.
+// Mask of a cut-out, prepared for evaluation along a row.
 struct CutOut {
   CutOut(const ViewSurface& view, float q, float focal) {
     const int n = cut_out_level(view, q, focal);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Which surface is nearest at each sample point of one image row.
 #include <Eigen/Core>
@@ -9,13 +10,13 @@
 
 namespace edgevo {
 
-/// Sample points of a pixel, relative to its centre: a rank-1 lattice of nine, so that edges of any direction
-/// find nine different distances. The first is the centre.
+/// Number of sample points of a pixel, a rank-1 lattice relative to its centre, so that edges of any
+/// direction have nine different distances. The first is the centre.
 constexpr int kSamples = 9;
 using SampleOffsets = std::array<Eigen::Vector2f, kSamples>;
 const SampleOffsets& sample_offsets();
 
-/// One image row: for each sample s and column u, the largest 1/z so far and the surface that has it.
+/// One image row: for each sample s and column u, the largest 1/z so far and its surface.
 struct RowSamples {
   RowSamples(int width, int samples)
       : width(width),
@@ -31,8 +32,10 @@ struct RowSamples {
 
   int width;
   std::vector<float> idepth;
-  std::vector<int32_t> owner;  ///< number of the surface, -1: sky
-  std::vector<float> x;        ///< normalised x of each sample (pinhole only); the same in every row
+  /// Number of the surface; -1: sky.
+  std::vector<int32_t> owner;
+  /// Normalised x of each sample (pinhole only); the same in every row.
+  std::vector<float> x;
 };
 
 /// Prepares RowSamples::x for `samples` points of a pinhole camera.
@@ -41,8 +44,8 @@ void set_sample_columns(const Pinhole& pinhole, int samples, RowSamples* row);
 /// Enters surface number `id` into sample `s` of a pinhole camera's row `v`.
 void draw_pinhole(const ViewSurface& view, int id, const Pinhole& pinhole, int v, int s, RowSamples* row);
 
-/// The same where each sample has a ray (x, y) of its own: `rays` holds those of this row and sample, one a
-/// column.
+/// As draw_pinhole(), for samples with individual rays (x, y): `rays` holds those of this row and sample, one
+/// for each column.
 void draw_along_rays(const ViewSurface& view, int id, const Eigen::Vector2f* rays, int s, RowSamples* row);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "world_builder.h"
 
 #include <Eigen/Geometry>
@@ -17,12 +18,12 @@ uint64_t hash(const std::string& text) {
 
 }  // namespace
 
-Place Place::moved(double r, double o, double z, double angle) const {
+LocalFrame LocalFrame::moved(double r, double o, double z, double angle) const {
   const double c = std::cos(angle), s = std::sin(angle);
   return {point(r, o, z), c * right - s * out, s * right + c * out};
 }
 
-Place facing(const Eigen::Vector3d& origin, double angle) {
+LocalFrame facing(const Eigen::Vector3d& origin, double angle) {
   const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0);
   return {origin, Eigen::Vector3d::UnitZ().cross(out), out};
 }
@@ -69,13 +70,13 @@ Surface& WorldBuilder::tile(const Eigen::Vector3d& corner, const Eigen::Vector3d
   return s;
 }
 
-Surface& WorldBuilder::wall(const Place& place, double r0, double r1, double z0, double z1, double o,
+Surface& WorldBuilder::wall(const LocalFrame& place, double r0, double r1, double z0, double z1, double o,
                             int texture, bool tiled) {
   const Eigen::Vector3d corner = place.point(r0, o, z1), u = (r1 - r0) * place.right, v(0, 0, z0 - z1);
   return tiled ? tile(corner, u, v, texture) : fit(corner, u, v, texture);
 }
 
-void WorldBuilder::box(const Place& place, const Block& b, int sides, int top, int front, bool tiled,
+void WorldBuilder::box(const LocalFrame& place, const Block& b, int sides, int top, int front, bool tiled,
                        float gain) {
   const auto side = [&](const Eigen::Vector3d& corner, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
                         int tex, bool tile_it) {
@@ -90,7 +91,7 @@ void WorldBuilder::box(const Place& place, const Block& b, int sides, int top, i
   side(place.point(b.r0, b.o0, b.z1), right, out, top, tiled);
 }
 
-void WorldBuilder::card(const Place& place, double width, double height, double angle, int texture,
+void WorldBuilder::card(const LocalFrame& place, double width, double height, double angle, int texture,
                         float gain) {
   const Eigen::Vector3d along = std::cos(angle) * place.right + std::sin(angle) * place.out;
   Surface& s = fit(place.point(0, 0, height) - 0.5 * width * along, width * along,
@@ -100,7 +101,7 @@ void WorldBuilder::card(const Place& place, double width, double height, double 
   s.gain = 0.95f * gain;
 }
 
-void WorldBuilder::prism(const Place& place, double radius, double height, int sides, int texture,
+void WorldBuilder::prism(const LocalFrame& place, double radius, double height, int sides, int texture,
                          float gain) {
   for (int i = 0; i < sides; ++i) {
     const double a = 2 * M_PI * i / sides, b = 2 * M_PI * (i + 1) / sides;

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Puts textured boxes, cards and prisms together into a world.
+// Assembles textured boxes, cards and prisms into a world.
 #include <Eigen/Core>
 #include <map>
 #include <string>
@@ -10,9 +11,9 @@
 
 namespace edgevo {
 
-/// A local frame: as one who stands before the thing sees it. Coordinates are (right, out, up): `out` points
-/// at the viewer, up is the world's z.
-struct Place {
+/// A local frame, seen by a viewer in front of an object. Coordinates are (right, out, up): `out` points at
+/// the viewer, up is the world's z.
+struct LocalFrame {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::UnitX();
   Eigen::Vector3d out = -Eigen::Vector3d::UnitY();
@@ -20,12 +21,12 @@ struct Place {
   Eigen::Vector3d point(double r, double o, double z) const {
     return origin + r * right + o * out + z * Eigen::Vector3d::UnitZ();
   }
-  /// The same frame with its origin at (r, o, z) and turned by `angle` radians about z.
-  Place moved(double r, double o, double z, double angle = 0) const;
+  /// This frame with its origin at (r, o, z), rotated by `angle` radians about z.
+  LocalFrame moved(double r, double o, double z, double angle = 0) const;
 };
 
-/// Place with its origin at `origin`, whose front looks towards `angle` radians (0: east, pi/2: north).
-Place facing(const Eigen::Vector3d& origin, double angle);
+/// Frame at `origin` whose front looks towards `angle` radians (0: east, pi/2: north).
+LocalFrame facing(const Eigen::Vector3d& origin, double angle);
 
 /// Ranges along right, out and up.
 struct Block {
@@ -34,17 +35,17 @@ struct Block {
 
 class WorldBuilder {
  public:
-  /// `where` opens the error messages; `sun` points to the sun.
+  /// `where` opens the error messages; `sun` points towards the sun.
   WorldBuilder(uint64_t seed, std::string where, const Eigen::Vector3d& sun);
 
   Random& random() { return random_; }
   const Eigen::Vector3d& sun() const { return sun_; }
 
-  /// One of `variants` looks of a kind of texture. Throws InputError for an unknown kind.
+  /// Index of one of several variants of a kind of texture. Throws InputError for an unknown kind.
   int texture(const std::string& kind, int variant);
   int any_texture(const std::string& kind, int variants) { return texture(kind, random_.below(variants)); }
 
-  /// A surface that one repeat of the texture fills; corner is the upper left one.
+  /// A surface filled by one repeat of the texture; `corner` is the upper left one.
   Surface& fit(const Eigen::Vector3d& corner, const Eigen::Vector3d& side_u, const Eigen::Vector3d& side_v,
                int texture);
   /// A surface on which the texture repeats at its natural size.
@@ -52,16 +53,16 @@ class WorldBuilder {
                 int texture);
 
   /// An upright rectangle at distance `o`, seen from the front.
-  Surface& wall(const Place& place, double r0, double r1, double z0, double z1, double o, int texture,
+  Surface& wall(const LocalFrame& place, double r0, double r1, double z0, double z1, double o, int texture,
                 bool tiled);
-  /// The sides and the top of a block; `front` covers the side in front, fitted, unless it is -1.
-  void box(const Place& place, const Block& block, int sides, int top, int front = -1, bool tiled = true,
+  /// The sides and the top of a block; `front` is the texture fitted to the front side, -1: none.
+  void box(const LocalFrame& place, const Block& block, int sides, int top, int front = -1, bool tiled = true,
            float gain = 1);
-  /// A cut-out standing upright, `angle` radians turned against the place, centred on its origin; seen from
-  /// both sides.
-  void card(const Place& place, double width, double height, double angle, int texture, float gain = 1);
-  /// A standing prism of `sides` faces.
-  void prism(const Place& place, double radius, double height, int sides, int texture, float gain = 1);
+  /// An upright cut-out, rotated by `angle` radians against the frame, centred on its origin; seen from both
+  /// sides.
+  void card(const LocalFrame& place, double width, double height, double angle, int texture, float gain = 1);
+  /// An upright prism with `sides` faces.
+  void prism(const LocalFrame& place, double radius, double height, int sides, int texture, float gain = 1);
 
   void set_sky(const std::string& kind, float horizon_gray, float haze_per_metre);
   World finish() { return std::move(world_); }
@@ -76,7 +77,8 @@ class WorldBuilder {
   Random random_;
   World world_;
   std::map<std::pair<std::string, int>, int> known_;
-  std::vector<Eigen::Vector2d> natural_size_;  ///< of each texture, metres
+  /// Natural size of each texture, metres.
+  std::vector<Eigen::Vector2d> natural_size_;
 };
 
 }  // namespace edgevo

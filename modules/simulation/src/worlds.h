@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The kinds of world. Each builds what stands around the way points of its scene.
+// The kinds of world. Each builds the surroundings of its scene's waypoints.
 #include <string>
 
 #include "scene_params.h"
@@ -7,15 +8,16 @@
 
 namespace edgevo {
 
-/// Grows the world of `params`; the same parameters and seed give the same world. Throws InputError naming
+/// Builds the world of `params`; the same parameters and seed give the same world. Throws InputError naming
 /// the file and the line.
 World build_world(const SceneParams& params, uint64_t seed);
 
-/// What a builder of one kind works with.
+/// Input of a builder of one kind of world.
 struct Site {
   const SceneParams& params;
   WorldBuilder& build;
-  std::vector<std::string> walls;  ///< kinds of texture for walls
+  /// Kinds of texture for walls.
+  std::vector<std::string> walls;
 };
 
 void build_street(Site& site);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/epipolar_flow.h"
 
 #include <Eigen/LU>
@@ -11,10 +12,10 @@
 namespace edgevo {
 namespace {
 
-constexpr float kMinDeviation = 1.5f;  // gray levels; flatter patches say nothing
-constexpr int kNeighbourCellPx =
-    32;  // points are ordered by cells of this size, so that list neighbours are image neighbours
-// Tracks that must agree on an essential matrix: five fit one whatever they are.
+constexpr float kMinDeviation = 1.5f;  // gray levels; flatter patches are uninformative
+// Points are ordered by cells of this size, so that list neighbours are image neighbours.
+constexpr int kNeighbourCellPx = 32;
+// Least number of tracks that must agree on an essential matrix: any five fit one.
 constexpr int kMinInliers = 20;
 
 struct Track {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/exact_frames.h"
 
 #include "edgevo/core/error.h"
@@ -64,12 +65,12 @@ std::unique_ptr<ExactFrames> rendered_frames(const std::string& name) {
 
 std::unique_ptr<ExactFrames> virtual_kitti_frames(const SourceOptions& options) {
   if (!is_virtual_kitti(options.path))
-    throw InputError(options.path, "is no folder of a Virtual KITTI sequence",
+    throw InputError(options.path, "is not a folder of a Virtual KITTI sequence",
                      "name one as vkitti_1.3.1_rgb/0001/clone or Scene01/clone");
   VirtualKitti sequence = read_virtual_kitti(options);
   if (sequence.T_world_cam.empty())
     throw InputError(options.path, "its camera poses are missing",
-                     sequence.release == "1.3.1" ? "unpack vkitti_1.3.1_extrinsicsgt beside it"
+                     sequence.release == "1.3.1" ? "unpack vkitti_1.3.1_extrinsicsgt next to it"
                                                  : "unpack extrinsic.txt into it");
   return std::make_unique<VirtualKittiFrames>(std::move(sequence));
 }

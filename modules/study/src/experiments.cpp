@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments.h"
 
 #include <cstdio>
@@ -16,7 +17,7 @@ std::shared_ptr<const PairMatcher> ours(const AssociationParams& params,
   return association_matcher(params, comparison);
 }
 
-// As the paper has it: without our refinement along the normal.
+// As in the paper: without refinement along the normal.
 AssociationParams paper() {
   AssociationParams params;
   params.refine = false;
@@ -35,7 +36,7 @@ AssociationParams edge_matches_only() {
   return params;
 }
 
-// Search length by the formula alone: our floor of 2 px left out, our cap kept. 0: edge matches; max: the cap
+// Search length by the formula alone: without the floor of 2 px, with the cap. 0: edge matches; max: the cap
 // for all.
 void add_search_lengths(const StudyOptions& options, Experiments* all) {
   const std::pair<const char*, double> kRatios[] = {
@@ -111,7 +112,7 @@ void add_residuals(const StudyOptions& options, Experiments* all) {
   add("epipolar_flow", epipolar_flow_matcher());
 }
 
-// Would other parameters than the odometry's be better?
+// Variations of the odometry's parameters.
 void add_variants(const StudyOptions& options, Experiments* all) {
   int position = 0;
   const auto add = [&](const char* name, int patch_side, int max_patch_side, bool refine,
@@ -137,7 +138,7 @@ void add_variants(const StudyOptions& options, Experiments* all) {
   }
 }
 
-// Everything is accepted, with patches of one size, so that the confidences have something to rank.
+// All matches are accepted, with patches of one size, so that the confidences have a range to rank.
 void add_confidences(const StudyOptions& options, Experiments* all) {
   AssociationParams accept_all = paper();
   accept_all.tau_m = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/match_error.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-// How far the projection is off for this inverse depth, in pixels of the tracked pose.
+// Error of the projection for this inverse depth, in pixels at the tracked pose.
 double depth_error_px(const Pinhole& camera, const SE3& T, const StudyPoint& point, double idepth) {
   const Eigen::Vector3d ray = camera.ray(point.px);
   const Projection right = project(camera, T.R(), T.translation(), ray, point.idepth_true);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/pair_matcher.h"
 
 #include <cmath>
@@ -10,9 +11,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxSigmas = 3.5;  // of its own deviation: one in two thousand of right matches
+constexpr double kMaxSigmas = 3.5;  // standard deviations: rejects one in two thousand correct matches
 
-// What a flow match is worth: the same as a photometric one of ours.
+// A flow match is weighted like a photometric match of associate().
 Match flow_match(const StudyPoint& p, const TargetView& target, const Eigen::Vector2d& px) {
   const AssociationParams params;
   Match m;
@@ -43,13 +44,14 @@ class AssociationMatcher : public PairMatcher {
 
   void update(const HostView& host, const TargetView& target, const TwoViewSolution& solution,
               std::vector<Match>* matches) const override {
-    const Matrix6d settled = 1e-8 * Matrix6d::Identity();  // as the window has it after an adjustment
+    const Matrix6d adjusted_covariance = 1e-8 * Matrix6d::Identity();  // as in the window after an adjustment
     for (size_t i = 0; i < matches->size(); ++i) {
       Match& m = (*matches)[i];
       if (m.kind == MatchKind::kNone) continue;
       if (!needs_update(m, solution.residual_normal_px[i], solution.residual_tangent_px[i], params_))
         continue;
-      m = associate(query(host, target, host.points[i], solution.idepth[i], solution.T_target_host, settled),
+      m = associate(query(host, target, host.points[i], solution.idepth[i], solution.T_target_host,
+                          adjusted_covariance),
                     params_, comparison_);
     }
   }
@@ -69,10 +71,10 @@ cv::Mat gray_of(const FramePyramid& pyramid) {
   return cv::Mat(view.height, view.width, CV_8U, const_cast<uint8_t*>(view.data), size_t(view.stride));
 }
 
-// Points that are found, and from there found back to within a pixel.
+// Points that are found, and tracked back to within a pixel.
 std::vector<uchar> track_both_ways(const cv::Mat& first, const cv::Mat& second,
                                    const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>* to) {
-  constexpr float kMaxReturnPx = 1;  // a right track returns within its own error, some tenths
+  constexpr float kMaxReturnPx = 1;  // a correct track returns within its own error, some tenths
   const cv::Size window(21, 21);
   std::vector<uchar> found, found_back;
   std::vector<float> error;

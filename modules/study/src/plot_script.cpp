@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "plot_script.h"
 
 namespace edgevo {
 
 std::string plot_script() {
-  return R"gnuplot(# Draws the plots of `edgevo study` from the tables beside this file, as PNG and SVG:  gnuplot plots.gnuplot
+  return R"gnuplot(# Draws the plots of `edgevo study` from the tables in this folder, as PNG and SVG:  gnuplot plots.gnuplot
 set datafile separator ","
 set datafile missing NaN
 set encoding utf8

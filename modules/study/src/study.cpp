@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/study.h"
 #include "edgevo/core/thread_clock.h"
 
@@ -16,11 +17,11 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMaxDriftPercent = 100;  // of a solution that failed: all of the way
+constexpr double kMaxDriftPercent = 100;  // drift of a failed solution: the whole motion
 constexpr double kDegrees = 180 / M_PI;   // of a radian
 
-// OpenCV on one thread while this lives: times are CPU times of one thread, and hosts are spread over threads
-// already.
+// Limits OpenCV to one thread during its lifetime: times are CPU times of one thread, and hosts are already
+// spread over threads.
 class OneOpenCvThread {
  public:
   OneOpenCvThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
@@ -60,13 +61,13 @@ std::vector<int> choose_hosts(const ExactFrames& frames, const StudyOptions& opt
   return hosts;
 }
 
-// A frame's pixels, carried over to the next one by depth and pose, must be found there.
+// Pixels of a frame, transferred to the next one by depth and pose, must agree with it.
 void check_truth(const ExactFrames& frames, int index) {
   const Pinhole& p = frames.camera().pinhole;
   const ExactFrame from = frames.load(index), to = frames.load(index + 1);
   const ViewPair views{p, depth_view(from, p), depth_view(to, p),
                        to.T_world_cam.inverse() * from.T_world_cam};
-  constexpr int kStep = 7;  // pixels between those that are looked at: enough to tell
+  constexpr int kStep = 7;  // pixels between those checked: enough to decide
   int in_view = 0, visible = 0;
   for (int v = kStep; v < p.height - kStep; v += kStep)
     for (int u = kStep; u < p.width - kStep; u += kStep) {
@@ -93,9 +94,9 @@ void compare_pose(const SE3& T, const SE3& truth, StudySample* sample) {
   sample->rotation_deg = kDegrees * (T.inverse() * truth).angle();
 }
 
-bool is_lost(const TargetView& target) { return target.track.verdict == TrackingState::kLost; }
+bool is_lost(const TargetView& target) { return target.track.status == TrackingState::kLost; }
 
-// Errors of the matches that claim a position along the edge, too.
+// Errors of the matches that also fix the position along the edge.
 std::vector<MatchError> photometric_only(const std::vector<MatchError>& errors) {
   std::vector<MatchError> some;
   std::copy_if(errors.begin(), errors.end(), std::back_inserter(some),

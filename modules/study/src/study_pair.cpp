@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/study_pair.h"
 
 #include "edgevo/core/thread_clock.h"
@@ -24,7 +25,7 @@ TargetView make_target(const HostView& host, std::shared_ptr<const FramePyramid>
   const double start = thread_cpu_ms();
   target.track = track(*target.pyramid, host.cloud, motion_hypotheses(SE3(), T_step), AlignmentParams());
   target.track_ms = thread_cpu_ms() - start;
-  target.T_start = target.track.verdict == TrackingState::kLost ? T_step : target.track.T_cur_ref;
+  target.T_start = target.track.status == TrackingState::kLost ? T_step : target.track.T_cur_ref;
   for (const StudyPoint& p : host.points) target.truth.push_back(find_correspondence(views, p.px));
   return target;
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/study_points.h"
 
 #include <algorithm>
@@ -7,12 +8,12 @@
 
 namespace edgevo {
 
-std::vector<StudyPoint> sample_points(const EdgeMap& edges, const ImageView<float>& depth, int count,
+std::vector<StudyPoint> sample_points(const ImageEdges& edges, const ImageView<float>& depth, int count,
                                       double noise, Random* random) {
   std::vector<int> order(edges.pixels.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<StudyPoint> points;
-  // A shuffle that goes only as far as points are wanted.
+  // A partial shuffle, as far as points are needed.
   for (size_t i = 0; i < order.size() && int(points.size()) < count; ++i) {
     std::swap(order[i], order[i + size_t(random->below(int(order.size() - i)))]);
     const EdgePixel& edge = edges.pixels[size_t(order[i])];

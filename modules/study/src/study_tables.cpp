@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "study_tables.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ void append_numbers(std::string* text, std::initializer_list<double> values, int
 
 std::string name_of(const StudyCell& cell) { return cell.light + "," + cell.method; }
 
-// Errors of the matches of one sort: those with a position along the edge, or those on an edge's tangent.
+// Errors of the matches of one kind: with a position along the edge, or on an edge's tangent only.
 std::vector<MatchError> errors_of(const StudyCell& cell, bool photometric) {
   std::vector<MatchError> some;
   std::copy_if(cell.errors.begin(), cell.errors.end(), std::back_inserter(some),
@@ -31,9 +32,8 @@ std::string measure_of(const StudyCell& cell) { return cell.method == "edge_matc
 std::string curve_table(const StudyResult& result, const std::string& curve) {
   std::string text =
       "light,method,setting,position,pairs,failed,drift_mean_percent,drift_standard_error_percent,drift_"
-      "median_percent,rotation_"
-      "mean_deg,direction_mean_deg,"
-      "matches,photometric_matches,wrong_share,median_error_px,match_ms,solve_ms,track_ms\n";
+      "median_percent,rotation_mean_deg,direction_mean_deg,matches,photometric_matches,wrong_share,median_"
+      "error_px,match_ms,solve_ms,track_ms\n";
   for (const StudyCell& cell : result.cells) {
     if (cell.curve != curve) continue;
     const CellStatistics s = statistics(cell);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The tables of a study as text.
 #include <string>
@@ -6,18 +7,19 @@
 
 namespace edgevo {
 
-/// search_length.csv and its like: one row a cell.
+/// Table such as search_length.csv: one row for each cell.
 std::string curve_table(const StudyResult& result, const std::string& curve);
-/// end_point_error.csv: single matches of the curve "residuals".
+/// end_point_error.csv: individual matches of the curve "residuals".
 std::string end_point_table(const StudyResult& result);
-/// match_errors.csv: distribution of the end-point errors behind it, 100 steps from 0.02 to 200 pixels.
+/// match_errors.csv: distribution of the end-point errors, 100 steps from 0.02 to 200 pixels.
 std::string match_error_table(const StudyResult& result);
-/// confidence.csv (at most 200 rows a curve) and confidence_areas.csv.
+/// confidence.csv, with at most 200 rows for each curve.
 std::string confidence_table(const StudyResult& result);
+/// confidence_areas.csv.
 std::string confidence_area_table(const StudyResult& result);
 
-/// The measures of a cell of the curve "confidence": C_m against the end-point error of photometric matches,
-/// C_d against the depth error of edge matches. Both thresholds are kWrongMatchPx.
+/// Curve of a cell of "confidence": C_m against the end-point error of photometric matches, C_d against the
+/// depth error of edge matches. Both thresholds are kWrongMatchPx.
 ConfidenceCurve confidence_curve(const StudyCell& cell);
 
 }  // namespace edgevo

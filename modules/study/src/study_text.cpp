@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "study_text.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kGoodDriftPercent = 10;  // a pair is matched at a distance when its drift is below
-constexpr double kGoodPairs = 0.9;        // share of pairs that makes a distance one that a method copes with
+constexpr double kGoodDriftPercent = 10;  // a pair is solved if its drift is below this
+constexpr double kGoodPairs = 0.9;        // share of solved pairs at a distance within a method's reach
 
 std::string percent(double share) { return fixed(100 * share, 1) + " %"; }
 
@@ -29,8 +30,7 @@ std::string header(const std::vector<std::string>& names) {
 
 std::string with_error(double mean, double error) { return fixed(mean, 2) + " +- " + fixed(error, 2); }
 
-// The samples of a method with one setting under both lights, or at all distances and under both lights, as
-// one cell.
+// The samples of a method with one setting (or with all settings) under both lights, as one cell.
 StudyCell pooled(const StudyResult& result, const std::string& curve, const std::string& method,
                  const std::string& setting = "") {
   StudyCell all;
@@ -40,7 +40,7 @@ StudyCell pooled(const StudyResult& result, const std::string& curve, const std:
   return all;
 }
 
-// Of several cells over the same pairs, those pairs that none failed on.
+// Keeps, in cells over the same pairs, the pairs on which none failed.
 void keep_common_pairs(std::vector<StudyCell>* cells) {
   std::vector<bool> is_good;
   for (const StudyCell& cell : *cells) {
@@ -63,7 +63,7 @@ std::vector<std::string> settings_of(const StudyResult& result, const std::strin
   return settings;
 }
 
-std::string verdict(bool holds, bool in_part) {
+std::string conclusion(bool holds, bool in_part) {
   return holds ? "**holds here**" : in_part ? "**holds here in part**" : "**does not hold here**";
 }
 
@@ -85,7 +85,7 @@ std::string gradient_is_best(const StudyResult& result) {
     table += row({names[i], with_error(s.drift_mean, s.drift_error), with_error(d.mean, d.error),
                   fixed(s.direction_mean_deg, 3), percent(s.wrong_share), fixed(s.match_ms, 2)});
   }
-  return "### 1. Gradient patches are the best overall: " + verdict(is_lowest && is_clear, is_lowest) +
+  return "### 1. Gradient patches are the best overall: " + conclusion(is_lowest && is_clear, is_lowest) +
          "\nThe " + std::to_string(cells[0].samples.size()) + " of " +
          std::to_string(pooled(result, "frame_distance", "gradient").samples.size()) +
          " pairs of all frame distances, both lights, on which none failed." +
@@ -113,12 +113,11 @@ std::string k_of_one_works(const StudyResult& result) {
                   fixed(s.match_ms, 2)});
   }
   const bool is_quicker = statistics(one).match_ms < statistics(longest).match_ms;
-  return "### 2. The search length with k = 1 works well: " + verdict(!is_beaten && is_quicker, is_quicker) +
-         "\nGradient patches, both lights, " + std::to_string(result.options.distance) +
+  return "### 2. The search length with k = 1 works well: " +
+         conclusion(!is_beaten && is_quicker, is_quicker) + "\nGradient patches, both lights, " +
+         std::to_string(result.options.distance) +
          " frames. It holds when no other k drifts less by more than a tenth and beyond chance (two standard "
-         "errors), and k = 1 "
-         "is quicker than the "
-         "fixed length.\n\n" +
+         "errors), and k = 1 is quicker than the fixed length.\n\n" +
          table + "\n";
 }
 
@@ -138,7 +137,7 @@ std::string adaption_pays(const StudyResult& result) {
     beating += s.match_ms < adaptive.match_ms && s.wrong_share < adaptive.wrong_share;
   }
   return "### 3. Adaptive patches take less time for better matches than fixed ones: " +
-         verdict(beaten == sizes, beaten > 0) +
+         conclusion(beaten == sizes, beaten > 0) +
          "\nGradient patches, both lights. In both time and share of wrong matches better than " +
          std::to_string(beaten) + " and worse than " + std::to_string(beating) + " of the " +
          std::to_string(sizes) + " fixed sizes.\n\n" + table + "\n";
@@ -189,16 +188,14 @@ std::string motion_is_larger(const StudyResult& result) {
     table += row(fields);
   }
   return "### 4. Our association copes with larger motion than optical flow: " +
-         verdict(is_always_larger, is_ever_larger) + "\nReach: frames up to which " + percent(kGoodPairs) +
+         conclusion(is_always_larger, is_ever_larger) + "\nReach: frames up to which " + percent(kGoodPairs) +
          " of the pairs drift less than " + fixed(kGoodDriftPercent, 0) +
          " %. It holds when the reach of gradient patches is larger than that of both flows under both "
-         "lights. Ours cannot reach "
-         "further than the "
-         "front-end that it starts from.\n\n" +
+         "lights. Ours cannot reach further than the front-end that it starts from.\n\n" +
          table + "\n";
 }
 
-// ---- figures beside them ----
+// ---- further figures ----
 
 std::string against_lucas_kanade(const StudyResult& result) {
   const std::string distance = std::to_string(result.options.distance);
@@ -215,10 +212,8 @@ std::string residuals(const StudyResult& result) {
   const std::string setting = std::to_string(result.options.distance);
   std::string text = "## Two dimensions or one\nThe same points, " + setting +
                      " frames apart. Difference: drift minus that of photometric_2d, pair by pair. Errors of "
-                     "the matches as they "
-                     "are found, along "
-                     "the edge's normal and along the edge (medians of the absolute values; end points of "
-                     "2-D matches only).\n\n";
+                     "the matches as they are found, along the edge's normal and along the edge (medians of "
+                     "the absolute values; end points of 2-D matches only).\n\n";
   for (const char* light : kStudyLights) {
     text += std::string("Light ") + light + ":\n\n";
     text += header(
@@ -248,8 +243,7 @@ std::string variants(const StudyResult& result) {
   const StudyCell own = pooled(result, "variants", "default", setting);
   std::string text = "## Other parameters\nGradient patches, both lights, " + setting +
                      " frames. Patch sizes in pixels (from to, where ambiguous ones grow), the least half "
-                     "search length, refinement along the "
-                     "normal; the default is the odometry's.\n\n";
+                     "search length, refinement along the normal; the default is the odometry's.\n\n";
   text += header({"variant", "mean drift %", "drift minus the default's", "direction deg", "matches", "2-D",
                   "wrong", "matching ms"});
   for (const StudyCell& named : result.cells) {
@@ -267,14 +261,12 @@ std::string variants(const StudyResult& result) {
 std::string confidences(const StudyResult& result) {
   std::string text =
       "## Do the confidences rank rightly?\nC_m against the end-point error of 2-D matches (all accepted, "
-      "one patch size), C_d "
-      "against the error of "
-      "the depth that an edge match gives, as motion of its projection; wrong is more than " +
+      "one patch size), C_d against the error of the depth that an edge match gives, as motion of its "
+      "projection; wrong is more than " +
       fixed(kWrongMatchPx, 0) +
       " px. ROC area: chance that a right match ranks above a wrong one (0.5 says nothing, 1 is perfect). "
-      "Sparsification area: "
-      "under error rate "
-      "over density; a ranking by chance gives the error rate itself.\n\n";
+      "Sparsification area: under error rate over density; a ranking by chance gives the error rate "
+      "itself.\n\n";
   text += header({"light", "matches", "measure", "wrong", "ROC area", "precision-recall area",
                   "sparsification area", "optimal"});
   for (const StudyCell& cell : result.cells) {
@@ -299,15 +291,10 @@ std::string introduction(const StudyResult& result) {
          " px a frame (median). The target comes as it is (normal) and under the lighting change `" +
          o.light +
          "` (changed). Drift: |t - t_true| / |t_true| of the two-view adjustment, in per cent; a pair that "
-         "fails counts 100. "
-         "Part of it is the "
-         "scale, which the noisy depths carry and no matching can mend; direction is the angle between t and "
-         "t_true, free of it "
-         "(of the pairs that did not "
-         "fail). Means with their "
-         "standard errors. Times: CPU ms of one thread, of finding the matches, without edges, tracking "
-         "(ours) and "
-         "adjustment.\n\n";
+         "fails counts 100. Part of it is the scale, which the noisy depths carry and no matching can mend; "
+         "direction is the angle between t and t_true, free of it (of the pairs that did not fail). Means "
+         "with their standard errors. Times: CPU ms of one thread, of finding the matches, without edges, "
+         "tracking (ours) and adjustment.\n\n";
 }
 
 }  // namespace

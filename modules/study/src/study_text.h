@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// study.md: what the numbers say about the paper's four observations, and the figures beside them.
+// study.md: the paper's four observations as evaluated from the tables, with further figures.
 #include <string>
 
 #include "edgevo/study/study.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/two_view_solve.h"
 
 #include <algorithm>
@@ -8,14 +9,14 @@
 namespace edgevo {
 namespace {
 
-constexpr int kHost = 0, kBeside = 1, kTarget = 2;
+constexpr int kHost = 0, kPrior = 1, kTarget = 2;
 constexpr int kMinMatches = 12;
 
-// The noisy depth as an observation in the camera beside the host (see the header).
+// The noisy depth as an observation in the camera to the side of the host (see the header).
 BaObservation depth_prior(const Pinhole& pinhole, const StudyPoint& p, int point) {
   BaObservation o;
   o.point = point;
-  o.target = kBeside;
+  o.target = kPrior;
   o.px = p.px + Eigen::Vector2d(pinhole.fx * p.idepth, 0);
   o.normal = Eigen::Vector2d::UnitX();
   o.inv_sigma_normal = 1 / (pinhole.fx * std::max(p.idepth_sigma, 1e-6 * p.idepth));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/symphony_lake/survey_geometry.h"
 
 #include <algorithm>
@@ -6,10 +7,10 @@
 namespace edgevo::symphony {
 namespace {
 
-constexpr double kSameZoom =
-    0.1;  // of the focal length: two calibrations of one lens differ by a few hundredths, zooms by more
+// Of the focal length: two calibrations of one lens differ by a few hundredths, zooms by more.
+constexpr double kSameZoom = 0.1;
 
-// Of the focal lengths, as shares.
+// Relative difference of the focal lengths.
 double difference(const Pinhole& a, const Pinhole& b) {
   return std::max(std::abs(std::log(a.fx / b.fx)), std::abs(std::log(a.fy / b.fy)));
 }

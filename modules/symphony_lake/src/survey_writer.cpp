@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/symphony_lake/survey_writer.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ struct View {
   double pan = 0, tilt = 0;
 };
 
-// Pan and tilt that all frames have on the whole: medians of way less view, and of the view's elevation.
+// Pan and tilt common to all frames: medians of heading of travel minus view, and of the view's elevation.
 View usual_view(const std::vector<SurveyFrame>& frames) {
   std::vector<double> pans, tilts;
   for (size_t i = 0; i < frames.size(); ++i) {
@@ -95,12 +96,12 @@ std::string image_list(const std::vector<SurveyFrame>& frames, const View& view,
     for (const double px : {p.fx, p.fy, p.cx, p.cy, double(p.width), double(p.height)})
       append(&text, px, kDecimals);
     append(&text, yaw_rate(frames, i), kDecimals);
-    text += ", 0, 0\n";  // battery and remote control: there are none
+    text += ", 0, 0\n";  // battery and remote control: none
   }
   return text;
 }
 
-// `x, y, theta` are as the boat knew them before the surveys were put together: from where it began.
+// `x, y, theta` are as the boat knew them before the surveys were merged: relative to its start.
 std::string pose_list(const std::vector<SurveyFrame>& frames, const View& view) {
   std::string text = "% kf, t, x, y, theta, xg, yg, thetag\n";
   const BoatBelow first(frames.front().T_world_cam, view);
@@ -116,7 +117,7 @@ std::string pose_list(const std::vector<SurveyFrame>& frames, const View& view) 
   return text;
 }
 
-// What an earlier writer left: folders with its mark, and numbered folders of images in them.
+// Removes the output of an earlier writer: folders with its mark, and numbered folders of images in them.
 void clear(const SurveyLocation& location) {
   std::error_code ignored;
   if (fs::exists(fs::path(location.folder()) / kMark, ignored)) fs::remove_all(location.folder(), ignored);
@@ -135,7 +136,7 @@ std::string SurveyLocation::map_folder() const { return (fs::path(archive) / "Ma
 SurveyWriter::SurveyWriter(SurveyLocation location, const Camera& camera)
     : location_(std::move(location)), pinhole_(camera.pinhole) {
   if (!is_survey_name(location_.name))
-    throw InputError("survey '" + location_.name + "'", "is no name of a survey",
+    throw InputError("survey '" + location_.name + "'", "is not a name of a survey",
                      "write its date as YYMMDD, with a letter behind if need be");
   if (!same(camera.distortion, symphony::lens_at(camera.pinhole).distortion))
     throw InputError(location_.folder(), "the layout has no place for this camera's lens",

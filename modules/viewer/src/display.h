@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
 namespace edgevo {
 
-/// An X display answers. GTK, below MRPT's windows, would end the program where it does not.
+/// Whether an X display answers. Without one, GTK (used by MRPT's windows) would end the program.
 bool has_display();
 
 }  // namespace edgevo

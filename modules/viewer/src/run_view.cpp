@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/viewer/run_view.h"
 
 #include <mrpt/gui/CDisplayWindow3D.h>
@@ -16,9 +17,9 @@ namespace edgevo {
 namespace {
 
 constexpr int kWidth = 1100, kHeight = 900;
-constexpr double kLargestImageShare = 0.55;  // of the height of the window
+constexpr double kLargestImageShare = 0.55;  // share of the height of the window
 constexpr const char* kImageViewport = "image";
-constexpr const char* kHelp = "space pause   s step   c colour   f follow   q end";
+constexpr const char* kHelp = "space pause   s step   c colour   f follow   q quit";
 
 }  // namespace
 
@@ -34,23 +35,23 @@ struct RunView::Impl {
     window.setCameraAzimuthDeg(200);  // from behind: x is forward at the first image
   }
 
-  void draw(const DrivenFrame& driven) {
-    const FrameView view = driven.odometry.frame_view();
+  void draw(const ProcessedFrame& processed) {
+    const FrameView view = processed.odometry.frame_view();
     if (!view.pyramid) return;
     mrpt::img::CImage picture(draw_frame(view, colour), mrpt::img::DEEP_COPY);
     const double share = std::min(kLargestImageShare, double(kWidth) / kHeight * double(picture.getHeight()) /
                                                           double(picture.getWidth()));
     mrpt::opengl::COpenGLScene::Ptr& scene = window.get3DSceneAndLock();
-    map->update(driven.record, driven.odometry, view);
+    map->update(processed.record, processed.odometry, view);
     const auto image = scene->getViewport(kImageViewport);
     image->setViewportPosition(0, 0, 1, share);
     image->setImageView(std::move(picture));
     scene->getViewport()->setViewportPosition(0, share, 1, 1 - share);
-    window.addTextMessage(8, -20, describe(driven.record), 0);
+    window.addTextMessage(8, -20, describe(processed.record), 0);
     window.addTextMessage(8, 8, kHelp, 1);
     window.unlockAccess3DScene();
     if (follow) follow_camera();
-    window.setWindowTitle("edgevo: " + describe(driven.record) + (paused ? " (paused)" : ""));
+    window.setWindowTitle("edgevo: " + describe(processed.record) + (paused ? " (paused)" : ""));
     window.forceRepaint();
   }
 
@@ -67,7 +68,7 @@ struct RunView::Impl {
     zoomed = true;
   }
 
-  /// What the keys say; true: draw again.
+  /// Handles pressed keys. Returns whether to draw again.
   bool take_keys() {
     bool changed = false;
     while (window.isOpen() && window.keyHit()) {
@@ -107,14 +108,14 @@ std::unique_ptr<RunView> RunView::open(const std::optional<SE3>& T_vehicle_cam, 
 RunView::RunView(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RunView::~RunView() = default;
 
-bool RunView::show(const DrivenFrame& driven, const std::function<bool()>& stop) {
+bool RunView::show(const ProcessedFrame& processed, const std::function<bool()>& stop) {
   if (!impl_->window.isOpen()) return true;
   impl_->step = false;
   impl_->take_keys();
-  impl_->draw(driven);
+  impl_->draw(processed);
   while (impl_->paused && !impl_->step && !impl_->end && impl_->window.isOpen() && !stop()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    if (impl_->take_keys()) impl_->draw(driven);
+    if (impl_->take_keys()) impl_->draw(processed);
   }
   return !impl_->end;
 }

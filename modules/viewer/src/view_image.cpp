@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "view_image.h"
 
 #include <algorithm>
@@ -19,13 +20,13 @@ cv::Mat to_bgr(const Plane<uint8_t>& gray) {
   return bgr;
 }
 
-/// 0: low, 1: high.
+/// A range of values, mapped to 0 (low) to 1 (high).
 struct Range {
   float low = 0, high = 1;
   float share(float x) const { return std::clamp((x - low) / std::max(high - low, 1e-12f), 0.f, 1.f); }
 };
 
-Range middle_of_inverse_depths(const std::vector<SeenPoint>& points) {
+Range inverse_depth_range(const std::vector<SeenPoint>& points) {
   std::vector<float> values;
   for (const SeenPoint& p : points) values.push_back(p.idepth);
   if (values.empty()) return {};
@@ -34,7 +35,7 @@ Range middle_of_inverse_depths(const std::vector<SeenPoint>& points) {
   return {at(0.05), at(0.95)};
 }
 
-// Hue from 120 (blue, 0) over green to 0 (red, 1), in OpenCV's half degrees.
+// Colour of hue from `hue_of_zero` (share 0) to 0, red (share 1), in OpenCV's half degrees; 120: blue.
 cv::Vec3b rainbow(float share, int hue_of_zero) {
   const cv::Mat hsv(1, 1, CV_8UC3, cv::Scalar(double(hue_of_zero) * double(1 - share), 255, 255));
   cv::Mat bgr;
@@ -59,7 +60,7 @@ const cv::Vec3b& by_residual(float residual_px) {
   return table[size_t(std::min(worst / kWorstResidualPx, 1.f) * 63)];
 }
 
-void draw_edges(const EdgeMap& edges, cv::Mat* picture) {
+void draw_edges(const ImageEdges& edges, cv::Mat* picture) {
   for (const EdgePixel& e : edges.pixels)
     picture->at<cv::Vec3b>(int(std::lround(e.y)), int(std::lround(e.x))) = kEdgeColour;
 }
@@ -70,7 +71,7 @@ cv::Mat draw_frame(const FrameView& view, PointColour colour) {
   const PyramidLevel& finest = view.pyramid->finest();
   cv::Mat picture = to_bgr(finest.gray);
   draw_edges(finest.edges, &picture);
-  const Range range = middle_of_inverse_depths(view.points);
+  const Range range = inverse_depth_range(view.points);
   const cv::Rect whole(0, 0, picture.cols, picture.rows);
   for (const SeenPoint& p : view.points) {
     const cv::Rect dot(int(std::lround(p.px.x())) - 1, int(std::lround(p.px.y())) - 1, 3, 3);

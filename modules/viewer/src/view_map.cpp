@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "view_map.h"
 
 #include <mrpt/opengl/CGridPlaneXY.h>
@@ -10,7 +11,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kMaxPoints = 400'000;  // of the map; a viewer stays fluent
+constexpr size_t kMaxPoints = 400'000;  // points of the map that a viewer draws smoothly
 
 template <class Object>
 typename Object::Ptr insert(mrpt::opengl::COpenGLViewport* viewport) {
@@ -46,10 +47,10 @@ double median_depth_of(const std::vector<SeenPoint>& points) {
 }  // namespace
 
 ViewMap::ViewMap(const std::optional<SE3>& T_vehicle_cam, mrpt::opengl::COpenGLViewport* viewport) {
-  Run like_this;
-  like_this.T_vehicle_cam = T_vehicle_cam;
-  T_map_world_ = T_map_world(like_this);
-  settled_points_ = insert_points(viewport, 2);
+  Run run;
+  run.T_vehicle_cam = T_vehicle_cam;
+  T_map_world_ = T_map_world(run);
+  map_points_ = insert_points(viewport, 2);
   seen_points_ = insert_points(viewport, 3);
   path_ = insert_lines(viewport, mrpt::img::TColor(250, 90, 60), 3);
   frustum_ = insert_lines(viewport, mrpt::img::TColor(250, 210, 60), 2);
@@ -57,14 +58,14 @@ ViewMap::ViewMap(const std::optional<SE3>& T_vehicle_cam, mrpt::opengl::COpenGLV
 
 void ViewMap::update(const FrameRecord& record, const Odometry& odometry, const FrameView& view) {
   const Pinhole& pinhole = view.pyramid->finest().pinhole;
-  SettledKeyframes settled = odometry.settled_keyframes(settled_keyframes_);
-  if (settled.revision != revision_) {
-    revision_ = settled.revision;
-    settled_points_->clear();
-    settled_keyframes_ = 0;
-    settled = odometry.settled_keyframes(0);
+  MarginalisedKeyframes marginalised = odometry.marginalised_keyframes(marginalised_keyframes_);
+  if (marginalised.revision != revision_) {
+    revision_ = marginalised.revision;
+    map_points_->clear();
+    marginalised_keyframes_ = 0;
+    marginalised = odometry.marginalised_keyframes(0);
   }
-  add_settled(settled, pinhole);
+  add_marginalised(marginalised, pinhole);
   seen_points_->clear();
   if (!record.T_world_cam_live) return;
   const SE3 T_map_cam = T_map_world_ * *record.T_world_cam_live;
@@ -76,17 +77,17 @@ void ViewMap::update(const FrameRecord& record, const Odometry& odometry, const 
   segment_ = record.segment;
 }
 
-// Gray as in their images, a little brighter: the background is dark.
-void ViewMap::add_settled(const SettledKeyframes& settled, const Pinhole& pinhole) {
+// Points have the gray of their images, a little brighter on the dark background.
+void ViewMap::add_marginalised(const MarginalisedKeyframes& marginalised, const Pinhole& pinhole) {
   const PointFilter filter;
-  for (const KeyframeRecord& keyframe : settled.keyframes) {
-    ++settled_keyframes_;
+  for (const KeyframeRecord& keyframe : marginalised.keyframes) {
+    ++marginalised_keyframes_;
     const SE3 T_map_cam = T_map_world_ * keyframe.T_world_cam;
     for (const EdgePoint& p : keyframe.points) {
-      if (!filter.keeps(p) || settled_points_->size() >= kMaxPoints) continue;
+      if (!filter.keeps(p) || map_points_->size() >= kMaxPoints) continue;
       const Eigen::Vector3f q = (T_map_cam * point_in_camera(pinhole, p)).cast<float>();
       const float gray = 0.35f + 0.65f * float(p.gray) / 255;
-      settled_points_->push_back(q.x(), q.y(), q.z(), 0.8f * gray, gray, gray);
+      map_points_->push_back(q.x(), q.y(), q.z(), 0.8f * gray, gray, gray);
     }
   }
 }
@@ -102,7 +103,7 @@ void ViewMap::draw_seen(const SE3& T_map_cam, const FrameView& view) {
 }
 
 void ViewMap::draw_camera(const SE3& T_map_cam, const Pinhole& pinhole) {
-  constexpr double kSize = 0.05;  // of the median depth
+  constexpr double kSize = 0.05;  // share of the median depth
   frustum_->clear();
   const double right = pinhole.width - 1, bottom = pinhole.height - 1;
   std::array<Eigen::Vector3d, 4> corners = {pinhole.ray({0, 0}), pinhole.ray({right, 0}),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/conversions.h"
 
 #include <visp3/core/vpImageConvert.h>
@@ -11,7 +12,7 @@ namespace {
 
 // x = x_d (1 + kdu r_d^2), least squares over the image: sum (x - x_d) . x_d r_d^2 = kdu sum |x_d r_d^2|^2.
 double fitted_kdu(const Camera& camera) {
-  constexpr int kGrid = 24;  // lines of pixels each way: many more than the lens has bends
+  constexpr int kGrid = 24;  // samples in each direction, ample for a smooth lens
   const Pinhole& p = camera.pinhole;
   double above = 0, below = 0;
   for (int i = 0; i <= kGrid; ++i)
@@ -51,7 +52,7 @@ GrayImage to_gray_image(const vpImage<unsigned char>& image) {
 GrayImage to_gray_image(const vpImage<vpRGBa>& image) {
   GrayImage gray{int(image.getWidth()), int(image.getHeight()), std::vector<uint8_t>(image.getSize())};
   vpImage<unsigned char> shared = share_with_visp(gray);
-  vpImageConvert::convert(image, shared);  // of the same size: it writes in place
+  vpImageConvert::convert(image, shared);  // same size: writes in place
   return gray;
 }
 
@@ -61,7 +62,7 @@ vpCameraParameters to_visp(const Camera& camera, const std::string& where) {
   const Distortion& d = camera.distortion;
   if (d.k2 != 0 || d.p1 != 0 || d.p2 != 0 || d.k3 != 0 || camera.residual_k1 != 0)
     throw InputError(where, "has more distortion than the one radial coefficient that ViSP knows",
-                     "hand ViSP undistorted images and their pinhole");
+                     "give ViSP undistorted images and their pinhole");
   const Pinhole& p = camera.pinhole;
   if (d.k1 == 0) return to_visp(p);
   return vpCameraParameters(p.fx, p.fy, p.cx, p.cy, d.k1, fitted_kdu(camera));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_feed.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kClockTolerance_s = 1;  // images from further in the future come from another clock
+constexpr double kClockTolerance_s = 1;  // images further in the future have another clock
 
 SE3 in_metres(const SE3& T, double metres_per_unit) {
   return {T.rotation(), metres_per_unit * T.translation()};
@@ -49,7 +50,7 @@ void ServoFeed::publish(const NewestPose& view) {
   step_s_ = follows ? step : 0;
   velocity_ = follows ? Vector6d((*view.T_cam_map * newest_.T_cam_map->inverse()).log() / step)
                       : Vector6d(Vector6d::Zero());
-  // While there is no map the last one is kept: the next may be the same.
+  // Without a map the last one is kept, since tracking may resume in it.
   std::shared_ptr<const Reference> last = newest_.reference;
   const int last_segment = newest_.segment;
   newest_ = view;
@@ -59,7 +60,7 @@ void ServoFeed::publish(const NewestPose& view) {
 void ServoFeed::set_scale(const ServoScale& scale) {
   if (!(scale.metres_per_unit > 0 && std::isfinite(scale.metres_per_unit)))
     throw InputError("scale of the servo feed",
-                     std::to_string(scale.metres_per_unit) + " metres per unit is no scale",
+                     std::to_string(scale.metres_per_unit) + " metres per unit is not a scale",
                      "give a number larger than 0");
   const std::lock_guard<std::mutex> lock(mutex_);
   scale_ = scale;

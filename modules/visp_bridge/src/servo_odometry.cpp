@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_odometry.h"
 
 #include "edgevo/visp_bridge/conversions.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_points.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@ namespace {
 
 using Jacobian = Eigen::Matrix<double, 3, 6>;
 
-// Of the `candidates`, each time the one farthest from all that were taken; the first is the one farthest
-// from the middle of the image.
+// Farthest-point sampling: takes the candidate farthest from all taken so far, beginning with the one
+// farthest from the middle of the image.
 std::vector<size_t> spread_choice(const std::vector<Eigen::Vector2d>& candidates,
                                   const Eigen::Vector2d& middle, size_t count) {
   std::vector<double> distance;
@@ -35,7 +36,7 @@ Eigen::Matrix3d feature_jacobian(const Eigen::Vector3d& p) {
   return J;
 }
 
-// Variances of (x, y, Z): of the pose, p_cam <- exp(xi) p_cam, and of the depth.
+// Variances of (x, y, Z) due to the pose, p_cam <- exp(xi) p_cam, and the depth.
 Eigen::Vector3d feature_variances(const Eigen::Vector3d& p_cam, const Eigen::Vector3d& sigma_cam,
                                   const Matrix6d& covariance) {
   Jacobian J_pose;
@@ -76,7 +77,7 @@ int ServoPoints::choose(const ServoPose& pose, int count) {
   return int(chosen_.size());
 }
 
-// Points that the newest reference still holds take its depth and place.
+// Updates depth and position of points that the newest reference still holds.
 void ServoPoints::follow_map(const std::shared_ptr<const Reference>& reference) {
   if (!reference || reference == followed_) return;
   std::map<std::pair<int, int>, const CloudPoint*> by_name;

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes the pictures of the documentation from a rendered street: share/doc/pictures/make.sh [EDGEVO]
 # Needs Xvfb, xdotool and ImageMagick (share/install_dependencies.sh), and chromium for the report and the map. Some minutes; no display.
 #   run.gif            `edgevo run --view`: path and map from above, the frame with its edges by inverse depth (blue far, red near)

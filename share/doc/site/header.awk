@@ -1,9 +1,10 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Doxygen's filter for our public headers. Lines stay lines, so that a warning names the line of the source.
 #  - A header begins with a plain comment that says what it is for: it becomes the file's documentation. Indented lines in it, other
 #    than those of lists, are tables, formulas and examples, and stay as they are.
 #  - What it declares goes into the group of the module whose folder it lies in (modules.dox).
-#  - One comment on `double fx, fy;  ///< pixels` speaks for all names: doxygen would give it to one of them.
-#  - Constructors that move and assignments are left out: they do what they do everywhere.
+#  - One comment on `double fx, fy;  ///< pixels` applies to all names: doxygen would give it to one of them.
+#  - Move constructors and assignments are skipped: they do what they do everywhere.
 # Use: awk -v root=REPOSITORY -f header.awk FILE
 
 # Splits "T a = 0, b{}" at its outer commas into piece[1..]; returns their number.

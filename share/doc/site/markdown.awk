@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Doxygen's filter for our Markdown pages, which are written for readers of the repository. It makes their links hold in the site:
 #  - a heading gets a label of its page and its text, so that page.md#heading can be resolved;
 #  - a link to a page of the site, to a heading of one, or to a public header becomes a reference, and doxygen warns where there is none;
@@ -53,7 +54,7 @@ function link(text, target, path, anchor) {
   return text
 }
 
-# The line with its links and pictures made to hold; what stands in `code` is left as it is.
+# The line with valid links and pictures; `code` stays unchanged.
 function with_links(line, out, text, target, close_at) {
   out = ""
   while (match(line, /`[^`]*`|!?\[([^][`]|`[^`]*`)*\]\([^() ]+\)/)) {

@@ -1,8 +1,10 @@
-// follow SOURCE OUT: the odometry over a source; each pose as it comes on stdout, all results in OUT.
+// SPDX-License-Identifier: BSD-3-Clause
+// follow SOURCE OUT: runs the odometry over a source; prints each pose as it is computed, writes all results
+// to OUT.
 #include <edgevo/core/error.h>
 #include <edgevo/datasets/open_source.h>
-#include <edgevo/drive/drive.h>
 #include <edgevo/results/run_outputs.h>
+#include <edgevo/run_loop/run_odometry.h>
 
 #include <cstdio>
 
@@ -23,22 +25,23 @@ int follow(const std::string& path, const std::string& out) {
 
   edgevo::OdometryParams params;  // defaults; edgevo help parameters --all explains every field
   params.mapping.window.keyframes = 10;
-  edgevo::DriveOptions options;
+  edgevo::RunLoopOptions options;
   options.odometry.seed = 1;
   options.odometry.realtime = false;  // true: two threads, not bit-identical
   options.on_bad_frame = edgevo::OnBadFrame::kSkip;
 
   edgevo::RunOutputs outputs(out, source->camera(), edgevo::MapParams());
-  const edgevo::Drive driven = edgevo::drive(*source, params, options, [&](const edgevo::DrivenFrame& f) {
-    return print(f.record) && outputs.add_frame(f.frame, f.frame.image_path);
-  });
+  const edgevo::RunResult result =
+      edgevo::run_odometry(*source, params, options, [&](const edgevo::ProcessedFrame& f) {
+        return print(f.record) && outputs.add_frame(f.frame, f.frame.image_path);
+      });
 
   edgevo::RunInfo info;
   info.source_kind = source->kind();
   info.source_path = path;
   info.camera = source->camera();
-  outputs.finish(driven.run, info);                          // first what was computed ...
-  if (driven.broken) std::rethrow_exception(driven.broken);  // ... then what went wrong
+  outputs.finish(result.run, info);                          // first write what was computed ...
+  if (result.broken) std::rethrow_exception(result.broken);  // ... then report what went wrong
   return 0;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // plan MAP.bt RADIUS  x y z  x y z  OUT: a path for a ball from the first position to the second, one
 // position a line.
 #include <fcl/geometry/octree/octree.h>
@@ -26,7 +27,7 @@ int main(int argc, char** argv) {
 
   fcl::CollisionObjectd map(std::make_shared<fcl::OcTreed>(tree));
   const auto ball = std::make_shared<fcl::Sphered>(radius);
-  // Nothing occupied touches the ball, and its middle was seen to be free.
+  // No occupied voxel touches the ball, and its centre was observed to be free.
   const auto is_free = [&](const ob::State* state) {
     const auto* p = state->as<ob::RealVectorStateSpace::StateType>()->values;
     const auto* node = tree->search(p[0], p[1], p[2]);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Uses the installed headers and libraries: a drive evaluated against itself in another unit.
 #include <edgevo/core/se3.h>
 #include <edgevo/evaluation/evaluate.h>

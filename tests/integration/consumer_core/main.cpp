@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // consumer_core FOLDER: tracks the images of a folder that `edgevo simulate` wrote (images/, times.txt,
 // camera.txt). Ends with code 0 if at least 95 % of them have a pose.
 #include <edgevo/odometry/odometry.h>
@@ -12,7 +13,7 @@
 
 namespace {
 
-// A line that says so, then: fx fy cx cy k1 k2 p1 p2 width height k3
+// A heading, then: fx fy cx cy k1 k2 p1 p2 width height k3
 edgevo::Camera read_camera(const std::string& path) {
   std::ifstream file(path);
   std::string heading;

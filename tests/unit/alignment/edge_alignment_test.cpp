@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/edge_alignment.h"
 
 #include <gmock/gmock.h>

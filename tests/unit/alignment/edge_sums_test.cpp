@@ -1,4 +1,5 @@
-// The sums of alignment, four points at a time, against the same sums taken point by point.
+// SPDX-License-Identifier: BSD-3-Clause
+// The sums of alignment, computed four points at a time, match those computed point by point.
 #include "edge_sums.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,7 @@ void fill(int n, Sums* one_by_one, Sums* in_lanes) {
   in_lanes->square = sums.square;
 }
 
-TEST(EdgeSums, EqualThoseTakenPointByPoint) {
+TEST(EdgeSums, MatchThoseComputedPointByPoint) {
   for (const int n : {0, 1, 3, 4, 5, 8, 250}) {
     Sums one_by_one, in_lanes;
     fill(n, &one_by_one, &in_lanes);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/patch_template.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-// Centre of the patch with the strongest contrast: there the rounding to gray levels does not count.
+// Centre of the patch with the strongest contrast, where rounding to gray levels is negligible.
 Eigen::Vector2f contrasting_place(const GrayImage& image) {
   Eigen::Vector2f best(10, 10);
   int most = -1;
@@ -20,9 +21,9 @@ Eigen::Vector2f contrasting_place(const GrayImage& image) {
   return best;
 }
 
-// The patch gradient is that of the difference itself, for a shift of the patch; template and image are the
-// same here, so that the template's slope is also the image's.
-TEST(PatchTemplate, GradientAgainstNumericShift) {
+// The patch gradient is the derivative of the difference by a shift of the patch. Template and image are the
+// same here, so that they have the same slope.
+TEST(PatchTemplate, GradientMatchesANumericShift) {
   const GrayImage image = test::textured_image(80, 60, 21);
   const Eigen::Vector2f at = contrasting_place(image);
   const PatchTemplates patches = cut_patches(image.view(), {at});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/pose_choice.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +25,7 @@ PoseCandidate candidate(double share, const SE3& T_cur_ref = SE3(), double weigh
   return c;
 }
 
-TEST(Classify, NamesTheFirstThingThatIsMissing) {
+TEST(Classify, ReportsTheFirstFailedCriterion) {
   const AlignmentParams params;
   const auto quality = [&](const PoseCandidate& pose) { return classify(pose, params); };
   EXPECT_EQ(quality(candidate(params.degraded_share)), TrackingQuality::kGood);
@@ -40,7 +41,7 @@ TEST(Classify, NamesTheFirstThingThatIsMissing) {
   EXPECT_EQ(quality(pose), TrackingQuality::kDiverged);
 }
 
-TEST(Classify, OnlyAWeakPoseOrAGoodOneIsNotLost) {
+TEST(Classify, OnlyWeakAndGoodPosesAreNotLost) {
   EXPECT_TRUE(is_lost(TrackingQuality::kDiverged));
   EXPECT_TRUE(is_lost(TrackingQuality::kFewPoints));
   EXPECT_TRUE(is_lost(TrackingQuality::kUnsupported));
@@ -48,42 +49,42 @@ TEST(Classify, OnlyAWeakPoseOrAGoodOneIsNotLost) {
   EXPECT_FALSE(is_lost(TrackingQuality::kGood));
 }
 
-TEST(PoseJudge, TheBetterSupportedPoseWins) {
+TEST(PoseScorer, TheBetterSupportedPoseWins) {
   const AlignmentParams params;
-  const PoseJudge judge(params);
-  EXPECT_GT(judge.score(candidate(0.9)), judge.score(candidate(0.8)));
-  EXPECT_LT(judge.score(candidate(0.5 * params.lost_share)), 0);
-  EXPECT_TRUE(judge.fits(candidate(params.degraded_share)));
-  EXPECT_FALSE(judge.fits(candidate(0.99 * params.degraded_share)));
-  EXPECT_TRUE(judge.is_lost(candidate(0.99 * params.lost_share)));
+  const PoseScorer scorer(params);
+  EXPECT_GT(scorer.score(candidate(0.9)), scorer.score(candidate(0.8)));
+  EXPECT_LT(scorer.score(candidate(0.5 * params.lost_share)), 0);
+  EXPECT_TRUE(scorer.fits(candidate(params.degraded_share)));
+  EXPECT_FALSE(scorer.fits(candidate(0.99 * params.degraded_share)));
+  EXPECT_TRUE(scorer.is_lost(candidate(0.99 * params.lost_share)));
 }
 
-TEST(PoseJudge, AnUnlikelyMotionNeedsMoreSupport) {
+TEST(PoseScorer, AnUnlikelyMotionNeedsMoreSupport) {
   const AlignmentParams params;
-  const PoseJudge judge(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
+  const PoseScorer scorer(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
   const SE3 far = SE3::exp(twist(1, 0, 0, 0, 0, 0));
-  EXPECT_LT(judge.score(candidate(0.9, far)), judge.score(candidate(0.8)));
-  EXPECT_GT(judge.score(candidate(0.9, far)), judge.score(candidate(0.4)));
-  EXPECT_EQ(judge.score(candidate(0.1, far)), judge.score(candidate(0.1)))
-      << "below 0 it must not gain by being unlikely";
+  EXPECT_LT(scorer.score(candidate(0.9, far)), scorer.score(candidate(0.8)));
+  EXPECT_GT(scorer.score(candidate(0.9, far)), scorer.score(candidate(0.4)));
+  EXPECT_EQ(scorer.score(candidate(0.1, far)), scorer.score(candidate(0.1)))
+      << "an unlikely pose must not gain below 0";
 }
 
-TEST(PoseJudge, APoseThatLeftItsPriorNeverWins) {
+TEST(PoseScorer, APoseThatLeftItsPriorNeverWins) {
   const AlignmentParams params;
-  const PoseJudge judge(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
+  const PoseScorer scorer(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
   PoseCandidate held = candidate(0.95, SE3::exp(twist(1, 0, 0, 0, 0, 0)));
-  EXPECT_GT(judge.score(held), judge.score(candidate(0.4)));
+  EXPECT_GT(scorer.score(held), scorer.score(candidate(0.4)));
   held.has_prior = true;
-  EXPECT_LT(judge.score(held), judge.score(candidate(0.01)));
+  EXPECT_LT(scorer.score(held), scorer.score(candidate(0.01)));
   held.T_cur_ref = SE3();
-  EXPECT_GT(judge.score(held), judge.score(candidate(0.9))) << "it kept to its prior";
+  EXPECT_GT(scorer.score(held), scorer.score(candidate(0.9))) << "it kept to its prior";
 }
 
-TEST(PoseJudge, APoseThatIsNotFiniteNeverWins) {
+TEST(PoseScorer, APoseThatIsNotFiniteNeverWins) {
   const AlignmentParams params;
   const SE3 broken(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));
-  EXPECT_LT(PoseJudge(params).score(candidate(0.9, broken)), PoseJudge(params).score(candidate(0, SE3())));
-  EXPECT_TRUE(PoseJudge(params).is_lost(candidate(0.9, broken)));
+  EXPECT_LT(PoseScorer(params).score(candidate(0.9, broken)), PoseScorer(params).score(candidate(0, SE3())));
+  EXPECT_TRUE(PoseScorer(params).is_lost(candidate(0.9, broken)));
 }
 
 // Proposers that count how often they are called.
@@ -99,23 +100,23 @@ class ChoosePose : public ::testing::Test {
             }};
   }
   PoseChoice among(const std::vector<Proposer>& proposers) {
-    return choose(proposers, *scene.pyramid(kTruth.inverse()), scene.cloud(SE3()), judge, params);
+    return choose(proposers, *scene.pyramid(kTruth.inverse()), scene.cloud(SE3()), scorer, params);
   }
 
   test::PlaneScene scene;
   AlignmentParams params;
-  PoseJudge judge{params};
+  PoseScorer scorer{params};
   int first = 0, second = 0;
 };
 
-TEST_F(ChoosePose, WhoIsNotCalledForIsNotCalled) {
+TEST_F(ChoosePose, AProposerThatIsNotNeededIsNotCalled) {
   const PoseChoice c = among({proposer(ProposerKind::kStarts, {SE3(), kWrong}, false, &first),
                               proposer(ProposerKind::kCorners, {kWrong}, false, &second)});
   EXPECT_EQ(c.hypotheses_tried, 1);
   EXPECT_EQ(first, 1);
   EXPECT_EQ(second, 0);
   EXPECT_EQ(c.kind, ProposerKind::kStarts);
-  EXPECT_TRUE(judge.fits(c.pose));
+  EXPECT_TRUE(scorer.fits(c.pose));
 }
 
 TEST_F(ChoosePose, ABetterHypothesisWins) {
@@ -126,7 +127,7 @@ TEST_F(ChoosePose, ABetterHypothesisWins) {
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
 }
 
-TEST_F(ChoosePose, AWorseOneDoesNot) {
+TEST_F(ChoosePose, AWorseHypothesisDoesNotWin) {
   const PoseChoice c = among({proposer(ProposerKind::kStarts, {SE3()}, true, &first),
                               proposer(ProposerKind::kCorners, {kWrong}, true, &second)});
   EXPECT_EQ(c.hypotheses_tried, 2);
@@ -134,8 +135,8 @@ TEST_F(ChoosePose, AWorseOneDoesNot) {
   EXPECT_LT((c.pose.T_cur_ref.translation() - kTruth.translation()).norm(), 0.01);
 }
 
-// A tight prior keeps the translation where it is expected, a wide one leaves it to the image.
-TEST(Align, NearAnExpectedPlace) {
+// A tight prior keeps the translation at its expected value, a wide one leaves it to the image.
+TEST(Align, APriorHoldsTheTranslationAsFarAsItsSigmaAllows) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.02, 0, 0.05, 0, 0, 0)),
             T_expected = SE3::exp(twist(0.02, 0, 0.01, 0, 0, 0));
@@ -145,14 +146,14 @@ TEST(Align, NearAnExpectedPlace) {
     const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges,
                               Eigen::Vector3d::Constant(sigma)};
     const PoseCandidate r = align(*pyramid, cloud, near, AlignmentParams());
-    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
+    EXPECT_TRUE(PoseScorer(AlignmentParams()).fits(r));
     return (r.T_cur_ref.translation() - T.translation()).norm();
   };
   EXPECT_LT(error(1e-5, T_expected), 0.003);
   EXPECT_LT(error(10, T_cur_ref), 0.01);
 }
 
-// Rotation and direction known, the length wrong by half: the edges find it.
+// Rotation and direction are known, the length is wrong by half: the edges find it.
 TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.25, 0.05, 0.3, 0.02, -0.03, 0.01));
@@ -161,14 +162,14 @@ TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
     const PoseHypothesis along{guess, PoseHypothesis::Refinement::kLengthThenEdges};
     const PoseCandidate r =
         align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
-    EXPECT_TRUE(PoseJudge(AlignmentParams()).fits(r));
+    EXPECT_TRUE(PoseScorer(AlignmentParams()).fits(r));
     EXPECT_THAT(r.T_cur_ref,
                 test::SE3Near(T_cur_ref, 0.02 * T_cur_ref.translation().norm(), 0.1 * M_PI / 180))
         << length;
   }
 }
 
-// Gray levels on the coarse levels that belong to another place, as those of shadows and glare do; the edges
+// The gray values of the coarse levels belong to another view, as those of shadows and glare do; the edges
 // are those of the scene.
 TEST(Align, EdgesOverruleMisledGrayLevels) {
   const test::PlaneScene scene;
@@ -184,7 +185,7 @@ TEST(Align, EdgesOverruleMisledGrayLevels) {
   align_patches(current, cloud, int(current.levels.size()) - 1, 1, &by_patches);
   for (int level : {1, 0}) align_edges(current, cloud, level, AlignmentParams(), &by_patches);
   ASSERT_GT((by_patches.translation() - T_cur_ref.translation()).norm(), 0.1)
-      << "what comes of following them";
+      << "the gray levels do not mislead";
   const auto error = [&](const AlignmentParams& params) {
     return (align(current, cloud, {T_cur_ref}, params).T_cur_ref.translation() - T_cur_ref.translation())
         .norm();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The covariance of a pose against the spread of many estimates, with independent and with shared noise.
 #include "edgevo/alignment/pose_covariance.h"
 
@@ -30,10 +31,10 @@ std::vector<PoseEquation> make_equations(int edges, int points) {
   return equations;
 }
 
-// Estimates from noisy residuals: their spread, and the mean of what pose_covariance() said without the
-// reference's share.
+// Estimates from noisy residuals: their sample covariance, and the mean of pose_covariance() without the
+// share of the reference.
 struct Spread {
-  Matrix6d sampled = Matrix6d::Zero(), told = Matrix6d::Zero();
+  Matrix6d sampled = Matrix6d::Zero(), predicted = Matrix6d::Zero();
 };
 
 Spread sample(std::vector<PoseEquation> equations, double own_px, double shared_px) {
@@ -55,37 +56,36 @@ Spread sample(std::vector<PoseEquation> equations, double own_px, double shared_
     const Vector6d xi = solver.solve(b);
     for (PoseEquation& e : equations) e.residual_px -= e.jacobian.dot(xi);  // as the alignment leaves them
     spread.sampled += xi * xi.transpose() / kTrials;
-    spread.told += pose_covariance(equations) / (kReferenceShare * kTrials);
+    spread.predicted += pose_covariance(equations) / (kReferenceShare * kTrials);
   }
   return spread;
 }
 
-double sum_of_variances(const Spread& s) {  // sampled against told, in the axes of what was told
-  return (s.told.inverse() * s.sampled).trace() / 6;
-}
+// Mean ratio of sampled to predicted variance, in the axes of the prediction.
+double variance_ratio(const Spread& s) { return (s.predicted.inverse() * s.sampled).trace() / 6; }
 
 TEST(PoseCovariance, MatchesTheSpreadUnderIndependentNoise) {
   const Spread s = sample(make_equations(150, 4), 0.4, 0);
-  EXPECT_GT(sum_of_variances(s), 0.65);  // never below A^-1 sigma^2: on the safe side
-  EXPECT_LT(sum_of_variances(s), 1.05);
+  EXPECT_GT(variance_ratio(s), 0.65);  // bounded below by A^-1 sigma^2, so on the safe side
+  EXPECT_LT(variance_ratio(s), 1.05);
 }
 
 TEST(PoseCovariance, MatchesTheSpreadWherePointsOfAnEdgeShareItsError) {
   const Spread s = sample(make_equations(150, 4), 0.2, 0.4);
-  EXPECT_GT(sum_of_variances(s), 0.75);
-  EXPECT_LT(sum_of_variances(s), 1.15);
+  EXPECT_GT(variance_ratio(s), 0.75);
+  EXPECT_LT(variance_ratio(s), 1.15);
 }
 
-// As if every point were an edge of its own: what the formula for independent residuals would say.
-TEST(PoseCovariance, IndependenceWouldClaimTooMuch) {
+// Every point as an edge of its own: the result of the formula for independent residuals.
+TEST(PoseCovariance, AssumingIndependenceIsOverconfident) {
   std::vector<PoseEquation> equations = make_equations(150, 4);
-  const double shared = sample(equations, 0.2, 0.4).told.trace();
+  const double shared = sample(equations, 0.2, 0.4).predicted.trace();
   for (size_t i = 0; i < equations.size(); ++i) equations[i].edge = int(i);
-  EXPECT_GT(shared / sample(equations, 0.45, 0).told.trace(), 2);
+  EXPECT_GT(shared / sample(equations, 0.45, 0).predicted.trace(), 2);
 }
 
-// A single direction of motion that no edge sees must not be taken for certain.
-TEST(PoseCovariance, AnUnseenDirectionIsUnknown) {
+// A single direction of motion that no edge observes must not appear certain.
+TEST(PoseCovariance, AnUnobservedDirectionIsUnknown) {
   std::vector<PoseEquation> equations = make_equations(100, 3);
   Random random(3);
   for (PoseEquation& e : equations) {
@@ -98,7 +98,7 @@ TEST(PoseCovariance, AnUnseenDirectionIsUnknown) {
 }
 
 // Errors drawn from a covariance: the mean of their normalised squares is the number of degrees of freedom,
-// and a part along the translation adds nothing.
+// and a component along the translation adds nothing.
 TEST(PoseCovariance, NormalisedErrorHasFiveDegreesOfFreedom) {
   const Matrix6d covariance = pose_covariance([] {
     std::vector<PoseEquation> equations = make_equations(100, 3);

@@ -1,4 +1,5 @@
-// Which points speak for a pose.
+// SPDX-License-Identifier: BSD-3-Clause
+// Which points support a pose.
 #include "edgevo/alignment/pose_evidence.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 
 using test::twist;
 
-TEST(PoseEvidence, NearlyAllSpeakForTheTruePoseAndFewForAnother) {
+TEST(PoseEvidence, NearlyAllPointsSupportTheTruePoseAndFewAnother) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.1, 0, 0.1, 0.01, -0.02, 0));
   const ReferenceCloud cloud = scene.cloud(SE3());
@@ -35,8 +36,8 @@ TEST(PoseEvidence, DoesNotDependOnExposure) {
   EXPECT_NEAR(dark, bright, 0.05);
 }
 
-// A point that may lie anywhere cannot contradict; under a pure rotation its depth does not matter.
-TEST(PoseEvidence, PointsOfUnknownDepthDoNotTestifyUnderTranslation) {
+// A point that may lie anywhere cannot contradict a pose; under pure rotation its depth does not matter.
+TEST(PoseEvidence, PointsOfUnknownDepthAreNoEvidenceUnderTranslation) {
   const test::PlaneScene scene;
   ReferenceCloud cloud = scene.cloud(SE3());
   const size_t known = cloud.points.size() / 2;
@@ -54,7 +55,7 @@ TEST(PoseEvidence, PointsOfUnknownDepthDoNotTestifyUnderTranslation) {
   EXPECT_GT(with_rotation.weight, 1.5 * double(known));
 }
 
-TEST(PoseEvidence, AnEmptyCloudSaysNothing) {
+TEST(PoseEvidence, AnEmptyCloudIsNoEvidence) {
   const test::PlaneScene scene;
   const ReferenceCloud cloud = make_reference_cloud(scene.pyramid(SE3()), {}, false);
   const PoseEvidence evidence = weigh_evidence(*scene.pyramid(SE3()), cloud, SE3(), AlignmentParams());
@@ -62,8 +63,8 @@ TEST(PoseEvidence, AnEmptyCloudSaysNothing) {
   EXPECT_EQ(evidence.inlier_share, 0);
 }
 
-// A turn of eleven degrees in one frame of a drive: at the right pose little is left in view, a wrong one
-// that hardly turns keeps three times as much and finds more edges by chance.
+// A turn of eleven degrees in one frame of a drive: the right pose keeps few points in view, a wrong one that
+// hardly rotates keeps three times as many and matches more edges by chance.
 TEST(PoseSupport, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
   const AlignmentParams params;
   const PoseEvidence right{65, 0.299}, wrong{186, 0.124};
@@ -71,7 +72,7 @@ TEST(PoseSupport, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
   EXPECT_GT(support(right, params), support(wrong, params));
 }
 
-TEST(PoseSupport, AtEqualShareTheOneThatMorePointsSpeakFor) {
+TEST(PoseSupport, AtEqualSharesThePoseWithMorePointsWins) {
   const AlignmentParams params;
   EXPECT_GT(support({300, 0.6}, params), support({200, 0.6}, params));
   EXPECT_GT(support({200, 0.6}, params), support({200, 0.5}, params));

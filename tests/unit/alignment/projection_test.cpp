@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/projection.h"
 
 #include <gmock/gmock.h>
@@ -12,7 +13,7 @@ namespace {
 using test::JacobianNear;
 using test::numerical_jacobian;
 
-TEST(Projection, PoseJacobianIsThatOfTheLeftPerturbation) {
+TEST(Projection, PoseJacobianIsTheDerivativeByALeftPerturbation) {
   const Pinhole camera{520, 510, 320, 240, 640, 480};
   Random random(3);
   for (int trial = 0; trial < 50; ++trial) {

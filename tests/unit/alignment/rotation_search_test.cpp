@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/rotation_search.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ using test::twist;
 
 class RotationSearch : public ::testing::TestWithParam<Vector6d> {};
 
-TEST_P(RotationSearch, FindsATurnThatNoPredictionForesaw) {
+TEST_P(RotationSearch, FindsAnUnpredictedRotation) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(GetParam());
   const ReferenceCloud cloud = scene.cloud(SE3());
@@ -24,7 +25,7 @@ TEST_P(RotationSearch, FindsATurnThatNoPredictionForesaw) {
   for (const SE3& T : starts) nearest = std::min(nearest, (T * T_cur_ref.inverse()).angle());
   EXPECT_LT(nearest, 0.06);
   const TrackResult r = track(*current, cloud, {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+  EXPECT_EQ(r.status, TrackingState::kTracking) << r.reason;
   EXPECT_LT((r.T_cur_ref * T_cur_ref.inverse()).angle(), 0.002);
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/tracker.h"
 
 #include <gmock/gmock.h>
@@ -22,9 +23,9 @@ TEST_P(TrackMotions, FindsThePoseFromTheReferencePose) {
   const ReferenceCloud cloud = scene.cloud(SE3());
   ASSERT_GT(cloud.points.size(), 300u);
   const TrackResult r = track(*scene.pyramid(T_cur_ref.inverse()), cloud, {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+  EXPECT_EQ(r.status, TrackingState::kTracking) << r.reason;
   EXPECT_GT(r.evidence.inlier_share, 0.8);
-  // Before a plane, turning and moving sideways look much alike: 0.06 degrees and 6 mm together move the
+  // In front of a plane, rotation and sideways motion look alike: 0.06 degrees and 6 mm together move the
   // points by 0.06 pixels.
   EXPECT_THAT(r.T_cur_ref, SE3Near(T_cur_ref, 0.01, 0.08 * kDegree));
 }
@@ -40,17 +41,17 @@ TEST(Track, HoldsUnderAnExposureJump) {
   const SE3 T_cur_ref = SE3::exp(twist(0.08, 0.02, 0.1, 0.01, -0.02, 0.01));
   const TrackResult r =
       track(*scene.pyramid(T_cur_ref.inverse(), 0.5, 30), scene.cloud(SE3()), {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+  EXPECT_EQ(r.status, TrackingState::kTracking) << r.reason;
   EXPECT_THAT(r.T_cur_ref, SE3Near(T_cur_ref, 0.01, 0.08 * kDegree));
 }
 
-TEST(Track, TriesOtherStartsWhenTheFirstIsBad) {
+TEST(Track, TriesTheOtherStartsWhenTheFirstIsBad) {
   const test::PlaneScene scene;
   const SE3 T_cur_ref = SE3::exp(twist(0.05, 0, 0, 0, 0.01, 0));
   const SE3 bad = SE3::exp(twist(0, 0, 0, 0, 0.9, 0));
   const TrackResult r =
       track(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), {bad, SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kTracking) << r.reason;
+  EXPECT_EQ(r.status, TrackingState::kTracking) << r.reason;
 }
 
 TEST(Track, PhotometricCostAgreesWithTheTruth) {
@@ -67,23 +68,23 @@ TEST(Track, BlackImageIsLostWithAReason) {
   const test::PlaneScene scene;
   const TrackResult r =
       track(*scene.pyramid(SE3(), 0.0, 0.0), scene.cloud(SE3()), {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kLost);
+  EXPECT_EQ(r.status, TrackingState::kLost);
   EXPECT_FALSE(r.reason.empty());
 }
 
 TEST(Track, AnotherSceneIsNotTracked) {
   const test::PlaneScene scene(11), other(99);
   const TrackResult r = track(*other.pyramid(SE3()), scene.cloud(SE3()), {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kLost) << r.evidence.inlier_share;
+  EXPECT_EQ(r.status, TrackingState::kLost) << r.evidence.inlier_share;
 }
 
 TEST(Track, EmptyCloudIsLost) {
   const test::PlaneScene scene;
   const ReferenceCloud cloud = make_reference_cloud(scene.pyramid(SE3()), {}, false);
-  EXPECT_EQ(track(*scene.pyramid(SE3()), cloud, {SE3()}, AlignmentParams()).verdict, TrackingState::kLost);
+  EXPECT_EQ(track(*scene.pyramid(SE3()), cloud, {SE3()}, AlignmentParams()).status, TrackingState::kLost);
 }
 
-// All edges parallel: motion along them cannot be seen, and the verdict must say so.
+// All edges parallel: motion along them is not observable, and the status must show it.
 TEST(Track, ParallelEdgesAreReportedAsWeak) {
   const GrayImage stripes =
       test::make_image(320, 240, [](double x, double) { return 128 + 90 * std::sin(x / 6.0); });
@@ -98,7 +99,7 @@ TEST(Track, ParallelEdgesAreReportedAsWeak) {
   }
   const TrackResult r =
       track(*pyramid, make_reference_cloud(pyramid, points, false), {SE3()}, AlignmentParams());
-  EXPECT_EQ(r.verdict, TrackingState::kDegraded);
+  EXPECT_EQ(r.status, TrackingState::kDegraded);
   ASSERT_FALSE(r.weak_directions.empty());
   double along = 0;  // translation in y is among them
   for (const Vector6d& d : r.weak_directions) along = std::max(along, std::abs(d[1]));

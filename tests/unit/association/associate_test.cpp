@@ -1,4 +1,5 @@
-// The pipeline on a rendered plane.
+// SPDX-License-Identifier: BSD-3-Clause
+// The association pipeline on a rendered plane.
 #include "edgevo/association/associate.h"
 
 #include <gtest/gtest.h>
@@ -78,7 +79,7 @@ TEST(Associate, HoldsWhenTheLightChanges) {
   EXPECT_LT(dark.normal_rms, 0.2);
 }
 
-TEST(Associate, OffGivesEdgeMatchesOnly) {
+TEST(Associate, WithoutPhotometricSearchGivesEdgeMatchesOnly) {
   AssociationParams params;
   params.photometric = false;
   const Outcome o = associate_all(params, 1.0, 0.0);
@@ -86,7 +87,7 @@ TEST(Associate, OffGivesEdgeMatchesOnly) {
   EXPECT_GT(o.matched, 0.7 * o.tried);
 }
 
-// A first patch larger than the largest one is searched with all the same: it does not grow.
+// A first patch larger than the largest one is used as it is; it does not grow.
 TEST(Associate, AFirstPatchBeyondTheLargestOneDoesNotGrow) {
   AssociationParams one_size, beyond;
   one_size.patch_side = one_size.max_patch_side = beyond.patch_side = 9;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/normal_refinement.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,7 @@ TEST(NormalRefinement, FindsASubPixelShiftAlongTheNormal) {
   }
 }
 
-TEST(NormalRefinement, RefusesAnUnrelatedPlaceAndFlatPatches) {
+TEST(NormalRefinement, RejectsUnrelatedPositionsAndFlatPatches) {
   const GrayImage host = test::textured_image(100, 80, 17), other = test::textured_image(100, 80, 18);
   const GrayImage flat{100, 80, std::vector<uint8_t>(8000, 77)};
   const Eigen::Vector2d normal(1, 0);

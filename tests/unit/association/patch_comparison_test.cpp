@@ -1,4 +1,6 @@
-// The three ways to compare patches: what they cancel, what they tell apart, and where they refuse.
+// SPDX-License-Identifier: BSD-3-Clause
+// The three patch comparisons: which changes of light they cancel, which patches they distinguish, and where
+// they are undefined.
 #include "edgevo/association/patch_comparison.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +68,7 @@ TEST_P(PatchComparisons, GainAndOffset) {
     EXPECT_GT(sum / tested, 0.15);
 }
 
-TEST_P(PatchComparisons, TheBorderIsRefused) {
+TEST_P(PatchComparisons, APatchAtTheBorderIsRejected) {
   Patch patch;
   EXPECT_FALSE(comparison().cut(level, {1, 100}, kNoWarp, 2, &patch));
   ASSERT_TRUE(comparison().cut(level,
@@ -110,7 +112,7 @@ std::string name_of(const ::testing::TestParamInfo<int>& info) { return kAll[inf
 INSTANTIATE_TEST_SUITE_P(All, PatchComparisons, ::testing::Values(0, 1, 2), name_of);
 
 TEST(PatchComparison, CensusCountsSigns) {
-  // Two patches of nine pixels of which two disagree.
+  // Two patches of nine pixels, two of which disagree.
   const GrayImage image = test::make_image(20, 20, [](double x, double y) { return 10 * x + y; });
   PyramidLevel level;
   level.gray = Plane<uint8_t>(20, 20);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/patch_cost.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-TEST(PatchCost, IgnoresGainAndTellsPlacesApart) {
+TEST(PatchCost, IgnoresGainAndDistinguishesPositions) {
   const GrayImage image = test::textured_image(120, 90, 4);
   const Gradient gradient = compute_gradient(image.view());
   GrayImage dark = image;

@@ -1,4 +1,5 @@
-// The level a patch is cut from: as coarse as the target sees it.
+// SPDX-License-Identifier: BSD-3-Clause
+// The level from which a patch is cut is as coarse as the target sees the patch.
 #include "edgevo/association/patch_source.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ int level_of(const FramePyramid& host, double scale) {
   return int(patch_source(host, {100, 60}, scaled(scale)).level - host.levels.data());
 }
 
-TEST(PatchSource, TheLevelWhosePixelsAreNearestInSize) {
+TEST(PatchSource, SelectsTheLevelWithPixelsClosestInSize) {
   const auto host = test::PlaneScene().pyramid(SE3());
   ASSERT_FALSE(host->levels[1].gradient_magnitude.empty());
   EXPECT_EQ(level_of(*host, 2.0), 0);
@@ -29,7 +30,7 @@ TEST(PatchSource, TheLevelWhosePixelsAreNearestInSize) {
   EXPECT_EQ(half.A_target_host, scaled(1.0));
 }
 
-TEST(PatchSource, NoLevelWithoutGradients) {
+TEST(PatchSource, SelectsNoLevelWithoutGradients) {
   const test::PlaneScene scene;
   EdgeParams params;
   params.edge_levels = 1;
@@ -39,8 +40,8 @@ TEST(PatchSource, NoLevelWithoutGradients) {
   EXPECT_LT(level_of(*host, 0.01), int(host->levels.size()));
 }
 
-// A camera that backed away to more than twice the distance: patches cut there are more like what it sees
-// than those of the finest level.
+// A camera that backed away to more than twice the distance: patches of the selected level resemble its image
+// more than those of the finest level do.
 TEST(PatchSource, APatchSeenFromAfarLooksAlike) {
   const test::PlaneScene scene;
   const SE3 T_host_target(Eigen::Quaterniond::Identity(), {0, 0, -6});

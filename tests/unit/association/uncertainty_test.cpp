@@ -1,4 +1,5 @@
-// Uncertainty against Monte Carlo on a synthetic edge; the confidence in a match.
+// SPDX-License-Identifier: BSD-3-Clause
+// Uncertainty against Monte Carlo on a synthetic edge; match confidence.
 #include "edgevo/association/uncertainty.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +70,8 @@ TEST(Uncertainty, SearchLengthMatchesTheSpreadOfMatchesAlongTheEdge) {
     for (int t = 0; t < kTrials; ++t) {
       Vector6d z;
       for (int i = 0; i < 6; ++i) z[i] = random.normal();
-      // The true point, as the estimate's errors move it: its offset along the edge from the prediction.
+      // The true point, displaced by the errors of the estimate: its offset along the edge from the
+      // prediction.
       const Eigen::Vector2d d =
           s.px(SE3::exp(L * z) * s.T, s.idepth + s.idepth_sigma * random.normal()) - at.px;
       const double lambda = g_perp.dot(d);

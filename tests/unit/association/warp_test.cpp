@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/association/warp.h"
 
 #include <gmock/gmock.h>

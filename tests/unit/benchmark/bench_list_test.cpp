@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/bench_list.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ std::string error_of(const std::string& text) {
   return "no error";
 }
 
-TEST(BenchList, TextIsReadBackAsTheSameList) {
+TEST(BenchList, WrittenTextIsReadBackAsTheSameList) {
   const std::string text =
       "seeds: 3 9\nsequences:\n  b:\n    source: scene:lakeshore:winter\n    variants: normal every3+glare\n "
       "   frames: 0:40\n"
@@ -82,7 +83,7 @@ TEST(BenchList, WithoutSeedsAndVariantsThereAreFiveNormalRuns) {
   EXPECT_EQ(list.jobs(), 5);
 }
 
-TEST(BenchList, WhatIsWrongIsToldWithItsLine) {
+TEST(BenchList, ErrorsNameTheLine) {
   const std::string one = kOne;
   EXPECT_THAT(error_of(""), HasSubstr("list: names no sequence"));
   EXPECT_THAT(error_of("sequences:\n"), HasSubstr("list: names no sequence"));
@@ -92,25 +93,25 @@ TEST(BenchList, WhatIsWrongIsToldWithItsLine) {
   EXPECT_THAT(error_of("sequences:\n  a:\n    source:\n"),
               HasSubstr("list:3: sequences.a.source has no value"));
   EXPECT_THAT(error_of("sequences:\n  a.b:\n    source: x\n"),
-              HasSubstr("list:2: a sequence's name holds a dot"));
+              HasSubstr("list:2: a sequence's name contains a dot"));
   EXPECT_THAT(error_of(one + "    every: 3\n"), HasSubstr("list:4: unknown parameter 'sequences.a.every'"));
   EXPECT_THAT(error_of(one + "  a:\n    source: y\n"), HasSubstr("list:4: "));
   EXPECT_THAT(error_of(one + "seed: 1\n"),
               HasSubstr("list:4: unknown parameter 'seed'; did you mean 'seeds'?"));
   for (const char* seeds : {"x", "-1", "3..1", "1..", "1...3", "1.5", "0..1000"})
     EXPECT_THAT(error_of(one + "seeds: " + seeds + "\n"),
-                HasSubstr(std::string("list:4: '") + seeds + "' is no seed"));
-  EXPECT_THAT(error_of(one + "seeds: 1..3 2\n"), HasSubstr("list:4: the seed 2 stands there twice"));
+                HasSubstr(std::string("list:4: '") + seeds + "' is not a seed"));
+  EXPECT_THAT(error_of(one + "seeds: 1..3 2\n"), HasSubstr("list:4: the seed 2 is given twice"));
   EXPECT_THAT(error_of(one + "variants: glaree\n"),
               HasSubstr("list:4: unknown variant 'glaree'; did you mean 'glare'?"));
   for (const char* variant : {"every", "every0", "every-2", "everyone", "every3x"})
     EXPECT_THAT(error_of(one + "variants: " + variant + "\n"),
                 HasSubstr(std::string("unknown variant '") + variant));
-  EXPECT_THAT(error_of(one + "variants: normal +\n"), HasSubstr("list:4: '+' is no variant"));
+  EXPECT_THAT(error_of(one + "variants: normal +\n"), HasSubstr("list:4: '+' is not a variant"));
   EXPECT_THAT(error_of(one + "variants: glare+mixed\n"),
               HasSubstr("list:4: 'glare+mixed' changes the light twice"));
   EXPECT_THAT(error_of(one + "    variants: normal normal\n"),
-              HasSubstr("list:4: the variant 'normal' stands there twice"));
+              HasSubstr("list:4: the variant 'normal' is given twice"));
   EXPECT_THAT(error_of(one + "variants: ','\n"), HasSubstr("list:4: names no variant"));
 }
 
@@ -124,7 +125,7 @@ std::vector<std::string> names_of(const BenchSequence& sequence) {
   return names;
 }
 
-TEST(BenchList, EachVariantIsRunAsItIsAndWithEachSetting) {
+TEST(BenchList, EachVariantIsRunWithoutAndWithEachSetting) {
   const BenchSequence a = parse("variants: normal every3\n" + kSettings + kOne).sequences[0];
   EXPECT_THAT(names_of(a),
               ElementsAre("normal", "normal+few", "normal+both", "every3", "every3+few", "every3+both"));
@@ -136,7 +137,7 @@ TEST(BenchList, EachVariantIsRunAsItIsAndWithEachSetting) {
   EXPECT_THAT(a.variants[5].settings[0].assignments, ElementsAre("a.b=1", "c=two"));
 }
 
-TEST(BenchList, VariantsThatNameASettingAreRunAsTheyStand) {
+TEST(BenchList, VariantsThatNameASettingAreRunUnchanged) {
   const BenchSequence a = parse("variants: normal every3+few+both\n" + kSettings + kOne).sequences[0];
   EXPECT_THAT(names_of(a), ElementsAre("normal", "every3+few+both"));
   EXPECT_EQ(a.variants[1].settings.size(), 2u);
@@ -151,7 +152,7 @@ TEST(BenchList, SettingsAreWrittenAndReadBackTheSame) {
   EXPECT_THAT(again.sequences[0].variants[2].settings[0].assignments, ElementsAre("a.b=1", "c=two"));
 }
 
-TEST(BenchList, ABadSettingIsToldWithItsLine) {
+TEST(BenchList, ABadSettingIsReportedWithItsLine) {
   const std::string one = kOne;
   EXPECT_THAT(error_of("set:\n" + one), HasSubstr("list:1: names no setting"));
   EXPECT_THAT(error_of("set:\n  a:\n" + one), HasSubstr("list:2: set.a has no value"));
@@ -164,8 +165,8 @@ TEST(BenchList, ABadSettingIsToldWithItsLine) {
               HasSubstr("list:1: 'few+few' names the setting 'few' twice"));
 }
 
-TEST(BenchList, ThoseThatShipAreRead) {
-  const std::vector<std::string> lights{"drift",   "jumps", "gamma", "vignette", "glare", "eaten",
+TEST(BenchList, ShippedListsAreRead) {
+  const std::vector<std::string> lights{"drift",   "jumps", "gamma", "vignette", "glare", "blooming",
                                         "shadows", "blur",  "noise", "dropped",  "mixed"};
   for (const auto& [name, jobs] :
        {std::pair("rendered", 100), {"real", 170}, {"lights", 300}, {"ablation", 2052}}) {
@@ -178,7 +179,7 @@ BenchList parse_with_detectors(const std::string& text) {
   return parse_bench_list(text, "list", {"glare", "mixed", "dropped"}, {"canny", "edge_drawing"});
 }
 
-TEST(BenchList, DetectorsCrossTheVariants) {
+TEST(BenchList, EachVariantIsRunWithEachDetector) {
   const BenchList list = parse_with_detectors(
       "seeds: 1\nvariants: normal every3\ndetectors: canny precomputed:edge_drawing\n" + std::string(kOne));
   const std::vector<BenchVariant>& variants = list.sequences[0].variants;
@@ -191,7 +192,7 @@ TEST(BenchList, DetectorsCrossTheVariants) {
   EXPECT_EQ(parse_with_detectors(kOne).sequences[0].variants[0].detector, "");
 }
 
-TEST(BenchList, AnUnknownDetectorIsToldWithTheNearest) {
+TEST(BenchList, AnUnknownDetectorSuggestsTheNearest) {
   try {
     parse_with_detectors("detectors: cany\n" + std::string(kOne));
     FAIL() << "no error";

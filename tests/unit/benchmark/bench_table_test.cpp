@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/bench_table.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +34,7 @@ Trial lost_trial() {
   return t;
 }
 
-TEST(BenchTable, MedianAndWorstOfTheSeeds) {
+TEST(BenchTable, MedianAndMaximumOverSeeds) {
   const BenchRow row{"street", "normal", {trial(0.3, 30, 90), trial(0.1, 10), trial(0.2, 20)}, 0, ""};
   const std::string csv = bench_csv({{"edgevo", "1.0 abc"}, {"machine", "a processor"}}, {row});
   EXPECT_EQ(
@@ -81,7 +82,7 @@ TEST(BenchTable, MedianOfValues) {
   EXPECT_TRUE(std::isnan(median_of({})));
 }
 
-TEST(Trial, ComesBackFromItsFile) {
+TEST(Trial, IsReadBackFromItsFile) {
   Trial written = trial(0.123456789), read;
   written.note = "some: words, \"quoted\"";
   read_params(write_params([&](ParamVisitor& v) { written.visit(v); }), "result",

@@ -1,4 +1,5 @@
-// The paper's tables: its figures as it prints them, ours beside them, failures never left out.
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's tables: its printed figures, ours next to them, failures always included.
 #include "edgevo/benchmark/paper_tables.h"
 
 #include <gmock/gmock.h>
@@ -83,8 +84,8 @@ TEST(LakeTable, PaperAndOursInTheirColumns) {
                                            HasSubstr("| **edgevo, canny, rendered** |")));
 }
 
-// A run without a pose fails throughout: leaving it out would make the table better.
-TEST(LakeTable, ATrialWithoutAPoseFailsThroughout) {
+// A run without a pose counts as a total failure: skipping it would improve the table.
+TEST(LakeTable, ATrialWithoutAPoseIsATotalFailure) {
   Trial lost;
   lost.note = "no frame has a pose";
   const PrintedTable table = lake_table({}, {{"winter", "normal", {paper_trial(0, 2.0), lost}, 0, ""}}, {});
@@ -92,8 +93,8 @@ TEST(LakeTable, ATrialWithoutAPoseFailsThroughout) {
   EXPECT_EQ(cell(table, "edgevo, canny, rendered", "winter cm/m"), "16.0 [2.0..30.0]");
 }
 
-// `detectors: canny network` of a list makes words of the variants; they are no light.
-TEST(LakeTable, ADetectorNamedByTheVariantIsAMethodAndNoLight) {
+// `detectors: canny network` of a list adds words to the variants, which are not a light.
+TEST(LakeTable, ADetectorInTheVariantIsAMethodNotALight) {
   const PrintedTable table =
       lake_table({},
                  {{"winter", "normal+combined:network", {paper_trial(0, 2.0)}, 0, "combined:network"},
@@ -103,7 +104,7 @@ TEST(LakeTable, ADetectorNamedByTheVariantIsAMethodAndNoLight) {
   EXPECT_EQ(cell(table, "edgevo, combined:network, rendered, light mixed", "winter, every 3rd cm/m"), "3.0");
 }
 
-TEST(KittiTable, ADetectorNamedByTheVariantHasItsColumn) {
+TEST(KittiTable, ADetectorInTheVariantHasItsOwnColumn) {
   const PrintedTable table =
       kitti_table({},
                   {{"kitti03", "normal+canny", {paper_trial(0, 1, 4)}, 0, "canny"},
@@ -129,7 +130,7 @@ TEST(LakeTable, SurveysGoToTheSeasonOfTheirMonth) {
       << "the mean over the surveys of a season";
 }
 
-TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
+TEST(KittiTable, RowsOfThePaperPiecesAndUnavailableSequences) {
   const PrintedTable table =
       kitti_table({},
                   {{"kitti00", "normal", {paper_trial(0, 1, 12.5), paper_trial(0, 1, 13.5)}, 0, ""},
@@ -138,8 +139,8 @@ TEST(KittiTable, RowsOfPaperPiecesAndWhatIsNotThere) {
   EXPECT_EQ(cell(table, "00", "paper: DSO"), "16.83");
   EXPECT_EQ(cell(table, "01", "paper: ORB-SLAM"), "-");
   EXPECT_EQ(cell(table, "00", "edgevo, canny"), "13.00 [12.50..13.50]");
-  EXPECT_EQ(cell(table, "03", "edgevo, canny"), "not at hand");
-  EXPECT_EQ(cell(table, "10", "edgevo, canny"), "not at hand");
+  EXPECT_EQ(cell(table, "03", "edgevo, canny"), "not available");
+  EXPECT_EQ(cell(table, "10", "edgevo, canny"), "not available");
   EXPECT_EQ(cell(table, "10", "paper: DSO"), "-");
   EXPECT_EQ(cell(table, "kitti00_first300", "edgevo, canny"), "0.30");
   EXPECT_EQ(cell(table, "kitti00_first300", "paper: DSO"), "-");
@@ -164,13 +165,13 @@ TEST(PrintedTable, CsvAndHtmlHoldTheSameCells) {
                            "name",
                            {{"edgevo", "1"}},
                            {"a, b", "c"},
-                           {{"x", {{1.25, 1.0, 1.5, ""}, {{}, {}, {}, "not at hand"}}, true}},
+                           {{"x", {{1.25, 1.0, 1.5, ""}, {{}, {}, {}, "not available"}}, true}},
                            {"r & s"},
                            2};
   EXPECT_EQ(table_csv(table),
-            "# edgevo: 1\nname,\"a, b\",\"a, b least\",\"a, b most\",c\nx,1.25,1.00,1.50,not at hand\n");
+            "# edgevo: 1\nname,\"a, b\",\"a, b least\",\"a, b most\",c\nx,1.25,1.00,1.50,not available\n");
   EXPECT_THAT(table_html(table),
-              AllOf(HasSubstr("T &lt;1&gt;"), HasSubstr("<td>1.25 [1.00..1.50]</td><td>not at hand</td>"),
+              AllOf(HasSubstr("T &lt;1&gt;"), HasSubstr("<td>1.25 [1.00..1.50]</td><td>not available</td>"),
                     HasSubstr("r &amp; s"), Not(HasSubstr("http"))));
 }
 

@@ -1,4 +1,5 @@
-// Corners in the bundle adjustment: residual and derivatives, what they tell and what they leave alone, both
+// SPDX-License-Identifier: BSD-3-Clause
+// Corners in the bundle adjustment: residual and derivatives, observable and unobservable directions, both
 // solvers, the prior.
 #include "residuals/corner_residual.h"
 
@@ -19,7 +20,7 @@ SceneOptions with_corners() {
   return o;
 }
 
-// Two poses and what corners say of them; the first is held.
+// Two poses with corners; the first is fixed.
 BaProblem two_views() {
   SceneOptions o = with_corners();
   o.poses = 2;
@@ -39,7 +40,7 @@ TEST(BundleAdjustmentCorners, ResidualIsTheDistanceFromBothEpipolarLines) {
               3 / std::sqrt(2.0), 1e-9);
 }
 
-TEST(BundleAdjustmentCorners, TheLengthOfTheWayDoesNotMatter) {
+TEST(BundleAdjustmentCorners, TheLengthOfTheBaselineDoesNotMatter) {
   const BaProblem p = perturb(two_views(), 0, 0.01, 0, 3);
   const SE3 T = motion(p);
   for (const BaCornerPair& c : p.corners)
@@ -47,7 +48,7 @@ TEST(BundleAdjustmentCorners, TheLengthOfTheWayDoesNotMatter) {
                 ba::linearize(p.pinhole, SE3(T.rotation(), 7 * T.translation()), c).residual, 1e-9);
 }
 
-// Where a corner fits, the denominator, which is held, does not matter: the derivatives are exact there.
+// For a corner with zero residual the fixed denominator does not matter: the derivatives are exact.
 TEST(BundleAdjustmentCorners, DerivativesAreTheNumericOnes) {
   const BaProblem p = make_scene(with_corners());
   for (const BaCornerPair& c : p.corners) {
@@ -69,7 +70,7 @@ class CornerAdjusters : public ::testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Both, CornerAdjusters, ::testing::Values("schur", "ceres"),
                          [](const auto& info) { return info.param; });
 
-TEST_P(CornerAdjusters, CornersAloneTellRotationAndDirection) {
+TEST_P(CornerAdjusters, CornersAloneGiveRotationAndDirection) {
   const BaProblem truth = two_views();
   BaProblem p = perturb(truth, 0.05, 0.03, 0, 5);
   EXPECT_GT((motion(p) * motion(truth).inverse()).angle(), 0.01);
@@ -96,8 +97,8 @@ TEST(BundleAdjustmentCorners, SolversTakeTheSameSteps) {
   }
 }
 
-// Of a keyframe that leaves only its corners remain: they must hold the other pose as they did.
-TEST(BundleAdjustmentCorners, ThePriorKeepsWhatTheySay) {
+// Only the corners of a marginalised keyframe remain: they must constrain the other pose as before.
+TEST(BundleAdjustmentCorners, ThePriorKeepsTheirInformation) {
   const BaProblem whole = two_views();
   BaOptions options = to_the_end();
   std::vector<bool> drop;
@@ -108,7 +109,7 @@ TEST(BundleAdjustmentCorners, ThePriorKeepsWhatTheySay) {
   rest.poses = {whole.poses[1]};
   rest.pose_ids = {whole.pose_ids[1]};
   rest.prior = prior;
-  // Along the way they say nothing, in every other direction as much as before.
+  // No information along the baseline, in every other direction as much as before.
   const Eigen::Vector3d along = motion(whole).translation().normalized();
   Vector6d longer = Vector6d::Zero();
   longer.head<3>() = along;

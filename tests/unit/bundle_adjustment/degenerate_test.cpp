@@ -1,5 +1,6 @@
-// Input that cannot be solved, or only in part: told by a value, by an InputError where it is malformed,
-// never by a NaN.
+// SPDX-License-Identifier: BSD-3-Clause
+// Input that cannot be solved, or only in part: reported by a value, by an InputError if malformed, never by
+// a NaN.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -108,7 +109,7 @@ TEST_P(BundleAdjustmentDegenerate, AllPointsFixedMovesPosesOnly) {
   EXPECT_GT(pose_difference(p, before), 1e-4);
 }
 
-TEST_P(BundleAdjustmentDegenerate, UnobservedPointsAndPosesStay) {
+TEST_P(BundleAdjustmentDegenerate, UnobservedPointsAndPosesAreUnchanged) {
   BaProblem p = noisy();
   BaPoint lonely = p.points[0];
   p.points.push_back(lonely);
@@ -122,11 +123,11 @@ TEST_P(BundleAdjustmentDegenerate, UnobservedPointsAndPosesStay) {
   EXPECT_TRUE(p.poses.back().T_cam_world.log().isZero(0));
 }
 
-TEST_P(BundleAdjustmentDegenerate, PointBehindACameraIsLeftOut) {
+TEST_P(BundleAdjustmentDegenerate, PointBehindACameraIsSkipped) {
   BaProblem p = noisy();
   const BaProblem before = p;
   const int hidden = p.observations[0].point;
-  // Hosted by the first pose and nearer than the step to all the others, which therefore have it behind them.
+  // Hosted by the first pose and closer than the step to all others, so that it is behind them.
   p.points[hidden].host = 0;
   p.points[hidden].ray = {0, 0, 1};
   p.points[hidden].idepth = 10;
@@ -154,16 +155,15 @@ TEST_P(BundleAdjustmentDegenerate, PointBehindACameraIsLeftOut) {
   }
 }
 
-TEST_P(BundleAdjustmentDegenerate, NothingIsVisibleIsNotUsable) {
+TEST_P(BundleAdjustmentDegenerate, NoVisiblePointIsNotUsable) {
   BaProblem p = noisy();
   for (BaPose& pose : p.poses) pose.T_cam_world = SE3();
   for (BaPoint& x : p.points) x.ray = -x.ray;
   expect_untouched(p);
 }
 
-// Matches so wrong that the cheapest way out is to carry points behind a camera: each such match is still
-// paid for.
-TEST_P(BundleAdjustmentDegenerate, HidingAPointIsPaidFor) {
+// Matches so wrong that moving points behind a camera would be cheapest: each such match still has its cost.
+TEST_P(BundleAdjustmentDegenerate, HidingAPointHasItsCost) {
   BaProblem p = noisy();
   const Eigen::Vector2d centre = p.pinhole.project({0, 0, 1});
   for (BaObservation& o : p.observations)

@@ -1,4 +1,5 @@
-// Symmetric systems: the band is found and used, and the answer is that of the whole matrix.
+// SPDX-License-Identifier: BSD-3-Clause
+// Symmetric systems: the band is found and used, and the result equals that of the whole matrix.
 #include "dense_solve.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(DenseSolve, SolvesBandsAndFullMatrices) {
   EXPECT_EQ(solve_positive(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).size(), 0);
 }
 
-TEST(DenseSolve, SolvesWhatIsNotPositiveDefiniteToo) {
+TEST(DenseSolve, SolvesIndefiniteMatricesToo) {
   Eigen::MatrixXd A = band_matrix(120, 12, 30);
   A(77, 77) = -30;
   const Eigen::VectorXd b = right_side(120);

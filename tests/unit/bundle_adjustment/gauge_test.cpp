@@ -1,4 +1,5 @@
-// The baseline held as a prior: along it a ten-thousandth is a standard deviation, across it nothing is held.
+// SPDX-License-Identifier: BSD-3-Clause
+// The length of the baseline as a prior: a standard deviation of 1e-4 along it, no constraint across it.
 #include "edgevo/bundle_adjustment/gauge.h"
 
 #include <gtest/gtest.h>
@@ -16,10 +17,10 @@ Vector6d translation(const Eigen::Vector3d& v) {
   return xi;
 }
 
-TEST(HoldBaseline, HoldsTheLengthAndNothingElse) {
+TEST(FixBaseline, FixesTheLengthAndNothingElse) {
   const SE3 first(Eigen::Quaterniond(0.9, 0.1, -0.2, 0.05), {1, 2, 3}),
       last(Eigen::Quaterniond(0.8, -0.1, 0.3, 0.2), {-2, 0.5, 4});
-  const BaPrior prior = ba::hold_baseline(first, last, 7);
+  const BaPrior prior = ba::fix_baseline(first, last, 7);
   ASSERT_EQ(prior.pose_ids, std::vector<int>{7});
   EXPECT_EQ(prior.linearization[0].matrix(), last.matrix());
   const Eigen::Vector3d way = (last * first.inverse()).translation(), across = way.unitOrthogonal();
@@ -30,12 +31,12 @@ TEST(HoldBaseline, HoldsTheLengthAndNothingElse) {
   EXPECT_EQ(cost(prior, turn), 0);
 }
 
-TEST(HoldBaseline, SaysNothingOfAWayOfNoLength) {
+TEST(FixBaseline, IsEmptyWithoutABaseline) {
   const SE3 pose(Eigen::Quaterniond(0.9, 0.1, -0.2, 0.05), {1, 2, 3});
-  const BaPrior prior = ba::hold_baseline(SE3(), SE3(), 0);
+  const BaPrior prior = ba::fix_baseline(SE3(), SE3(), 0);
   EXPECT_TRUE(prior.H.isZero(0.0));
   EXPECT_TRUE(prior.b.isZero(0.0));
-  EXPECT_TRUE(ba::hold_baseline(pose, pose, 0).H.allFinite());
+  EXPECT_TRUE(ba::fix_baseline(pose, pose, 0).H.allFinite());
 }
 
 }  // namespace

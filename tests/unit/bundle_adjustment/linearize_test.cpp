@@ -1,4 +1,5 @@
-// Every Jacobian of an observation against numeric differentiation, and what happens behind the camera.
+// SPDX-License-Identifier: BSD-3-Clause
+// Every Jacobian of an observation against numeric differentiation, and points behind the camera.
 #include <gmock/gmock.h>
 
 #include "residuals/edge_residual.h"
@@ -53,7 +54,7 @@ TEST(BundleAdjustmentLinearize, InverseDepthJacobianIsTheDerivative) {
   }
 }
 
-TEST(BundleAdjustmentLinearize, ResidualIsTheMissInTheAxesOfTheEdge) {
+TEST(BundleAdjustmentLinearize, ResidualIsInTheAxesOfTheEdge) {
   const Pinhole camera = pinhole();
   const SE3 T_target_world(Eigen::Quaterniond::Identity(), Eigen::Vector3d(-1, 0, 0));
   BaPoint point;
@@ -71,7 +72,7 @@ TEST(BundleAdjustmentLinearize, ResidualIsTheMissInTheAxesOfTheEdge) {
   EXPECT_NEAR(lin.residual[1], 3 * 7, 1e-10);
 }
 
-TEST(BundleAdjustmentLinearize, AmbiguousMatchSaysNothingAlongTheEdge) {
+TEST(BundleAdjustmentLinearize, AmbiguousMatchHasNoResidualAlongTheEdge) {
   Case c = noisy_case();
   for (BaObservation& o : c.problem.observations) o.inv_sigma_tangent = 0;
   for (int i = 0; i < static_cast<int>(c.problem.observations.size()); ++i) {

@@ -1,4 +1,5 @@
-// The marginalisation prior: against a dense elimination, and in place of the poses that it replaces.
+// SPDX-License-Identifier: BSD-3-Clause
+// The marginalisation prior: compared with dense elimination, and as a replacement of the marginalised poses.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
@@ -28,7 +29,7 @@ int index_of(const BaProblem& problem, int pose_id) {
                           problem.pose_ids.begin());
 }
 
-// The window after pose `pose_id` and the dropped points have left, with `prior` in their place.
+// The window without pose `pose_id` and the dropped points, with `prior` instead.
 BaProblem without(const BaProblem& p, int pose_id, const std::vector<bool>& drop, const BaPrior& prior) {
   const int leaving = index_of(p, pose_id);
   const auto shifted = [&](int pose) { return pose - (pose > leaving); };
@@ -60,7 +61,7 @@ BaProblem marginalized(const BaProblem& p, int pose_id) {
   return without(p, pose_id, drop, prior);
 }
 
-// Largest pose difference over the poses of `rest`, which `all` holds too.
+// Largest pose difference over the poses of `rest`, which `all` contains too.
 double difference(const BaProblem& rest, const BaProblem& all) {
   double largest = 0;
   for (std::size_t i = 0; i < rest.poses.size(); ++i) {
@@ -70,7 +71,7 @@ double difference(const BaProblem& rest, const BaProblem& all) {
   return largest;
 }
 
-// Dense quadratic of the dropped points over (6 rows a pose, then a row a point).
+// Dense quadratic of the dropped points (6 rows per pose, then a row per point).
 struct Dense {
   Eigen::MatrixXd H;
   Eigen::VectorXd b;
@@ -153,9 +154,9 @@ TEST(BundleAdjustmentMarginalize, DropsThePointsHostedByThePoseAndSeenFromIt) {
   EXPECT_GT(std::count(drop.begin(), drop.end(), false), 0);
 }
 
-// At the solution the gradients of what leaves and of what stays cancel, so that the minimum may not move at
-// all.
-TEST(BundleAdjustmentMarginalize, RestKeepsTheSolutionOfTheWhole) {
+// At the solution the gradients of the marginalised and of the remaining part cancel: the minimum must not
+// move.
+TEST(BundleAdjustmentMarginalize, RestKeepsTheSolutionOfTheFullProblem) {
   for (const char* name : {"schur", "ceres"}) {
     BaProblem whole = make_scene(small_noise());
     const BaResult whole_result = solve(&whole);
@@ -168,9 +169,8 @@ TEST(BundleAdjustmentMarginalize, RestKeepsTheSolutionOfTheWhole) {
   }
 }
 
-// The second fixed pose leaves too: nothing is fixed any more and the prior alone holds position, rotation
-// and scale.
-TEST(BundleAdjustmentMarginalize, PriorSurvivesFurtherMarginalisationAndHoldsTheGauge) {
+// The second fixed pose is marginalised, too: only the prior fixes position, rotation and scale.
+TEST(BundleAdjustmentMarginalize, PriorSurvivesFurtherMarginalisationAndFixesTheGauge) {
   BaProblem whole = make_scene(small_noise());
   solve(&whole);
   BaProblem rest = whole;
@@ -183,8 +183,8 @@ TEST(BundleAdjustmentMarginalize, PriorSurvivesFurtherMarginalisationAndHoldsThe
   EXPECT_EQ(rest.prior->pose_ids, (std::vector<int>{104, 105, 106}));
 }
 
-// Marginalised away from the solution, so that the poses move off the prior's linearisation point afterwards:
-// the next prior must keep that point, and still have its minimum where the window had it.
+// Marginalised away from the solution, so that the poses move away from the prior's linearisation point: the
+// next prior must keep that point and still have its minimum at that of the window.
 TEST(BundleAdjustmentMarginalize, LinearisationPointIsTheFirstEstimate) {
   const BaProblem start = perturb(make_scene(small_noise()), 0.03, 0.005, 0.02, 5);
   BaProblem window = marginalized(start, 100);
@@ -244,7 +244,7 @@ TEST(BundleAdjustmentMarginalize, PriorAloneIsSolvedToItsOwnMinimum) {
   }
 }
 
-TEST(BundleAdjustmentMarginalize, MarginalisingAPoseThatNothingSeesChangesNothing) {
+TEST(BundleAdjustmentMarginalize, MarginalisingAnUnobservedPoseChangesNothing) {
   BaProblem p = make_scene(small_noise());
   p.poses.push_back(p.poses.back());
   p.pose_ids.push_back(200);

@@ -1,4 +1,5 @@
-// The short pass over a window gives the bits of the whole one.
+// SPDX-License-Identifier: BSD-3-Clause
+// The reduced sums over a window have the same bits as the full ones.
 #include "normal_equations.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ test::SceneOptions noisy_scene() {
   return o;
 }
 
-// One window, and both passes over it at a state.
+// A window, and the full and reduced sums at a state.
 struct BothPasses {
   BaProblem problem = test::make_scene(noisy_scene());
   ba::State state = ba::initial_state(problem, 1e-4);
@@ -32,7 +33,7 @@ struct BothPasses {
   }
 };
 
-TEST(NormalEquations, CostAndDepthsAloneAreTheBitsOfTheWhole) {
+TEST(NormalEquations, CostAndDepthsAloneHaveTheSameBits) {
   BothPasses passes;
   passes.run();
   EXPECT_GT(passes.whole.cost, 0);
@@ -41,7 +42,7 @@ TEST(NormalEquations, CostAndDepthsAloneAreTheBitsOfTheWhole) {
   EXPECT_EQ(passes.part.idepth_gradient, passes.whole.idepth_gradient);
 }
 
-// One camera turned around: what it sees lies behind it, and is charged for.
+// One camera turned around: its points are behind it and have their cost.
 TEST(NormalEquations, PointsBehindTheCameraCostTheSameInBoth) {
   BothPasses passes;
   SE3& turned = passes.state.poses[3];

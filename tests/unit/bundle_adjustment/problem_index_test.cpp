@@ -1,4 +1,5 @@
-// A problem by host, against what a plain search through it finds.
+// SPDX-License-Identifier: BSD-3-Clause
+// Index of a problem by host, compared with a plain search.
 #include "edgevo/bundle_adjustment/problem_index.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Both solvers on synthetic windows: exact recovery, agreement, what is held fixed, bits.
+// SPDX-License-Identifier: BSD-3-Clause
+// Both solvers on synthetic windows: exact recovery, agreement, fixed variables, reproducible bits.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -53,7 +54,7 @@ TEST_P(BundleAdjusters, DefaultOptionsReachTheNoiseLevel) {
   EXPECT_LT(pose_difference(found, truth), 0.05);
 }
 
-TEST_P(BundleAdjusters, FixedPosesAndPointsStayBitForBit) {
+TEST_P(BundleAdjusters, FixedPosesAndPointsKeepTheirBits) {
   const BaProblem start = perturb(make_scene(hard_scene()), 0.02, 0.005, 0.1, 5);
   BaResult result;
   const BaProblem found = solved(start, GetParam(), BaOptions(), &result);
@@ -163,8 +164,7 @@ TEST(BundleAdjustment, SolversAgree) {
   }
 }
 
-// Not only the same minimum but the same way there: a wrong entry of the normal equations shows in the first
-// step.
+// Not only the same minimum but the same steps: a wrong entry of the normal equations shows in the first one.
 TEST(BundleAdjustment, SolversTakeTheSameSteps) {
   const BaProblem start = perturb(make_scene(hard_scene()), 0.05, 0.01, 0.2, 9);
   for (const int iterations : {1, 2, 4, 8}) {

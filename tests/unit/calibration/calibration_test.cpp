@@ -1,4 +1,5 @@
-// The camera from a board: found in drawn images, and from corners made up with noise.
+// SPDX-License-Identifier: BSD-3-Clause
+// The camera from a board: from drawn images, and from synthetic corners with noise.
 #include <gmock/gmock.h>
 
 #include <opencv2/aruco/charuco.hpp>
@@ -51,7 +52,7 @@ cv::Mat charuco_texture(const Board& b) {
   return texture;
 }
 
-// Near and far, in all parts of the image, to all sides.
+// Board poses near and far, in all parts of the image, tilted to all sides.
 std::vector<SE3> poses(const Eigen::Vector3d& centre) {
   std::vector<SE3> all;
   for (const double turn : {-32.0, 3.0, 30.0})
@@ -63,7 +64,7 @@ std::vector<SE3> poses(const Eigen::Vector3d& centre) {
   return all;
 }
 
-// The corners of a 9x6 board as a finder with 0.1 px of noise would give them.
+// The corners of a 9x6 board as detected with 0.1 px of noise.
 BoardView made_up_view(int frame, const SE3& T_cam_board, const Camera& camera) {
   BoardView view;
   view.frame = frame;
@@ -100,7 +101,7 @@ class CalibrateCamera : public ::testing::Test {
   const Camera camera_ = test::known_camera();
 };
 
-// Frames of a vector.
+// A source of frames from a vector.
 class Played : public ImageSource {
  public:
   explicit Played(std::vector<GrayImage> images) : images_(std::move(images)) {}
@@ -126,7 +127,8 @@ CameraCalibration calibrated_from(const test::DrawnBoard& drawn, const Board& bo
   return calibrate_camera(collect_views(source, BoardFinder(board), [] { return true; }), "board");
 }
 
-// Image points of the found camera and of the true one, where there were corners; pixels.
+// Largest distance between the projections by the estimated and the true camera, where there were corners;
+// pixels.
 double largest_difference(const Camera& a, const Camera& b) {
   double most = 0;
   for (double y = -0.3; y <= 0.3; y += 0.1)
@@ -151,15 +153,15 @@ void expect_known_camera(const CameraCalibration& c, double px) {
   EXPECT_LT(c.rms_px, 0.25);
 }
 
-TEST(Calibration, OfDrawnChessboardsIsThatOfTheirCamera) {
+TEST(Calibration, RecoversTheCameraFromDrawnChessboards) {
   const test::DrawnBoard drawn(test::known_camera(), chessboard_texture(), kSquarePx / kSquare);
   const CameraCalibration c = calibrated_from(drawn, chessboard());
   EXPECT_GE(c.views.size(), 10u);
   expect_known_camera(c, 2);
 }
 
-// Pieces of it are enough: three views at least have not all of its corners.
-TEST(Calibration, OfDrawnCharucoBoardsIsThatOfTheirCamera) {
+// Parts of it are enough: at least three views lack some of its corners.
+TEST(Calibration, RecoversTheCameraFromDrawnCharucoBoards) {
   const Board board = charuco(0.022);
   const test::DrawnBoard drawn(test::known_camera(), charuco_texture(board), kSquarePx / kSquare);
   const CameraCalibration c = calibrated_from(drawn, board);
@@ -169,34 +171,34 @@ TEST(Calibration, OfDrawnCharucoBoardsIsThatOfTheirCamera) {
   expect_known_camera(c, 1);
 }
 
-// Three pixels of white around the markers. A window of 9x9 pixels had 8 px of focal length too much.
-TEST(Calibration, MarkersNearTheCornersDoNotDrawThem) {
+// Three pixels of white around the markers. A window of 9x9 pixels overestimated the focal length by 8 px.
+TEST(Calibration, MarkersNearTheCornersDoNotAttractThem) {
   const Board board = charuco(0.024);
   const test::DrawnBoard drawn(test::known_camera(), charuco_texture(board), kSquarePx / kSquare);
   expect_known_camera(calibrated_from(drawn, board), 1);
 }
 
-TEST_F(CalibrateCamera, SaysHowCertainItIs) {
+TEST_F(CalibrateCamera, ReportsItsUncertainty) {
   const CameraCalibration c = calibrate_camera(views(poses(kCentre)), "board");
   EXPECT_NEAR(c.rms_px, 0.1 * M_SQRT2, 0.02);
   EXPECT_GT(c.sigma_f_px, 0.05);
   EXPECT_NEAR(c.camera.pinhole.fx, camera_.pinhole.fx, 4 * c.sigma_f_px);
   EXPECT_NEAR(c.camera.pinhole.cx, camera_.pinhole.cx, 4 * c.sigma_c_px);
-  EXPECT_EQ(c.camera.distortion.k3, 0);  // cannot be told from 0
+  EXPECT_EQ(c.camera.distortion.k3, 0);  // indistinguishable from 0
   EXPECT_THAT(c.lacking, IsEmpty());
-  EXPECT_THAT(c.left_out, IsEmpty());
+  EXPECT_THAT(c.skipped, IsEmpty());
 }
 
-TEST_F(CalibrateCamera, AViewThatDoesNotFitIsLeftOut) {
+TEST_F(CalibrateCamera, RejectsAnOutlierView) {
   BoardViews all = views(poses(kCentre));
   Random random(3);
   for (Eigen::Vector2f& px : all.views[4].px) px.x() += float(random.normal());
   const CameraCalibration c = calibrate_camera(all, "board");
-  EXPECT_THAT(c.left_out, ::testing::ElementsAre(4));
+  EXPECT_THAT(c.skipped, ::testing::ElementsAre(4));
   EXPECT_NEAR(c.camera.pinhole.fx, camera_.pinhole.fx, 4 * c.sigma_f_px);
 }
 
-TEST_F(CalibrateCamera, SaysWhatViewsAreLacking) {
+TEST_F(CalibrateCamera, ReportsMissingViews) {
   std::vector<SE3> left;
   for (int i = 0; i < 12; ++i)
     left.push_back(test::board_pose(kCentre, i % 2 ? 42 : -40, 4 - i % 5,
@@ -207,26 +209,26 @@ TEST_F(CalibrateCamera, SaysWhatViewsAreLacking) {
   EXPECT_THAT(c.lacking, ::testing::Not(Contains(HasSubstr("to the left or right"))));
 }
 
-TEST_F(CalibrateCamera, RefusesViewsThatCannotTell) {
+TEST_F(CalibrateCamera, RefusesDegenerateViews) {
   std::vector<SE3> straight;
   for (int i = 0; i < 12; ++i)
     straight.push_back(test::board_pose(kCentre, 0, 0, {0.02 * (i % 4) - 0.03, 0.02 * (i / 4) - 0.02, 0.5}));
-  EXPECT_THAT(why_refused(views(straight)), HasSubstr("do not tell the focal length"));
+  EXPECT_THAT(why_refused(views(straight)), HasSubstr("do not determine the focal length"));
   std::vector<SE3> few = poses(kCentre);
   few.resize(7);
   EXPECT_THAT(why_refused(views(few)), HasSubstr("7 different view(s); give at least 8"));
   EXPECT_THAT(why_refused({480, 360, 5, 0, {}}), HasSubstr("in none of 5 images; check its size"));
 }
 
-// Every second corner of the wrong row: no camera sees that.
-TEST_F(CalibrateCamera, RefusesWhatNoSuchLensSees) {
+// Every second corner from the wrong row: impossible for any camera.
+TEST_F(CalibrateCamera, RefusesResidualsTooLargeForTheLensModel) {
   BoardViews all = views(poses(kCentre));
   for (BoardView& view : all.views)
     for (size_t i = 0; i < view.px.size(); i += 2) view.px[i].y() += 4;
   EXPECT_THAT(why_refused(all), HasSubstr("check the board's size"));
 }
 
-TEST_F(CalibrateCamera, TakesOnlyViewsThatDiffer) {
+TEST_F(CalibrateCamera, KeepsOnlyDistinctViews) {
   const test::DrawnBoard drawn(camera_, chessboard_texture(), kSquarePx / kSquare);
   const GrayImage once = drawn.seen_from(test::board_pose(kCentre, 20, 10, {0, 0, 0.42}));
   const GrayImage near = drawn.seen_from(test::board_pose(kCentre, 20.2, 10, {0.001, 0, 0.42}));
@@ -253,7 +255,7 @@ TEST_F(CalibrateCamera, PictureShowsTheCornersWhereTheyAre) {
   }
 }
 
-TEST(BoardText, RefusesWhatIsNone) {
+TEST(BoardText, RefusesInvalidSizes) {
   const auto why = [](const Board& board) -> std::string {
     try {
       BoardFinder finder(board);

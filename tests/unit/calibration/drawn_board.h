@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Images of a flat board through a known lens: nine rays a pixel into a texture, which is interpolated.
-// Without that an edge would move by thirds of a pixel, and the corners with it.
+// Images of a flat board through a known lens: nine rays a pixel into an interpolated texture. Without
+// interpolation an edge would move by thirds of a pixel, and the corners with it.
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace edgevo::test {
 
-/// 480 x 360 with a lens that bends its corners by 10 px.
+/// Camera of 480 x 360 pixels whose lens shifts the image corners by 10 px.
 inline Camera known_camera() {
   Camera camera;
   camera.pinhole = {402, 398, 246, 175, 480, 360};
@@ -32,7 +33,7 @@ class DrawnBoard {
     return {0.5 * texture_.cols / px_per_m_, 0.5 * texture_.rows / px_per_m_, 0};
   }
 
-  /// With a little noise, as a camera has.
+  /// Image with a little sensor noise.
   GrayImage seen_from(const SE3& T_cam_board) const {
     const SE3 T_board_cam = T_cam_board.inverse();
     const Pinhole& p = camera_.pinhole;
@@ -52,7 +53,7 @@ class DrawnBoard {
   static constexpr int kSub = 3;
   static double sub(int i) { return (i + 0.5) / kSub - 0.5; }
   Eigen::Vector3d ray(const Eigen::Vector2d& px) const {
-    Eigen::Vector2d x = Eigen::Vector2d::Constant(1e3);  // beside the board
+    Eigen::Vector2d x = Eigen::Vector2d::Constant(1e3);  // outside the board
     (void)camera_.undistort(camera_.pinhole.ray(px).head<2>(), &x);
     return {x.x(), x.y(), 1};
   }
@@ -77,7 +78,7 @@ class DrawnBoard {
   std::vector<Eigen::Vector3d> rays_;
 };
 
-/// Turned and tipped by these angles (degrees) around `centre`, a point of the board that stands at
+/// Pose of a board turned and tipped by these angles (degrees) around `centre`, a point of the board at
 /// `centre_cam`.
 inline SE3 board_pose(const Eigen::Vector3d& centre, double turn, double tip,
                       const Eigen::Vector3d& centre_cam) {

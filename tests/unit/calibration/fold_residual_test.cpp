@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/fold_residual.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +20,7 @@ Camera tum_fr1(double residual_k1) {
   return camera;
 }
 
-// Where OpenCV sees a ray, which knows nothing of a residual distortion.
+// Projection of a ray by OpenCV, which has no residual distortion.
 cv::Point2d seen_by_opencv(const Camera& camera, const Eigen::Vector2d& x) {
   const Pinhole& p = camera.pinhole;
   const Distortion& d = camera.distortion;
@@ -30,8 +31,8 @@ cv::Point2d seen_by_opencv(const Camera& camera, const Eigen::Vector2d& x) {
   return px[0];
 }
 
-// Largest distance, over the pixels of the image, between the true model and the folded one as OpenCV
-// understands it.
+// Largest distance, over the pixels of the image, between the true model and the folded one in OpenCV's
+// model.
 double largest_error(const Camera& truth, const Camera& folded) {
   const Pinhole& p = truth.pinhole;
   double largest = 0;
@@ -45,7 +46,7 @@ double largest_error(const Camera& truth, const Camera& folded) {
   return largest;
 }
 
-TEST(FoldResidual, OfAStrongLensKeepsAThirtiethOfTheShift) {
+TEST(FoldResidual, LeavesAThirtiethOfTheShiftOfAStrongLens) {
   for (const double k1 : {0.01, -0.01, 0.03}) {
     const Camera truth = tum_fr1(k1);
     const FoldedCamera folded = fold_residual(truth, "here");
@@ -58,7 +59,7 @@ TEST(FoldResidual, OfAStrongLensKeepsAThirtiethOfTheShift) {
   }
 }
 
-TEST(FoldResidual, OfAFileWithoutDistortionIsExact) {
+TEST(FoldResidual, IsExactForAFileWithoutDistortion) {
   Camera camera;
   camera.pinhole = {718.856, 718.856, 607.1928, 185.2157, 1241, 376};
   camera.residual_k1 = 0.012;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/run_calibration.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +25,7 @@ std::string error_of(Call&& call) {
   return {};
 }
 
-// A summary.yaml in short: what else stands there need not even be the YAML that our strict reader knows.
+// A short summary.yaml: its other contents need not even be YAML that the strict reader accepts.
 std::string summary(const std::string& state, const std::string& more = "") {
   return "command: \"edgevo run a[1 # {\"\ncamera:\n  width: 640\n  height: 480\n  fx: 500.5\n  fy: 501\n  "
          "cx: 320\n  cy: 240\n  k1: 0.1\n"
@@ -41,7 +42,7 @@ class RunCalibrationFile : public ::testing::Test {
   test::TempFolder folder;
 };
 
-TEST_F(RunCalibrationFile, TellsCameraAndFinding) {
+TEST_F(RunCalibrationFile, ReadsCameraAndRefinement) {
   const RunCalibration run = read(
       summary("applied",
               "  residual_k1: 0.01234\n  estimate: 0.01234\n  standard_deviation: 0.002\n  keyframes: 61\n"));
@@ -56,7 +57,7 @@ TEST_F(RunCalibrationFile, TellsCameraAndFinding) {
   EXPECT_LT(corrected.max_error_px, 0.01);
 }
 
-TEST_F(RunCalibrationFile, TellsTheShutter) {
+TEST_F(RunCalibrationFile, ReadsTheShutter) {
   const CameraRefinement::Shutter read_back =
       read(summary(
                "insignificant",
@@ -73,23 +74,23 @@ TEST_F(RunCalibrationFile, TellsTheShutter) {
       << "a run of an earlier version";
 }
 
-TEST_F(RunCalibrationFile, AnInsignificantFindingLeavesTheCamera) {
+TEST_F(RunCalibrationFile, InsignificantRefinementLeavesTheCamera) {
   const FoldedCamera corrected = corrected_camera(
       read(summary("insignificant", "  residual_k1: 0\n  estimate: 0.0005\n  standard_deviation: 0.002\n")));
   EXPECT_EQ(corrected.camera.distortion.k1, 0.1);
   EXPECT_EQ(corrected.max_shift_px, 0);
 }
 
-TEST_F(RunCalibrationFile, WithoutAFindingItSaysWhatToDo) {
+TEST_F(RunCalibrationFile, WithoutARefinementItSaysWhatToDo) {
   const auto error = [&](const char* state) {
     return error_of([&] { corrected_camera(read(summary(state))); });
   };
   EXPECT_THAT(error("off"), HasSubstr("summary.yaml: self-calibration was off; run again"));
   EXPECT_THAT(error("too_early"), HasSubstr("too short to calibrate the camera; run on a longer sequence"));
-  EXPECT_THAT(error("not_observable"), HasSubstr("does not tell the camera's distortion; run on"));
+  EXPECT_THAT(error("not_observable"), HasSubstr("does not determine the camera's distortion; run on"));
 }
 
-TEST_F(RunCalibrationFile, WhatIsNoSummaryIsToldWithItsPlace) {
+TEST_F(RunCalibrationFile, InvalidSummaryIsReportedWithItsLine) {
   EXPECT_THAT(error_of([&] { read_run_calibration(folder.path() + "/none"); }),
               HasSubstr("none/summary.yaml: cannot be read"));
   EXPECT_THAT(error_of([&] { read(summary("maybe")); }),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The camera model, against OpenCV with the calibration of TUM's fr1 sequences.
 #include "edgevo/core/camera.h"
 
@@ -66,7 +67,7 @@ TEST(Camera, UndistortInvertsDistortOverTheImage) {
     }
 }
 
-TEST(Camera, UndistortSaysWhereTheModelFoldsOver) {
+TEST(Camera, UndistortFailsWhereTheModelFoldsOver) {
   Camera c = fr1();
   c.distortion = {-0.5, 0, 0, 0, 0};  // r (1 - r^2/2) grows only up to r = 0.816, where it is 0.544
   Eigen::Vector2d x;
@@ -74,7 +75,7 @@ TEST(Camera, UndistortSaysWhereTheModelFoldsOver) {
   EXPECT_FALSE(c.undistort({0.6, 0}, &x));
 }
 
-TEST(Camera, WithoutDistortionNothingMoves) {
+TEST(Camera, WithoutDistortionPointsAreUnchanged) {
   Camera c = fr1();
   c.distortion = {};
   EXPECT_TRUE(c.distortion.is_zero());
@@ -145,7 +146,7 @@ std::string complaint(const Camera& c) {
   return "";
 }
 
-TEST(Camera, CheckNamesWhatIsWrong) {
+TEST(Camera, CheckNamesTheInvalidField) {
   EXPECT_EQ(complaint(fr1()), "");
   Camera c = fr1();
   c.pinhole.width = 0;

@@ -1,5 +1,6 @@
-// Holds share/doc/extending.md and the decisions to the code: the files that they name exist, and what they
-// say stands in a file does.
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks share/doc/extending.md and the decisions against the code: the files that they name exist and
+// contain the names given for them.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -27,7 +28,7 @@ std::vector<Named> named_in_files(const std::string& page) {
   return all;
 }
 
-// All files in backquotes but for those that are to be made: they hold NAME.
+// All files in backquotes, except those to be created, whose names contain NAME.
 std::vector<std::string> files_of(const std::string& page) {
   static const std::regex kQuoted("`" + kFile + "`");
   std::vector<std::string> files;
@@ -49,7 +50,7 @@ void expect_true_of_the_code(const fs::path& page_path) {
   for (const std::string& file : files_of(page))
     EXPECT_TRUE(fs::exists(kRoot / file)) << page_path << " names " << file;
   for (const Named& n : named_in_files(page)) {
-    if (!fs::exists(kRoot / n.file)) continue;  // told above
+    if (!fs::exists(kRoot / n.file)) continue;  // reported above
     const std::string text = read_file((kRoot / n.file).string(), "");
     EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + short_name(n.name) + "\\b")))
         << page_path << ": " << n.name << " is not in " << n.file;
@@ -64,13 +65,13 @@ TEST(Extending, NamesAreFound) {
   EXPECT_THAT(files_of("`app/cmd_NAME.cpp` and `app/main.cpp`"), ::testing::ElementsAre("app/main.cpp"));
 }
 
-TEST(Extending, ThePageIsTrueOfTheCode) {
+TEST(Extending, PageMatchesTheCode) {
   const fs::path page = kRoot / "share/doc/extending.md";
   EXPECT_GT(named_in_files(read_file(page.string(), "")).size(), 30u);
   expect_true_of_the_code(page);
 }
 
-TEST(Extending, SoAreTheOtherPages) {
+TEST(Extending, OtherPagesMatchTheCode) {
   int pages = 0;
   for (const auto& entry : fs::recursive_directory_iterator(kRoot / "share/doc"))
     if (entry.path().extension() == ".md") expect_true_of_the_code(entry.path()), ++pages;

@@ -1,5 +1,5 @@
-// Holds the modules to the table of layers: the rules themselves on made-up files, then every file of the
-// project.
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks the order of the modules: the rules themselves on made-up files, then every file of the project.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ const std::vector<std::string> kOrder{"core",
                                       "simulation",
                                       "evaluation",
                                       "study",
-                                      "drive",
+                                      "run_loop",
                                       "report",
                                       "results",
                                       "benchmark",
@@ -49,7 +49,7 @@ std::vector<std::string> broken(const std::string& path, const std::string& text
   return broken_include_rules({path, text}, kOrder);
 }
 
-TEST(IncludeRules, ReachingUpwardIsFound) {
+TEST(IncludeRules, UpwardIncludesAreFound) {
   EXPECT_THAT(
       broken("modules/edges/src/a.cpp", "// a\n#include \"edgevo/mapping/window.h\"\n"),
       ElementsAre(
@@ -78,7 +78,7 @@ TEST(IncludeRules, OnlyServoUsesWhatLinksViSP) {
               ElementsAre(HasSubstr("the GPL")));
 }
 
-TEST(IncludeRules, LibrariesStayOutOfForeignPublicHeaders) {
+TEST(IncludeRules, LibrariesAreNotExposedByOtherModules) {
   const char* const headers[] = {"ceres/ceres.h", "octomap/OcTree.h", "mrpt/poses/CPose3D.h",
                                  "visp3/core/vpImage.h", "opencv2/core.hpp"};
   for (const char* header : headers) {
@@ -118,7 +118,7 @@ bool is_source(const std::filesystem::path& path) {
   return extension == ".h" || extension == ".hpp" || extension == ".cpp";
 }
 
-TEST(IncludeRules, TheProjectKeepsThem) {
+TEST(IncludeRules, TheProjectFollowsThem) {
   const std::filesystem::path root = EDGEVO_SOURCE_DIR;
   const std::vector<std::string> order = module_order(read_file((root / "CMakeLists.txt").string(), ""));
   EXPECT_EQ(order, kOrder) << "the table of layers changed: change this test with it";

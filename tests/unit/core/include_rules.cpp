@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "include_rules.h"
 
 #include <algorithm>
@@ -8,13 +9,13 @@
 namespace edgevo::test {
 namespace {
 
-// Siblings that may not use each other, though one is below the other in the list.
+// Siblings that must not use each other, although one is below the other in the list.
 const std::set<std::string> kSiblings{"occupancy", "mrpt_bridge", "visp_bridge"};
 
-// What links ViSP is distributed under the GPL: these modules, and nothing that others link.
+// Modules that link ViSP and are therefore under the GPL; no other module may link them.
 const std::set<std::string> kUnderTheGpl{"visp_bridge", "servo"};
 
-// Headers of libraries by how their names begin, and the module that may show them.
+// Headers of libraries by prefix, and the modules that may expose them.
 struct Library {
   const char* name;
   std::vector<std::string> prefixes;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/input_file.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ std::string read_error_of(const std::string& path) {
   return "";
 }
 
-TEST(ReadFile, GivesEveryByteBack) {
+TEST(ReadFile, ReturnsEveryByte) {
   std::string bytes;
   for (int i = 0; i < 200000; ++i) bytes.push_back(char(i * 31));
   const test::TempFolder folder;
@@ -33,13 +34,13 @@ TEST(ReadFile, GivesEveryByteBack) {
   EXPECT_EQ(read_file(path, ""), "");
 }
 
-TEST(ReadFile, TellsWhyItCannot) {
+TEST(ReadFile, ReportsTheReasonOfFailure) {
   EXPECT_EQ(read_error_of("/nonexistent/x"),
             "/nonexistent/x: cannot be read: No such file or directory; give another");
   EXPECT_THAT(read_error_of(::testing::TempDir()), ::testing::HasSubstr("cannot be read: Is a directory"));
 }
 
-TEST(ReadFile, ReadsNothingThatMayHaveNoEnd) {
+TEST(ReadFile, RefusesDevicesAndPipes) {
   const test::TempFolder folder;
   const std::string pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -48,11 +49,11 @@ TEST(ReadFile, ReadsNothingThatMayHaveNoEnd) {
               path + ": cannot be read: it is a device or a pipe, not a file; give another");
 }
 
-TEST(ReadFile, ReadsNothingThatIsTooLarge) {
+TEST(ReadFile, RefusesFilesThatAreTooLarge) {
   const test::TempFolder folder;
   const std::string path = folder / "large";
   write_file(path, "");
-  std::filesystem::resize_file(path, uintmax_t(5) << 30);  // takes no room
+  std::filesystem::resize_file(path, uintmax_t(5) << 30);  // sparse: takes no space
   EXPECT_THAT(read_error_of(path), ::testing::HasSubstr("it is larger than 2 GB"));
 }
 

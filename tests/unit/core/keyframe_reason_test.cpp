@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/keyframe_reason.h"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-// The names stand in frames.csv, which other programs read.
+// The names are in frames.csv, which other programs read.
 TEST(KeyframeReason, HasTheNamesOfFramesCsv) {
   EXPECT_EQ(to_string(KeyframeReason::kNone), "");
   EXPECT_EQ(to_string(KeyframeReason::kParallax), "parallax");
@@ -17,7 +18,7 @@ TEST(KeyframeReason, HasTheNamesOfFramesCsv) {
   EXPECT_EQ(to_string(KeyframeReason::kBootstrap), "bootstrap");
 }
 
-TEST(KeyframeReason, IsReadBack) {
+TEST(KeyframeReason, ParsingInvertsToString) {
   for (int i = 0; i <= int(KeyframeReason::kBootstrap); ++i)
     EXPECT_EQ(parse_keyframe_reason(to_string(KeyframeReason(i))), KeyframeReason(i));
   EXPECT_FALSE(parse_keyframe_reason("fast"));

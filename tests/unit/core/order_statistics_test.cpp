@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/order_statistics.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/output_file.h"
 
 #include <gmock/gmock.h>
@@ -49,14 +50,14 @@ TEST_F(OutputFiles, KeepsEveryByte) {
   EXPECT_EQ(content(path("a.bin")), bytes);
 }
 
-TEST_F(OutputFiles, OverwritesWhatWasThere) {
+TEST_F(OutputFiles, OverwritesAnExistingFile) {
   write_file(path("a.txt"), "a long first content");
   write_file(path("a.txt"), "short");
   EXPECT_EQ(content(path("a.txt")), "short");
 }
 
-// A few bytes stay in the buffer until the close; many are refused at once. Both must be told.
-TEST_F(OutputFiles, FullDiskIsToldAtTheLatestByClose) {
+// A few bytes stay in the buffer until the close; many fail at once. Both must be reported.
+TEST_F(OutputFiles, FullDiskIsReportedByCloseAtTheLatest) {
   std::filesystem::create_symlink("/dev/full", path("frames.csv"));
   const std::string expected =
       path("frames.csv") +
@@ -78,7 +79,7 @@ TEST_F(OutputFiles, MissingFolderIsAnError) {
 TEST_F(OutputFiles, OutputFolderIsCreatedWithItsParents) {
   make_output_folder(path("a/b/c"));
   EXPECT_TRUE(std::filesystem::is_directory(path("a/b/c")));
-  make_output_folder(path("a/b/c/"));  // being there already is fine
+  make_output_folder(path("a/b/c/"));  // an existing folder is fine
 }
 
 TEST_F(OutputFiles, OutputFolderThatIsAFileIsAnError) {

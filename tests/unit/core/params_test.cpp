@@ -1,4 +1,5 @@
-// Strictness of the parameters: what is not understood is an error that says what would be.
+// SPDX-License-Identifier: BSD-3-Clause
+// Strict reading of parameters: anything not understood is an error that says what is accepted.
 #include "edgevo/core/params.h"
 
 #include <gmock/gmock.h>
@@ -64,7 +65,7 @@ std::string params_error_of(const std::string& yaml) {
   return "";
 }
 
-TEST(Params, OverwritesOnlyWhatIsNamed) {
+TEST(Params, OverwritesOnlyNamedFields) {
   const TestParams p = read("edges:\n  percentile: 0.75\nmapping:\n  deep:\n    realtime: true\n");
   EXPECT_EQ(p.edges.percentile, 0.75);
   EXPECT_TRUE(p.realtime);
@@ -118,8 +119,8 @@ TEST(Params, AWrongTypeIsAnError) {
               HasSubstr("'yes' is neither true nor false"));
   EXPECT_THAT(params_error_of("mapping:\n  window:\n"), HasSubstr("mapping.window has no value"));
   EXPECT_THAT(params_error_of("edges: 3\n"), HasSubstr("edges is a group of parameters, not a value"));
-  EXPECT_THAT(params_error_of("mapping:\n  window: [7, 8]\n"), HasSubstr("p.yaml:2: holds a list"));
-  EXPECT_THAT(params_error_of("edges:\n  - percentile: 0.6\n"), HasSubstr("p.yaml:2: holds a list"));
+  EXPECT_THAT(params_error_of("mapping:\n  window: [7, 8]\n"), HasSubstr("p.yaml:2: contains a list"));
+  EXPECT_THAT(params_error_of("edges:\n  - percentile: 0.6\n"), HasSubstr("p.yaml:2: contains a list"));
 }
 
 TEST(Params, AChoiceOffersTheNearest) {
@@ -128,11 +129,11 @@ TEST(Params, AChoiceOffersTheNearest) {
                     HasSubstr("did you mean edge_drawing?")));
 }
 
-TEST(Params, WhatIsNoNestedKeyAndValueIsRefused) {
+TEST(Params, AnythingButNestedKeysAndValuesIsRefused) {
   EXPECT_THAT(params_error_of("just some words\n"), StartsWith("p.yaml:1: is not readable as `key: value`"));
-  EXPECT_THAT(params_error_of("- 1\n- 2\n"), StartsWith("p.yaml:1: holds a list"));
-  EXPECT_THAT(params_error_of("edges: {percentile: 0.6\n"), HasSubstr("holds a list or a { } map"));
-  EXPECT_THAT(params_error_of("a: b: c\n"), HasSubstr("holds a second colon"));
+  EXPECT_THAT(params_error_of("- 1\n- 2\n"), StartsWith("p.yaml:1: contains a list"));
+  EXPECT_THAT(params_error_of("edges: {percentile: 0.6\n"), HasSubstr("contains a list or a { } map"));
+  EXPECT_THAT(params_error_of("a: b: c\n"), HasSubstr("contains a second colon"));
   EXPECT_THAT(params_error_of("model:x\n"), HasSubstr("is not readable as `key: value`"));
   EXPECT_THAT(params_error_of("model: 'x\n"), HasSubstr("a quote is not closed"));
   EXPECT_THAT(params_error_of("model: \"x\n"), HasSubstr("a quote is not closed"));
@@ -165,7 +166,7 @@ TEST(Params, CommentsQuotesAndCarriageReturns) {
   EXPECT_EQ(read("model: C:/data\n").model, "C:/data");
 }
 
-// Damages a good file at random: either it reads, within the ranges, or one line says what is wrong.
+// Damages a good file at random: it is either read, within the ranges, or fails with a message of one line.
 TEST(Params, SurvivesDamagedFiles) {
   Random random(11);
   const std::string good =
@@ -242,7 +243,7 @@ TEST(Params, WritesInTheOrderOfVisitWithHelpAndRange) {
   EXPECT_THAT(write_params(visitor(&p), 0, true), HasSubstr("canny | edge_drawing | structured"));
 }
 
-TEST(Params, TheBasicOnesAloneLeaveNoEmptyGroups) {
+TEST(Params, BasicParametersLeaveNoEmptyGroups) {
   TestParams p;
   EXPECT_EQ(write_basic_params(visitor(&p)),
             "model: ''  # file of a network\n"
@@ -264,8 +265,8 @@ TEST(Params, AreDescribedOneByOne) {
   EXPECT_EQ(all[5].help, "which detector");
 }
 
-// A file that is no list of parameters: its keys have no level.
-TEST(Params, KeysWithoutALevelAreReadAlike) {
+// A file other than a parameter file: its keys have no level.
+TEST(Params, KeysWithoutALevelAreReadTheSameWay) {
   struct Scene {
     int frames = 0;
     void visit(KeyVisitor& v) { v.integer("frames", frames, 1, 100, "number of images"); }
@@ -289,7 +290,7 @@ TEST(Params, ASingleAssignment) {
   EXPECT_THROW(set_param("mapping.windw=3", visitor(&p)), InputError);
 }
 
-TEST(Params, AFileThatIsNotThereOrAFolderIsAnError) {
+TEST(Params, AMissingFileOrAFolderIsAnError) {
   TestParams p;
   EXPECT_THROW(read_params_file("/nonexistent/p.yaml", visitor(&p)), InputError);
   EXPECT_THROW(read_params_file(::testing::TempDir(), visitor(&p)), InputError);

@@ -1,4 +1,5 @@
-// Residual radial distortion: inverse, derivatives, and its place in the camera model.
+// SPDX-License-Identifier: BSD-3-Clause
+// Residual radial distortion: inverse, derivatives, and its position in the camera model.
 #include "edgevo/core/radial.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +37,7 @@ TEST(Radial, DerivativesAreTheNumericOnes) {
   }
 }
 
-TEST(Radial, StandsBeforeTheFilesOwnDistortion) {
+TEST(Radial, ActsBeforeTheDistortionOfTheFile) {
   Camera file;
   file.pinhole = {517.3, 516.5, 318.6, 255.3, 640, 480};
   file.distortion = {0.262383, -0.953104, -0.005358, 0.002628, 1.163314};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/random.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-// SplitMix64's published sequence for the seed 1234567: the numbers must never change, on any machine.
+// Published sequence of SplitMix64 for the seed 1234567: the numbers must never change, on any machine.
 TEST(Random, IsSplitMix64) {
   Random random(1234567);
   for (uint64_t expected : {6457827717110365317ull, 3203168211198807973ull, 9817491932198370423ull,
@@ -48,7 +49,7 @@ TEST(Random, BelowStaysBelow) {
   EXPECT_EQ(random.below(1), 0);
 }
 
-TEST(Random, NormalHasMeanZeroAndDeviationOne) {
+TEST(Random, NormalHasMeanZeroAndStandardDeviationOne) {
   Random random(5);
   double sum = 0, square = 0, fourth = 0;
   constexpr int n = 200000;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/run_parallel.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-TEST(RunParallel, EachTurnRunsOnce) {
+TEST(RunParallel, EachIterationRunsOnce) {
   for (const int threads : {0, 1, 3, 50}) {
     std::vector<std::atomic<int>> runs(20);
     run_parallel(5, 20, threads, [&](int i) { ++runs[size_t(i)]; });
@@ -23,7 +24,7 @@ TEST(RunParallel, NothingToDo) {
   run_parallel(3, 1, 4, [](int) { FAIL(); });
 }
 
-TEST(RunParallel, AnExceptionEndsTheLoopAndComesOut) {
+TEST(RunParallel, AnExceptionEndsTheLoopAndIsRethrown) {
   std::atomic<int> runs{0};
   const auto fail_from_ten = [&](int i) {
     ++runs;

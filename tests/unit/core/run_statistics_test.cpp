@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/run_statistics.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ FrameRecord frame(int segment, bool posed, TrackingState state = TrackingState::
   return f;
 }
 
-TEST(RunCounts, OfARunWithALoss) {
+TEST(RunCounts, CountARunWithALoss) {
   edgevo::Run run;
   run.frames = {frame(0, true), frame(0, true), frame(0, false, TrackingState::kLost), frame(-1, false),
                 frame(1, true)};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SE(3) and Sim(3): against the matrix exponential, numeric derivatives and the group axioms.
 #include "edgevo/core/se3.h"
 
@@ -51,8 +52,8 @@ TEST(SE3, ExpIsTheMatrixExponential) {
     }
 }
 
-TEST(SE3, ExpTurnsTheTranslationAlongTheArc) {
-  Vector6d xi;  // a quarter of a circle of radius 2/pi, walked over a length of 1
+TEST(SE3, ExpMovesTheTranslationAlongTheArc) {
+  Vector6d xi;  // a quarter of a circle of radius 2/pi, arc length 1
   xi << 1, 0, 0, 0, 0, M_PI / 2;
   EXPECT_TRUE(SE3::exp(xi).translation().isApprox(Eigen::Vector3d(2 / M_PI, 2 / M_PI, 0), 1e-15));
 }
@@ -77,7 +78,7 @@ TEST(SE3, ExpUndoesLogAtPiExactly) {
   }
 }
 
-TEST(SE3, LogTakesTheShortWayForEitherSignOfTheQuaternion) {
+TEST(SE3, LogIsShortestForEitherSignOfTheQuaternion) {
   const Eigen::Quaterniond q(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY()));
   const SE3 T(q, Eigen::Vector3d(1, 2, 3)), same(Eigen::Quaterniond(-q.coeffs()), Eigen::Vector3d(1, 2, 3));
   EXPECT_LT((T.log() - same.log()).norm(), 1e-14);
@@ -132,13 +133,13 @@ TEST(SE3, TenThousandCompositionsStayRotations) {
   EXPECT_LT((T.matrix() - SE3::exp(10000 * xi).matrix()).norm(), 1e-8);
 }
 
-TEST(SE3, NormalisesWhatItIsGiven) {
+TEST(SE3, NormalisesItsRotation) {
   const SE3 T(Eigen::Quaterniond(2, 0, 0, 2), Eigen::Vector3d::Zero());
   EXPECT_NEAR(T.rotation().norm(), 1.0, 1e-15);
   EXPECT_NEAR(T.angle(), M_PI / 2, 1e-15);
 }
 
-TEST(SE3, TellsWhatIsNotFinite) {
+TEST(SE3, DetectsValuesThatAreNotFinite) {
   EXPECT_TRUE(SE3().is_finite());
   EXPECT_FALSE(SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, std::nan(""), 0)).is_finite());
   EXPECT_FALSE(SE3(Eigen::Quaterniond(std::nan(""), 0, 0, 1), Eigen::Vector3d::Zero()).is_finite());

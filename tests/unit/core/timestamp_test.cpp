@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/timestamp.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,7 @@ TEST(Timestamp, TheEighthDecimalRounds) {
   EXPECT_EQ(ticks_of("0.99999999"), 10'000'000);
 }
 
-TEST(Timestamp, RefusesWhatIsNotWhollyANumber) {
+TEST(Timestamp, RefusesTextThatIsNotANumber) {
   for (const char* text : {"", "-", ".", "1.2.3", "12s", " 1", "1 ", "nan", "inf", "1e", "1e99", "--1", "+1",
                            "0x10", "999999999999999999999", "1,5"})
     EXPECT_TRUE(is_refused(text)) << text;

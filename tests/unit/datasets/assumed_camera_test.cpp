@@ -1,4 +1,5 @@
-// Images without a calibration: --fov, or what a photo says of its lens.
+// SPDX-License-Identifier: BSD-3-Clause
+// Images without a calibration: --fov, or EXIF data of a photo.
 #include "assumed_camera.h"
 
 #include <opencv2/imgcodecs.hpp>
@@ -57,7 +58,7 @@ class AssumedCamera : public ::testing::Test {
   SourceOptions options_;
 };
 
-TEST_F(AssumedCamera, HasTheAngleThatIsGiven) {
+TEST_F(AssumedCamera, HasTheGivenFieldOfView) {
   options_.fov_deg = 70;
   const auto source = photos(-1);
   const Pinhole& p = source->camera().pinhole;
@@ -78,7 +79,7 @@ TEST_F(AssumedCamera, FollowsThePhotosFocalLength) {
   EXPECT_THAT(assumption(*source), HasSubstr("26 mm in terms of 35 mm film"));
 }
 
-TEST_F(AssumedCamera, NeedsSomethingToGoBy) {
+TEST_F(AssumedCamera, NeedsSomeInformation) {
   const auto why = [&](int mm) -> std::string {
     try {
       photos(mm);
@@ -93,7 +94,7 @@ TEST_F(AssumedCamera, NeedsSomethingToGoBy) {
   EXPECT_EQ(photos(-1)->camera().pinhole.width, 120);
 }
 
-TEST_F(AssumedCamera, StandsBehindTheCalibration) {
+TEST_F(AssumedCamera, YieldsToACalibration) {
   test::write_text(folder_ / "camera.txt", "100 100 60 45 0 0 0 0 120 90");
   options_.camera_file = folder_ / "camera.txt";
   const auto source = photos(26);
@@ -101,8 +102,8 @@ TEST_F(AssumedCamera, StandsBehindTheCalibration) {
   EXPECT_EQ(assumption(*source), "none");
 }
 
-// The layout's own calibration gives way to --fov, but where a layout always has one --fov must be a mistake.
-TEST_F(AssumedCamera, InsteadOfASourcesOwn) {
+// --fov overrides a layout's own calibration, but is an error where a layout always has one.
+TEST_F(AssumedCamera, OverridesASourcesOwn) {
   test::write_images(folder_ / "own/images", 2);
   test::write_text(folder_ / "own/times.txt", test::make_times(2));
   test::write_text(folder_ / "own/camera.txt", test::kCameraLine);
@@ -118,7 +119,7 @@ TEST_F(AssumedCamera, InsteadOfASourcesOwn) {
     open_source(options_);
     FAIL() << "--fov was taken";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("has its own calibration; leave it out"));
+    EXPECT_THAT(e.what(), HasSubstr("has its own calibration; omit it"));
   }
 }
 

@@ -1,4 +1,5 @@
-// Broken input: one clear line (what, where, what to do), and the frames before it are handed out.
+// SPDX-License-Identifier: BSD-3-Clause
+// Broken input: one clear line (what, where, what to do), and the frames before it are delivered.
 #include "edgevo/datasets/open_source.h"
 
 #include <sys/stat.h>
@@ -79,13 +80,13 @@ TEST_F(BadFolder, NoImages) {
   EXPECT_THAT(open_error(), HasSubstr("/images: the folder holds no images"));
 }
 
-TEST_F(BadFolder, ImageThatIsNoImage) {
+TEST_F(BadFolder, ImageThatIsNotAnImage) {
   write_text(folder_ / "images/000002.png", "this is text");
   const auto source = open();
   EXPECT_EQ(frames_before_error(*source, "000002.png: the image does not decode"), 2);
 }
 
-TEST_F(BadFolder, ABadImageDoesNotHoldUpThoseBehindIt) {
+TEST_F(BadFolder, ABadImageDoesNotStopTheFollowingOnes) {
   write_text(folder_ / "images/000001.png", "this is text");
   fs::remove(folder_ / "images/000002.png");
   fs::create_symlink("/nowhere", folder_ / "images/000002.png");
@@ -156,7 +157,7 @@ TEST_F(BadFolder, TimesInAFinerUnit) {
                                      "times", "in milliseconds, by their size and steps")));
 }
 
-TEST_F(BadFolder, TimeThatIsNone) {
+TEST_F(BadFolder, InvalidTime) {
   write_text(folder_ / "times.txt", "0\n0.1\nnoon\n0.3\n");
   EXPECT_THAT(open_error(), HasSubstr("times.txt, line 3: is not a time"));
 }
@@ -168,7 +169,7 @@ TEST_F(BadFolder, MissingTimesOrCamera) {
   EXPECT_THAT(open_error(), HasSubstr("times.txt: is missing"));
 }
 
-TEST_F(BadFolder, LabelWhereThereAreNone) {
+TEST_F(BadFolder, LabelForASourceWithoutLabels) {
   SourceOptions options;
   options.path = folder_.path();
   options.sensor_label = "CAM7";

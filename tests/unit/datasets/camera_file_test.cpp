@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/camera_file.h"
 
 #include "unit/datasets/temp_sequence.h"
@@ -119,7 +120,7 @@ struct Bad {
 
 class BadCameraFile : public ::testing::TestWithParam<Bad> {};
 
-TEST_P(BadCameraFile, IsToldInOneLine) {
+TEST_P(BadCameraFile, IsReportedInOneLine) {
   const std::string message = error_of([&] { parse_camera(GetParam().text, "cam"); });
   EXPECT_THAT(message, HasSubstr(GetParam().message));
   EXPECT_EQ(message.rfind("cam", 0), 0u) << message;
@@ -155,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(
             "1, 1, 1, 1]\n",
             "holds 8 numbers"},
         Bad{"yaml_bracket", "resolution: [640, 480\n", "a bracket is not closed"},
-        Bad{"yaml_twice", "width: 1\nwidth: 2\n", "stands there twice"},
+        Bad{"yaml_twice", "width: 1\nwidth: 2\n", "is given twice"},
         Bad{"yaml_nan", "resolution: [640, .nan]\n", "'.nan' is not a number"}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -1,5 +1,6 @@
-// What camera_yaml() writes, as its readers see it: ours, OpenCV's and MRPT's. (yaml-cpp, under ROS's parser,
-// was tried by hand: README.)
+// SPDX-License-Identifier: BSD-3-Clause
+// Output of camera_yaml() as read by parse_camera(), OpenCV and MRPT. (yaml-cpp, under ROS's parser, was
+// tried by hand: README.)
 #include <mrpt/containers/yaml.h>
 #include <mrpt/img/TCamera.h>
 

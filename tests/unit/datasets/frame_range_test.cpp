@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // --frames and --every.
 #include "edgevo/datasets/open_source.h"
 #include "unit/datasets/temp_sequence.h"
@@ -38,7 +39,7 @@ TEST(FrameRange, HalfOpenAndKeepsTheIndicesOfTheSource) {
   EXPECT_EQ(indices(folder.path(), "", 1), (V{0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
-TEST(FrameRange, LeavesOutADamagedStretchWithoutReadingIt) {
+TEST(FrameRange, SkipsADamagedRangeWithoutReadingIt) {
   test::TempFolder folder;
   test::write_edgevo_layout(folder.path(), 6);
   for (int i = 0; i < 3; ++i)
@@ -46,7 +47,7 @@ TEST(FrameRange, LeavesOutADamagedStretchWithoutReadingIt) {
   EXPECT_EQ(indices(folder.path(), "3:6", 1), (std::vector<int>{3, 4, 5}));
 }
 
-TEST(FrameRange, WrongRangesAreTold) {
+TEST(FrameRange, InvalidRangesAreReported) {
   SourceOptions o;
   EXPECT_THAT(error_of([&] { set_frame_range("5", &o); }), HasSubstr("--frames '5': is not A:B"));
   EXPECT_THAT(error_of([&] { set_frame_range(":", &o); }), HasSubstr("--frames ':': is not A:B"));

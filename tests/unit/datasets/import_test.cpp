@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A folder and the rawlog made from it give the same frames, bit for bit.
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Each layout gives the same frames: pixels, ticks, camera.
 #include "edgevo/datasets/describe.h"
 #include "edgevo/datasets/ground_truth.h"

@@ -1,4 +1,5 @@
-// A live camera without hardware: a grabber that hands out a video's images, or none.
+// SPDX-License-Identifier: BSD-3-Clause
+// A live camera without hardware: a grabber that delivers a video's images, or none.
 #include <gmock/gmock.h>
 
 #include <opencv2/videoio.hpp>
@@ -35,7 +36,7 @@ std::string error_of(ImageSource& source) {
   return "no error";
 }
 
-// Colour images whose gray value tells their number; then no more, as a camera that was unplugged.
+// Colour images whose gray value encodes their number, then none, as from an unplugged camera.
 GrabImage images(int count, cv::Size size = {kWidth, kHeight}) {
   return [count, size, given = 0](cv::Mat* pixels) mutable {
     if (given == count) return false;
@@ -44,7 +45,7 @@ GrabImage images(int count, cv::Size size = {kWidth, kHeight}) {
   };
 }
 
-TEST(LiveCamera, HandsOutImagesAsTheyCome) {
+TEST(LiveCamera, DeliversImagesAsTheyArrive) {
   const auto source = play_live(camera_zero(), camera(), images(3));
   EXPECT_FALSE(source->size());
   std::optional<Timestamp> before;
@@ -61,7 +62,7 @@ TEST(LiveCamera, HandsOutImagesAsTheyCome) {
   }
 }
 
-TEST(LiveCamera, SaysWhenItStops) {
+TEST(LiveCamera, ReportsWhenItStops) {
   const auto source = play_live(camera_zero(), camera(), images(2));
   source->next();
   source->next();
@@ -69,7 +70,7 @@ TEST(LiveCamera, SaysWhenItStops) {
   EXPECT_FALSE(source->next());  // at its end
 }
 
-TEST(LiveCamera, SaysWhenTheCalibrationIsOfAnotherSize) {
+TEST(LiveCamera, ReportsACalibrationOfAnotherSize) {
   const auto source = play_live(camera_zero(), camera(), images(2, {32, 24}));
   EXPECT_THAT(error_of(*source),
               HasSubstr("camera:0, frame 0: the image is 32x24, but the camera model is for 64x48"));

@@ -1,4 +1,5 @@
-// The feed by a clock that only moves when somebody sleeps or works, so that every time is exact on any
+// SPDX-License-Identifier: BSD-3-Clause
+// The feed on a simulated clock that only advances with sleep and work, so that every time is exact on any
 // machine.
 #include "edgevo/datasets/live_feed.h"
 
@@ -58,25 +59,25 @@ class TestSource : public ImageSource {
 
 bool never() { return false; }
 
-struct Told {
+struct Delivered {
   std::vector<int> index, dropped;
-  std::vector<double> due_s, handed_s;  // after the first frame was due
+  std::vector<double> due_s, delivered_s;  // after the first frame was due
 };
 
 // Takes all frames, working `work_s` on each.
-Told take_all(LiveFeed& feed, TestClock& clock, double work_s) {
-  Told told;
+Delivered take_all(LiveFeed& feed, TestClock& clock, double work_s) {
+  Delivered delivered;
   double begin = 0;
   while (const auto fed = feed.next(never)) {
-    if (told.index.empty()) begin = fed->due_s;
+    if (delivered.index.empty()) begin = fed->due_s;
     EXPECT_EQ(fed->frame.image.pixels[0], fed->frame.index);
-    told.index.push_back(fed->frame.index);
-    told.due_s.push_back(fed->due_s - begin);
-    told.handed_s.push_back(fed->handed_s - begin);
-    for (const Frame& frame : fed->dropped) told.dropped.push_back(frame.index);
+    delivered.index.push_back(fed->frame.index);
+    delivered.due_s.push_back(fed->due_s - begin);
+    delivered.delivered_s.push_back(fed->delivered_s - begin);
+    for (const Frame& frame : fed->dropped) delivered.dropped.push_back(frame.index);
     clock.sleep_s(work_s);
   }
-  return told;
+  return delivered;
 }
 
 MATCHER_P(Nearly, values, "") {
@@ -87,42 +88,42 @@ MATCHER_P(Nearly, values, "") {
 }
 using Seconds = std::vector<double>;
 
-TEST(LiveFeed, HandsEachFrameOverWhenItIsDue) {
+TEST(LiveFeed, DeliversEachFrameWhenItIsDue) {
   const auto clock = std::make_shared<TestClock>();
   TestSource source(4);
   LiveFeed feed(source, parse_pace("10"), clock);
-  const Told told = take_all(feed, *clock, 0.03);
-  EXPECT_THAT(told.index, ElementsAre(0, 1, 2, 3));
-  EXPECT_THAT(told.due_s, Nearly(Seconds{0, 0.1, 0.2, 0.3}));
-  EXPECT_THAT(told.handed_s, Nearly(told.due_s));
+  const Delivered delivered = take_all(feed, *clock, 0.03);
+  EXPECT_THAT(delivered.index, ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(delivered.due_s, Nearly(Seconds{0, 0.1, 0.2, 0.3}));
+  EXPECT_THAT(delivered.delivered_s, Nearly(delivered.due_s));
 }
 
 TEST(LiveFeed, FollowsTheTimesOfTheSource) {
   const auto clock = std::make_shared<TestClock>();
   TestSource source(3);
   LiveFeed feed(source, parse_pace("2x"), clock);
-  EXPECT_THAT(take_all(feed, *clock, 0).handed_s, Nearly(Seconds{0, 0.125, 0.25}));
+  EXPECT_THAT(take_all(feed, *clock, 0).delivered_s, Nearly(Seconds{0, 0.125, 0.25}));
 }
 
 TEST(LiveFeed, AFrameOfARecordingIsLateRatherThanDropped) {
   const auto clock = std::make_shared<TestClock>();
   TestSource source(30);
   LiveFeed feed(source, parse_pace("10"), clock);
-  const Told told = take_all(feed, *clock, 0.15);
-  EXPECT_EQ(told.index.size(), 30u);
-  EXPECT_TRUE(told.dropped.empty());
+  const Delivered delivered = take_all(feed, *clock, 0.15);
+  EXPECT_EQ(delivered.index.size(), 30u);
+  EXPECT_TRUE(delivered.dropped.empty());
   for (size_t i = 0; i < 30; ++i)
-    EXPECT_NEAR(told.due_s[i], 0.1 * double(i), 1e-6);  // work does not move what is due
-  for (size_t i = 0; i < 30; ++i) EXPECT_NEAR(told.handed_s[i], 0.15 * double(i), 1e-6);
+    EXPECT_NEAR(delivered.due_s[i], 0.1 * double(i), 1e-6);  // work does not shift the due times
+  for (size_t i = 0; i < 30; ++i) EXPECT_NEAR(delivered.delivered_s[i], 0.15 * double(i), 1e-6);
 }
 
-TEST(LiveFeed, WithoutAPaceAFrameIsDueWhenItIsAskedFor) {
+TEST(LiveFeed, WithoutAPaceAFrameIsDueWhenRequested) {
   const auto clock = std::make_shared<TestClock>();
   TestSource source(3);
   LiveFeed feed(source, Pace(), clock);
-  const Told told = take_all(feed, *clock, 0.15);
-  EXPECT_THAT(told.due_s, Nearly(Seconds{0, 0.15, 0.3}));
-  EXPECT_THAT(told.handed_s, Nearly(told.due_s));
+  const Delivered delivered = take_all(feed, *clock, 0.15);
+  EXPECT_THAT(delivered.due_s, Nearly(Seconds{0, 0.15, 0.3}));
+  EXPECT_THAT(delivered.delivered_s, Nearly(delivered.due_s));
 }
 
 TEST(LiveFeed, ReadsAFewFramesAhead) {
@@ -134,22 +135,22 @@ TEST(LiveFeed, ReadsAFewFramesAhead) {
   EXPECT_TRUE(test::wait_until([&] { return source.given() == int(LiveFeed::kReadAhead) + 2; }));
 }
 
-TEST(LiveFeed, ALiveCameraDropsTheOldestAndSaysSo) {
+TEST(LiveFeed, ALiveCameraDropsAndReportsTheOldest) {
   const auto clock = std::make_shared<TestClock>();
   constexpr int kFrames = int(LiveFeed::kMaxWaiting) + 5;
   TestSource source(kFrames, true);
   LiveFeed feed(source, Pace(), clock);
-  ASSERT_TRUE(
-      test::wait_until([&] { return source.exhausted.load(); }));  // all came while nobody was fetching
+  // All frames arrived while none was fetched.
+  ASSERT_TRUE(test::wait_until([&] { return source.exhausted.load(); }));
   clock->sleep_s(0.4);
   const auto first = feed.next(never);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->frame.index, 5);
-  EXPECT_NEAR(first->handed_s - first->due_s, 0.4, 1e-6);  // it has waited since it came in
+  EXPECT_NEAR(first->delivered_s - first->due_s, 0.4, 1e-6);  // it has waited since it came in
   ASSERT_EQ(first->dropped.size(), 5u);
   for (int i = 0; i < 5; ++i) EXPECT_EQ(first->dropped[size_t(i)].index, i);
   EXPECT_EQ(first->dropped[2].time, Timestamp::from_seconds(50.5));
-  const Told rest = take_all(feed, *clock, 0);
+  const Delivered rest = take_all(feed, *clock, 0);
   EXPECT_EQ(rest.index.size(), LiveFeed::kMaxWaiting - 1);
   EXPECT_TRUE(rest.dropped.empty());
 }
@@ -159,7 +160,7 @@ TEST(LiveFeed, ALiveCameraPacesItself) {
   EXPECT_THROW(LiveFeed(source, parse_pace("30"), std::make_shared<TestClock>()), InputError);
 }
 
-TEST(LiveFeed, WhatTheSourceThrowsComesAfterTheFramesBefore) {
+TEST(LiveFeed, AnExceptionOfTheSourceComesAfterTheFramesBefore) {
   const auto clock = std::make_shared<TestClock>();
   TestSource source(3, false, true);
   LiveFeed feed(source, parse_pace("30"), clock);
@@ -178,8 +179,8 @@ TEST(LiveFeed, StopsWhileItWaitsForAFrameThatIsNotDue) {
   EXPECT_LT(clock->now_s(), begin + 1.2);
 }
 
-// Its thread ends with it, though it has frames that nobody fetched and waits for room for more.
-TEST(LiveFeed, GoesAwayWhileFramesWait) {
+// Its thread ends with it, even with unfetched frames and while waiting for room for more.
+TEST(LiveFeed, CanBeDestroyedWhileFramesWait) {
   const int threads = test::threads_of_process();
   TestSource source(100);
   {

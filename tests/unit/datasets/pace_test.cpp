@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/pace.h"
 
 #include <gmock/gmock.h>
@@ -27,14 +28,14 @@ TEST(Pace, TimesOfTheSourceAtAnySpeed) {
   EXPECT_EQ(describe(parse_pace("2x")), "the source's own times, 2 times as fast");
 }
 
-TEST(Pace, WhatIsNoneIsToldInOneLine) {
+TEST(Pace, AnInvalidPaceIsReportedInOneLine) {
   for (const char* text : {"", "x", "0", "0x", "-30", "fast", "30 fps", "1x2", "nan", "infx", "1e9", "1e-9x"})
     try {
       parse_pace(text);
       ADD_FAILURE() << text;
     } catch (const InputError& e) {
       EXPECT_THAT(e.what(), HasSubstr("--pace '" + std::string(text) +
-                                      "': is no pace; give frames a second such as 30"));
+                                      "': is not a pace; give frames a second such as 30"));
     }
 }
 

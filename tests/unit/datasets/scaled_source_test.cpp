@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/scaled_source.h"
 
 #include "edgevo/datasets/open_source.h"
@@ -27,7 +28,7 @@ class ScaledImages : public ::testing::Test {
   SourceOptions options_;
 };
 
-TEST_F(ScaledImages, ShowTheSameThroughTheirCamera) {
+TEST_F(ScaledImages, AgreeWithTheirCamera) {
   options_.image_scale = 0.5;
   const auto source = open_source(options_);
   const Camera camera = source->camera();
@@ -48,7 +49,7 @@ TEST_F(ScaledImages, ShowTheSameThroughTheirCamera) {
   EXPECT_EQ(frames[1].index, 1);
 }
 
-TEST_F(ScaledImages, AreToldAndKnowTheirSize) {
+TEST_F(ScaledImages, AreReportedWithTheirSizes) {
   options_.image_scale = 0.5;
   const auto source = open_source(options_);
   EXPECT_THAT(source->details(), ::testing::Contains(::testing::Pair(kScaled, "from 80x40 to 40x20")));
@@ -68,7 +69,7 @@ TEST_F(ScaledImages, OnlyWhereTheyAreLarge) {
   EXPECT_EQ(open_source(options_)->camera().pinhole.width, 80);
 }
 
-TEST_F(ScaledImages, RefuseAScaleThatLeavesNothing) {
+TEST_F(ScaledImages, RefuseATooSmallScale) {
   for (const double scale : {0.005, 1.5, -1.0, 0.1}) {
     options_.image_scale = scale;
     EXPECT_THROW(open_source(options_), InputError) << scale;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Small surveys in the layout of Symphony Lake, for tests of its reader.
 #include "edgevo/symphony_lake/survey_writer.h"
@@ -5,10 +6,10 @@
 
 namespace edgevo::test {
 
-/// 24x16 pixels, at another zoom than that of the known calibration.
+/// Camera of 24x16 pixels at a zoom other than that of the known calibration.
 inline Camera survey_camera() { return {{20, 21, 12, 8, 24, 16}, {}}; }
 
-/// A boat on an arc, its camera to starboard and a little up, as the plane knows it.
+/// Pose of the camera, to starboard and slightly up, on a boat on a planar arc.
 inline SE3 survey_pose(int i) {
   const double heading = 0.4 + 0.03 * i, view = heading - 1.55, tilt = 0.2;
   const Eigen::Vector3d forward(std::cos(view) * std::cos(tilt), std::sin(view) * std::cos(tilt),
@@ -21,7 +22,8 @@ inline SE3 survey_pose(int i) {
 
 inline Timestamp survey_time(int i) { return Timestamp{14153000001234567 + 1000000 * i}; }
 
-/// `count` images from number `first` on in ARCHIVE/VBags/NAME (or Dataset/20YY/NAME); their map beside it.
+/// `count` images from number `first` on in ARCHIVE/VBags/NAME (or Dataset/20YY/NAME); their map in
+/// ARCHIVE/Maps.
 inline SurveyLocation write_survey(const std::string& archive, const std::string& name, int count,
                                    bool newer = false, int first = 998) {
   const SurveyLocation place{archive, name, newer};

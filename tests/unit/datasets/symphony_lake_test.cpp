@@ -1,5 +1,6 @@
-// Symphony Lake: what is written is read back, both ways of naming; what old, damaged and odd surveys hold is
-// told.
+// SPDX-License-Identifier: BSD-3-Clause
+// Symphony Lake: surveys are read back as written, in both naming schemes; defects of old, damaged and odd
+// surveys are reported.
 #include <cmath>
 
 #include "edgevo/datasets/describe.h"
@@ -86,7 +87,7 @@ TEST(SymphonyLake, BothNamingSchemesAreReadBack) {
   }
 }
 
-// In the plane all that is written comes back, to what the digits of the file hold.
+// In the plane everything written is read back, to the digits of the file.
 TEST(SymphonyLake, PosesAgreeToThePrecisionOfTheFile) {
   const TempFolder folder;
   const auto poses = poses_of(write_survey(folder.path(), "141107", 9).folder());
@@ -110,7 +111,7 @@ TEST(SymphonyLake, MountIsThatOfTheView) {
 }
 
 // The direction of view is thetag - pan, and the lever arm turns with the boat.
-TEST(SymphonyLake, TruthIsTheBoatsPoseMovedToTheCamera) {
+TEST(SymphonyLake, GroundTruthIsTheBoatsPoseMovedToTheCamera) {
   const TempFolder folder;
   const std::string survey = folder / "VBags/150101";
   write_rows(survey, {"10.0, 1.0, 0, 0, 0, 1.0, 0, 20, 21, 12, 8, 24, 16",
@@ -120,14 +121,14 @@ TEST(SymphonyLake, TruthIsTheBoatsPoseMovedToTheCamera) {
              "9, 9, 9, 100, 201, 1.5707963267948966\n");
   const auto poses = poses_of(survey);
   ASSERT_EQ(poses.size(), 2u);
-  const SE3& T =
-      poses[1].T_world_cam;  // heading north: the camera 0.42 m south of the boat, a metre on from the first
+  // Heading north: the camera 0.42 m south of the boat, a metre on from the first.
+  const SE3& T = poses[1].T_world_cam;
   EXPECT_LT((T.translation() - Eigen::Vector3d(0, 1 - 0.42, 0.255)).norm(), 1e-8);
   EXPECT_LT((T.R().col(2) - Eigen::Vector3d(std::cos(M_PI / 2 - 1), std::sin(M_PI / 2 - 1), 0)).norm(), 1e-8);
   EXPECT_LT((T.R().col(1) - Eigen::Vector3d(0, 0, -1)).norm(), 1e-8) << "y down";
 }
 
-TEST(SymphonyLake, TruthIsInterpolatedAndCountsWithinATenthOfASecond) {
+TEST(SymphonyLake, GroundTruthIsInterpolatedWithinATenthOfASecond) {
   const TempFolder folder;
   const std::string survey = folder / "VBags/150101";
   std::vector<std::string> rows;
@@ -141,13 +142,13 @@ TEST(SymphonyLake, TruthIsInterpolatedAndCountsWithinATenthOfASecond) {
   ASSERT_EQ(poses.size(), 3u) << "at 10.5 s no pose is within 0.1 s";
   const Eigen::Vector3d arm = poses[1].T_world_cam.translation();
   EXPECT_NEAR((poses[0].T_world_cam.translation() - arm).x(), -1.5, 0.02)
-      << "a quarter of the way, arms turned";
+      << "a quarter of the distance, lever arms rotated";
   EXPECT_EQ(to_string(poses[2].time), "11.9500000");
-  // Headings are mixed the short way round: 3.1 and -3.1 rad are 0.083 apart, not 6.2.
+  // Headings are interpolated along the shorter arc: 3.1 and -3.1 rad are 0.083 apart, not 6.2.
   EXPECT_LT((poses[0].T_world_cam.inverse() * poses[1].T_world_cam).angle(), 0.07);
 }
 
-TEST(SymphonyLake, WithoutMapsGpsAndCompassAreACoarseTruthAndSaidToBe) {
+TEST(SymphonyLake, WithoutMapsGroundTruthIsCoarseAndLabelledSo) {
   const TempFolder folder;
   const SurveyLocation place = write_survey(folder.path(), "141107", 5);
   const auto exact = poses_of(place.folder());
@@ -165,7 +166,7 @@ TEST(SymphonyLake, WithoutMapsGpsAndCompassAreACoarseTruthAndSaidToBe) {
     EXPECT_LT((coarse[i].T_world_cam.translation() - exact[i].T_world_cam.translation()).norm(), 3e-6);
 }
 
-TEST(SymphonyLake, GpsIsThereForTheScale) {
+TEST(SymphonyLake, GpsIsAvailableForTheScale) {
   const TempFolder folder;
   const auto s = open_source(lake_source(write_survey(folder.path(), "141107", 3).folder()));
   const VehicleTrack gps = s->vehicle_track(VehicleSensor::kGps);
@@ -174,7 +175,7 @@ TEST(SymphonyLake, GpsIsThereForTheScale) {
   EXPECT_TRUE(s->vehicle_track(VehicleSensor::kOdometry).positions.empty());
 }
 
-TEST(SymphonyLake, RowsBeforeTheCameraTookItsPlaceAreLeftOut) {
+TEST(SymphonyLake, RowsBeforeTheUsualTiltAreSkipped) {
   const TempFolder folder;
   const std::string before = "0, 0, 0, 1.5, -0.3, 20, 21, 12, 8, 24, 16";
   std::vector<std::string> rows;
@@ -185,11 +186,11 @@ TEST(SymphonyLake, RowsBeforeTheCameraTookItsPlaceAreLeftOut) {
   const auto s = open_source(lake_source(folder.path()));
   EXPECT_EQ(s->size(), 5);
   EXPECT_EQ(s->times().front().seconds(), 12);
-  EXPECT_THAT(detail(*s, "rows"), HasSubstr("the first 2 are left out"));
+  EXPECT_THAT(detail(*s, "rows"), HasSubstr("the first 2 are skipped"));
   EXPECT_FALSE(s->T_vehicle_cam().has_value()) << "the camera turned on the boat";
 }
 
-TEST(SymphonyLake, NumbersLeftOutAreTold) {
+TEST(SymphonyLake, MissingNumbersAreReported) {
   const TempFolder folder;
   const SurveyLocation place = write_survey(folder.path(), "141107", 5);
   std::string text = read_text(place.folder() + "/image_auxilliary.csv");
@@ -197,7 +198,7 @@ TEST(SymphonyLake, NumbersLeftOutAreTold) {
   write_text(place.folder() + "/image_auxilliary.csv", text.erase(begin, end - begin));
   const auto s = open_source(lake_source(place.folder()));
   EXPECT_EQ(read_all(*s).size(), 4u);
-  EXPECT_EQ(detail(*s, "numbers left out"), "1 images have no row");
+  EXPECT_EQ(detail(*s, "missing numbers"), "1 images have no row");
 }
 
 TEST(SymphonyLake, OldSurveysWithFewerColumns) {
@@ -207,7 +208,7 @@ TEST(SymphonyLake, OldSurveysWithFewerColumns) {
               HasSubstr("2 of 13 columns (newer surveys have 16)"));
   write_rows(folder.path(), {"10, 1.0, 5, 6, 0.1, 1.5, 0.2", "11, 2.0, 6, 6, 0.1, 1.5, 0.2"});
   EXPECT_THAT(error_of([&] { open_source(lake_source(folder.path())); }),
-              HasSubstr("7 columns are fewer than the 13 that tell the camera; give the camera's file"));
+              HasSubstr("7 columns are fewer than the 13 that include the camera; give the camera's file"));
   write_text(folder / "camera.txt", "20 21 12 8 0.1 0 0 0 24 16");
   SourceOptions options = lake_source(folder.path());
   options.camera_file = folder / "camera.txt";
@@ -216,7 +217,7 @@ TEST(SymphonyLake, OldSurveysWithFewerColumns) {
   EXPECT_EQ(parse_trajectory(ground_truth_tum(options, *s), "truth").poses.size(), 2u);
 }
 
-TEST(SymphonyLake, TwoColumnsPlayWithACameraAndHaveNoTruth) {
+TEST(SymphonyLake, TwoColumnsPlayWithACameraAndHaveNoGroundTruth) {
   const TempFolder folder;
   write_rows(folder.path(), {"10, 1.0", "11, 2.0"});
   write_text(folder / "camera.txt", "20 21 12 8 0 0 0 0 24 16");
@@ -255,13 +256,13 @@ TEST(SymphonyLake, LensByTheZoom) {
   EXPECT_THAT(detail(*s, "lens"), HasSubstr("another zoom"));
 }
 
-TEST(SymphonyLake, AZoomWhileRecordingIsToldWithTheRowsThatCanBePlayed) {
+TEST(SymphonyLake, AZoomDuringRecordingIsReportedWithThePlayableRows) {
   const TempFolder folder;
   write_rows(folder.path(), {std::string("10, 1.0, ") + kView, std::string("11, 2.0, ") + kView,
                              "12, 3.0, 0, 0, 0, 1.5, 0.2, 40, 42, 12, 8, 24, 16"});
   SourceOptions options = lake_source(folder.path());
   EXPECT_THAT(error_of([&] { open_source(options); }),
-              AllOf(HasSubstr("line 4: the camera is another"), HasSubstr("--frames 0:2")));
+              AllOf(HasSubstr("line 4: the camera differs"), HasSubstr("--frames 0:2")));
   options.last = 2;
   EXPECT_EQ(read_all(*open_source(options)).size(), 2u);
 }
@@ -334,7 +335,7 @@ TEST_F(BadSurvey, Empty) {
   EXPECT_THAT(open_error(), HasSubstr("the survey is empty"));
 }
 
-TEST_F(BadSurvey, TimesThatGoBackEndItThere) {
+TEST_F(BadSurvey, TimesThatGoBackEndTheSource) {
   edit(list(), to_string(survey_time(3)), to_string(survey_time(1)));
   EXPECT_EQ(
       test::frames_before_error(*open_source(lake_source(place_.folder())), "is not after the frame before"),
@@ -345,7 +346,7 @@ TEST_F(BadSurvey, AnImageThatIsMissingIsABadFrame) {
   fs::remove(place_.folder() + "/0001/0000.jpg");
   const auto s = open_source(lake_source(place_.folder()));
   EXPECT_EQ(test::frames_before_error(*s, "0001/0000.jpg: the image is missing"), 2);
-  EXPECT_TRUE(s->next().has_value()) << "the one behind it comes";
+  EXPECT_TRUE(s->next().has_value()) << "the next one is delivered";
   fs::remove_all(place_.folder() + "/0000");
   fs::remove_all(place_.folder() + "/0001");
   EXPECT_THAT(open_error(),
@@ -361,7 +362,7 @@ TEST_F(BadSurvey, Maps) {
   write_text(map(), "0, 1, 2, 3, 4, nan, 6, 7\n");
   EXPECT_THAT(truth_error(), HasSubstr("'nan' is not a finite number"));
   write_text(map(), "% kf\n");
-  EXPECT_THAT(truth_error(), HasSubstr("holds no pose"));
+  EXPECT_THAT(truth_error(), HasSubstr("contains no pose"));
   write_text(map(), good);
   EXPECT_THAT(truth_error(), IsEmpty());
 }

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Small sequences in a folder of their own, for tests of the readers.
+// Small sequences in temporary folders, for tests of the readers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ inline std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Noise over a ramp: no two seeds give the same pixels.
+/// Image of noise over a ramp: no two seeds give the same pixels.
 inline GrayImage make_image(int seed, int width = 24, int height = 16) {
   Random random(uint64_t(seed) + 1);
   GrayImage image{width, height, {}};
@@ -43,7 +44,7 @@ inline GrayImage make_image(int seed, int width = 24, int height = 16) {
 constexpr const char* kCameraLine =
     "# fx fy cx cy k1 k2 p1 p2 width height k3\n20 21 12 8 0.1 -0.02 0.001 0.002 24 16 0.003\n";
 
-/// Images 0 .. count-1 as `folder/NNNNNN.png`.
+/// Writes images 0 .. count-1 as `folder/NNNNNN.png`.
 inline void write_images(const std::string& folder, int count) {
   fs::create_directories(folder);
   for (int i = 0; i < count; ++i) {
@@ -53,7 +54,7 @@ inline void write_images(const std::string& folder, int count) {
   }
 }
 
-/// One time each 10 ms, with ticks that a double epoch would lose.
+/// Times 10 ms apart, with ticks that a double-precision epoch would lose.
 inline std::string make_times(int count) {
   std::string text;
   for (int i = 0; i < count; ++i) text += to_string(Timestamp{13050311021753041 + 100000 * i}) + "\n";
@@ -86,7 +87,7 @@ std::string error_of(F&& action) {
   return {};
 }
 
-/// Reads until the source throws and returns how many frames came before; the message must hold `part`.
+/// Reads until the source throws and returns how many frames came before; the message must contain `part`.
 inline int frames_before_error(ImageSource& source, const std::string& part) {
   int count = 0;
   bool may_go_on = false;
@@ -110,7 +111,7 @@ inline bool same_pixels(const GrayImage& a, const GrayImage& b) {
   return a.width == b.width && a.height == b.height && a.pixels == b.pixels;
 }
 
-/// Folder of a real sequence beside the checkout (or under EDGEVO_DATA); empty if it is not there.
+/// Folder of a real sequence next to the checkout (or under EDGEVO_DATA); empty if it is not there.
 inline std::string real_sequence(const std::string& name) {
   const char* data = std::getenv("EDGEVO_DATA");
   const std::string root = data ? data : std::string(EDGEVO_SOURCE_DIR) + "/../shared/data";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "time_unit.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@ namespace {
 
 std::string unit_of(const std::vector<double>& times) { return time_unit_of(times).name; }
 
-TEST(TimeUnit, IsToldByTheUsualStep) {
+TEST(TimeUnit, FollowsFromTheMedianStep) {
   EXPECT_EQ(unit_of({0, 0.033, 0.067, 0.1}), "seconds");
   EXPECT_EQ(unit_of({0, 1, 2, 3}), "seconds");
   EXPECT_EQ(unit_of({0, 33, 67, 100}), "milliseconds");
@@ -16,7 +17,7 @@ TEST(TimeUnit, IsToldByTheUsualStep) {
   EXPECT_EQ(unit_of({0, 0.1, 60, 60.1, 60.2}), "seconds") << "one gap";
 }
 
-TEST(TimeUnit, IsToldByNumbersSince1970) {
+TEST(TimeUnit, FollowsFromNumbersSince1970) {
   for (const auto& [factor, name] :
        {std::pair(1.0, "seconds"), {1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {
     EXPECT_EQ(unit_of({1.7e9 * factor}), name);
@@ -38,7 +39,7 @@ TEST(TimeUnit, NumbersAreReadExactlyToTheTick) {
   EXPECT_EQ(t.ticks, -52500);
 }
 
-TEST(TimeUnit, TheFirstTextThatIsNoNumberIsNamed) {
+TEST(TimeUnit, TheFirstInvalidTextIsNamed) {
   std::vector<Timestamp> times;
   TimeUnit unit{};
   size_t bad = 0;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <opencv2/videoio.hpp>
 
 #include "edgevo/datasets/open_source.h"
@@ -49,7 +50,7 @@ TEST_F(Video, GivesItsFramesAtItsRate) {
   EXPECT_EQ(thinned[2].time.ticks, 5000000);
 }
 
-TEST_F(Video, ThatIsCutShortIsTold) {
+TEST_F(Video, ATruncatedFileIsReported) {
   write_video(options_.path, 40);
   const std::string bytes = test::read_text(options_.path);
   test::write_text(options_.path, bytes.substr(0, bytes.size() * 2 / 3));
@@ -57,8 +58,8 @@ TEST_F(Video, ThatIsCutShortIsTold) {
   EXPECT_GT(test::frames_before_error(*source, "the video is damaged"), 5);
 }
 
-// Its frames are counted nowhere: only the packet that is not whole tells.
-TEST_F(Video, TransportStreamThatIsCutShortIsTold) {
+// It has no frame count: only the incomplete packet reveals the cut.
+TEST_F(Video, ATruncatedTransportStreamIsReported) {
   options_.path = folder_ / "clip.ts";
   cv::VideoWriter writer(options_.path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', 'g', '2'), 25,
                          cv::Size(48, 32), true);

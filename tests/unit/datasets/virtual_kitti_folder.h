@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Small folders of both releases of Virtual KITTI, for tests of their reader.
 #include <Eigen/Geometry>
@@ -33,7 +34,7 @@ inline std::string five_digits(int i) {
   return name;
 }
 
-/// Depth in centimetres rises by one a pixel from 500; the last pixel is sky.
+/// Depth image in centimetres that rises by one a pixel from 500; the last pixel is sky.
 inline void write_virtual_kitti_depth(const std::string& path, int width = 24, int height = 16) {
   fs::create_directories(fs::path(path).parent_path());
   cv::Mat depth(height, width, CV_16U);
@@ -42,7 +43,7 @@ inline void write_virtual_kitti_depth(const std::string& path, int width = 24, i
   cv::imwrite(path, depth);
 }
 
-/// Release 1.3.1: root/vkitti_1.3.1_rgb/0001/15-deg-left and what belongs to it.
+/// Writes a sequence of release 1.3.1: root/vkitti_1.3.1_rgb/0001/15-deg-left with its depth and poses.
 inline void write_virtual_kitti_1(const std::string& root) {
   const std::string sequence = root + "/vkitti_1.3.1_rgb/0001/15-deg-left";
   std::string poses = "frame r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3 0 0 0 1\n";
@@ -55,7 +56,7 @@ inline void write_virtual_kitti_1(const std::string& root) {
   write_text(root + "/vkitti_1.3.1_extrinsicsgt/0001_15-deg-left.txt", poses);
 }
 
-/// Release 2.0.3: two cameras 0.5 m apart in `sequence`.
+/// Writes a sequence of release 2.0.3: two cameras 0.5 m apart in `sequence`.
 inline void write_virtual_kitti_2(const std::string& sequence) {
   std::string poses = "frame cameraID r1,1 r1,2 r1,3 t1 r2,1 r2,2 r2,3 t2 r3,1 r3,2 r3,3 t3 0 0 0 1\n";
   std::string intrinsics = "frame cameraID K[0,0] K[1,1] K[0,2] K[1,2]\n";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Both releases of Virtual KITTI, from small folders written here.
 #include "edgevo/datasets/virtual_kitti.h"
 
@@ -35,11 +36,11 @@ class VirtualKitti2 : public ::testing::Test {
   std::string sequence = root.path() + "/Scene01/clone";
 };
 
-void expect_poses(const VirtualKitti& v, double beside) {
+void expect_poses(const VirtualKitti& v, double baseline) {
   ASSERT_EQ(v.T_world_cam.size(), size_t(kFrames));
   for (int i = 0; i < kFrames; ++i) {
     const SE3 expected =
-        virtual_kitti_pose(i) * SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(beside, 0, 0));
+        virtual_kitti_pose(i) * SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(baseline, 0, 0));
     EXPECT_LT((v.T_world_cam[size_t(i)].matrix() - expected.matrix()).norm(), 1e-9);
   }
 }
@@ -121,7 +122,7 @@ TEST_F(VirtualKitti1, PlaysWithoutPosesAndDepth) {
   EXPECT_EQ(ground_truth_tum(from(sequence), *source), "");
 }
 
-TEST_F(VirtualKitti1, BadPosesAreTold) {
+TEST_F(VirtualKitti1, BadPosesAreReported) {
   const std::string good = read_text(poses_path);
   const auto message = [&](const std::string& text) {
     write_text(poses_path, text);
@@ -132,13 +133,13 @@ TEST_F(VirtualKitti1, BadPosesAreTold) {
   EXPECT_THAT(message("1 2 3\n"), HasSubstr("header line"));
   EXPECT_THAT(message(""), HasSubstr("header line"));
   EXPECT_THAT(message("frame x\n0 1 2 3\n"), HasSubstr("line 2"));
-  EXPECT_THAT(message("frame x\n0 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1\n"), HasSubstr("no rigid motion"));
-  EXPECT_THAT(message("frame x\n0 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 7\n"), HasSubstr("no rigid motion"));
+  EXPECT_THAT(message("frame x\n0 2 0 0 0 0 2 0 0 0 0 2 0 0 0 0 1\n"), HasSubstr("not a rigid motion"));
+  EXPECT_THAT(message("frame x\n0 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 7\n"), HasSubstr("not a rigid motion"));
   EXPECT_THAT(message("frame x\n1e300 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\n"), HasSubstr("no frame number"));
   EXPECT_THAT(message("frame x\n0 1 0 0 nan 0 1 0 0 0 0 1 0 0 0 0 1\n"), HasSubstr("nan"));
 }
 
-TEST_F(VirtualKitti2, ACalibrationThatChangesIsTold) {
+TEST_F(VirtualKitti2, AChangingCalibrationIsReported) {
   write_text(sequence + "/intrinsic.txt", "frame cameraID K\n0 0 20 20 12 8\n1 0 21 20 12 8\n");
   EXPECT_THAT(error_of([&] { read_virtual_kitti(from(sequence)); }),
               HasSubstr("line 3: the calibration changes"));
@@ -146,7 +147,7 @@ TEST_F(VirtualKitti2, ACalibrationThatChangesIsTold) {
   EXPECT_NE(error_of([&] { read_virtual_kitti(from(sequence)); }), "") << "none of camera 0";
 }
 
-TEST_F(VirtualKitti1, BadDepthIsTold) {
+TEST_F(VirtualKitti1, BadDepthIsReported) {
   const std::string path = root / "depth.png";
   EXPECT_THAT(error_of([&] { read_virtual_kitti_depth(path, 24, 16); }), HasSubstr("depth.png"));
   write_virtual_kitti_depth(path, 25, 16);
@@ -158,12 +159,12 @@ TEST_F(VirtualKitti1, BadDepthIsTold) {
   EXPECT_NE(error_of([&] { read_virtual_kitti_depth(path, 24, 16); }), "") << "cut short";
 }
 
-TEST_F(VirtualKitti1, NamesWithoutNumbersAreTold) {
+TEST_F(VirtualKitti1, NamesWithoutNumbersAreReported) {
   fs::rename(sequence + "/00001.png", sequence + "/one.png");
   EXPECT_THAT(error_of([&] { read_virtual_kitti(from(sequence)); }), HasSubstr("no frame number"));
 }
 
-TEST(VirtualKittiLayout, OtherFoldersAreNot) {
+TEST(VirtualKittiLayout, OtherFoldersAreNotRecognised) {
   const TempFolder root;
   fs::create_directories(root / "images");
   EXPECT_FALSE(is_virtual_kitti(root.path()));

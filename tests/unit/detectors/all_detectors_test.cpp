@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/detectors/all_detectors.h"
 
 #include <gmock/gmock.h>
@@ -8,8 +9,8 @@
 namespace edgevo {
 namespace {
 
-// With a probability, for detectors that need one, that is high wherever there is a gradient.
-EdgeMap edges_of(const GrayImage& image, const std::string& detector) {
+// Uses a probability, for detectors that need one, that is high wherever there is a gradient.
+ImageEdges edges_of(const GrayImage& image, const std::string& detector) {
   EdgeParams params;
   params.detector = detector;
   const Gradient gradient = compute_gradient(image.view());
@@ -21,13 +22,13 @@ EdgeMap edges_of(const GrayImage& image, const std::string& detector) {
 }
 
 TEST(AllDetectors, EdgeDrawingFindsTheSameCircle) {
-  const EdgeMap map = edges_of(test::disc_image(121, 91, {60.2, 44.7}, 30, 60, 190), "edge_drawing");
+  const ImageEdges map = edges_of(test::disc_image(121, 91, {60.2, 44.7}, 30, 60, 190), "edge_drawing");
   ASSERT_GT(map.pixels.size(), 120u);
   for (const EdgePixel& e : map.pixels)
     EXPECT_NEAR((e.position().cast<double>() - Eigen::Vector2d(60.2, 44.7)).norm(), 30, 0.6);
 }
 
-TEST(AllDetectors, EachCanBeMadeByItsName) {
+TEST(AllDetectors, EachIsMadeByName) {
   const GrayImage image = test::disc_image(121, 91, {60.2, 44.7}, 30, 60, 190);
   const std::string help = edge_detector_help(all_edge_detectors());
   for (const EdgeDetectorKind& kind : all_edge_detectors()) {
@@ -36,8 +37,8 @@ TEST(AllDetectors, EachCanBeMadeByItsName) {
   }
 }
 
-// What a parameter file may name is what there is.
-TEST(AllDetectors, AreThoseThatParametersName) {
+// The valid values of the parameter are the available detectors.
+TEST(AllDetectors, AreTheValuesOfTheParameter) {
   std::vector<std::string> names;
   for (const EdgeDetectorKind& kind : all_edge_detectors()) names.emplace_back(kind.name);
   EXPECT_EQ(names, edge_detector_names());

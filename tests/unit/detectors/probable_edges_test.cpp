@@ -1,4 +1,5 @@
-// Detectors that choose by a probability: where their edges lie, how many there are, and what they refuse.
+// SPDX-License-Identifier: BSD-3-Clause
+// Detectors that select edges by a probability: positions and number of edges, and rejected input.
 #include "probable_edges.h"
 
 #include <gmock/gmock.h>
@@ -31,7 +32,7 @@ std::unique_ptr<EdgeProbability> probability_of(const EdgeParams& params) {
 }
 
 template <class Call>
-std::string complaint_of(const Call& call) {
+std::string error_of(const Call& call) {
   try {
     call();
   } catch (const InputError& e) {
@@ -40,7 +41,7 @@ std::string complaint_of(const Call& call) {
   return {};
 }
 
-// Models on disk, and parameters that name them.
+// Model files and parameters that refer to them.
 class ProbableDetectors : public ::testing::Test {
  protected:
   ProbableDetectors() {
@@ -55,8 +56,9 @@ class ProbableDetectors : public ::testing::Test {
     p.model = folder_ / (detector.find("structured") != std::string::npos ? "tiny.yml" : "tiny.onnx");
     return p;
   }
-  // What the detector makes of an image; the name is that of a probability image in the folder.
-  EdgeMap edges_of(const GrayImage& image, const std::string& detector, const std::string& name = "") const {
+  // Edges of an image; the name is that of a probability image in the folder.
+  ImageEdges edges_of(const GrayImage& image, const std::string& detector,
+                      const std::string& name = "") const {
     const EdgeParams p = params(detector);
     const auto probability = probability_of(p);
     const Plane<uint8_t> likely = probability ? probability->estimate(image.view(), name) : Plane<uint8_t>();
@@ -71,55 +73,55 @@ class ProbableDetectors : public ::testing::Test {
   test::TempFolder folder_;
 };
 
-double deviation_from(const EdgeMap& map, const Eigen::Vector2d& on, const Eigen::Vector2d& n) {
+double deviation_from(const ImageEdges& map, const Eigen::Vector2d& on, const Eigen::Vector2d& n) {
   double square = 0;
   for (const EdgePixel& e : map.pixels) square += std::pow(n.dot(e.position().cast<double>() - on), 2);
   return std::sqrt(square / double(map.pixels.size()));
 }
 
-TEST_F(ProbableDetectors, PlaceEdgesByTheGradient) {
+TEST_F(ProbableDetectors, LocateEdgesByTheGradient) {
   for (const double degrees : {0.0, 17.0, 45.0, 133.0, 290.0}) {
     const double a = degrees * M_PI / 180;
     const Eigen::Vector2d n(std::cos(a), std::sin(a)), on(60.3, 40.2);
     const GrayImage image = test::slanted_step(120, 80, on, n, 40, 200);
     for (const char* detector : {"structured", "network", "combined:structured", "combined:network"}) {
-      const EdgeMap map = edges_of(image, detector);
+      const ImageEdges map = edges_of(image, detector);
       ASSERT_GT(map.pixels.size(), 40u) << detector << " " << degrees;
       EXPECT_LT(deviation_from(map, on, n), 0.1) << detector << " " << degrees;
     }
   }
 }
 
-// The ridge of a file's probability lies two pixels beside the edge, and is wide.
-TEST_F(ProbableDetectors, ARidgeBesideTheEdgeDoesNotMoveIt) {
+// The ridge of the probability in the file lies two pixels next to the edge, and is wide.
+TEST_F(ProbableDetectors, ARidgeNextToTheEdgeDoesNotMoveIt) {
   const Eigen::Vector2d n(std::cos(0.3), std::sin(0.3)), on(60.3, 40.2);
   const GrayImage image = test::slanted_step(120, 80, on, n, 40, 200);
   write_probability("a", test::make_image(120, 80, [&](double x, double y) {
                       return 200 *
                              std::exp(-0.5 * std::pow((n.dot(Eigen::Vector2d(x, y) - on) - 2) / 2.0, 2));
                     }));
-  const EdgeMap map = edges_of(image, "precomputed", "a");
+  const ImageEdges map = edges_of(image, "precomputed", "a");
   ASSERT_GT(map.pixels.size(), 60u);
   EXPECT_LT(deviation_from(map, on, n), 0.1);
 }
 
-// Two steps of one strength; the probability knows the left one alone.
-TEST_F(ProbableDetectors, TheProbabilitySaysWhich) {
+// Two steps of equal strength; the probability marks only the left one.
+TEST_F(ProbableDetectors, TheProbabilitySelectsTheEdge) {
   const GrayImage image = test::make_image(160, 80, [](double x, double) {
     return x < 50 ? 40 : x < 110 ? 120 : 200;
   });
   write_probability("left",
                     test::make_image(160, 80, [](double x, double) { return x > 45 && x < 55 ? 230 : 0; }));
   for (const char* detector : {"precomputed", "combined:precomputed"}) {
-    const EdgeMap map = edges_of(image, detector, "left");
+    const ImageEdges map = edges_of(image, detector, "left");
     ASSERT_GT(map.pixels.size(), 60u) << detector;
     for (const EdgePixel& e : map.pixels) EXPECT_LT(e.x, 60) << detector;
   }
-  EXPECT_GT(edges_of(image, "canny").pixels.size(), 140u) << "Canny takes both";
+  EXPECT_GT(edges_of(image, "canny").pixels.size(), 140u) << "Canny finds both";
 }
 
-// Two lines: the probability of the upper one comes and goes along it but is the higher on average. Pixel by
-// pixel, stretches of both would be chosen.
+// Two lines: the probability of the upper one varies along it but is higher on average. Pixel by pixel, parts
+// of both would be selected.
 TEST(MostProbable, KeepsWholeChains) {
   const GrayImage image = test::make_image(160, 80, [](double, double y) {
     return y < 25 ? 40 : y < 55 ? 120 : 200;
@@ -131,32 +133,32 @@ TEST(MostProbable, KeepsWholeChains) {
   const Plane<uint8_t> candidates = canny(gradient, 30, 30);
   ASSERT_EQ(count_linked(candidates, 6), 2 * 156) << "two lines from border to border";
   const Plane<uint8_t> mask = most_probable(candidates, gradient, likely.view(), 150, 6);
-  const EdgeMap map = extract_edges(mask, gradient, 6);
+  const ImageEdges map = extract_edges(mask, gradient, 6);
   EXPECT_EQ(map.chains.size(), 1u);
-  EXPECT_EQ(map.pixels.size(), 156u) << "the chain that reaches the number stays whole";
+  EXPECT_EQ(map.pixels.size(), 156u) << "the chain that reaches the budget stays complete";
   for (const EdgePixel& e : map.pixels) EXPECT_LT(e.y, 40);
 }
 
-TEST_F(ProbableDetectors, DoNotWorkWithoutOne) {
+TEST_F(ProbableDetectors, RequireAProbability) {
   const GrayImage image = test::textured_image(120, 80, 3);
   const Gradient gradient = compute_gradient(image.view());
   for (const char* detector : {"network", "combined:network"})
-    EXPECT_THAT(complaint_of([&] {
+    EXPECT_THAT(error_of([&] {
                   detector_of(params(detector))->detect({image.view(), gradient});
                 }),
                 HasSubstr("needs a probability"))
         << detector;
 }
 
-TEST_F(ProbableDetectors, NoProbabilityNoEdge) {
+TEST_F(ProbableDetectors, ZeroProbabilityGivesNoEdge) {
   const GrayImage image = test::textured_image(120, 80, 3);
   write_probability("none", test::make_image(120, 80, [](double, double) { return 0; }));
   EXPECT_TRUE(edges_of(image, "precomputed", "none").pixels.empty());
   EXPECT_TRUE(edges_of(image, "combined:precomputed", "none").pixels.empty());
 }
 
-// Only the order of the probabilities counts: at a third of them the same edges.
-TEST_F(ProbableDetectors, AreSteadyWhenProbabilitiesFall) {
+// Only the order of the probabilities counts: a third of them gives the same edges.
+TEST_F(ProbableDetectors, DoNotDependOnTheScaleOfProbabilities) {
   const GrayImage image = test::textured_image(240, 160, 5);
   const auto probability = probability_of(params("network"))->estimate(image.view(), "");
   const auto share = [&](int divisor) {
@@ -173,7 +175,7 @@ TEST_F(ProbableDetectors, AreSteadyWhenProbabilitiesFall) {
   }
 }
 
-// The count stays that of Canny, and so does it when the light falls.
+// The number of edges is that of Canny, also when the light falls.
 TEST_F(ProbableDetectors, GiveAboutAsManyEdgesAsCanny) {
   const test::Texture texture(7);
   for (const double gain : {1.0, 0.4}) {
@@ -189,7 +191,7 @@ TEST_F(ProbableDetectors, GiveAboutAsManyEdgesAsCanny) {
   }
 }
 
-TEST_F(ProbableDetectors, GiveTheSameAgain) {
+TEST_F(ProbableDetectors, AreDeterministic) {
   const GrayImage image = test::textured_image(121, 83, 9);
   for (const char* detector : {"structured", "network"}) {
     const auto first = probability_of(params(detector)), second = probability_of(params(detector));
@@ -200,8 +202,7 @@ TEST_F(ProbableDetectors, GiveTheSameAgain) {
   }
 }
 
-// Whatever the number of OpenCV's threads. Four first: where OpenCV runs on TBB, one is then the limit of the
-// process.
+// For any number of OpenCV's threads. Four comes first: with TBB, one would become the limit of the process.
 TEST_F(ProbableDetectors, DoNotDependOnThreads) {
   const GrayImage image = test::textured_image(321, 203, 11);
   const int before = cv::getNumThreads();
@@ -216,8 +217,8 @@ TEST_F(ProbableDetectors, DoNotDependOnThreads) {
     EXPECT_TRUE(std::equal(found[i].row(0), found[i].row(0) + 321 * 203, found[i + 2].row(0))) << i;
 }
 
-// Smaller than a patch, odd, one pixel: neither a crash nor an edge out of nowhere.
-TEST_F(ProbableDetectors, TakeImagesOfAnySize) {
+// Smaller than a patch, odd, one pixel: no crash and no spurious edge.
+TEST_F(ProbableDetectors, AcceptImagesOfAnySize) {
   for (const char* detector : {"structured", "network", "combined:network"})
     for (const auto& [width, height] : {std::pair(1, 1), std::pair(2, 9), std::pair(7, 5), std::pair(33, 17)})
       EXPECT_TRUE(edges_of(test::make_image(width, height, [](double, double) { return 77; }), detector)
@@ -225,8 +226,8 @@ TEST_F(ProbableDetectors, TakeImagesOfAnySize) {
           << detector << " " << width << "x" << height;
 }
 
-// A file's probability and one computed here lead to the same edges, on all levels and through a lens.
-TEST_F(ProbableDetectors, FilesServeAsWellAsTheDetectorItself) {
+// Probabilities from a file and computed ones give the same edges, on all levels and with a lens.
+TEST_F(ProbableDetectors, FilesGiveTheSameEdgesAsTheDetector) {
   Camera camera;
   camera.pinhole = {150, 150, 120, 80, 240, 160};
   camera.distortion.k1 = -0.2;
@@ -254,31 +255,31 @@ TEST_F(ProbableDetectors, FilesServeAsWellAsTheDetectorItself) {
   }
 }
 
-// ---- what they refuse ----
+// ---- rejected input ----
 
-TEST_F(ProbableDetectors, RefuseAModelThatIsNone) {
+TEST_F(ProbableDetectors, RejectAnInvalidModel) {
   write_file(folder_ / "text.onnx", "no network");
   write_file(folder_ / "text.yaml", test::tiny_network_description());
   EdgeParams p = params("network");
   p.model = folder_ / "text.onnx";
-  EXPECT_THAT(complaint_of([&] { probability_of(p); }), HasSubstr("no network"));
+  EXPECT_THAT(error_of([&] { probability_of(p); }), HasSubstr("not a usable network"));
   write_file(p.model, test::tiny_network().substr(0, 150));
-  EXPECT_THAT(complaint_of([&] { probability_of(p); }), HasSubstr("no network"));
+  EXPECT_THAT(error_of([&] { probability_of(p); }), HasSubstr("not a usable network"));
   p.model = folder_ / "missing.onnx";
-  EXPECT_NE(complaint_of([&] { probability_of(p); }), "");
+  EXPECT_NE(error_of([&] { probability_of(p); }), "");
   p = params("structured");
   p.model = folder_ / "tiny.onnx";
-  EXPECT_THAT(complaint_of([&] { probability_of(p); }), HasSubstr("no structured forest"));
+  EXPECT_THAT(error_of([&] { probability_of(p); }), HasSubstr("not a structured forest"));
 }
 
-TEST_F(ProbableDetectors, RefuseADescriptionThatDoesNotFit) {
+TEST_F(ProbableDetectors, RejectADescriptionThatDoesNotFit) {
   const GrayImage image = test::textured_image(40, 30, 1);
   const auto with = [&](const std::string& description) {
     write_file(folder_ / "tiny.yaml", description);
-    return complaint_of([&] { probability_of(params("network"))->estimate(image.view(), ""); });
+    return error_of([&] { probability_of(params("network"))->estimate(image.view(), ""); });
   };
   EXPECT_EQ(with(test::tiny_network_description()), "");
-  EXPECT_EQ(with("input: image\noutput: edges\nsize: fixed 48x40\n"), "") << "a smaller image is continued";
+  EXPECT_EQ(with("input: image\noutput: edges\nsize: fixed 48x40\n"), "") << "a smaller image is extended";
   EXPECT_THAT(with("input: image\noutput: edges\nszie: fixed 48x40\n"),
               AllOf(HasSubstr("szie"), HasSubstr("size")));
   EXPECT_THAT(with("input: image\noutput: ridges\n"), HasSubstr("'ridges'"));
@@ -292,20 +293,20 @@ TEST_F(ProbableDetectors, RefuseADescriptionThatDoesNotFit) {
   EXPECT_THAT(with("input: image\noutput: edges\nmean: 1 2\n"), HasSubstr("mean"));
   EXPECT_THAT(with("input: image\noutput: edges\nstd: 0\n"), HasSubstr("std"));
   EXPECT_THAT(with("input: image\noutput: edges\nchannels: rgb\n"), HasSubstr("does not work"))
-      << "the network takes one channel";
+      << "the network has one input channel";
 }
 
-TEST_F(ProbableDetectors, RefuseANetworkThatGivesAnotherSize) {
+TEST_F(ProbableDetectors, RejectANetworkWithAnotherOutputSize) {
   write_file(folder_ / "tiny.onnx", test::tiny_network(2));
   const GrayImage image = test::textured_image(40, 32, 1);
-  EXPECT_THAT(complaint_of([&] { probability_of(params("network"))->estimate(image.view(), ""); }),
+  EXPECT_THAT(error_of([&] { probability_of(params("network"))->estimate(image.view(), ""); }),
               HasSubstr("gives 1x1x16x20 for an image of 1x1x32x40"));
 }
 
-TEST_F(ProbableDetectors, RefuseFilesThatDoNotFit) {
+TEST_F(ProbableDetectors, RejectFilesThatDoNotFit) {
   const GrayImage image = test::textured_image(40, 30, 1);
   const auto reading = [&](const std::string& name) {
-    return complaint_of([&] { probability_of(params("precomputed"))->estimate(image.view(), name); });
+    return error_of([&] { probability_of(params("precomputed"))->estimate(image.view(), name); });
   };
   write_probability("good", image);
   EXPECT_EQ(reading("good"), "");
@@ -318,13 +319,13 @@ TEST_F(ProbableDetectors, RefuseFilesThatDoNotFit) {
   EXPECT_THAT(reading("colour"), HasSubstr("one channel"));
   EdgeParams p = params("precomputed");
   p.folder = "";
-  EXPECT_THAT(complaint_of([&] { probability_of(p); }), HasSubstr("edges.folder"));
+  EXPECT_THAT(error_of([&] { probability_of(p); }), HasSubstr("edges.folder"));
   p.folder = folder_ / "nowhere";
-  EXPECT_THAT(complaint_of([&] { probability_of(p); }), HasSubstr("is no folder"));
+  EXPECT_THAT(error_of([&] { probability_of(p); }), HasSubstr("is not a folder"));
 }
 
-// Sixteen bits are taken as well.
-TEST_F(ProbableDetectors, TakeFilesOfSixteenBits) {
+// Sixteen bits are accepted too.
+TEST_F(ProbableDetectors, AcceptFilesOfSixteenBits) {
   cv::imwrite(folder_ / "deep.png", cv::Mat(30, 40, CV_16UC1, cv::Scalar(32768)));
   const GrayImage image = test::textured_image(40, 30, 1);
   EXPECT_EQ(probability_of(params("precomputed"))->estimate(image.view(), "deep").at(3, 3), 128);

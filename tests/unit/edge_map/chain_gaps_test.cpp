@@ -1,4 +1,5 @@
-// A ledge along the motion between two upright edges: it takes their depths at its corners.
+// SPDX-License-Identifier: BSD-3-Clause
+// A ledge along the motion between two upright edges takes their depths at its corners.
 #include "chain_gaps.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 constexpr double kLeft = 0.2, kRight = 0.25, kUprightSigma = 0.001;  // inverse depths of the uprights
 
 // One chain along `step` from `begin`, a pixel each.
-void add_chain(Eigen::Vector2f begin, Eigen::Vector2f step, int pixels, EdgeMap* edges) {
+void add_chain(Eigen::Vector2f begin, Eigen::Vector2f step, int pixels, ImageEdges* edges) {
   const int chain = int(edges->chains.size()), first = int(edges->pixels.size());
   for (int i = 0; i < pixels; ++i) {
     const Eigen::Vector2f p = begin + float(i) * step;
@@ -20,8 +21,8 @@ void add_chain(Eigen::Vector2f begin, Eigen::Vector2f step, int pixels, EdgeMap*
   edges->chains.push_back({first, first + pixels});
 }
 
-SettledChain settled(const EdgeChain& chain, double idepth, double sigma, Certain certain) {
-  SettledChain nodes;
+FinalChain chain_nodes(const EdgeChain& chain, double idepth, double sigma, Certain certain) {
+  FinalChain nodes;
   for (int i = chain.begin; i < chain.end; i += 3) nodes.push_back({{i, idepth, sigma, 6}, certain});
   return nodes;
 }
@@ -32,24 +33,24 @@ struct Ledge {
     add_chain({20, 50}, {1, 0}, 61, &edges);  // its last node is its last pixel
     add_chain({17.5f, 20}, {0, 1}, 60, &edges);
     add_chain({82.5f, 20}, {0, 1}, 60, &edges);
-    chains = {settled(edges.chains[0], 0.23, 0.02, Certain::kNot),
-              settled(edges.chains[1], kLeft, kUprightSigma, Certain::kByViews),
-              settled(edges.chains[2], kRight, kUprightSigma, Certain::kByViews)};
+    chains = {chain_nodes(edges.chains[0], 0.23, 0.02, Certain::kNot),
+              chain_nodes(edges.chains[1], kLeft, kUprightSigma, Certain::kByViews),
+              chain_nodes(edges.chains[2], kRight, kUprightSigma, Certain::kByViews)};
   }
 
   int known(bool is_shown = true, double max_relative_sigma = 0.01) {
-    lend_at_corners(edges, max_relative_sigma, &chains);
-    const auto shown = [is_shown](const SettledNode&, double) { return is_shown; };
+    copy_depth_at_corners(edges, max_relative_sigma, &chains);
+    const auto shown = [is_shown](const FinalNode&, double) { return is_shown; };
     bridge_gaps(edges, shown, &chains[0]);
     return int(
-        std::count_if(chains[0].begin(), chains[0].end(), [](const SettledNode& s) { return s.is_known(); }));
+        std::count_if(chains[0].begin(), chains[0].end(), [](const FinalNode& s) { return s.is_known(); }));
   }
-  void tell_own(double idepth, double sigma) {
-    for (SettledNode& s : chains[0]) s.node.idepth = idepth, s.node.idepth_sigma = sigma;
+  void set_own_depth(double idepth, double sigma) {
+    for (FinalNode& s : chains[0]) s.node.idepth = idepth, s.node.idepth_sigma = sigma;
   }
 
-  EdgeMap edges;
-  std::vector<SettledChain> chains;
+  ImageEdges edges;
+  std::vector<FinalChain> chains;
 };
 
 TEST(ChainGaps, ALedgeTakesTheDepthsOfTheUprightsAtItsCorners) {
@@ -59,33 +60,33 @@ TEST(ChainGaps, ALedgeTakesTheDepthsOfTheUprightsAtItsCorners) {
     EXPECT_NEAR(ledge.chains[0][size_t(i)].node.idepth, kLeft + (kRight - kLeft) * i / 20, 1e-9) << i;
 }
 
-TEST(ChainGaps, OneCornerAloneTellsNothing) {
+TEST(ChainGaps, OneCornerAloneIsNotEnough) {
   Ledge ledge;
   ledge.chains.pop_back();
   EXPECT_EQ(ledge.known(), 0);
 }
 
-TEST(ChainGaps, WhatNoViewShowsIsNotBridged) { EXPECT_EQ(Ledge().known(false), 0); }
+TEST(ChainGaps, AGapThatNoViewShowsIsNotBridged) { EXPECT_EQ(Ledge().known(false), 0); }
 
 TEST(ChainGaps, ALedgeWithoutAnyDepthOfItsOwnGetsNone) {
   Ledge ledge;
-  ledge.tell_own(0, 0);
+  ledge.set_own_depth(0, 0);
   EXPECT_EQ(ledge.known(), 0);
 }
 
-TEST(ChainGaps, AnUprightInFrontLendsNothing) {
+TEST(ChainGaps, TheDepthOfAnUprightInFrontIsNotCopied) {
   Ledge ledge;
-  ledge.tell_own(0.1, 0.02);
+  ledge.set_own_depth(0.1, 0.02);
   EXPECT_EQ(ledge.known(), 0);
 }
 
-TEST(ChainGaps, AnUncertainUprightLendsNothing) { EXPECT_EQ(Ledge().known(true, 0.003), 0); }
+TEST(ChainGaps, TheDepthOfAnUncertainUprightIsNotCopied) { EXPECT_EQ(Ledge().known(true, 0.003), 0); }
 
-TEST(ChainGaps, AParallelEdgeLendsNothing) {
+TEST(ChainGaps, TheDepthOfAParallelEdgeIsNotCopied) {
   Ledge ledge;
   ledge.edges.chains.resize(1), ledge.edges.pixels.resize(61), ledge.chains.resize(1);
   add_chain({20, 52}, {1, 0}, 61, &ledge.edges);
-  ledge.chains.push_back(settled(ledge.edges.chains[1], kLeft, kUprightSigma, Certain::kByViews));
+  ledge.chains.push_back(chain_nodes(ledge.edges.chains[1], kLeft, kUprightSigma, Certain::kByViews));
   EXPECT_EQ(ledge.known(), 0);
 }
 

@@ -1,5 +1,6 @@
-// Dynamic programming along a chain: the hypothesis that goes on, breaks where depth jumps, none where
-// nothing fits.
+// SPDX-License-Identifier: BSD-3-Clause
+// Dynamic programming along a chain: it selects the continuous hypothesis, breaks where depth jumps, and
+// selects none where nothing fits.
 #include "chain_labels.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace {
 Hypothesis hypothesis(double idepth, double cost) {
   Hypothesis h;
   h.idepth = idepth;
-  h.information = 1e6;  // a deviation of 0.001
+  h.information = 1e6;  // a standard deviation of 0.001
   h.cost = cost;
   h.in_view = 6;
   h.views = 6 - int(cost);
@@ -38,7 +39,7 @@ TEST(ChainLabels, DepthMayJumpOnce) {
   for (int i = 0; i < 9; ++i) EXPECT_EQ(labels.breaks[size_t(i)], i == 4) << i;
 }
 
-TEST(ChainLabels, NoneWhereMostViewsDoNotShowIt) {
+TEST(ChainLabels, NoDepthWhereMostViewsDoNotShowTheEdge) {
   std::vector<ChainNode> nodes;
   for (int i = 0; i < 12; ++i) nodes.push_back(node(i, {hypothesis(0.2, i < 6 ? 0.5 : 4.5)}));
   const ChainLabels labels = label_chain(nodes);

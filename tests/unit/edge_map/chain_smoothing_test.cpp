@@ -1,4 +1,5 @@
-// Smoothing along an edge: what it gains on straight stretches, and that it leaves bends alone.
+// SPDX-License-Identifier: BSD-3-Clause
+// Smoothing along an edge: it reduces noise where the edge is straight, and preserves bends.
 #include "chain_smoothing.h"
 
 #include <gtest/gtest.h>
@@ -31,9 +32,9 @@ double rms_error(const std::vector<ChainValue>& values, const Shape& shape) {
   return std::sqrt(sum / double(values.size()));
 }
 
-TEST(ChainSmoothing, AStraightStretchIsAveraged) {
+TEST(ChainSmoothing, AStraightPieceIsAveraged) {
   const auto straight = [](double at) { return 0.2 + 0.001 * at; };
-  // Windows of 43 values: a line fit to them has a deviation of 1/sqrt(43) in its middle.
+  // Windows of 43 values: a line fit has a standard deviation of 1/sqrt(43) in its middle.
   EXPECT_LT(rms_error(noisy(straight, 200, 1), straight), 0.25 * kSigma);
 }
 
@@ -44,7 +45,7 @@ TEST(ChainSmoothing, ACornerStaysWhereItIs) {
   EXPECT_NEAR(smooth_chain(values)[100].value, corner(300), 0.1);  // 64 px to both sides would lift it by 0.6
 }
 
-TEST(ChainSmoothing, TheDeviationIsThatOfTheError) {
+TEST(ChainSmoothing, TheStandardDeviationMatchesTheError) {
   const auto straight = [](double at) { return 1 - 0.002 * at; };
   double sum = 0;
   int count = 0;
@@ -59,7 +60,7 @@ TEST(ChainSmoothing, TheDeviationIsThatOfTheError) {
   EXPECT_NEAR(std::sqrt(sum / count), 1, 0.25);
 }
 
-TEST(ChainSmoothing, WhatHasNoInformationTakesItsNeighbours) {
+TEST(ChainSmoothing, AValueWithoutInformationTakesThatOfItsNeighbours) {
   std::vector<ChainValue> values;
   for (int i = 0; i < 20; ++i)
     values.push_back({3.0 * i, i < 8 || i > 11 ? 0.1 * i : 77.0, i < 8 || i > 11 ? 1e-6 : 0, 0});
@@ -67,7 +68,7 @@ TEST(ChainSmoothing, WhatHasNoInformationTakesItsNeighbours) {
   for (int i = 8; i <= 11; ++i) EXPECT_NEAR(smooth[size_t(i)].value, 0.1 * i, 1e-6) << i;
 }
 
-TEST(ChainSmoothing, AnErrorInCommonIsNotAveragedOut) {
+TEST(ChainSmoothing, ACommonErrorIsNotAveragedOut) {
   std::vector<ChainValue> values;
   for (int i = 0; i < 100; ++i) values.push_back({3.0 * i, 0.5, 1e-6, 0.02});
   EXPECT_GE(smooth_chain(values)[50].sigma, 0.02);

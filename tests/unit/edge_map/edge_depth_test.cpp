@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Depth of the edge pixels of an image, in a scene whose depth is exact.
 #include "edgevo/edge_map/edge_depth.h"
 
@@ -28,7 +29,8 @@ std::vector<EdgePiece> depths_of(int host, const std::vector<int>& frames, const
 }
 
 struct Figures {
-  int nodes = 0, good = 0;  ///< good: within 3 % of the true inverse depth
+  /// Good: within 3 % of the true inverse depth.
+  int nodes = 0, good = 0;
   std::vector<double> in_sigmas;
 };
 
@@ -60,7 +62,7 @@ TEST(EdgeDepth, MostPixelsGetTheirDepth) {
   EXPECT_LT(median(f.in_sigmas), 0.9);  // measured 0.47
 }
 
-TEST(EdgeDepth, VerticesStandInOrderAlongTheirEdge) {
+TEST(EdgeDepth, VerticesAreInOrderAlongTheirEdge) {
   EdgeMapParams params;
   for (const EdgePiece& piece : depths_of(12, kAround, params)) {
     EXPECT_GE(int(piece.size()), params.min_vertices);
@@ -70,7 +72,7 @@ TEST(EdgeDepth, VerticesStandInOrderAlongTheirEdge) {
   }
 }
 
-TEST(EdgeDepth, AnImageAloneTellsNothing) {
+TEST(EdgeDepth, ASingleImageGivesNoDepth) {
   EXPECT_TRUE(depths_of(12, {}, EdgeMapParams()).empty());
   EXPECT_TRUE(depths_of(12, {12, 12, 12, 12}, EdgeMapParams()).empty());  // no baseline
 }
@@ -80,7 +82,7 @@ TEST(EdgeDepth, NothingIsNearerThanAllowed) {
     for (const EdgeNode& n : piece) EXPECT_LE(n.idepth, 0.2 * 1.05);
 }
 
-// A change of exposure is a gain: the sides of the edges are compared after it.
+// A change of exposure is a gain, which is removed before the sides of edges are compared.
 TEST(EdgeDepth, ADarkerImageIsAsGood) {
   EdgeMapParams params;
   params.max_relative_sigma = 0.02;
@@ -98,7 +100,7 @@ TEST(EdgeDepth, ADarkerImageIsAsGood) {
   const Figures f = find();
   const Figures as_bright = figures_of(12, depths_of(12, kAround, params));
   EXPECT_GT(f.nodes, 0.8 * as_bright.nodes);
-  for (EdgeView& v : views) v.gain = 1;  // as if nobody knew
+  for (EdgeView& v : views) v.gain = 1;  // the gain is unknown
   EXPECT_LT(find().nodes, f.nodes);
 }
 

@@ -1,4 +1,6 @@
-// Keyframe after keyframe: each edge once, what the camera's correction moves, and the same in a thread.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines over many keyframes: each edge is mapped once, corrections of the camera move lines, and a thread
+// gives the same result.
 #include "edgevo/edge_map/edge_mapper.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +42,7 @@ std::vector<HostedLines> lines_of(const EdgeMapParams& params, bool own_thread,
     mapper.add(oldest, window);
   }
   if (revision) mapper.apply(*revision);
-  EXPECT_EQ(mapper.left_out(), own_thread ? mapper.left_out() : 0);
+  EXPECT_EQ(mapper.skipped(), own_thread ? mapper.skipped() : 0);
   return mapper.close();
 }
 
@@ -51,7 +53,7 @@ size_t vertices_in(const std::vector<HostedLines>& hosted) {
   return count;
 }
 
-TEST(EdgeMapper, EachEdgeOnce) {
+TEST(EdgeMapper, MapsEachEdgeOnce) {
   EdgeMapParams full, each;
   full.max_relative_sigma = each.max_relative_sigma = 0.02;
   each.mode = "keyframes";
@@ -64,7 +66,7 @@ TEST(EdgeMapper, EachEdgeOnce) {
   EXPECT_LT(vertices_in(fused), vertices_in(apart) / 3);
 }
 
-// By keyframe and place in its image.
+// By keyframe and position in its image.
 std::map<std::tuple<int, float, float>, double> idepths_in(const std::vector<HostedLines>& hosted) {
   std::map<std::tuple<int, float, float>, double> idepths;
   for (const HostedLines& h : hosted)
@@ -74,7 +76,7 @@ std::map<std::tuple<int, float, float>, double> idepths_in(const std::vector<Hos
   return idepths;
 }
 
-TEST(EdgeMapper, AVertexTakesTheMeanOfWhatKeyframesTell) {
+TEST(EdgeMapper, AVertexHasTheMeanDepthOfItsKeyframes) {
   EdgeMapParams full, each;
   full.max_relative_sigma = each.max_relative_sigma = 0.02;
   each.mode = "keyframes";
@@ -86,7 +88,7 @@ TEST(EdgeMapper, AVertexTakesTheMeanOfWhatKeyframesTell) {
     const double truth = Sweep::idepth(4 * id, {double(x), double(y)});
     if (!(truth > 0) || idepth == alone.at(at)) continue;
     ++changed;
-    error += std::min(0.1, std::abs(idepth / truth - 1));  // a wrong match is one, however wrong
+    error += std::min(0.1, std::abs(idepth / truth - 1));  // bounds the share of a wrong match
     error_alone += std::min(0.1, std::abs(alone.at(at) / truth - 1));
   }
   std::cout << "[ figures  ] " << changed << " vertices, mean error " << error / changed << ", before "
@@ -95,33 +97,33 @@ TEST(EdgeMapper, AVertexTakesTheMeanOfWhatKeyframesTell) {
   EXPECT_LT(error, error_alone);
 }
 
-TEST(EdgeMapper, TheTraceTellsWhichPixelsBecameVertices) {
+TEST(EdgeMapper, TheTraceShowsWhichPixelsBecameVertices) {
   EdgeTrace trace;
   const std::vector<HostedLines> lines = lines_of(EdgeMapParams(), false, nullptr, &trace);
   EXPECT_EQ(trace.size(), keyframes().size());
-  std::map<EdgeFate, int> fates;
+  std::map<EdgeStage, int> counts;
   std::set<std::tuple<int, float, float>> kept;
   for (const auto& [id, pixels] : trace) {
-    const EdgeMap& edges = keyframes()[size_t(id)].pyramid->finest().edges;
+    const ImageEdges& edges = keyframes()[size_t(id)].pyramid->finest().edges;
     ASSERT_EQ(pixels.size(), edges.pixels.size());
     for (size_t i = 0; i < pixels.size(); ++i) {
-      ++fates[pixels[i].fate];
-      EXPECT_TRUE(pixels[i].fate < EdgeFate::kFound || pixels[i].idepth > 0);
-      if (pixels[i].fate == EdgeFate::kKept) kept.insert({id, edges.pixels[i].x, edges.pixels[i].y});
+      ++counts[pixels[i].stage];
+      EXPECT_TRUE(pixels[i].stage < EdgeStage::kFound || pixels[i].idepth > 0);
+      if (pixels[i].stage == EdgeStage::kKept) kept.insert({id, edges.pixels[i].x, edges.pixels[i].y});
     }
   }
   for (const HostedLines& h : lines)
     for (const EdgeLine& line : h.lines)
       for (const EdgeVertex* end : {&line.vertices.front(), &line.vertices.back()})
         EXPECT_EQ(kept.count({h.keyframe_id, end->px.x(), end->px.y()}), 1u);
-  for (const EdgeFate gate :
-       {EdgeFate::kFewViews, EdgeFate::kAlongMotion, EdgeFate::kExplained, EdgeFate::kUnconfirmed})
-    EXPECT_GT(fates[gate], 0) << to_string(gate);
+  for (const EdgeStage gate :
+       {EdgeStage::kFewViews, EdgeStage::kAlongMotion, EdgeStage::kExplained, EdgeStage::kUnconfirmed})
+    EXPECT_GT(counts[gate], 0) << to_string(gate);
 }
 
 TEST(EdgeMapper, ALineHasAVertexForEachEdgePixel) {
   for (const HostedLines& h : lines_of(EdgeMapParams(), false)) {
-    const EdgeMap& edges = keyframes()[size_t(h.keyframe_id)].pyramid->finest().edges;
+    const ImageEdges& edges = keyframes()[size_t(h.keyframe_id)].pyramid->finest().edges;
     std::map<std::pair<float, float>, int> pixel_at;
     for (size_t i = 0; i < edges.pixels.size(); ++i)
       pixel_at[{edges.pixels[i].x, edges.pixels[i].y}] = int(i);
@@ -182,7 +184,7 @@ TEST(EdgeMapper, ARevisionMovesTheLines) {
   }
 }
 
-TEST(EdgeMapper, TheSameTwice) {
+TEST(EdgeMapper, IsDeterministic) {
   const std::vector<HostedLines> a = lines_of({}, false), b = lines_of({}, false);
   ASSERT_EQ(a.size(), b.size());
   for (size_t i = 0; i < a.size(); ++i) {
@@ -193,8 +195,8 @@ TEST(EdgeMapper, TheSameTwice) {
   }
 }
 
-// What the thread does not leave out is the same.
-TEST(EdgeMapper, AThreadOfItsOwnDoesTheSameWork) {
+// The lines of the keyframes that the thread does not skip are the same.
+TEST(EdgeMapper, AThreadOfItsOwnGivesTheSameLines) {
   const std::vector<HostedLines> hosted = lines_of({}, true);
   EXPECT_GT(vertices_in(hosted), 100u);
   for (size_t i = 1; i < hosted.size(); ++i) EXPECT_LT(hosted[i - 1].keyframe_id, hosted[i].keyframe_id);

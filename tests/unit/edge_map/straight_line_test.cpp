@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "straight_line.h"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,7 @@
 namespace edgevo {
 namespace {
 
-// On the line p + s d of space, seen by a camera with f = 500.
+// Vertices on the line p + s d in space, seen by a camera with f = 500.
 std::vector<EdgeVertex> on_a_line(double bend) {
   std::vector<EdgeVertex> vertices;
   for (int i = 0; i <= 20; ++i) {
@@ -20,18 +21,18 @@ std::vector<EdgeVertex> on_a_line(double bend) {
   return vertices;
 }
 
-TEST(StraightLine, OneOfSpaceIs) { EXPECT_TRUE(is_straight(on_a_line(0))); }
-TEST(StraightLine, ABentOneIsNot) { EXPECT_FALSE(is_straight(on_a_line(0.05))); }
+TEST(StraightLine, ALineInSpaceIsStraight) { EXPECT_TRUE(is_straight(on_a_line(0))); }
+TEST(StraightLine, ABentLineIsNotStraight) { EXPECT_FALSE(is_straight(on_a_line(0.05))); }
 
 TEST(StraightLine, ABendTowardsTheCameraShowsInTheDepthAlone) {
   std::vector<EdgeVertex> vertices = on_a_line(0);
   vertices[10].idepth += 0.002f;
   EXPECT_FALSE(is_straight(vertices));
-  vertices[10].idepth -= 0.0019f;  // within the deviations
+  vertices[10].idepth -= 0.0019f;  // within the standard deviations
   EXPECT_TRUE(is_straight(vertices));
 }
 
-TEST(StraightLine, AClosedOneIsNot) {
+TEST(StraightLine, AClosedLineIsNotStraight) {
   std::vector<EdgeVertex> vertices = on_a_line(0);
   vertices.push_back(vertices.front());
   EXPECT_FALSE(is_straight(vertices));

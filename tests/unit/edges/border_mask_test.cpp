@@ -1,4 +1,5 @@
-// The mask of the image border that never receives light.
+// SPDX-License-Identifier: BSD-3-Clause
+// The mask of the image border that receives no light.
 #include "border_mask.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +17,12 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 240;
 constexpr double kRadius = 110;
-constexpr int kImages = 20;  // that it takes to tell
+constexpr int kImages = 20;  // needed to find the mask
 
 bool is_lit(double x, double y) { return std::hypot(x - kWidth / 2.0, y - kHeight / 2.0) < kRadius; }
 
-// A chequered wall that moves to the left, seen through a lens that lights a disc only; `black` everywhere
-// else.
+// A chequered wall that moves to the left, seen through a lens that illuminates only a disc; `black`
+// elsewhere.
 GrayImage through_lens(double shift, double black, double noise = 0, uint64_t seed = 1) {
   GrayImage image = test::make_image(kWidth, kHeight, [&](double x, double y) {
     const bool bright = (int(std::floor((x + shift) / 24)) + int(std::floor(y / 24))) % 2 == 0;
@@ -38,7 +39,7 @@ double masked_share(const Plane<uint8_t>& mask) {
 
 double share_of_disc_outside() { return 1 - M_PI * kRadius * kRadius / (kWidth * kHeight); }
 
-TEST(BorderMask, IsWhatTheLensDoesNotReach) {
+TEST(BorderMask, CoversTheAreaOutsideTheImageCircle) {
   for (const double noise : {0.0, 8.0}) {
     BorderMask border;
     for (int k = 0; k < kImages; ++k) border.add(through_lens(k, 4, noise, uint64_t(k)).view());
@@ -58,24 +59,24 @@ TEST(BorderMask, IsWhatTheLensDoesNotReach) {
   }
 }
 
-TEST(BorderMask, ShadowsOfTheSceneAreNone) {
+TEST(BorderMask, ExcludesShadowsOfTheScene) {
   const auto shadow_at = [](double x0) {
     return test::make_image(kWidth, kHeight,
                             [&](double x, double) { return x > x0 && x < x0 + 60 ? 2.0 : 120.0; });
   };
   BorderMask border;
   for (int k = 0; k < kImages; ++k) {
-    EXPECT_FALSE(border.mask()) << "image " << k << " cannot tell";
+    EXPECT_FALSE(border.mask()) << "too early at image " << k;
     border.add(shadow_at(0).view());
   }
-  EXPECT_TRUE(border.mask()) << "the camera stands still";
+  EXPECT_TRUE(border.mask()) << "the camera does not move";
   border.add(shadow_at(70).view());
   EXPECT_FALSE(border.mask());
   for (int k = 0; k < kImages; ++k) border.add(shadow_at(0).view());
-  EXPECT_FALSE(border.mask()) << "light has been there";
+  EXPECT_FALSE(border.mask()) << "the area was lit";
 }
 
-TEST(BorderMask, SmallGrayAndEnclosedAreasAreNone) {
+TEST(BorderMask, ExcludesSmallGrayAndEnclosedAreas) {
   const auto expect_none = [](const std::function<double(double, double)>& gray) {
     BorderMask border;
     for (int k = 0; k < kImages; ++k) border.add(test::make_image(kWidth, kHeight, gray).view());
@@ -86,7 +87,7 @@ TEST(BorderMask, SmallGrayAndEnclosedAreasAreNone) {
   expect_none([](double x, double y) { return std::hypot(x - 160, y - 120) < 80 ? 0.0 : 120.0; });
 }
 
-TEST(BorderMask, ABlackStartIsForgotten) {
+TEST(BorderMask, RecoversFromBlackFirstImages) {
   BorderMask border;
   for (int k = 0; k < kImages; ++k)
     border.add(test::make_image(kWidth, kHeight, [](double, double) { return 0.0; }).view());
@@ -105,7 +106,7 @@ int edges_of_outline(const FramePyramid& pyramid) {
   return count;
 }
 
-TEST(BorderMask, GivesNoEdges) {
+TEST(BorderMask, SuppressesEdges) {
   Camera camera;
   camera.pinhole = {250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight};
   const EdgeParams params;

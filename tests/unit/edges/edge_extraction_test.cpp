@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/edge_extraction.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 using test::disc_image;
 using test::slanted_step;
 
-EdgeMap edges_of(const GrayImage& image) {
+ImageEdges edges_of(const GrayImage& image) {
   const EdgeParams params;
   const Gradient gradient = compute_gradient(image.view());
   return extract_edges(make_edge_detector(params)->detect({image.view(), gradient}), gradient,
@@ -29,7 +30,7 @@ TEST(EdgeExtraction, StraightEdgesAreSubPixelAndPointFromDarkToBright) {
   for (double degrees : {0.0, 17.0, 45.0, 90.0, 133.0, 200.0, 301.0}) {
     const double a = degrees * M_PI / 180;
     const Eigen::Vector2d n(std::cos(a), std::sin(a)), on(60.3, 40.2);
-    const EdgeMap map = edges_of(slanted_step(120, 80, on, n, 40, 200));
+    const ImageEdges map = edges_of(slanted_step(120, 80, on, n, 40, 200));
     ASSERT_GT(map.pixels.size(), 40u) << degrees;
     double square = 0;
     for (const EdgePixel& e : map.pixels) {
@@ -40,9 +41,9 @@ TEST(EdgeExtraction, StraightEdgesAreSubPixelAndPointFromDarkToBright) {
   }
 }
 
-// What a detector marks beside a maximum of the gradient stays where it is: a parabola that opens upwards has
-// no top. The gray levels grow by one, then two, then four a pixel from left to right.
-TEST(EdgeExtraction, PixelsThatAreNoMaximumAreNotMoved) {
+// A pixel marked next to a maximum of the gradient is not moved: a parabola that opens upwards has no
+// maximum. The gray levels increase by one, then two, then four per pixel from left to right.
+TEST(EdgeExtraction, PixelsWithoutAMaximumAreNotMoved) {
   const GrayImage image = test::make_image(90, 40, [](double x, double) {
     return x < 30 ? x : x < 60 ? 30 + 2 * (x - 30) : 90 + 4 * (x - 60);
   });
@@ -51,14 +52,14 @@ TEST(EdgeExtraction, PixelsThatAreNoMaximumAreNotMoved) {
     Plane<uint8_t> mask(90, 40);
     for (int y = 0; y < 40; ++y)
       for (int x = 0; x < 90; ++x) mask.at(x, y) = x == column ? 255 : 0;
-    const EdgeMap map = extract_edges(mask, gradient, 5);
+    const ImageEdges map = extract_edges(mask, gradient, 5);
     ASSERT_EQ(map.chains.size(), 1u) << column;
     for (const EdgePixel& e : map.pixels) EXPECT_EQ(e.x, float(column));
   }
 }
 
 TEST(EdgeExtraction, ChainsFollowTheEdge) {
-  const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
+  const ImageEdges map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
   ASSERT_FALSE(map.chains.empty());
   int total = 0, longest = 0;
   for (size_t c = 0; c < map.chains.size(); ++c) {
@@ -80,7 +81,7 @@ TEST(EdgeExtraction, ChainsFollowTheEdge) {
 }
 
 TEST(EdgeExtraction, EdgesAreThin) {
-  const EdgeMap map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
+  const ImageEdges map = edges_of(disc_image(121, 91, {60.2, 44.7}, 30, 60, 190));
   EXPECT_LT(map.pixels.size(), size_t(2 * M_PI * 30 * 1.05));
 }
 
@@ -94,8 +95,8 @@ TEST(EdgeExtraction, EdgeCountIsSteadyUnderGain) {
   EXPECT_NEAR(double(dark), double(normal), 0.15 * double(normal));
 }
 
-// Where many pixels share the strongest gradient, the percentile is the peak itself: the stripes must be
-// found all the same.
+// If many pixels share the strongest gradient, the percentile is the maximum itself; the stripes must still
+// be found.
 TEST(EdgeExtraction, EqualStripesAreFound) {
   const GrayImage stripes =
       test::make_image(160, 120, [](double x, double) { return 128 + 90 * std::sin(x / 2.5); });
@@ -109,12 +110,12 @@ TEST(EdgeExtraction, DegenerateImagesHaveNoEdges) {
   }
 }
 
-TEST(EdgeDetectors, TheDefaultIsThere) {
+TEST(EdgeDetectors, TheDefaultIsAvailable) {
   EXPECT_EQ(edge_detector_names().front(), EdgeParams().detector);
   EXPECT_EQ(basic_edge_detectors().front().name, EdgeParams().detector);
 }
 
-TEST(EdgeDetectors, OneThatIsNotInTheTableIsNamed) {
+TEST(EdgeDetectors, ADetectorMissingFromTheTableIsReported) {
   EdgeParams params;
   params.detector = "network";
   for (const auto& make : {+[](const EdgeParams& p) { make_edge_detector(p); },
@@ -128,7 +129,7 @@ TEST(EdgeDetectors, OneThatIsNotInTheTableIsNamed) {
   }
 }
 
-TEST(EdgeDetectors, AProgramAddsItsOwn) {
+TEST(EdgeDetectors, AProgramCanAddItsOwn) {
   EdgeDetectorTable table = basic_edge_detectors();
   table.push_back({"mine", "Canny by another name", table.front().make});
   EdgeParams params;
@@ -138,7 +139,7 @@ TEST(EdgeDetectors, AProgramAddsItsOwn) {
   EXPECT_EQ(edge_detector_help({table.back()}), "mine (Canny by another name)");
 }
 
-TEST(EdgeExtraction, UnknownDetectorNamesTheNearest) {
+TEST(EdgeExtraction, AnUnknownDetectorIsReportedWithTheNearestName) {
   EdgeParams params;
   params.detector = "cany";
   try {
@@ -149,7 +150,7 @@ TEST(EdgeExtraction, UnknownDetectorNamesTheNearest) {
   }
 }
 
-TEST(FramePyramid, LevelsHalveAndFinestLevelsHaveEdges) {
+TEST(FramePyramid, LevelsHalveInSizeAndTheFinestHaveEdges) {
   Camera camera;
   camera.pinhole = {200, 200, 80, 60, 161, 121};
   PyramidBuilder builder(camera, EdgeParams());
@@ -162,7 +163,7 @@ TEST(FramePyramid, LevelsHalveAndFinestLevelsHaveEdges) {
   EXPECT_TRUE(pyramid->levels[2].edges.pixels.empty());
 }
 
-TEST(FramePyramid, RefusesAnImageOfAnotherSize) {
+TEST(FramePyramid, RejectsAnImageOfAnotherSize) {
   Camera camera;
   camera.pinhole = {200, 200, 80, 60, 160, 120};
   PyramidBuilder builder(camera, EdgeParams());
@@ -184,7 +185,7 @@ TEST(FramePyramid, RemovesTheDistortion) {
     }
   PyramidBuilder builder(camera, EdgeParams());
   const auto pyramid = builder.build(image);
-  const EdgeMap& edges = pyramid->finest().edges;
+  const ImageEdges& edges = pyramid->finest().edges;
   int on_line = 0;
   for (const EdgePixel& e : edges.pixels)
     if (std::abs(e.x - 60) < 3) {
@@ -194,12 +195,12 @@ TEST(FramePyramid, RemovesTheDistortion) {
   EXPECT_GT(on_line, 150);
 }
 
-// Every pixel is the bilinear value at the place its map names, to rounding: half a gray level, and 1/256 px
-// of the slope along each axis.
+// Every pixel is the bilinear value at its position in the map up to rounding: half a gray level, and 1/256
+// px of the slope along each axis.
 TEST(FramePyramid, UndistortsToTheRoundingOfItsPositions) {
   Camera camera;
   camera.pinhole = {300, 300, 160, 120, 320, 240};
-  camera.distortion.k1 = 0.2;  // the corners come from beyond the image
+  camera.distortion.k1 = 0.2;  // the corners are sampled outside the image
   const GrayImage image = test::textured_image(320, 240, 5);
   const auto pyramid = PyramidBuilder(camera, EdgeParams()).build(image);
   const UndistortionMaps maps = make_undistortion_maps(camera);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/gradient.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +76,7 @@ TEST(Gradient, AnExtremeStepDoesNotOverflow) {
   }
 }
 
-TEST(GradientHistogram, PercentilesAreThoseOfTheSortedMagnitudes) {
+TEST(GradientHistogram, PercentilesMatchTheSortedMagnitudes) {
   const Plane<float> magnitude = compute_gradient(noise(120, 90, 9).view()).magnitude;
   std::vector<float> sorted;
   for (int y = 0; y < 90; y += 2)
@@ -142,7 +143,7 @@ TEST(CannyDetector, EqualsItsDefinition) {
       << "gradients within rounding of 22.5 degrees, thresholds within rounding";
 }
 
-TEST(Plane, MemoryIsUsedAgain) {
+TEST(Plane, MemoryIsReused) {
   const float* first = nullptr;
   {
     Plane<float> plane(301, 203);

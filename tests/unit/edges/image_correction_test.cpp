@@ -1,4 +1,5 @@
-// Rolling shutter: the motion of the image, where the rows show a point, and the way back.
+// SPDX-License-Identifier: BSD-3-Clause
+// Rolling shutter: image motion, displaced position of a point, and the inverse.
 #include "edgevo/edges/image_correction.h"
 
 #include <gmock/gmock.h>
@@ -28,14 +29,14 @@ std::vector<Eigen::Vector2d> points() {
   return all;
 }
 
-// Where a point of the middle row's moment is `seconds` later.
+// Position of a point `seconds` after the time of the middle row.
 Eigen::Vector2d later(const ImageMotion& m, double idepth, const Eigen::Vector2d& x, double seconds) {
   const Eigen::Vector3d X =
       SE3::exp(seconds * m.velocity) * Eigen::Vector3d(Eigen::Vector3d(x.x(), x.y(), 1) / idepth);
   return X.head<2>() / X.z();
 }
 
-TEST(ImageMotion, IsTheRateOfProjectedPoints) {
+TEST(ImageMotion, IsTheVelocityOfProjectedPoints) {
   const double idepth = 0.7;
   const ImageMotion m = motion_at(idepth);
   for (const Eigen::Vector2d& x : points()) {
@@ -46,7 +47,7 @@ TEST(ImageMotion, IsTheRateOfProjectedPoints) {
   }
 }
 
-TEST(ImageMotion, TakesTheDepthOfItsCell) {
+TEST(ImageMotion, UsesTheDepthOfTheCell) {
   ImageMotion m;
   m.velocity << 1, 0, 0, 0, 0, 0;  // dx/dt = idepth
   m.idepth.setConstant(0.5);
@@ -61,22 +62,22 @@ TEST(ImageMotion, TakesTheDepthOfItsCell) {
       EXPECT_NEAR(idepth_at(u, v), 0.5, 1e-9) << u << " " << v;
 }
 
-TEST(ImageMotion, OfNoPointIsNoPlaceInMemory) {
+TEST(ImageMotion, ANanPointReadsNoMemoryOutside) {
   const double none = std::numeric_limits<double>::quiet_NaN(), far = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(motion_at(1).at(kCamera, {none, none}).allFinite());
   EXPECT_FALSE(motion_at(1).at(kCamera, {far, -far}).allFinite());
 }
 
-TEST(ImageMotion, IsNotKnownAtFirst) {
+TEST(ImageMotion, IsUnknownByDefault) {
   EXPECT_FALSE(ImageMotion().is_known());
   const Eigen::Vector2d x(0.3, -0.2);
   EXPECT_EQ(add_rolling(kCamera, 0.05, ImageMotion(), x), x);
   EXPECT_EQ(from_file(kCamera, {0, 0.05}, ImageMotion(), x), x);
 }
 
-// A row in the upper half is taken earlier, one in the lower half later, and the shift is that of the true
+// A row in the upper half is exposed earlier, one in the lower half later, and the shift matches the true
 // motion to second order.
-TEST(ImageCorrection, ARowShowsAPointAtItsOwnMoment) {
+TEST(ImageCorrection, EachRowShowsAPointAtItsOwnTime) {
   const double idepth = 0.7, readout_s = 0.02;
   const ImageMotion m = motion_at(idepth);
   for (const Eigen::Vector2d& x : points()) {
@@ -88,7 +89,7 @@ TEST(ImageCorrection, ARowShowsAPointAtItsOwnMoment) {
   EXPECT_NEAR(shutter_row(kCamera, kCamera.ray({100, 479}).head<2>()), 0.5, 1e-12);
 }
 
-TEST(ImageCorrection, TheWayBackIsExact) {
+TEST(ImageCorrection, TheInverseIsExact) {
   for (const double readout_s : {-0.05, 0.0, 0.02, 0.1})
     for (const double k1 : {-0.01, 0.0, 0.02}) {
       const ImageCorrection c{k1, readout_s};
@@ -98,8 +99,8 @@ TEST(ImageCorrection, TheWayBackIsExact) {
     }
 }
 
-// Rows that overtake one another have no way back.
-TEST(ImageCorrection, WhereTheImageFliesTheLensAloneIsTakenOut) {
+// There is no inverse if rows overtake one another.
+TEST(ImageCorrection, UnderVeryFastMotionOnlyTheLensIsCorrected) {
   for (const double factor : {30.0, 1e3, 1e150}) {
     ImageMotion m = motion_at(0.8);
     m.velocity *= factor;
@@ -113,7 +114,7 @@ TEST(ImageCorrection, WhereTheImageFliesTheLensAloneIsTakenOut) {
   }
 }
 
-TEST(ImageCorrection, WithoutAReadOutOnlyTheLensIsLeft) {
+TEST(ImageCorrection, WithoutAReadOutTimeOnlyTheLensRemains) {
   for (const Eigen::Vector2d& x : points()) {
     EXPECT_EQ(to_file(kCamera, {0.013, 0}, motion_at(1), x), add_radial(0.013, x));
     EXPECT_EQ(from_file(kCamera, {0.013, 0}, motion_at(1), x), remove_radial(0.013, x));
@@ -121,7 +122,7 @@ TEST(ImageCorrection, WithoutAReadOutOnlyTheLensIsLeft) {
   }
 }
 
-TEST(ImageCorrection, TheJacobianIsTheNumericOne) {
+TEST(ImageCorrection, TheJacobianMatchesNumericDifferentiation) {
   const ImageCorrection c{0.015, 0.03};
   const ImageMotion m = motion_at(0.6);
   for (const Eigen::Vector2d& x : points()) {

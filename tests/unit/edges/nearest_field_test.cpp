@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/nearest_field.h"
 
 #include <gtest/gtest.h>
@@ -9,14 +10,14 @@
 namespace edgevo {
 namespace {
 
-EdgeMap random_edges(int width, int height, int count, uint64_t seed) {
+ImageEdges random_edges(int width, int height, int count, uint64_t seed) {
   Random random(seed);
-  EdgeMap map;
+  ImageEdges map;
   map.width = width, map.height = height;
   std::vector<bool> taken(size_t(width) * height, false);
   for (int i = 0; i < count; ++i) {
     const int x = random.below(width), y = random.below(height);
-    if (taken[size_t(y) * width + x]) continue;  // one edge pixel a pixel, as the extraction makes them
+    if (taken[size_t(y) * width + x]) continue;  // at most one edge pixel per pixel, as in extracted edges
     taken[size_t(y) * width + x] = true;
     EdgePixel e;
     e.x = float(x), e.y = float(y), e.nx = 1;
@@ -27,7 +28,7 @@ EdgeMap random_edges(int width, int height, int count, uint64_t seed) {
 }
 
 // Squared distance from (x, y) to the nearest edge pixel; -1 if none lies within the radius.
-int brute_force(const EdgeMap& map, int x, int y, int radius) {
+int brute_force(const ImageEdges& map, int x, int y, int radius) {
   int best = radius * radius + 1;
   for (const EdgePixel& e : map.pixels) {
     const int dx = int(e.x) - x, dy = int(e.y) - y;
@@ -44,7 +45,7 @@ class NearestFieldSizes : public ::testing::TestWithParam<Case> {};
 
 TEST_P(NearestFieldSizes, EqualsBruteForceEverywhere) {
   const Case c = GetParam();
-  const EdgeMap map = random_edges(c.width, c.height, c.count, 7);
+  const ImageEdges map = random_edges(c.width, c.height, c.count, 7);
   const NearestField field(map, c.radius);
   for (int y = 0; y < c.height; ++y)
     for (int x = 0; x < c.width; ++x) {
@@ -65,8 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, NearestFieldSizes,
                                            Case{33, 7, 4, 15}, Case{1, 1, 1, 2}, Case{1, 40, 3, 12},
                                            Case{40, 1, 3, 12}, Case{50, 50, 0, 12}));
 
-TEST(NearestField, RoundsTheQueryAndRefusesOutside) {
-  EdgeMap map = random_edges(20, 10, 0, 1);
+TEST(NearestField, RoundsTheQueryAndRejectsPositionsOutside) {
+  ImageEdges map = random_edges(20, 10, 0, 1);
   EdgePixel e;
   e.x = 5.3f, e.y = 4.6f;  // lies in pixel (5, 5)
   map.pixels.push_back(e);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Undistortion, and rolling-shutter rectification.
 #include "undistortion.h"
 
@@ -10,8 +11,8 @@
 namespace edgevo {
 namespace {
 
-// Smooth, so that positions show in gray levels: `shown(u, v)` is where the scene's image lies that pixel (u,
-// v) shows.
+// A smooth image, so that gray levels reveal positions: `shown(u, v)` is the position in the image of the
+// scene that pixel (u, v) shows.
 template <class F>
 GrayImage picture(int width, int height, const F& shown) {
   GrayImage image{width, height, std::vector<uint8_t>(size_t(width) * height)};
@@ -54,7 +55,7 @@ TEST(ShiftedUndistortion, WithoutAShiftIsUndistortion) {
   }
 }
 
-TEST(ShiftedUndistortion, FetchesFromTheShiftedPlace) {
+TEST(ShiftedUndistortion, SamplesAtTheShiftedPosition) {
   const int width = 270, height = 150;
   Camera pinhole = lens(width, height);
   pinhole.distortion = {};
@@ -75,8 +76,8 @@ TEST(ShiftedUndistortion, FetchesFromTheShiftedPlace) {
       EXPECT_NEAR(out.row(v)[u], expected.pixels[size_t(v) * width + u], 2) << u << " " << v;
 }
 
-// An image whose rows were taken one after the other becomes that of the middle row's moment.
-TEST(PyramidBuilder, PutsTheRowsOfARollingShutterRight) {
+// An image whose rows were exposed one after the other becomes that at the time of the middle row.
+TEST(PyramidBuilder, RectifiesTheRowsOfARollingShutter) {
   const int width = 320, height = 240;
   const double readout_s = 0.03;
   for (const bool with_lens : {false, true}) {
@@ -86,7 +87,7 @@ TEST(PyramidBuilder, PutsTheRowsOfARollingShutterRight) {
     motion.velocity << 0.4, -0.5, 0.3, 0.1, 0.2, -0.3;
     motion.idepth.setConstant(0.9);
     const Pinhole& p = camera.pinhole;
-    // The raw pixel shows the true point x with to_file(x) = its place: found by from_file.
+    // The raw pixel shows the true point x whose to_file(x) is its position, found by from_file().
     const GrayImage rolling = picture(width, height, [&](double u, double v) {
       Eigen::Vector2d x_file;
       EXPECT_TRUE(camera.undistort(p.ray({u, v}).head<2>(), &x_file));
@@ -94,22 +95,22 @@ TEST(PyramidBuilder, PutsTheRowsOfARollingShutterRight) {
       return Eigen::Vector2d(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
     });
     PyramidBuilder builder(camera, EdgeParams());
-    const auto crooked = builder.build(rolling, motion);
+    const auto uncorrected = builder.build(rolling, motion);
     builder.set_correction({0, readout_s});
     const auto straight = builder.build(rolling, motion), unknown = builder.build(rolling);
     Plane<uint8_t> truth(width, height);
     const GrayImage scene = still(width, height);
     std::copy(scene.pixels.begin(), scene.pixels.end(), truth.row(0));
     EXPECT_LE(largest_difference(straight->finest().gray, truth, 16), 3) << with_lens;
-    EXPECT_GT(largest_difference(crooked->finest().gray, truth, 16), 20) << with_lens;
-    EXPECT_EQ(largest_difference(unknown->finest().gray, crooked->finest().gray, 0), 0)
-        << "without its motion an image stays as it is";
+    EXPECT_GT(largest_difference(uncorrected->finest().gray, truth, 16), 20) << with_lens;
+    EXPECT_EQ(largest_difference(unknown->finest().gray, uncorrected->finest().gray, 0), 0)
+        << "without motion an image does not change";
     EXPECT_EQ(straight->correction.readout_s, readout_s);
   }
 }
 
-// What is kept from image to image is made anew for another lens, with and without a rolling shutter.
-TEST(PyramidBuilder, ACorrectedLensReachesTheNextImage) {
+// Cached maps are recomputed for another lens, with and without a rolling shutter.
+TEST(PyramidBuilder, ACorrectedLensAppliesToTheNextImage) {
   const int width = 320, height = 240;
   ImageMotion motion;
   motion.velocity << 0.4, -0.5, 0.3, 0.1, 0.2, -0.3;

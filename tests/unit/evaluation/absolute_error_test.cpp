@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // ATE and the block-wise re-scaling, against an independent computation: Horn's quaternion solution for the
-// rotation, the scale from its own least-squares condition, and the blocks written out as the definition
-// reads.
+// rotation, the scale from its own least-squares condition, and the blocks written out by their
+// definition.
 #include "edgevo/evaluation/absolute_error.h"
 
 #include <gtest/gtest.h>
@@ -89,7 +90,7 @@ std::vector<MatchedPose> growing_scale(int frames) {
   return match(est, truth);
 }
 
-TEST(AbsoluteError, VanishesForTheTruthSeenThroughASimilarity) {
+TEST(AbsoluteError, IsZeroForTheTruthUnderASimilarity) {
   const Trajectory truth = test::winding_drive(300);
   const auto e = ate_sim3(match(test::seen_through(some_similarity(), truth), truth));
   ASSERT_TRUE(e);
@@ -128,7 +129,7 @@ TEST(AbsoluteError, StraightLine) {
   EXPECT_LT(ate_se3(rescale_blocks(matches, 30, 1.0))->rmse, 1e-9);
 }
 
-TEST(RescaleBlocks, AgreesWithTheDefinitionWrittenOut) {
+TEST(RescaleBlocks, AgreesWithItsDefinition) {
   const std::vector<MatchedPose> matches = growing_scale(700);
   for (int block : {200, 50, 1000}) {
     const double ours = ate_se3(rescale_blocks(matches, block, 1.0))->rmse;
@@ -156,7 +157,7 @@ TEST(RescaleBlocks, BlocksCountInputFramesNotPoses) {
   EXPECT_NEAR(ate_se3(rescale_blocks(matches, 200, 1.0))->rmse, brute_ate_blocks(matches, 200), 1e-8);
 }
 
-TEST(RescaleBlocks, TwoPosesInABlockTakeTheRatioOfTheirPaths) {
+TEST(RescaleBlocks, ABlockOfTwoPosesTakesTheRatioOfPathLengths) {
   std::vector<MatchedPose> m(5);
   const double z_gt[] = {0, 1, 2, 3, 9}, z_est[] = {0, 2, 4, 6, 8};
   const int frame[] = {0, 1, 2, 10, 11};
@@ -183,7 +184,7 @@ TEST(RescaleBlocks, ABlockAtAStandstillTakesTheScaleOfTheRun) {
               1e-12);  // also over the step that leaves the standstill
 }
 
-TEST(RescaleBlocks, RotationsStay) {
+TEST(RescaleBlocks, RotationsAreUnchanged) {
   const std::vector<MatchedPose> matches = growing_scale(100);
   const std::vector<MatchedPose> r = rescale_blocks(matches, 20, 1.0);
   for (size_t i = 0; i < r.size(); ++i)

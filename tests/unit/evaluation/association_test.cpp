@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/association.h"
 
 #include <gmock/gmock.h>
@@ -32,12 +33,12 @@ TEST(GroundTruth, InterpolatesPositionAndRotation) {
   EXPECT_LT(T.rotation().angularDistance(expected), 1e-9);
 }
 
-TEST(GroundTruth, GivesItsOwnPosesUnchanged) {
+TEST(GroundTruth, ReturnsItsOwnPosesUnchanged) {
   const Trajectory t = turning();
   for (const StampedPose& p : t.poses) EXPECT_EQ(GroundTruth(t).at(p.time)->matrix(), p.T_world_cam.matrix());
 }
 
-TEST(GroundTruth, SaysNothingOutsideItsSpan) {
+TEST(GroundTruth, IsUnknownOutsideItsSpan) {
   const Trajectory t = turning();
   const GroundTruth truth(t);
   EXPECT_FALSE(truth.at(at(-0.01)));
@@ -46,7 +47,7 @@ TEST(GroundTruth, SaysNothingOutsideItsSpan) {
   EXPECT_TRUE(truth.at(at(0.30005)));
 }
 
-TEST(GroundTruth, SaysNothingInsideALongHole) {
+TEST(GroundTruth, IsUnknownInsideALongGap) {
   Trajectory t = turning();
   t.poses.push_back({at(1.35), SE3()});  // 1.05 s after the last, ten median steps are 1 s
   t.poses.push_back({at(1.45), SE3()});
@@ -92,7 +93,7 @@ TEST(Associate, TooFewMatchesIsAnInputError) {
   EXPECT_THAT(error, HasSubstr("only 0 of its 10 poses"));
 }
 
-TEST(InputFrames, FramesCsvBesideTheTrajectoryComesFirst) {
+TEST(InputFrames, FramesCsvNextToTheTrajectoryComesFirst) {
   const TempFolder run, data;
   Trajectory estimate = test::straight_drive(5), truth = test::straight_drive(9);
   estimate.path = run / "trajectory_tum.txt";
@@ -123,13 +124,13 @@ TEST(InputFrames, BrokenListsAreErrorsWithFileAndLine) {
   EXPECT_THAT(error("index,time\n"), HasSubstr("lists no frame"));
 }
 
-TEST(InputFrames, GroundTruthLinesServeWhenTheRatesAreAlike) {
+TEST(InputFrames, GroundTruthLinesAreUsedIfTheRatesAreSimilar) {
   Trajectory estimate = test::straight_drive(10);
   estimate.poses.erase(estimate.poses.begin(), estimate.poses.begin() + 3);
   EXPECT_EQ(find_input_frames(estimate, test::straight_drive(12), {}).times.size(), 12u);
 }
 
-TEST(InputFrames, OtherwiseTheSpanOfTheTrajectory) {
+TEST(InputFrames, OtherwiseTheSpanOfTheTrajectoryIsUsed) {
   Trajectory estimate = test::straight_drive(30), thinned = estimate;
   thinned.poses.clear();
   for (int i = 0; i < 30; i += 3)

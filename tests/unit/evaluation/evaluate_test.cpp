@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/evaluate.h"
 
 #include <gmock/gmock.h>
@@ -31,7 +32,7 @@ TEST(Evaluate, CoverageAddsUp) {
   EXPECT_NEAR(c.failure_percent, 10.0, 1e-12);
 }
 
-TEST(Evaluate, NoiseComesOutAsItWentIn) {
+TEST(Evaluate, AteEqualsTheAddedNoise) {
   const TrajectoryEvaluation e = noisy_evaluation();
   const double sigma_m = 0.05 * some_similarity().scale;
   EXPECT_NEAR(e.ate_sim3.rmse, std::sqrt(3.0) * sigma_m, 0.02);

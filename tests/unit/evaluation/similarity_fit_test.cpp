@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/similarity_fit.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(SimilarityFit, RecoversAKnownRigidMotion) {
   EXPECT_LT((fit->rigid.inverse() * truth.rigid).log().norm(), 1e-11);
 }
 
-TEST(SimilarityFit, NoNeighbourFitsNoisyPointsBetter) {
+TEST(SimilarityFit, IsALocalMinimumForNoisyPoints) {
   const Points src = random_points(40, 3);
   const Points dst = mapped(test::some_similarity(), src) + 0.3 * random_points(40, 4);
   const Sim3 best = *fit_sim3(src, dst);
@@ -66,7 +67,7 @@ TEST(SimilarityFit, NeverMirrors) {
   EXPECT_NEAR(fit->rigid.R().determinant(), 1.0, 1e-12);
 }
 
-// The rotation about the line is open; scale and residual are not.
+// The rotation about the line is undetermined; scale and residual are not.
 TEST(SimilarityFit, AStraightLineHasAScale) {
   Points src = Points::Zero(3, 20);
   for (int i = 0; i < 20; ++i) src(2, i) = i;

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A made-up drive with a pose a frame, and what tests do to it.
+// A synthetic trajectory with one pose per frame, and its modifications for tests.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace edgevo::test {
 
-/// A winding drive: frame i at i * 0.1 s, about `step_m` a frame, turning and climbing gently.
+/// A winding trajectory: frame i at i * 0.1 s, about `step_m` a frame, turning and climbing gently.
 inline Trajectory winding_drive(int frames, double step_m = 1.0) {
   Trajectory t{"drive.txt", TrajectoryFormat::kTum, {}};
   SE3 pose;
@@ -32,7 +33,7 @@ inline Trajectory straight_drive(int frames, double step_m = 1.0) {
   return t;
 }
 
-/// The estimate of a system that lives in another frame and unit: T_est = S^-1 applied to the truth.
+/// Estimate in another world frame and unit: T_est = S^-1 applied to the truth.
 inline Trajectory seen_through(const Sim3& S, Trajectory t) {
   t.path = "estimate.txt";
   const Sim3 inverse = S.inverse();
@@ -61,7 +62,7 @@ inline InputFrames frames_of(const Trajectory& t) {
   return input;
 }
 
-/// The message of the InputError that `action` throws; empty if it throws none.
+/// Message of the InputError that `action` throws; empty if it throws none.
 template <class Action>
 std::string input_error_of(Action&& action) {
   try {

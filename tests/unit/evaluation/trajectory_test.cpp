@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The readers of TUM and KITTI files.
 #include "edgevo/evaluation/trajectory.h"
 
@@ -51,8 +52,8 @@ TEST(Trajectory, ErrorsNameFileAndLine) {
   EXPECT_THAT(error_of(good + "0 1 0 0 0 0 0 1\n"), HasSubstr("does not come after 0.0000000"));
   EXPECT_THAT(error_of("1 0 0 0 0 1 0 0 0 0 2 0\n"), StartsWith("t.txt:1: the 3x3 part is not a rotation"));
   EXPECT_THAT(error_of("-1 0 0 0 0 1 0 0 0 0 1 0\n"), HasSubstr("not a rotation"));  // a mirror
-  EXPECT_THAT(error_of("# nothing\n"), StartsWith("t.txt: holds no pose"));
-  EXPECT_THAT(error_of(""), StartsWith("t.txt: holds no pose"));
+  EXPECT_THAT(error_of("# nothing\n"), StartsWith("t.txt: contains no pose"));
+  EXPECT_THAT(error_of(""), StartsWith("t.txt: contains no pose"));
 }
 
 TEST(Trajectory, AMissingFileOrAFolderIsAnInputError) {
@@ -60,17 +61,16 @@ TEST(Trajectory, AMissingFileOrAFolderIsAnInputError) {
   const test::TempFolder folder;
   EXPECT_THAT(input_error_of([&] { read_trajectory(folder / "."); }), HasSubstr("cannot be read"));
   EXPECT_THAT(input_error_of([&] { read_trajectory(folder.write("empty.txt", "")); }),
-              HasSubstr("holds no pose"));
+              HasSubstr("contains no pose"));
 }
 
-TEST(Trajectory, HoldsToTheLastDigitOfLargeTimes) {
+TEST(Trajectory, KeepsTheLastDigitOfLargeTimes) {
   const Trajectory t =
       parse_trajectory("1600000000.1234567 0 0 0 0 0 0 1\n1600000000.1234568 0 0 0 0 0 0 1\n", "t");
   EXPECT_EQ(t.poses[1].time.ticks - t.poses[0].time.ticks, 1);
 }
 
-// Damages a good file at random: every outcome is a trajectory that keeps the reader's promises, or one line
-// of error.
+// Damages a good file at random: the outcome is a valid trajectory or an error message of one line.
 TEST(Trajectory, SurvivesDamagedFiles) {
   Random random(7);
   const std::string tum = "# c\n0.1 1 2 3 0 0 0 1\n0.2 1 2 4 0 0 0 1\n0.3 1 2 5 0.5 0.5 0.5 0.5\n";

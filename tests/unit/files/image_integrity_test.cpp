@@ -1,4 +1,5 @@
-// What is wrong with an image's file, without decoding it.
+// SPDX-License-Identifier: BSD-3-Clause
+// Damage of image files, detected without decoding.
 #include "edgevo/files/image_integrity.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@ namespace {
 
 std::string pixels(size_t n) { return std::string(n, 'x'); }
 
-TEST(ImageIntegrity, APnmHasAllThePixelsThatItsHeaderPromises) {
+TEST(ImageIntegrity, APnmMustHaveAllPixelsOfItsHeader) {
   EXPECT_EQ(image_damage("P5\n4 3\n255\n" + pixels(12)), "");
   EXPECT_EQ(image_damage("P5 # by hand\n4 # wide\n 3\n255\n" + pixels(12)), "");
   EXPECT_EQ(image_damage("P5\n4 3\n255\n" + pixels(11)), "the file is cut short");
@@ -22,13 +23,13 @@ TEST(ImageIntegrity, APnmHasAllThePixelsThatItsHeaderPromises) {
   EXPECT_EQ(image_damage("P5\n30000 30000\n255\n"), "the file is cut short");
 }
 
-TEST(ImageIntegrity, APnmHeaderIsOfThreePositiveNumbers) {
+TEST(ImageIntegrity, APnmHeaderNeedsThreePositiveNumbers) {
   for (const char* header : {"P5\n-5 -5\n0\n", "P5\n4 3\n0\n", "P5\n4 3\n70000\n", "P5\n", "P5\n4",
                              "P6\n0 3\n255\n", "P5\n99999999999999999999 1\n255\n", "P5\n# no end"})
     EXPECT_NE(image_damage(header + pixels(100)), "") << header;
 }
 
-TEST(ImageIntegrity, ABmpIsAsLongAsItSays) {
+TEST(ImageIntegrity, ABmpMustHaveTheSizeOfItsHeader) {
   std::string bmp = "BM" + std::string("\x40\0\0\0", 4) + pixels(58);
   EXPECT_EQ(image_damage(bmp), "");
   bmp.pop_back();
@@ -36,7 +37,7 @@ TEST(ImageIntegrity, ABmpIsAsLongAsItSays) {
   EXPECT_EQ(image_damage("BM"), "the file is cut short");
 }
 
-TEST(ImageIntegrity, WhatItDoesNotKnowPasses) {
+TEST(ImageIntegrity, UnknownFormatsAreAccepted) {
   EXPECT_EQ(image_damage("GIF89a"), "");
   EXPECT_EQ(image_damage("P5x"), "");
   EXPECT_EQ(image_damage(""), "the file is empty");

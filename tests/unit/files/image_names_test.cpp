@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Order and names of image files.
 #include "edgevo/files/image_names.h"
 
@@ -16,7 +17,7 @@ TEST(ImageNames, NumbersCompareAsNumbers) {
   EXPECT_FALSE(natural_less("7", "7"));
 }
 
-TEST(ImageNames, OfAFrameIsThatOfItsFileOrItsNumber) {
+TEST(ImageNames, AFrameIsNamedAfterItsFileOrItsNumber) {
   Frame frame;
   frame.index = 12;
   EXPECT_EQ(image_name(frame), "000012");

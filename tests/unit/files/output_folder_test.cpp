@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/files/output_folder.h"
 
 #include <gmock/gmock.h>
@@ -24,9 +25,9 @@ std::string refusal_of(const Work& work) {
   return "";
 }
 
-class OutputPlace : public ::testing::Test {
+class OutputFolder : public ::testing::Test {
  protected:
-  OutputPlace() {
+  OutputFolder() {
     fs::create_directories(in("sequence/images"));
     write_file(in("clip.rawlog"), "");
     fs::create_directories(in("clip_Images"));
@@ -38,7 +39,7 @@ class OutputPlace : public ::testing::Test {
   test::TempFolder folder_;
 };
 
-TEST_F(OutputPlace, IsNeitherInItsSourceNorAroundIt) {
+TEST_F(OutputFolder, MustNotOverlapItsSource) {
   for (const char* inside :
        {"sequence/images", "sequence/images/new", "sequence/out", "other/../sequence/out"})
     EXPECT_THAT(apart("sequence", inside), HasSubstr("lies inside its own source")) << inside;
@@ -51,7 +52,7 @@ TEST_F(OutputPlace, IsNeitherInItsSourceNorAroundIt) {
   EXPECT_EQ(apart("clip.rawlog", "clip_out"), "");
 }
 
-TEST_F(OutputPlace, LinksHideNothing) {
+TEST_F(OutputFolder, LinksAreResolved) {
   fs::create_directories(in("elsewhere"));
   fs::create_directories(in("linked"));
   fs::create_directory_symlink(in("elsewhere"), in("linked/images"));
@@ -61,28 +62,28 @@ TEST_F(OutputPlace, LinksHideNothing) {
   EXPECT_THAT(apart("alias", "sequence/out"), HasSubstr("lies inside its own source"));
 }
 
-TEST_F(OutputPlace, WhatIsNoPathIsApart) {
+TEST_F(OutputFolder, ASourceThatIsNotAPathOverlapsNothing) {
   EXPECT_NO_THROW(check_apart("camera:0", in("sequence")));
   EXPECT_NO_THROW(check_apart("", in("sequence")));
 }
 
-TEST_F(OutputPlace, WhatIsThereIsKeptUnlessForced) {
+TEST_F(OutputFolder, AnExistingFileIsKeptUnlessForced) {
   fs::create_symlink("/nowhere", in("dangling"));
   EXPECT_THAT(refusal_of([&] { check_not_there(in("clip.rawlog"), false); }),
-              HasSubstr("is there already; give"));
-  EXPECT_THAT(refusal_of([&] { check_not_there(in("dangling"), false); }), HasSubstr("is there already"));
+              HasSubstr("exists already; give"));
+  EXPECT_THAT(refusal_of([&] { check_not_there(in("dangling"), false); }), HasSubstr("exists already"));
   EXPECT_NO_THROW(check_not_there(in("clip.rawlog"), true));
   EXPECT_NO_THROW(check_not_there(in("new.rawlog"), false));
 }
 
-TEST_F(OutputPlace, FoldersOfOthersAreLeftAlone) {
+TEST_F(OutputFolder, FoldersOfOthersAreKept) {
   fs::create_directories(in("empty"));
   EXPECT_NO_THROW(check_folder_is_ours(in("empty"), {}, false));
   EXPECT_NO_THROW(check_folder_is_ours(in("nowhere"), {}, false));
   EXPECT_NO_THROW(check_folder_is_ours(in("sequence"), {"times.txt", "images"}, false));
   EXPECT_NO_THROW(check_folder_is_ours(in("sequence"), {}, true));
   EXPECT_THAT(refusal_of([&] { check_folder_is_ours(in("sequence"), {"study.md"}, false); }),
-              HasSubstr("sequence: holds something else already (images); give another -o, or --force"));
+              HasSubstr("sequence: contains other files already (images); give another -o, or --force"));
 }
 
 }  // namespace

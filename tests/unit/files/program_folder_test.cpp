@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/files/program_folder.h"
 
 #include <gmock/gmock.h>
@@ -9,9 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(ProgramFolder, HoldsThisProgram) { EXPECT_TRUE(fs::is_regular_file(program_folder() / "test_core")); }
+TEST(ProgramFolder, ContainsThisProgram) { EXPECT_TRUE(fs::is_regular_file(program_folder() / "test_core")); }
 
-// A prefix somewhere, with share/edgevo in it.
+// An installation prefix with share/edgevo in it.
 class DataFolder : public ::testing::Test {
  protected:
   void SetUp() override { fs::create_directories(data_); }
@@ -26,7 +27,7 @@ TEST_F(DataFolder, IsThatOfThePrefixOfAProgramInLibexec) {
   EXPECT_EQ(data_folder_of(prefix_ / "lib/x86_64-linux-gnu/edgevo"), data_);
 }
 
-TEST_F(DataFolder, WithoutOneIsWhereItWouldBeForBin) {
+TEST_F(DataFolder, DefaultsToThePrefixOfBin) {
   fs::remove(data_);
   EXPECT_EQ(data_folder_of(prefix_ / "bin"), data_);
   EXPECT_EQ(data_folder_of({}), "share/edgevo");

@@ -1,4 +1,5 @@
-// Two-view bootstrap: what it recovers, and what it says while it cannot.
+// SPDX-License-Identifier: BSD-3-Clause
+// Two-view bootstrap: what it recovers, and what it reports if it cannot.
 #include "edgevo/mapping/bootstrap.h"
 
 #include <gmock/gmock.h>
@@ -17,26 +18,26 @@ using test::sweep_pose;
 using ::testing::HasSubstr;
 
 constexpr double kDegree = M_PI / 180;
-// The essential matrix comes from five corners and is not refined: a rotation may stand in for this share of
-// the parallax, and with it for this share of the baseline. The bundle adjustment of the first map takes that
-// out.
+// The essential matrix comes from five corners and is not adjusted: a rotation may be confused with a
+// translation by this share of the parallax, and hence of the baseline. The bundle adjustment of the first
+// map corrects that.
 constexpr double kRotationShare = 0.35;
 
 Timestamp time_of(int frame) { return Timestamp::from_seconds(0.1 * frame); }
 
 class BootstrapOnSweep : public ::testing::Test {
  protected:
-  // The images are small, hence the motion asked for is larger than the default: else a pixel's tenth would
-  // count for too much.
+  // The images are small, hence the required motion is larger than the default: otherwise a tenth of a pixel
+  // would matter too much.
   BootstrapOnSweep() { params.min_disparity = 0.06, params.min_parallax_deg = 2; }
 
   Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole, params, seed}; }
-  // Frame k of the sweep, seen under a gain.
+  // Frame k of the sweep, with a gain on its gray levels.
   BootstrapStatus add(Bootstrap* bootstrap, int k, double gain = 1) const {
     return bootstrap->add(k, time_of(k),
                           gain == 1 ? test::Sweep::pyramid(k) : scene.pyramid(sweep_pose(k), gain));
   }
-  // Frames from `first` on until there is a result; fails after 40.
+  // Adds frames from `first` on until there is a result; fails after 40.
   BootstrapResult run(Bootstrap* bootstrap, int first = 0, bool flicker = false) const {
     for (int k = first; k < first + 40; ++k) {
       BootstrapStatus status = add(bootstrap, k, flicker && k % 2 ? 0.6 : 1.0);
@@ -144,14 +145,14 @@ TEST_F(BootstrapOnSweep, ResetTakesANewFirstView) {
 
 // ---- not ready ----
 
-TEST_F(BootstrapOnSweep, TheFirstFrameIsOnlyTaken) {
+TEST_F(BootstrapOnSweep, TheFirstFrameGivesNoResult) {
   Bootstrap bootstrap = make();
   const BootstrapStatus status = add(&bootstrap, 0);
   EXPECT_FALSE(status.result);
   EXPECT_EQ(status.reason, "first view taken");
 }
 
-TEST_F(BootstrapOnSweep, SaysThatThereIsNoMotionAtAStandstill) {
+TEST_F(BootstrapOnSweep, ReportsNoMotionAtAStandstill) {
   Bootstrap bootstrap = make();
   for (int k = 0; k < 8; ++k) {
     const BootstrapStatus status =
@@ -171,15 +172,15 @@ TEST_F(BootstrapOnSweep, GivesNoMapFromPureRotation) {
         Eigen::Vector3d::Zero());
     const BootstrapStatus status = bootstrap.add(k, time_of(k), scene.pyramid(T_world_cam));
     ASSERT_FALSE(status.result) << k;
-    // Corners behind a camera, too little parallax or no common motion: which one is up to chance, but it is
-    // said.
+    // Corners behind a camera, too little parallax or no common motion: which one is up to chance, but a
+    // reason is reported.
     if (k > 0 && status.reason.find("median motion") == std::string::npos) ++enough_motion;
     EXPECT_NE(status.reason, "");
   }
   EXPECT_GT(enough_motion, 3);
 }
 
-TEST_F(BootstrapOnSweep, SaysThatABlankImageHasNoCorners) {
+TEST_F(BootstrapOnSweep, ReportsThatABlankImageHasNoCorners) {
   Bootstrap bootstrap = make();
   const auto blank =
       PyramidBuilder(scene.camera, EdgeParams()).build(test::make_image(320, 240, [](double, double) {
@@ -193,7 +194,7 @@ TEST_F(BootstrapOnSweep, SaysThatABlankImageHasNoCorners) {
   EXPECT_EQ(run(&bootstrap, 3).views.front().frame_index, 3);
 }
 
-TEST_F(BootstrapOnSweep, SaysThatCornersAreTooFew) {
+TEST_F(BootstrapOnSweep, ReportsThatCornersAreTooFew) {
   Bootstrap bootstrap = make();
   const auto discs =
       PyramidBuilder(scene.camera, EdgeParams()).build(test::disc_image(320, 240, {160, 120}, 30, 60, 200));
@@ -202,7 +203,7 @@ TEST_F(BootstrapOnSweep, SaysThatCornersAreTooFew) {
   EXPECT_THAT(status.reason, ::testing::ContainsRegex("only [0-9]+ corners in the image"));
 }
 
-TEST_F(BootstrapOnSweep, StartsAnewWhenTheCornersAreGone) {
+TEST_F(BootstrapOnSweep, RestartsWhenTheCornersAreGone) {
   Bootstrap bootstrap = make();
   (void)add(&bootstrap, 0);
   const HollowScene other(99);
@@ -220,7 +221,7 @@ TEST_F(BootstrapOnSweep, TakesANewFirstViewAfterTooManyFrames) {
   const BootstrapStatus status = bootstrap.add(5, time_of(5), scene.pyramid(sweep_pose(20)));
   EXPECT_FALSE(status.result);
   EXPECT_EQ(status.reason, "too little motion for too long; new first view");
-  // Frames 21 and on move: the result must not reach back beyond the new first view.
+  // Frames from 21 on move: the result must not go back beyond the new first view.
   BootstrapStatus moving;
   for (int k = 6; !moving.result && k < 30; ++k)
     moving = bootstrap.add(k, time_of(k), scene.pyramid(sweep_pose(20 + 4 * (k - 5))));
@@ -228,8 +229,8 @@ TEST_F(BootstrapOnSweep, TakesANewFirstViewAfterTooManyFrames) {
   EXPECT_GE(moving.result->views.front().frame_index, 5);
 }
 
-// Every other strip of the first image is displaced, as if shadows had moved on: half of its corners agree
-// with no later view.
+// Every other strip of the first image is displaced, as by moving shadows: half of its corners agree with no
+// later view.
 TEST_F(BootstrapOnSweep, GivesUpAFirstViewThatDisagreesWithAllOthers) {
   GrayImage torn = scene.render(sweep_pose(0));
   const GrayImage whole = torn;
@@ -251,9 +252,9 @@ TEST_F(BootstrapOnSweep, GivesUpAFirstViewThatDisagreesWithAllOthers) {
   EXPECT_GT(status.result->views.front().frame_index, 0);
 }
 
-// The nearest third of the image goes dark: what is left there to be followed has moved less than the median.
+// The nearest third of the image goes dark: the remaining corners have moved less than the median.
 TEST_F(BootstrapOnSweep, LostCornersCountAsMovedFurther) {
-  params.min_disparity = 0.4;  // never enough: the reason tells the median motion
+  params.min_disparity = 0.4;  // never enough: the reason contains the median motion
   const auto median_motion = [&](bool count_lost_corners) {
     params.count_lost_corners = count_lost_corners;
     Bootstrap bootstrap = make();

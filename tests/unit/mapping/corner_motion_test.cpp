@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The motion hypothesis from corners: how exact it is, and when there is none.
 #include "edgevo/mapping/corner_motion.h"
 
@@ -37,7 +38,7 @@ TEST(CornerMotion, IsFoundFromAGuessThatIsDegreesWrong) {
 }
 
 // The rays of a pair are those of one point of the scene.
-TEST(CornerMotion, PairsAreTheSamePlaceInBothImages) {
+TEST(CornerMotion, PairsShowTheSamePointInBothImages) {
   const SE3 truth = true_motion(0, 12);
   const std::optional<CornerMotion> m = ask(0, 12, truth);
   ASSERT_TRUE(m);
@@ -48,10 +49,10 @@ TEST(CornerMotion, PairsAreTheSamePlaceInBothImages) {
     error_px.push_back((p.px - Sweep::pinhole().project(c.to)).norm());
   }
   ASSERT_FALSE(error_px.empty());
-  EXPECT_LT(median(error_px), 0.8);  // slanted walls: their texture is not shifted alone
+  EXPECT_LT(median(error_px), 0.8);  // slanted walls: their texture is not only shifted
 }
 
-TEST(CornerMotion, SaysNothingOfATurnOnTheSpot) {
+TEST(CornerMotion, GivesNoMotionInPureRotation) {
   const SE3 T_world_cam = sweep_pose(0);
   const SE3 turn = turned_by({0, 0.08, 0}, SE3());
   const auto turned = Sweep::scene().pyramid(T_world_cam * turn.inverse(), 1.0, 0.0, 1.0, 99);
@@ -60,7 +61,7 @@ TEST(CornerMotion, SaysNothingOfATurnOnTheSpot) {
       find_corner_motion(Sweep::pinhole(), *Sweep::pyramid(0), *turned, turn, CornerParams(), &random));
 }
 
-TEST(CornerMotion, SaysNothingWhereFewCornersAgree) {
+TEST(CornerMotion, GivesNoMotionWhereFewCornersAgree) {
   const SE3 truth = true_motion(0, 12);
   const auto black = Sweep::scene().pyramid(sweep_pose(12), 0.0, 0.0);
   Random random(1);

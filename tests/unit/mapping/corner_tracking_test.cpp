@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far the corners of a first view have moved when some of them are lost.
 #include "corner_tracking.h"
 
@@ -17,15 +18,16 @@ double motion_of(int left, int all) {
   return median_motion(size_t(all), corners_moved(left, false), corners_moved(left, true));
 }
 
-TEST(MedianMotion, OfAllCornersIsTheirMedian) { EXPECT_EQ(motion_of(41, 41), 20); }
+TEST(MedianCornerMotion, OfAllCornersIsTheirMedian) { EXPECT_EQ(motion_of(41, 41), 20); }
 
 // The fastest half is lost one after the other: the median of all does not fall with them.
-TEST(MedianMotion, LostCornersCountAsMovedFurther) {
+TEST(MedianCornerMotion, LostCornersCountAsMovedFurther) {
   for (int left = 41; left > 28; --left) EXPECT_EQ(motion_of(left, 41), 20) << left << " of 41 left";
 }
 
-// They say nothing about how far: a quarter of what is left lies above the median at least.
-TEST(MedianMotion, ManyLostCornersDoNotDecideAlone) {
+// Lost corners do not show how far they moved: at least a quarter of the remaining ones lies above the
+// median.
+TEST(MedianCornerMotion, ManyLostCornersDoNotDecideAlone) {
   EXPECT_EQ(motion_of(20, 41), 15);
   EXPECT_EQ(motion_of(4, 4000), 3);
 }

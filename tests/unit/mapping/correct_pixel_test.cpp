@@ -1,4 +1,5 @@
-// Pixels and normals of a map, carried over to another correction of the images.
+// SPDX-License-Identifier: BSD-3-Clause
+// Pixels and normals of a map, converted to another correction of the images.
 #include <gtest/gtest.h>
 
 #include "edgevo/mapping/map_revision.h"

@@ -1,4 +1,5 @@
-// Depth filter: triangulation, fusion, smoothing and the making of immature points.
+// SPDX-License-Identifier: BSD-3-Clause
+// Depth filter: triangulation, fusion, smoothing, and new immature points.
 #include "edgevo/mapping/depth_filter.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +96,7 @@ TEST(FuseDepth, MeasurementsOfOneDepthConverge) {
     chi_square += std::pow((p.idepth - kTruth) / p.idepth_sigma, 2) / kTrials;
   }
   EXPECT_NEAR(chi_square, 1,
-              4 * std::sqrt(2.0 / kTrials));  // four deviations of a chi-square of that many trials
+              4 * std::sqrt(2.0 / kTrials));  // four sigmas of a chi-square of that many trials
 }
 
 TEST(FuseDepth, ADisagreeingDepthIsAnOutlierAndChangesNothing) {
@@ -132,8 +133,8 @@ TEST(FuseDepth, KillsPointsWithMoreOutliersThanTwoPlusAgreements) {
 // ---- smoothing ----
 
 // Two straight vertical edges, at x = 20 and x = 24, of 40 pixels each.
-EdgeMap two_edges() {
-  EdgeMap map;
+ImageEdges two_edges() {
+  ImageEdges map;
   map.width = 60, map.height = 60;
   for (int chain = 0; chain < 2; ++chain) {
     const int begin = int(map.pixels.size());
@@ -143,7 +144,7 @@ EdgeMap two_edges() {
   return map;
 }
 
-ImmaturePoint on_edge(const EdgeMap& edges, int edge_pixel, double idepth, double sigma) {
+ImmaturePoint on_edge(const ImageEdges& edges, int edge_pixel, double idepth, double sigma) {
   ImmaturePoint p = point(idepth, sigma, 1);
   p.edge_pixel = edge_pixel;
   p.px = edges.pixels[size_t(edge_pixel)].position().cast<double>();
@@ -158,7 +159,7 @@ DepthFilterParams smoothing(double weight) {
 }
 
 TEST(SmoothDepths, PullsByTheWeightTowardsTheNeighbours) {
-  const EdgeMap edges = two_edges();
+  const ImageEdges edges = two_edges();
   std::vector<ImmaturePoint> p = {on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01),
                                   on_edge(edges, 16, 0.206, 0.02)};
   smooth_along_edges(edges, smoothing(0.3), &p);
@@ -170,7 +171,7 @@ TEST(SmoothDepths, PullsByTheWeightTowardsTheNeighbours) {
 }
 
 // The second of two points must not pull the first.
-void expect_no_pull(const EdgeMap& edges, const ImmaturePoint& a, const ImmaturePoint& b,
+void expect_no_pull(const ImageEdges& edges, const ImmaturePoint& a, const ImmaturePoint& b,
                     double weight = 0.3) {
   std::vector<ImmaturePoint> p = {a, b};
   smooth_along_edges(edges, smoothing(weight), &p);
@@ -179,22 +180,22 @@ void expect_no_pull(const EdgeMap& edges, const ImmaturePoint& a, const Immature
 }
 
 TEST(SmoothDepths, DoesNotPullAcrossEdges) {
-  const EdgeMap edges = two_edges();
+  const ImageEdges edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 39, 0.20, 0.01), on_edge(edges, 79, 0.21, 0.01));
 }
 
 TEST(SmoothDepths, DoesNotPullBeyondItsReach) {
-  const EdgeMap edges = two_edges();
+  const ImageEdges edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 15, 0.21, 0.01));
 }
 
 TEST(SmoothDepths, DoesNotPullWhatDisagrees) {
-  const EdgeMap edges = two_edges();
+  const ImageEdges edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.24, 0.01));
 }
 
 TEST(SmoothDepths, DeadAndUnmeasuredPointsNeitherPullNorMove) {
-  const EdgeMap edges = two_edges();
+  const ImageEdges edges = two_edges();
   const ImmaturePoint alive = on_edge(edges, 0, 0.20, 0.01);
   ImmaturePoint dead = on_edge(edges, 8, 0.21, 0.01), unmeasured = dead;
   dead.dead = true;
@@ -204,7 +205,7 @@ TEST(SmoothDepths, DeadAndUnmeasuredPointsNeitherPullNorMove) {
 }
 
 TEST(SmoothDepths, OffWithZeroWeight) {
-  const EdgeMap edges = two_edges();
+  const ImageEdges edges = two_edges();
   expect_no_pull(edges, on_edge(edges, 0, 0.20, 0.01), on_edge(edges, 8, 0.21, 0.01), 0.0);
 }
 
@@ -229,12 +230,12 @@ class ImmaturePoints : public ::testing::Test {
   std::vector<bool> occupied;
 };
 
-TEST_F(ImmaturePoints, OneACellOnEdgesInOrder) {
+TEST_F(ImmaturePoints, OnePerCellOnEdgesInOrder) {
   const auto points = make(1);
   ASSERT_GT(points.size(), 200u);
   std::set<int> cells;
   int previous = -1;
-  const EdgeMap& edges = keyframe.pyramid->finest().edges;
+  const ImageEdges& edges = keyframe.pyramid->finest().edges;
   for (const ImmaturePoint& p : points) {
     EXPECT_TRUE(cells.insert(grid.index(p.px.x(), p.px.y())).second);
     EXPECT_GT(p.edge_pixel, previous);
@@ -283,7 +284,7 @@ TEST_F(ImmaturePoints, TheLimitHoldsAndIsSpreadOverTheImage) {
   ASSERT_EQ(points.size(), 80u);
   int upper = 0, left = 0;
   for (const ImmaturePoint& p : points) upper += p.px.y() < 120, left += p.px.x() < 160;
-  // A fair choice puts half to each side, give or take four deviations of a binomial.
+  // A fair selection puts half on each side, give or take four sigmas of a binomial.
   EXPECT_NEAR(upper, 40, 4 * std::sqrt(80 * 0.25));
   EXPECT_NEAR(left, 40, 4 * std::sqrt(80 * 0.25));
 }

@@ -1,4 +1,5 @@
-// Epipolar search on images with exact depth: what it finds, and what it says where it finds nothing.
+// SPDX-License-Identifier: BSD-3-Clause
+// Epipolar search on images with exact depth: what it finds, and what it reports if it finds nothing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ using test::PlaneScene;
 struct Errors {
   int searched = 0;
   std::vector<double> px;      // along the epipolar line
-  std::vector<double> sigmas;  // of the stated deviation
+  std::vector<double> sigmas;  // errors in reported sigmas
 };
 
 // Searches every 7th edge pixel of the host over half to twice its true inverse depth.
@@ -66,16 +67,16 @@ TEST_P(EpipolarSearchMotions, FindsTheTrueDepth) {
   const Errors e = search_all(scene, *host, *target, T_world_target().inverse(), DepthFilterParams());
   ASSERT_GT(e.searched, 300);
   EXPECT_GT(e.px.size(), 0.4 * e.searched);
-  // Without image noise what is left is rounding to gray levels and the change of the patch's shape: a tenth
-  // of a pixel.
+  // Without image noise only rounding to gray levels and the change of the patch's shape are left: a tenth of
+  // a pixel.
   EXPECT_LT(std::abs(median(e.px)), 0.03);
-  std::vector<double> deviation;
+  std::vector<double> errors;
   int outliers = 0;
   for (size_t i = 0; i < e.px.size(); ++i) {
-    deviation.push_back(std::abs(e.px[i]));
+    errors.push_back(std::abs(e.px[i]));
     outliers += std::abs(e.sigmas[i]) > 3;
   }
-  EXPECT_LT(1.4826 * median(deviation), 0.15);
+  EXPECT_LT(1.4826 * median(errors), 0.15);
   EXPECT_LT(outliers, 0.04 * double(e.px.size()));
 }
 
@@ -86,9 +87,9 @@ INSTANTIATE_TEST_SUITE_P(Search, EpipolarSearchMotions,
                                            Motion{"forward", {0.02, 0.02, 0.5}, 0.0}),
                          [](const auto& info) { return std::string(info.param.name); });
 
-// The stated deviation covers the true error under sensor noise: it is a bound, since edges also move for
-// other reasons.
-TEST(EpipolarSearch, StatesADeviationThatCoversTheError) {
+// The reported sigma covers the true error under sensor noise: it is a bound, since edges also move for other
+// reasons.
+TEST(EpipolarSearch, ReportsASigmaThatCoversTheError) {
   const PlaneScene scene;
   const SE3 T_world_target(Eigen::Matrix3d::Identity(), {0.25, 0.05, 0});
   PyramidBuilder builder(scene.camera, EdgeParams());
@@ -101,9 +102,9 @@ TEST(EpipolarSearch, StatesADeviationThatCoversTheError) {
   const auto host = noisy(SE3(), 1), target = noisy(T_world_target, 2);
   const Errors e = search_all(scene, *host, *target, T_world_target.inverse(), DepthFilterParams());
   ASSERT_GT(e.sigmas.size(), 150u);
-  std::vector<double> deviation;
-  for (double s : e.sigmas) deviation.push_back(std::abs(s));
-  EXPECT_LT(1.4826 * median(deviation), 1);
+  std::vector<double> errors;
+  for (double s : e.sigmas) errors.push_back(std::abs(s));
+  EXPECT_LT(1.4826 * median(errors), 1);
   EXPECT_LT(std::abs(median(e.px)), 0.05);
 }
 
@@ -123,7 +124,7 @@ class EpipolarOutcomes : public ::testing::Test {
   std::shared_ptr<const FramePyramid> build(const GrayImage& image) const {
     return PyramidBuilder(scene.camera, EdgeParams()).build(image);
   }
-  // How many edge pixels of the host's middle end in each outcome.
+  // Number of edge pixels of the host's middle that end in each outcome.
   int count(EpipolarOutcome outcome, const FramePyramid& host, const FramePyramid& target,
             const SE3& T_target_host, const IdepthRange& range, int* all) const {
     int n = 0;
@@ -192,8 +193,8 @@ TEST_F(EpipolarOutcomes, EdgesAlongTheEpipolarLineAreNotSearched) {
 TEST_F(EpipolarOutcomes, AmbiguousAmongEqualStripes) {
   const auto stripes = build(test::make_image(
       320, 240, [](double x, double) { return 128 + 90 * std::tanh(4 * std::sin(x * M_PI / 20)); }));
-  // 0.6 x 260 px x (0.1 ... 0.6): 16 to 94 pixels to the left, where stripes stand at 40 and 80; near the
-  // left border the second lies outside.
+  // 0.6 x 260 px x (0.1 ... 0.6): 16 to 94 pixels to the left, where there are stripes at 40 and 80; near the
+  // left border the second one lies outside.
   expect_all(EpipolarOutcome::kAmbiguous, *stripes, *stripes, sideways(-0.6), 0.8, {0.1, 0.6});
 }
 
@@ -203,7 +204,7 @@ TEST_F(EpipolarOutcomes, OneStripeInRangeIsNotAmbiguous) {
   expect_all(EpipolarOutcome::kFound, *step, *moved, sideways(-0.3), 0.95, {0.1, 0.6});
 }
 
-// Nothing that the odometry can come to ask makes it fail or return numbers that are not finite.
+// No query of the odometry makes it fail or return numbers that are not finite.
 TEST_F(EpipolarOutcomes, AnyMotionGivesFiniteNumbers) {
   const auto host = scene.pyramid(SE3());
   Random random(2);

@@ -1,4 +1,5 @@
-// Where a new point is searched.
+// SPDX-License-Identifier: BSD-3-Clause
+// Search range of new points.
 #include "edgevo/mapping/idepth_prior.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ TEST(IdepthPrior, WithoutNeighboursItSearchesAroundTheMedianEverywhere) {
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).high, 8 * 0.2);
 }
 
-TEST(IdepthPrior, WhereNothingIsKnownTheEarlierMedianServes) {
+TEST(IdepthPrior, WithoutKnownDepthsTheEarlierMedianIsUsed) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
   IdepthPrior prior(camera, params, 0.5);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "two_view_motion.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ struct Views {
   double direction_error(const SE3& T) const { return angle_between(T.translation(), truth.translation()); }
 };
 
-// Without noise the steps converge to the truth from a wrong start: they could not with a wrong derivative.
+// Without noise the steps converge to the truth from a wrong start: with a wrong derivative they could not.
 TEST(RefineMotion, RecoversAPerturbedMotionExactly) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0);
   Vector6d xi;
@@ -57,8 +58,7 @@ TEST(RefineMotion, SharpensTheMotionOfRansac) {
   EXPECT_FALSE(is_ambiguous(motions.front(), motions));
 }
 
-// Depths of 36 to 110 times the way between the views, as at the begin of a slow motion: nothing speaks
-// against them.
+// Depths of 36 to 110 times the baseline, as at the beginning of a slow motion: no evidence against them.
 TEST(EstimateMotions, FarCornersAgree) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.2, 20, 60);
   Random random(1);
@@ -67,7 +67,7 @@ TEST(EstimateMotions, FarCornersAgree) {
   for (const TwoViewMotion& m : motions) EXPECT_GT(cv::countNonZero(m.inliers), 285);
 }
 
-// RANSAC's samples of five scatter with the noise; refined over all that agree, they do not.
+// RANSAC's samples of five scatter with the noise; refined over all inliers they do not.
 TEST(EstimateMotions, AllSamplesEndAtOneMotion) {
   const Views v({0.5, 0.1, 0.2}, {0.02, -0.05, 0.03}, 0.4);
   Random random(1);
@@ -103,7 +103,7 @@ TEST(IsAmbiguous, MotionsThatFitAlikeButDisagree) {
   xi[4] = 0.01;
   b.T_last_first = SE3::exp(xi);
   EXPECT_TRUE(is_ambiguous(a, {a, b}));
-  b.median_error_px = 0.5;  // fits far worse: no rival
+  b.median_error_px = 0.5;  // fits much worse: no rival
   EXPECT_FALSE(is_ambiguous(a, {a, b}));
 }
 

@@ -1,4 +1,5 @@
-// The adjustment of the window: perturbed poses and depths come back, what does not fit goes.
+// SPDX-License-Identifier: BSD-3-Clause
+// The adjustment of the window: it recovers perturbed poses and depths, and drops what does not fit.
 #include "edgevo/mapping/window.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ TEST(Window, RecoversPosesAndDepths) {
   Window window = true_window(6, 0.02);
   window.activate({2, 2});
   Random random(8);
-  // Keyframes 0 and 1 hold the gauge. A hundredth of the depth is about 0.3 px at this focal length.
+  // Keyframes 0 and 1 fix the gauge. A hundredth of the depth is about 0.3 px at this focal length.
   for (size_t k = 2; k < window.keyframes().size(); ++k) {
     Vector6d xi;
     for (int i = 0; i < 6; ++i) xi[i] = (i < 3 ? 0.03 : 0.004) * random.normal();
@@ -47,8 +48,8 @@ TEST(Window, RecoversPosesAndDepths) {
   EXPECT_LT(idepth_error(window), 0.01);
 }
 
-// The newest keyframe as after a turn in which no match of it is right: only its corners know how it is
-// turned.
+// The newest keyframe as after a turn in which none of its matches is right: only its corners constrain its
+// rotation.
 Window window_that_lost_its_newest(bool with_corners, const WindowParams& params = seven_keyframes()) {
   Window window = true_window(4, 0.02, params);
   window.activate({2, 2});
@@ -78,7 +79,7 @@ Window window_that_lost_its_newest(bool with_corners, const WindowParams& params
   return window;
 }
 
-TEST(Window, CornersHoldAKeyframeThatItsEdgesDoNot) {
+TEST(Window, CornersConstrainAKeyframeThatItsEdgesDoNot) {
   EXPECT_GT(pose_error(window_that_lost_its_newest(false).newest()).angle(), 0.03);
   EXPECT_LT(pose_error(window_that_lost_its_newest(true).newest()).angle(), 0.001);
   WindowParams without = seven_keyframes();
@@ -101,7 +102,7 @@ TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
   EXPECT_EQ(run(), run());
 }
 
-// The point of the first keyframe with the most matches, to spoil.
+// The point of the first keyframe with the most matches, to corrupt.
 MapPoint& best_point(const Window& window) {
   const std::vector<MapPoint>& points = window.keyframes().front().points;
   const auto most = std::max_element(points.begin(), points.end(), [](const MapPoint& a, const MapPoint& b) {
@@ -110,9 +111,9 @@ MapPoint& best_point(const Window& window) {
   return const_cast<MapPoint&>(*most);
 }
 
-// Spoils one match by 30 pixels and adjusts: is it still there?
+// Corrupts one match by 30 pixels and adjusts. Returns whether it is still there.
 bool keeps_spoiled_match(WindowParams params) {
-  params.ba_update_iterations = 0;  // nothing is matched anew
+  params.ba_update_iterations = 0;  // no match is updated
   Window window = true_window(5, 0.0, params);
   window.activate({2, 2});
   MapPoint& point = best_point(window);
@@ -132,14 +133,14 @@ bool keeps_spoiled_match(WindowParams params) {
   return it->find(spoiled) != nullptr;
 }
 
-TEST(Window, AMatchFarBeyondItsDeviationIsDropped) {
+TEST(Window, AMatchFarBeyondItsSigmaIsDropped) {
   WindowParams params = seven_keyframes();
   EXPECT_FALSE(keeps_spoiled_match(params));
   params.drop_outlier_matches = false;
   EXPECT_TRUE(keeps_spoiled_match(params));
 }
 
-TEST(Window, APointThatManyKeyframesMissGoes) {
+TEST(Window, APointMissedByManyKeyframesIsDropped) {
   const auto dropped = [](const WindowParams& params) {
     Window window = true_window(5, 0.0, params);
     const int points = window.activate({2, 2});
@@ -153,13 +154,13 @@ TEST(Window, APointThatManyKeyframesMissGoes) {
   EXPECT_EQ(dropped(params), 0);
 }
 
-// Two views show no scale: depths that all begin too near would draw the baseline after them.
+// Two views show no scale: if all depths started too near, the baseline would follow them.
 TEST(Window, TheBootstrapKeepsItsScale) {
   Window window = true_window(2, 0.04);
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.idepth *= 1.08;
   const double before = relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm();
-  window.hold_bootstrap_scale();
+  window.fix_bootstrap_scale();
   window.activate({2, 1});
   window.adjust();
   EXPECT_NEAR(relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm(), before,

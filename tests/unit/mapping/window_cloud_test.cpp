@@ -1,4 +1,5 @@
-// What a keyframe of the window shows the tracker.
+// SPDX-License-Identifier: BSD-3-Clause
+// The clouds that the tracker receives from a keyframe of the window.
 #include "edgevo/mapping/window.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// A correction of the camera: what it changes in the window.
+// SPDX-License-Identifier: BSD-3-Clause
+// How a correction of the camera changes the window.
 #include "edgevo/mapping/map_revision.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 using test::Sweep;
 using test::true_window;
 
-// A corner stays where the camera took it, whatever is found out about the lens.
+// A corner stays where the camera saw it, whatever is estimated about the lens.
 TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
   Window window = true_window(2, 0.02);
   const Eigen::Vector3d from = Sweep::pinhole().ray({300, 20}), to = Sweep::pinhole().ray({15, 220});
@@ -37,8 +38,8 @@ TEST(Window, CornersMoveWithTheImagesWhenTheCameraIsCorrected) {
   EXPECT_GT((moved.from - from).norm(), 1e-3);
 }
 
-// What is known of the keyframes that have left is linearised at poses of before the correction: it comes
-// anew with it.
+// The information of keyframes that have left is linearised at poses before the correction: it is replaced
+// with it.
 TEST(Window, ACorrectionBringsItsOwnPrior) {
   Window window = true_window(5, 0.02);
   window.activate({2, 2});
@@ -49,7 +50,7 @@ TEST(Window, ACorrectionBringsItsOwnPrior) {
       1e10 * Eigen::MatrixXd::Identity(6 * kept, 6 * kept);  // a tenth of a millimetre against all matches
   revision.prior.b = Eigen::VectorXd::Zero(6 * kept);
   for (const Keyframe& k : window.keyframes()) {
-    // A quarter of a degree, which is three pixels at the border, and all edges say that it is wrong.
+    // A quarter of a degree, which is three pixels at the border, and all edges contradict it.
     const SE3 turned = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.004 * k.id, Eigen::Vector3d::UnitY())),
                            Eigen::Vector3d::Zero()) *
                        k.T_cam_world;

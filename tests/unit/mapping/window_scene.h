@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A window of keyframes of the sweep, for the tests of the window.
 #include <cmath>
@@ -8,7 +9,7 @@
 
 namespace edgevo::test {
 
-constexpr int kFramesApart = 4;  // frames of the sweep from keyframe to keyframe
+constexpr int kFramesApart = 4;  // from one keyframe to the next
 
 inline WindowParams seven_keyframes() {
   WindowParams p;
@@ -26,7 +27,7 @@ inline Window true_window(int n, double depth_noise, const WindowParams& params 
   return window;
 }
 
-/// Median error of the active points, relative.
+/// Median relative depth error of the active points.
 inline double idepth_error(const Window& window) {
   std::vector<double> relative;
   for (const Keyframe& k : window.keyframes())
@@ -36,7 +37,7 @@ inline double idepth_error(const Window& window) {
   return median(relative);
 }
 
-/// Identity where the pose is true.
+/// Difference from the true pose; identity if the pose is true.
 inline SE3 pose_error(const Keyframe& k) { return k.T_cam_world * sweep_pose(k.frame_index); }
 
 }  // namespace edgevo::test

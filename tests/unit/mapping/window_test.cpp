@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The sliding window: which points become active and are matched, and what a keyframe takes with it when it
 // leaves.
 #include "edgevo/mapping/window.h"
@@ -53,7 +54,7 @@ TEST(Window, ActivationIsSpreadOverTheNewestImage) {
   EXPECT_LE(*std::max_element(count.begin(), count.end()), 2);
 }
 
-TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
+TEST(Window, ActivationRequiresEnoughMeasurementsAndCertainty) {
   Window window = true_window(4, 0.02);
   EXPECT_EQ(window.activate({4, 2}), 0);  // three good measurements each
   for (Keyframe& k : window.keyframes())
@@ -61,7 +62,7 @@ TEST(Window, ActivationAsksForEnoughMeasurementsAndCertainty) {
   EXPECT_EQ(window.activate({2, 2}), 0);
 }
 
-// Two keyframes show each point in one other view: it is not lost for want of a second one that has not been
+// Two keyframes show each point in one other view: it is not lost for lack of a second view that has not been
 // taken yet.
 TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
   Window window = true_window(2, 0.02);
@@ -87,7 +88,7 @@ TEST(Window, ActivationStopsAtTheLimit) {
 
 constexpr int kBudget = 100;
 
-// Two keyframes: each point has one match at most.
+// With two keyframes each point has one match at most.
 Window window_of_two() {
   Window window = true_window(2, 0.02);
   for (Keyframe& k : window.keyframes())
@@ -136,7 +137,7 @@ TEST(Window, ATentativePointStaysWhereTheNextKeyframeMatchesIt) {
   EXPECT_EQ(count_immature(window, [](const ImmaturePoint& p) { return p.dead; }), stayed);
 }
 
-TEST(Window, ATentativePointThatNothingConfirmsIsImmatureAgain) {
+TEST(Window, AnUnconfirmedTentativePointBecomesImmature) {
   Window window = window_of_two(), untouched = window_of_two();
   ASSERT_GT(window.activate({1, 1, kBudget}), 50);
   add_third(&window);
@@ -236,7 +237,7 @@ TEST(Window, TheOldestLeavesNoTrace) {
     }
 }
 
-TEST(Window, AdjustingOnAfterAKeyframeLeftKeepsPosesAndDepths) {
+TEST(Window, AdjustingAfterARemovalKeepsPosesAndDepths) {
   Window window = true_window(6, 0.02);
   window.activate({2, 2});
   window.adjust();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/playback_pose.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ Vector6d random_tangent(Random* random, double translation, double rotation) {
   return xi;
 }
 
-TEST(VehiclePose, JacobianAgreesWithDifferences) {
+TEST(VehiclePose, JacobianAgreesWithFiniteDifferences) {
   Random random(1);
   for (int trial = 0; trial < 50; ++trial) {
     const SE3 T = SE3::exp(random_tangent(&random, 3, 0.8));
@@ -51,9 +52,8 @@ TEST(VehiclePose, TurningRightInTheImageIsNegativeYaw) {
   EXPECT_NEAR(pdf.mean.roll(), 0, 1e-12);
 }
 
-// The mount of a car camera: 1.6 up, pitched down. A vehicle that turns on the spot moves its camera on a
-// circle.
-TEST(VehiclePose, LeverArmOfAMetricMountIsUndone) {
+// The mount of a car camera: 1.6 up, pitched down. A vehicle in pure rotation moves its camera on a circle.
+TEST(VehiclePose, LeverArmOfAMetricMountIsCompensated) {
   edgevo::Run run;
   run.scale_source = "odometry";
   const SE3 pitch(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY())),
@@ -64,7 +64,7 @@ TEST(VehiclePose, LeverArmOfAMetricMountIsUndone) {
   EXPECT_LT((T_map_vehicle(run, T_world_cam).inverse() * V).log().norm(), 1e-12);
 }
 
-// Draw the tracking error as it is defined, carry each draw through to MRPT's coordinates, compare the
+// Sample the tracking error by its definition, transform each sample to MRPT's coordinates, compare the
 // spread.
 TEST(VehiclePose, CovarianceAgreesWithMonteCarlo) {
   edgevo::Run run;
@@ -98,7 +98,7 @@ TEST(VehiclePose, CovarianceAgreesWithMonteCarlo) {
     }
 }
 
-TEST(VehiclePose, CovarianceStaysFiniteOnEnd) {
+TEST(VehiclePose, CovarianceStaysFiniteAtVerticalPitch) {
   const SE3 down(Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX())),
                  Eigen::Vector3d::Zero());
   const auto pdf = vehicle_pose_pdf(edgevo::Run(), down, 1e-4 * Matrix6d::Identity());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A small run with known world points, for the tests of the writers.
 #include <gtest/gtest.h>
@@ -22,12 +23,12 @@ inline EdgePoint edge_point(const Pinhole& pinhole, const SE3& T_world_cam, cons
   return p;
 }
 
-/// The world points that every keyframe of small_run() hosts, camera axes.
+/// The world points hosted by every keyframe of small_run(), camera axes.
 inline std::vector<Eigen::Vector3d> world_points() {
   return {{-1.04, -0.53, 6.07}, {0.5, 0.25, 7}, {1.5, -1, 9}, {-2, 1, 11}, {0.02, 0.03, 13}};
 }
 
-/// Eight frames, 0.1 s apart, that move forward and turn; frame 3 is lost; keyframes 0, 2, 5.
+/// A run of eight frames, 0.1 s apart, that moves forward and turns; frame 3 is lost; keyframes 0, 2, 5.
 inline Run small_run() {
   Run run;
   run.pinhole = {300, 300, 32, 24, 64, 48};
@@ -55,7 +56,7 @@ inline Run small_run() {
   return run;
 }
 
-/// An empty folder of its own for the running test; removed at the end.
+/// A temporary folder for the running test; removed at the end.
 class FolderTest : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }

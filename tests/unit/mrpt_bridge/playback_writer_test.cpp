@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/playback_writer.h"
 
 #include <gmock/gmock.h>
@@ -71,7 +72,7 @@ class PlaybackFiles : public test::FolderTest {
   }
 };
 
-TEST_F(PlaybackFiles, HoldsEveryImagePoseAndKeyframeInOrderOfTime) {
+TEST_F(PlaybackFiles, HoldsEveryImagePoseAndKeyframeInTimeOrder) {
   const edgevo::Run run = small_run();
   write(run);
   const auto all = read();
@@ -108,7 +109,7 @@ TEST_F(PlaybackFiles, PosesAreTheVehicles) {
   EXPECT_NEAR(odometry[6]->odometry.phi(), poses[6]->pose.mean.yaw(), 1e-9);
 }
 
-// What MRPT's own maps make of pose and scan must be the world points.
+// MRPT's own maps must turn pose and scan into the world points.
 TEST_F(PlaybackFiles, PointsLandInPlaceInMrptsMaps) {
   edgevo::Run run = small_run();
   run.scale_source = "odometry";
@@ -152,7 +153,7 @@ TEST_F(PlaybackFiles, LinksLeaveTheSourceAlone) {
   EXPECT_EQ(read_gray_image(path("playback_Images/frame_000000.png")).pixels, frame(0).image.pixels);
 }
 
-TEST_F(PlaybackFiles, LinksHoldWhenSourceAndRunMoveTogether) {
+TEST_F(PlaybackFiles, LinksSurviveMovingSourceAndRunTogether) {
   namespace fs = std::filesystem;
   fs::create_directories(path("tree/data"));
   write_png(path("tree/data/source.png"), frame(1).image);
@@ -162,7 +163,7 @@ TEST_F(PlaybackFiles, LinksHoldWhenSourceAndRunMoveTogether) {
             frame(1).image.pixels);
 }
 
-TEST_F(PlaybackFiles, CopiesStandAlone) {
+TEST_F(PlaybackFiles, CopiesAreSelfContained) {
   write_png(path("source.png"), frame(1).image);
   PlaybackWriter writer(path("out"), camera());
   writer.add_frame_copy(3, path("source.png"));
@@ -172,7 +173,7 @@ TEST_F(PlaybackFiles, CopiesStandAlone) {
   EXPECT_EQ(writer.image_path(4), "");
 }
 
-TEST_F(PlaybackFiles, TakesOverTheImagesThatAreThere) {
+TEST_F(PlaybackFiles, AdoptsTheExistingImages) {
   PlaybackWriter(folder_.string(), camera()).add_frame(frame(12));
   PlaybackWriter(folder_.string(), camera()).add_frame(frame(1234567));
   PlaybackWriter writer(folder_.string(), camera());
@@ -194,7 +195,7 @@ TEST_F(PlaybackFiles, EmptyRunGivesAReadableFile) {
   EXPECT_GT(bytes("playback.rawlog").size(), 0u);
 }
 
-TEST_F(PlaybackFiles, FullDiskIsTold) {
+TEST_F(PlaybackFiles, FullDiskIsReported) {
   std::filesystem::create_symlink("/dev/full", path("playback.rawlog"));
   try {
     write(small_run());
@@ -204,7 +205,7 @@ TEST_F(PlaybackFiles, FullDiskIsTold) {
   }
 }
 
-TEST_F(PlaybackFiles, ImageThatCannotBeWrittenIsTold) {
+TEST_F(PlaybackFiles, ImageThatCannotBeWrittenIsReported) {
   PlaybackWriter writer(folder_.string(), camera());
   std::filesystem::create_directories(path("playback_Images/frame_000000.png/in_the_way"));
   EXPECT_THROW(writer.add_frame(frame(0)), InputError);

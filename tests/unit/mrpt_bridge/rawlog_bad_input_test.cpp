@@ -1,4 +1,6 @@
-// Rawlogs that are cut short, damaged, or hold what we cannot use: told in one line, after the good frames.
+// SPDX-License-Identifier: BSD-3-Clause
+// Rawlogs that are truncated, damaged, or have unusable contents: reported in one line, after the good
+// frames.
 #include "unit/mrpt_bridge/rawlog_test_tools.h"
 
 #include "edgevo/mrpt_bridge/rawlog_import.h"
@@ -25,8 +27,8 @@ TEST(BadRawlog, MissingOrEmpty) {
   EXPECT_THAT(error_of([&] { test::open(folder / "text.rawlog"); }), HasSubstr("text.rawlog"));
 }
 
-// Wherever the file is cut, what lies whole before the cut comes out and then the cut is told; only the whole
-// file ends without an error.
+// Wherever the file is cut, what is complete before the cut is returned and then the cut is reported; only
+// the whole file ends without an error.
 TEST(BadRawlog, CutShortAnywhere) {
   TempFolder folder;
   const std::string whole_path = folder / "whole.rawlog", path = folder / "cut.rawlog";
@@ -62,7 +64,7 @@ TEST(BadRawlog, UncompressedCutShort) {
             1);
 }
 
-TEST(BadRawlog, DamagedDataAreToldBeforeAnyFrame) {
+TEST(BadRawlog, DamagedDataAreReportedBeforeAnyFrame) {
   TempFolder folder;
   test::write_embedded(folder / "x.rawlog", 6);
   std::string bytes = test::read_text(folder / "x.rawlog");
@@ -153,7 +155,7 @@ TEST(BadRawlog, NoCalibration) {
   EXPECT_EQ(test::read_all(*open_rawlog({folder / "x.rawlog", "", test::small_camera()})).size(), 1u);
 }
 
-// /dev/full takes every write and fails it as a full disk does.
+// /dev/full fails every write like a full disk.
 TEST(BadRawlog, DiskFull) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "NOT TESTED: no /dev/full here";
   const std::string message = error_of([] {
@@ -165,7 +167,7 @@ TEST(BadRawlog, DiskFull) {
                              HasSubstr("free space")));
 }
 
-// A link to /dev/full stands for the image for which no room is left; what there is of it goes away.
+// A link to /dev/full acts as an image without room on the disk; the partial file is removed.
 TEST(BadRawlog, ImageWithoutRoomLeavesNothing) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "NOT TESTED: no /dev/full here";
   TempFolder folder;

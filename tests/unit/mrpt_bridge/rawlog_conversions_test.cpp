@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Conversions are lossless both ways.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every kind of image in every form of rawlog gives the same frames.
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -53,7 +54,7 @@ TEST(RawlogSource, ActionsAndSensoryFrames) {
   expect_frames(*s, 3);
 }
 
-// As when a source breaks in the middle of an import: what was written is whole.
+// As when a source fails in the middle of an import: what was written is complete.
 TEST(RawlogSource, OfAWriterThatWasNotClosed) {
   TempFolder folder;
   {
@@ -97,7 +98,7 @@ TEST(RawlogSource, IntensityImageOfADepthCamera) {
     o.intensityImage = to_mrpt(test::make_image(i));
     o.cameraParamsIntensity = to_mrpt(test::small_camera());
     writer.write(o);
-    o.hasIntensityImage = false;  // depth alone is no frame
+    o.hasIntensityImage = false;  // depth alone is not a frame
     writer.write(o);
   }
   writer.close();

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Rawlogs made in memory for the tests of reader and source.
+// Synthetic rawlogs for the tests of reader and source.
 #include <mrpt/obs/CObservationImage.h>
 #include <zlib.h>
 
@@ -55,7 +56,7 @@ inline void write_gz(const std::string& path, const std::string& bytes) {
   gzclose(file);
 }
 
-/// An object of a class that nobody knows: name, version, a few bytes, end mark.
+/// An object of an unregistered class: name, version, a few bytes, end mark.
 inline std::string unknown_object() {
   const std::string name = "ns::CObservationOfTomorrow";
   return std::string(1, char(0x80 | name.size())) + name + std::string("\x00\x01\x02\x03", 4) + "\x88";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/scene_writer.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +42,8 @@ TEST_F(SceneWriter, HoldsTrajectoryKeyframesAndEdges) {
   EXPECT_NEAR(p.z, -0.25, 1e-4);  // up
 }
 
-// Path, frusta and lines stand in one world, that of the map: x forward, y left, z up.
-TEST_F(SceneWriter, PathAndLinesStandAsTheEdgesDo) {
+// Path, frusta and lines share one world, that of the map: x forward, y left, z up.
+TEST_F(SceneWriter, PathLinesAndEdgesShareOneWorld) {
   edgevo::Run run = test::small_run();
   EdgeLine line;
   for (const Eigen::Vector3d& p_world : {Eigen::Vector3d(-2, 1, 11), Eigen::Vector3d(1.5, -1, 9)}) {
@@ -88,8 +89,8 @@ TEST_F(SceneWriter, ManyPointsAreThinnedOut) {
   EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 4u);
 }
 
-// Whatever the unit is: the whole lies in front of the camera of the scene, and fills its view.
-TEST_F(SceneWriter, CameraSeesAll) {
+// In any unit, the whole scene is in front of its camera and fills the view.
+TEST_F(SceneWriter, CameraSeesTheWholeScene) {
   for (const double unit : {0.01, 1.0, 300.0}) {
     edgevo::Run run = test::small_run();
     for (auto& frame : run.frames)
@@ -116,7 +117,7 @@ TEST_F(SceneWriter, EmptyRunGivesAScene) {
   EXPECT_EQ(object<mrpt::opengl::CPointCloudColoured>(scene, "edges")->size(), 0u);
 }
 
-TEST_F(SceneWriter, FullDiskIsTold) {
+TEST_F(SceneWriter, FullDiskIsReported) {
   EXPECT_THROW(write_scene(test::small_run(), PointFilter(), "/dev/full"), InputError);
 }
 

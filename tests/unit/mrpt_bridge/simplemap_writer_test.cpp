@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/simplemap_writer.h"
 
 #include <gmock/gmock.h>
@@ -58,7 +59,7 @@ TEST_F(SimplemapWriter, PosesAreTheCamerasZUp) {
   EXPECT_EQ(observations->size(), 1u);
 }
 
-TEST_F(SimplemapWriter, KeyframesWithoutGoodPointsAreLeftOut) {
+TEST_F(SimplemapWriter, KeyframesWithoutGoodPointsAreSkipped) {
   edgevo::Run run = test::small_run();
   for (EdgePoint& p : run.keyframes[1].points) p.observations = 0;
   EXPECT_EQ(written(run).size(), 2u);
@@ -66,7 +67,7 @@ TEST_F(SimplemapWriter, KeyframesWithoutGoodPointsAreLeftOut) {
 
 TEST_F(SimplemapWriter, EmptyRunGivesAnEmptyMap) { EXPECT_EQ(written(edgevo::Run()).size(), 0u); }
 
-TEST_F(SimplemapWriter, FullDiskIsTold) {
+TEST_F(SimplemapWriter, FullDiskIsReported) {
   EXPECT_THROW(write_simplemap(test::small_run(), PointFilter(), "/dev/full"), InputError);
 }
 

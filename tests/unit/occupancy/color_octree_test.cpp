@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/color_octree.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST(ColorOctree, OccupiedVoxelsHaveTheGrayOfTheirEdges) {
   EXPECT_EQ(gray_at({0.05, 0.05, 3.05}), -1) << "free space";
 }
 
-TEST(ColorOctree, OfAnEmptyMapIsAnEmptyTree) {
+TEST(ColorOctree, AnEmptyMapGivesAnEmptyTree) {
   const auto tree = written(edgevo::Run());
   ASSERT_TRUE(tree);
   EXPECT_EQ(tree->size(), 0u);

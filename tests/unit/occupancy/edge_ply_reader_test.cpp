@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/edge_ply_reader.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +37,7 @@ edgevo::Run made_run() {
   return run;
 }
 
-TEST(EdgePlyReader, GivesTheRunBack) {
+TEST(EdgePlyReader, RestoresTheRun) {
   const edgevo::Run run = made_run();
   const test::TempFolder folder;
   const int written = write_edge_ply(run, PointFilter(), folder / "edges.ply");
@@ -60,7 +61,7 @@ TEST(EdgePlyReader, GivesTheRunBack) {
   EXPECT_EQ(points, written);
 }
 
-TEST(EdgePlyReader, GivesTheLinesBack) {
+TEST(EdgePlyReader, RestoresTheLines) {
   const edgevo::Run run = made_run();
   const test::TempFolder folder;
   write_edge_ply(run, PointFilter(), folder / "edges.ply");
@@ -84,7 +85,7 @@ TEST(EdgePlyReader, GivesTheLinesBack) {
   }
 }
 
-TEST(EdgePlyReader, TheSameMapComesOutOfIt) {
+TEST(EdgePlyReader, GivesTheSameMap) {
   const edgevo::Run run = made_run();
   const test::TempFolder folder;
   write_edge_ply(run, PointFilter(), folder / "edges.ply");
@@ -97,7 +98,7 @@ TEST(EdgePlyReader, TheSameMapComesOutOfIt) {
               0.005 * double(before.stats().free_voxels));
 }
 
-TEST(EdgePlyReader, RefusesWhatIsNotWhole) {
+TEST(EdgePlyReader, RefusesDamagedFiles) {
   const test::TempFolder folder;
   write_edge_ply(made_run(), PointFilter(), folder / "edges.ply");
   const std::string whole = content(folder / "edges.ply");
@@ -116,7 +117,7 @@ TEST(EdgePlyReader, RefusesWhatIsNotWhole) {
   };
   EXPECT_THAT(complaint(""), HasSubstr("is not a PLY file of edgevo"));
   EXPECT_THAT(complaint(whole.substr(0, 300)), HasSubstr("does not end"));
-  EXPECT_THAT(complaint(whole.substr(0, whole.size() - 1)), HasSubstr("cut short"));
+  EXPECT_THAT(complaint(whole.substr(0, whole.size() - 1)), HasSubstr("truncated"));
   EXPECT_THAT(complaint(with("comment scale ", "comment skale ")), HasSubstr("neither scale nor keyframes"));
   EXPECT_THAT(complaint(with("comment keyframe 0", "comment keyframe x")), HasSubstr("not readable"));
   EXPECT_THAT(complaint(with("comment keyframe 0", "comment keyfrane 0")), HasSubstr("keyframe"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/edge_ply.h"
 
 #include <gmock/gmock.h>
@@ -15,8 +16,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The vertex as a reader on a little-endian machine sees it. Packed: copy a member before binding a reference
-// to it.
+// Memory layout of a vertex on a little-endian machine. Packed: copy a member before binding a reference to
+// it.
 #pragma pack(push, 1)
 struct Vertex {
   float xyz[3];
@@ -114,7 +115,7 @@ TEST(EdgePly, LinesComeAfterThePointsWithTheirEdges) {
   EXPECT_EQ(int(ply.vertices[2].rgb[0]), 120);
 }
 
-TEST(EdgePly, HeaderTellsTheUnit) {
+TEST(EdgePly, HeaderStatesTheUnit) {
   const test::TempFolder folder;
   const std::string path = folder / "edges.ply";
   edgevo::Run run = two_keyframes();

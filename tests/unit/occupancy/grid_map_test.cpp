@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/grid_map.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +26,7 @@ struct MadeGrid {
     params.max_range = "15";
     grid = make_grid(scene.run, OctreeMap(scene.run, params), camera_height, grid_params);
   }
-  /// Where a world point (camera axes: x right, z ahead) lies in the grid.
+  /// Cell of a world point (camera axes: x right, z forward).
   GridCell at(double x, double z) const {
     const Eigen::Vector3d p = T_map_world(scene.run) * Eigen::Vector3d(x, 0, z);
     return grid.at(int(std::floor((p.x() - grid.origin_x) / grid.resolution)),
@@ -33,16 +34,16 @@ struct MadeGrid {
   }
 };
 
-TEST(GridMap, OccupiedFreeAndUnknownAreKeptApart) {
+TEST(GridMap, OccupiedFreeAndUnknownAreDistinguished) {
   const MadeGrid made;
   EXPECT_EQ(made.at(0.05, 10.05), GridCell::kOccupied) << "the wall";
   EXPECT_EQ(made.at(0.05, 5.05), GridCell::kOccupied) << "the pole";
-  EXPECT_EQ(made.at(0.45, 5.05), GridCell::kFree) << "beside the pole";
+  EXPECT_EQ(made.at(0.45, 5.05), GridCell::kFree) << "next to the pole";
   EXPECT_EQ(made.at(3.9, 3.05), GridCell::kUnknown) << "outside the view";
 }
 
-// The pole reaches from 1 above the camera to 1 below it; the band of heights decides whether it is in the
-// way.
+// The pole reaches from 1 above the camera to 1 below it; the band of heights decides whether it is an
+// obstacle.
 TEST(GridMap, OnlyTheBandOfHeightsCounts) {
   GridParams over_the_pole;
   over_the_pole.band_low = 2.3,
@@ -50,7 +51,7 @@ TEST(GridMap, OnlyTheBandOfHeightsCounts) {
   EXPECT_NE(MadeGrid(1.0, over_the_pole).at(0.05, 5.05), GridCell::kOccupied);
   EXPECT_EQ(MadeGrid(1.0, over_the_pole).at(0.05, 10.05), GridCell::kOccupied) << "the wall is two high";
   const MadeGrid unknown_ground(0, over_the_pole);
-  EXPECT_EQ(unknown_ground.at(0.05, 5.05), GridCell::kOccupied) << "without a ground all heights count";
+  EXPECT_EQ(unknown_ground.at(0.05, 5.05), GridCell::kOccupied) << "without ground all heights count";
   EXPECT_THAT(unknown_ground.grid.statement, HasSubstr("ground is not known"));
 }
 
@@ -70,8 +71,8 @@ TEST(GridMap, FollowsTheGroundUphill) {
             GridCell::kOccupied);
 }
 
-// Something wrong stands in the way that was driven: the pole, and the vehicle went through it.
-TEST(GridMap, TheDrivenWayIsFree) {
+// The map has an obstacle, the pole, within the corridor that the vehicle has driven.
+TEST(GridMap, TheDrivenCorridorIsFree) {
   test::PoleAndWall scene = test::pole_and_wall(1, 5);
   for (int i = 0; i < 9; ++i) {
     FrameRecord frame;
@@ -94,7 +95,7 @@ TEST(GridMap, TheDrivenWayIsFree) {
   for (const double x : {-0.5, 0.0, 0.05, 0.5}) EXPECT_EQ(at(grid, x, 5.05), GridCell::kFree) << x;
   EXPECT_EQ(at(grid, 0.05, 10.05), GridCell::kOccupied) << "the wall, where nobody has been";
   EXPECT_EQ(at(make_grid(scene.run, map, 0, GridParams()), 0.05, 5.05), GridCell::kOccupied)
-      << "no ground, no vehicle";
+      << "height of the ground unknown";
 }
 
 TEST(GridMap, RosFilesHoldTheTrinaryConvention) {
@@ -123,7 +124,7 @@ TEST(GridMap, EmptyMapIsOneUnknownCell) {
   EXPECT_EQ(grid.cells, std::vector<GridCell>{GridCell::kUnknown});
 }
 
-TEST(GridParams, RefusesWhatCannotBe) {
+TEST(GridParams, RefusesInvalidValues) {
   GridParams params;
   params.band_high = params.band_low;
   EXPECT_THROW(params.check(), InputError);

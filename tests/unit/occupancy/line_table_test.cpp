@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/line_table.h"
 
 #include <gmock/gmock.h>
@@ -44,7 +45,7 @@ TEST(LineTable, OneRowALine) {
   EXPECT_EQ(cell("gray_bright"), "200");
 }
 
-TEST(LineTable, OfNoLinesOnlyTheHeader) {
+TEST(LineTable, WithoutLinesHasOnlyTheHeader) {
   const std::string text = line_table_csv(edgevo::Run());
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
 }

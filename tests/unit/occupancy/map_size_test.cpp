@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/map_size.h"
 
 #include <gmock/gmock.h>
@@ -26,7 +27,7 @@ std::string complaint(const Run& run, const std::string& resolution, double free
   return "";
 }
 
-TEST(MapSize, IsNeitherMuchTooSmallNorMuchTooLarge) {
+TEST(MapSize, IsOfTheRightMagnitude) {
   const edgevo::Run run = test::pole_and_wall(2, 2).run;
   for (const char* resolution : {"0.4", "0.2", "0.1"}) {
     const OctreeStats made = OctreeMap(run, params_at(resolution)).stats();
@@ -37,7 +38,7 @@ TEST(MapSize, IsNeitherMuchTooSmallNorMuchTooLarge) {
   }
 }
 
-TEST(MapSize, WhatCannotBeHeldIsRefusedWithAResolutionThatCan) {
+TEST(MapSize, AMapTooLargeIsRefusedWithAResolutionThatFits) {
   const edgevo::Run run = test::pole_and_wall(3, 3).run;
   EXPECT_EQ(complaint(run, "0.1", 1e9), "");
   const std::string message = complaint(run, "0.002", 1e9);
@@ -48,12 +49,12 @@ TEST(MapSize, WhatCannotBeHeldIsRefusedWithAResolutionThatCan) {
   EXPECT_EQ(complaint(run, least, 1e9), "") << least;
 }
 
-TEST(MapSize, WhatReachesOnlyAroundTheOriginIsRefused) {
+TEST(MapSize, AMapThatCoversOnlyTheOriginIsRefused) {
   const edgevo::Run run = test::pole_and_wall(3, 3).run;
   EXPECT_THAT(complaint(run, "0.0001", 1e18), HasSubstr("reach only 3.3 from the origin"));
 }
 
-TEST(MapSize, AVoxelThatHoldsTheWholeRunIsRefused) {
+TEST(MapSize, AVoxelLargerThanTheRunIsRefused) {
   const edgevo::Run run = test::pole_and_wall(3, 3).run;
   EXPECT_THAT(complaint(run, "1000", 1e9), HasSubstr("run: one voxel of that size would hold the whole run"));
   EXPECT_EQ(complaint(run, "auto", 1e9), "");

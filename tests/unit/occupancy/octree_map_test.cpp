@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/octree_map.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +48,7 @@ double occupied_share(const octomap::OcTree& tree, const edgevo::Run& run,
   return double(n) / double(points.size());
 }
 
-TEST(OctreeMap, EndpointsAreOccupiedRaysAreFreeTheRestIsUnknown) {
+TEST(OctreeMap, PointsAreOccupiedRaysFreeAndTheRestUnknown) {
   const auto scene = pole_and_wall(1, 5);
   const OctreeMap map(scene.run, fixed_size());
   EXPECT_EQ(occupied_share(map.tree(), scene.run, scene.wall), 1.0);
@@ -56,7 +57,8 @@ TEST(OctreeMap, EndpointsAreOccupiedRaysAreFreeTheRestIsUnknown) {
   EXPECT_EQ(at(map.tree(), scene.run, {0, -5, 2}), Voxel::kUnknown) << "outside the view";
 }
 
-// In each of ten keyframes, rays to the wall cross every voxel of the pole; eight keyframes matched the pole.
+// In each of ten keyframes, rays to the wall cross every voxel of the pole; eight keyframes observed the
+// pole.
 TEST(OctreeMap, ThinEdgeSurvivesTheRaysOfManyKeyframes) {
   const auto scene = pole_and_wall(10, 8);
   const OctreeMap map(scene.run, fixed_size());
@@ -64,7 +66,7 @@ TEST(OctreeMap, ThinEdgeSurvivesTheRaysOfManyKeyframes) {
   EXPECT_EQ(occupied_share(map.tree(), scene.run, scene.wall), 1.0);
 }
 
-// The other side of the same coin: an edge that is not there (seen twice, then looked through) goes away.
+// Conversely, an edge that does not exist (observed twice, then seen through) is erased.
 TEST(OctreeMap, WrongPointsAreCarvedAway) {
   const auto scene = pole_and_wall(10, 2);
   const OctreeMap map(scene.run, fixed_size());
@@ -80,8 +82,8 @@ TEST(OctreeMap, UncertainPointsCarveNothing) {
   EXPECT_GT(map.stats().occupied_voxels, 500);
 }
 
-// A wrong point, certain of itself, behind the wall: its ray says that the wall's inside is free. Four of
-// them beside each other are believed.
+// The ray of an outlier behind the wall, with a small sigma, would free the inside of the wall. Four such
+// points next to each other are accepted.
 TEST(OctreeMap, LonePointsCarveNothing) {
   const auto free_behind_the_wall = [](int points) {
     auto scene = pole_and_wall(1, 5);
@@ -109,7 +111,7 @@ TEST(OctreeMap, RaysStopSomeSigmasBeforeThePoint) {
   EXPECT_EQ(at(map.tree(), run, {0.05, 0.05, 10}), Voxel::kOccupied);
 }
 
-// A bar given by its ends: every voxel between them, and no ray of the wall behind erases it.
+// A bar given by its ends: all voxels between them are occupied, and no ray to the wall behind erases them.
 TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
   auto scene = pole_and_wall(6, 5);
   const Eigen::Vector3d a(-0.95, 0.05, 5.05), b(0.95, 0.05, 5.05);
@@ -121,7 +123,7 @@ TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
     EXPECT_EQ(at(map.tree(), scene.run, {x, 0.05, 5.05}), Voxel::kOccupied) << x;
 }
 
-// Seen by the first keyframe from 18 m, beyond the range of 15.
+// A bar seen by the first keyframe from 18 m, beyond the range of 15.
 Voxel far_bar(double relative_sigma, double forward_later) {
   auto scene = pole_and_wall(2, 5);
   const Eigen::Vector3d a(-0.95, 0.05, 18.05), b(0.95, 0.05, 18.05);
@@ -133,10 +135,10 @@ Voxel far_bar(double relative_sigma, double forward_later) {
   return at(OctreeMap(scene.run, fixed_size()).tree(), scene.run, {0.05, 0.05, 18.05});
 }
 
-TEST(OctreeMap, WhatWasSeenFromAfarCountsWhereTheCameraCameNearLater) {
+TEST(OctreeMap, PointsBeyondTheRangeCountIfTheCameraComesNearLater) {
   EXPECT_EQ(far_bar(0.005, 5), Voxel::kOccupied);
   EXPECT_NE(far_bar(0.005, 1), Voxel::kOccupied) << "the camera stayed out of range";
-  EXPECT_NE(far_bar(0.01, 5), Voxel::kOccupied) << "not certain to a voxel";
+  EXPECT_NE(far_bar(0.01, 5), Voxel::kOccupied) << "depth not known to a voxel";
 }
 
 TEST(OctreeMap, MetricVoxelsAreAtMostAFifthOfAMetre) {
@@ -162,7 +164,7 @@ TEST(OctreeMap, NothingIsMappedBeyondTheRange) {
   EXPECT_EQ(at(map.tree(), scene.run, {0, 0, 7.5}), Voxel::kUnknown);
 }
 
-// A second segment whose scale went wrong sees a wall behind that of the first.
+// A second segment with a wrong scale has a wall behind that of the first.
 TEST(OctreeMap, SegmentsDoNotEraseEachOther) {
   auto first = pole_and_wall(1, 3);
   auto second = pole_and_wall(12, 3);
@@ -177,7 +179,7 @@ TEST(OctreeMap, SegmentsDoNotEraseEachOther) {
   EXPECT_EQ(occupied_share(OctreeMap(run, fixed_size()).tree(), run, first.wall), 1.0);
   for (KeyframeRecord& keyframe : run.keyframes) keyframe.segment = 0;
   EXPECT_LT(occupied_share(OctreeMap(run, fixed_size()).tree(), run, first.wall), 0.9)
-      << "in one segment those rays do count, or this test shows nothing";
+      << "within one segment those rays must count, or this test shows nothing";
 }
 
 TEST(OctreeMap, SizesFollowTheMedianDepth) {
@@ -189,7 +191,7 @@ TEST(OctreeMap, SizesFollowTheMedianDepth) {
   EXPECT_NEAR(map.stats().max_range, 20, 1e-9);
 }
 
-TEST(OctreeMap, BothFilesReadBackTheSame) {
+TEST(OctreeMap, BothFilesGiveTheSameMap) {
   const auto scene = pole_and_wall(3, 5);
   const OctreeMap map(scene.run, fixed_size());
   const test::TempFolder folder;
@@ -213,7 +215,7 @@ TEST(OctreeMap, BothFilesReadBackTheSame) {
   }
 }
 
-TEST(OctreeMap, EmptyRunGivesValidEmptyFiles) {
+TEST(OctreeMap, AnEmptyRunGivesValidEmptyFiles) {
   const OctreeMap map(edgevo::Run{}, OccupancyParams{});
   EXPECT_EQ(map.tree().size(), 0u);
   EXPECT_GT(map.stats().resolution, 0);
@@ -229,7 +231,7 @@ TEST(OctreeMap, EmptyRunGivesValidEmptyFiles) {
   EXPECT_EQ(ot->size(), 0u);
 }
 
-TEST(OctreeMap, SameRunSameBytesWithoutAWordOnStderr) {
+TEST(OctreeMap, SameRunSameBytesAndNothingOnStderr) {
   const auto scene = pole_and_wall(5, 5);
   const test::TempFolder folder;
   const std::string path = folder / "edges.ot";
@@ -243,7 +245,7 @@ TEST(OctreeMap, SameRunSameBytesWithoutAWordOnStderr) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-TEST(OctreeMap, HeadersTellTheUnit) {
+TEST(OctreeMap, HeadersStateTheUnit) {
   auto scene = pole_and_wall(1, 5);
   const test::TempFolder folder;
   const std::string path = folder / "edges.bt";
@@ -254,7 +256,7 @@ TEST(OctreeMap, HeadersTellTheUnit) {
   EXPECT_THAT(content(path), HasSubstr("# unit: metre (scale from gps)"));
 }
 
-TEST(OctreeMap, FullDiskIsTold) {
+TEST(OctreeMap, AFullDiskIsReported) {
   const OctreeMap map(pole_and_wall(1, 5).run, fixed_size());
   try {
     map.write_bt("/dev/full");
@@ -264,7 +266,7 @@ TEST(OctreeMap, FullDiskIsTold) {
   }
 }
 
-TEST(OctreeMap, PointsOutOfTheTreeAreCountedNotCarved) {
+TEST(OctreeMap, PointsOutsideTheTreeAreCountedNotCarved) {
   edgevo::Run run;
   run.pinhole = test::test_pinhole();
   run.keyframes.resize(1);
@@ -276,7 +278,7 @@ TEST(OctreeMap, PointsOutOfTheTreeAreCountedNotCarved) {
   EXPECT_EQ(map.tree().size(), 0u);
 }
 
-TEST(OccupancyParams, TellsWhatALengthMayBe) {
+TEST(OccupancyParams, ReportsInvalidLengths) {
   OccupancyParams params;
   for (const char* bad : {"", "0", "-1", "0.2m", "nan", "inf", "small"}) {
     params.resolution = bad;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "point_cells.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace edgevo {
 namespace {
 
-TEST(PointCells, CountsAsLookingAtEveryPointDoes) {
+TEST(PointCells, CountsLikeBruteForce) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-3, 3), radii(0, 0.5);
   const auto point = [&] { return Eigen::Vector3d(place(random), place(random), 0.1 * place(random)); };
@@ -30,7 +31,7 @@ TEST(PointCells, CountsAsLookingAtEveryPointDoes) {
   EXPECT_GT(not_found, 500);
 }
 
-TEST(PointCells, APointAtThePlaceCounts) {
+TEST(PointCells, APointAtThePositionItselfCounts) {
   PointCells cells(1);
   EXPECT_FALSE(cells.has_within({0, 0, 0}, 1, 1));
   cells.add({0, 0, 0});

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A run with a known scene: a camera that moves sideways past a thin pole in front of a wall of points.
+// A run with a known scene: a camera moves sideways past a thin pole in front of a wall of points.
 #include "edgevo/core/records.h"
 
 namespace edgevo::test {
 
 inline Pinhole test_pinhole() { return {300, 300, 320, 240, 640, 480}; }
 
-/// A point given in the world, as its host keyframe holds it.
+/// A world point as stored in its host keyframe.
 inline EdgePoint edge_point(const Pinhole& pinhole, const SE3& T_world_cam, const Eigen::Vector3d& p_world,
                             double relative_sigma, int observations) {
   const Eigen::Vector3d p_cam = T_world_cam.inverse() * p_world;
@@ -20,7 +21,7 @@ inline EdgePoint edge_point(const Pinhole& pinhole, const SE3& T_world_cam, cons
   return p;
 }
 
-/// A line of space from a to b in the world, as its host keyframe holds it.
+/// A world line from a to b as stored in its host keyframe.
 inline EdgeLine edge_line(const Pinhole& pinhole, const SE3& T_world_cam, const Eigen::Vector3d& a,
                           const Eigen::Vector3d& b, int vertices) {
   EdgeLine line;
@@ -35,15 +36,18 @@ inline EdgeLine edge_line(const Pinhole& pinhole, const SE3& T_world_cam, const 
 
 struct PoleAndWall {
   Run run;
-  std::vector<Eigen::Vector3d> pole;  ///< world points of the pole, 5 in front, hosted by the first keyframe
-  std::vector<Eigen::Vector3d> wall;  ///< 10 in front, hosted by every keyframe
+  /// World points of the pole, at depth 5, hosted by the first keyframe.
+  std::vector<Eigen::Vector3d> pole;
+  /// World points of the wall, at depth 10, hosted by every keyframe.
+  std::vector<Eigen::Vector3d> wall;
 };
 
-/// `keyframes` cameras, 0.1 apart along x. The pole's observations are `pole_observations`.
+/// The run with `keyframes` cameras, 0.1 apart along x. Points of the pole have `pole_observations`
+/// observations.
 inline PoleAndWall pole_and_wall(int keyframes, int pole_observations) {
   PoleAndWall scene;
   scene.run.pinhole = test_pinhole();
-  // In the middle of voxels of 0.1, where rounding cannot move a point to the next voxel.
+  // Points are at the centres of voxels of 0.1, so that rounding cannot move them to the next voxel.
   for (int y = -10; y < 10; ++y) scene.pole.emplace_back(0.05, 0.1 * y + 0.05, 5.05);
   for (int x = -40; x < 40; ++x)
     for (int y = -20; y < 20; ++y) scene.wall.emplace_back(0.1 * x + 0.05, 0.1 * y + 0.05, 10.05);

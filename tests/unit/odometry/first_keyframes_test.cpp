@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which views of a bootstrap become keyframes.
 #include "first_keyframes.h"
 
@@ -21,16 +22,16 @@ std::vector<int> chosen_of(const std::vector<BootstrapView>& views) {
   return frames;
 }
 
-TEST(FirstKeyframes, ThreeViewsBetweenSpreadOverTheWay) {
+TEST(FirstKeyframes, ThreeViewsBetweenAreSpreadEvenly) {
   EXPECT_EQ(chosen_of(views_with_images(11)), (std::vector<int>{0, 2, 5, 8, 10}));
 }
 
-TEST(FirstKeyframes, FewerWhereThereAreFewer) {
+TEST(FirstKeyframes, UsesFewerViewsIfThereAreFewer) {
   EXPECT_EQ(chosen_of(views_with_images(2)), (std::vector<int>{0, 1}));
   EXPECT_EQ(chosen_of(views_with_images(4)), (std::vector<int>{0, 1, 2, 3}));
 }
 
-TEST(FirstKeyframes, AViewWithoutPoseOrImageIsNone) {
+TEST(FirstKeyframes, AViewWithoutPoseOrImageIsNotUsed) {
   std::vector<BootstrapView> views = views_with_images(5);
   views[1].placed = false, views[3].pyramid.reset();
   EXPECT_EQ(chosen_of(views), (std::vector<int>{0, 2, 4}));

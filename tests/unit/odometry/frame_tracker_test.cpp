@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frame_tracker.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ using test::twist;
 
 const SE3 kStep = SE3::exp(twist(0.02, 0, 0.04, 0, 0.01, 0));
 
-// A camera before a plane that takes kStep a frame; its reference is where it stood two frames ago.
+// A camera in front of a plane that moves by kStep per frame; its reference is its pose two frames ago.
 class FrameTracker : public ::testing::Test {
  protected:
   FrameTracker() {
@@ -39,11 +40,11 @@ class FrameTracker : public ::testing::Test {
   const SE3 truth = kStep * kStep * kStep;
 };
 
-TEST_F(FrameTracker, FindsTheFrameWhereTheCameraGoesOn) {
+TEST_F(FrameTracker, FindsAFrameAtConstantVelocity) {
   const Track t = track(*scene.pyramid(truth.inverse()));
-  EXPECT_EQ(t.result.verdict, TrackingState::kTracking) << t.result.reason;
+  EXPECT_EQ(t.result.status, TrackingState::kTracking) << t.result.reason;
   EXPECT_LT((t.result.T_cur_ref.translation() - truth.translation()).norm(), 0.01);
-  EXPECT_FALSE(t.took_usual_step);
+  EXPECT_FALSE(t.used_median_motion);
   EXPECT_EQ(t.corner_ms, 0) << "the edges explain the frame";
   EXPECT_LT((t.twist - kStep.log() / 0.1).norm(), 0.15);
 }
@@ -51,28 +52,28 @@ TEST_F(FrameTracker, FindsTheFrameWhereTheCameraGoesOn) {
 TEST_F(FrameTracker, CornersGiveAHypothesisBeforeAFrameIsLostButNotAfter) {
   const auto black = scene.pyramid(SE3(), 0.0, 0.0);
   const Track about_to_be_lost = track(*black), lost_before = track(*black, true);
-  EXPECT_EQ(about_to_be_lost.result.verdict, TrackingState::kLost);
+  EXPECT_EQ(about_to_be_lost.result.status, TrackingState::kLost);
   EXPECT_GT(about_to_be_lost.corner_ms, 0);
-  EXPECT_EQ(lost_before.result.verdict, TrackingState::kLost);
+  EXPECT_EQ(lost_before.result.status, TrackingState::kLost);
   EXPECT_EQ(lost_before.corner_ms, 0);
 }
 
-TEST_F(FrameTracker, ANewPlaceIsFoundByRotationSearch) {
+TEST_F(FrameTracker, AJumpIsFoundByRotationSearch) {
   const SE3 turned = SE3::exp(twist(0, 0, 0, 0, 0.25, 0)) * kStep * kStep;
   const Track t = track(*scene.pyramid(turned.inverse()));
-  EXPECT_NE(t.result.verdict, TrackingState::kLost) << t.result.reason;
+  EXPECT_NE(t.result.status, TrackingState::kLost) << t.result.reason;
   EXPECT_LT((t.result.T_cur_ref * turned.inverse()).angle(), 0.02);
 }
 
-// The image was rectified for no motion, and a shutter that takes no time to speak of shifts nothing.
-TEST_F(FrameTracker, AQuickShutterChangesNothing) {
+// The image was rectified for no motion, and a negligible read-out time shifts nothing.
+TEST_F(FrameTracker, AFastShutterChangesNothing) {
   const auto pyramid = scene.pyramid(truth.inverse());
   const Track global = track(*pyramid), rolling = track(*pyramid, false, {1e-7, {}});
   EXPECT_LT((global.result.T_cur_ref.translation() - rolling.result.T_cur_ref.translation()).norm(), 1e-3);
-  EXPECT_EQ(rolling.result.verdict, TrackingState::kTracking);
+  EXPECT_EQ(rolling.result.status, TrackingState::kTracking);
 }
 
-// The points are moved to where the rows show them: a shutter that nobody's image was taken with moves the
+// The points are shifted to where the rows show them: a shutter that the image was not taken with moves the
 // pose.
 TEST_F(FrameTracker, ASlowShutterMovesThePose) {
   const auto pyramid = scene.pyramid(truth.inverse());
@@ -80,8 +81,8 @@ TEST_F(FrameTracker, ASlowShutterMovesThePose) {
   EXPECT_GT((global.result.T_cur_ref.translation() - rolling.result.T_cur_ref.translation()).norm(), 2e-3);
 }
 
-// All edges run along the motion, which they do not show: after one odd step the camera is expected to go on
-// like that, and only its steps before say otherwise.
+// All edges run along the motion and do not constrain it: after one odd step constant velocity predicts
+// another, and only the steps before show otherwise.
 class AlongTheEdges : public ::testing::Test {
  protected:
   AlongTheEdges() {
@@ -105,7 +106,7 @@ class AlongTheEdges : public ::testing::Test {
     motion.begin_frame(Timestamp::from_seconds(4.2));
   }
 
-  // `is_odd`: it does not count for how steady the camera is.
+  // `is_odd`: the step does not count for the standard deviation.
   void take_step(int frame, double length, bool is_odd = false) {
     motion.begin_frame(Timestamp::from_seconds(0.1 * frame));
     motion.follow(SE3::exp(twist(0, length, 0, 0, 0, 0)) * motion.T_last_ref(), is_odd);
@@ -130,13 +131,13 @@ TEST_F(AlongTheEdges, TheMedianMotionIsTheBetterGuess) {
   const Track with_prior = track(params);
   params.alignment.use_median_motion_prior = false;
   const Track without = track(params);
-  EXPECT_TRUE(with_prior.took_usual_step);
+  EXPECT_TRUE(with_prior.used_median_motion);
   EXPECT_NEAR(step_of(with_prior), 0.01, 0.005);
-  EXPECT_FALSE(without.took_usual_step);
+  EXPECT_FALSE(without.used_median_motion);
   EXPECT_NEAR(step_of(without), 0.1, 0.02);
 }
 
-TEST_F(FrameTracker, TheMeasuredMotionKeepsTheDepthsThatWereExpected) {
+TEST_F(FrameTracker, TheMeasuredMotionKeepsTheExpectedDepths) {
   const Pinhole pinhole = scene.pyramid(SE3())->finest().pinhole;
   const Vector6d t = twist(0.1, 0, 0.2, 0, 0, 0);
   RowRectification rows{0.02, {}};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What displays and live recorders see while a run goes on.
 #include <gmock/gmock.h>
 
@@ -23,7 +24,7 @@ TEST(FrameView, IsEmptyBeforeTheFirstFrameAndWithoutAMap) {
   ASSERT_TRUE(view.pyramid);
   EXPECT_TRUE(view.points.empty());
   EXPECT_EQ(view.reference_keyframe, -1);
-  EXPECT_TRUE(odometry.settled_keyframes().keyframes.empty());
+  EXPECT_TRUE(odometry.marginalised_keyframes().keyframes.empty());
 }
 
 TEST(FrameView, HoldsPointsThatLieOnTheEdgesOfTheFrame) {
@@ -44,22 +45,22 @@ TEST(FrameView, HoldsPointsThatLieOnTheEdgesOfTheFrame) {
   EXPECT_GT(on_an_edge, 0.7 * double(view.points.size()));
 }
 
-// They are what the finished run holds, as long as no correction of the camera has moved them.
-TEST(FrameView, SettledKeyframesAreThoseOfTheFinishedRun) {
+// They equal those of the finished run unless a correction of the camera has moved them.
+TEST(FrameView, MarginalisedKeyframesAreThoseOfTheFinishedRun) {
   OdometryParams params;
   params.camera.refine = "none";
   Odometry odometry(sweep_camera(), params, {});
-  std::vector<KeyframeRecord> settled;
+  std::vector<KeyframeRecord> marginalised;
   for (int k = 0; k < 110; ++k) {
     odometry.process(sweep_frame(k));
-    for (KeyframeRecord& keyframe : odometry.settled_keyframes(settled.size()).keyframes)
-      settled.push_back(std::move(keyframe));
+    for (KeyframeRecord& keyframe : odometry.marginalised_keyframes(marginalised.size()).keyframes)
+      marginalised.push_back(std::move(keyframe));
   }
-  EXPECT_EQ(odometry.settled_keyframes(settled.size()).keyframes.size(), 0u);
-  EXPECT_EQ(odometry.settled_keyframes().keyframes.size(), settled.size());
+  EXPECT_EQ(odometry.marginalised_keyframes(marginalised.size()).keyframes.size(), 0u);
+  EXPECT_EQ(odometry.marginalised_keyframes().keyframes.size(), marginalised.size());
   const edgevo::Run run = odometry.finish();
-  ASSERT_FALSE(settled.empty());
-  for (const KeyframeRecord& keyframe : settled) {
+  ASSERT_FALSE(marginalised.empty());
+  for (const KeyframeRecord& keyframe : marginalised) {
     const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(), [&](const KeyframeRecord& k) {
       return k.frame_index == keyframe.frame_index;
     });
@@ -69,30 +70,31 @@ TEST(FrameView, SettledKeyframesAreThoseOfTheFinishedRun) {
   }
 }
 
-// What would be left of the map if the program ended now: settled or in the window, every keyframe so far.
-TEST(FrameView, SettledAndUnsettledKeyframesAreAllThatWereMade) {
+// What would be left of the map if the program ended now: every keyframe so far, marginalised or in the
+// window.
+TEST(FrameView, MarginalisedAndActiveKeyframesAreAllKeyframes) {
   OdometryParams params;
   params.camera.refine = "none";
   Odometry odometry(sweep_camera(), params, {});
-  EXPECT_FALSE(odometry.unsettled_keyframes());
+  EXPECT_FALSE(odometry.active_keyframes());
   std::set<int> called;
-  UnsettledKeyframes window;
+  ActiveKeyframes window;
   for (int k = 0; k < 110; ++k) {
     const FrameRecord& record = odometry.process(sweep_frame(k));
-    if (auto changed = odometry.unsettled_keyframes(window.version)) window = std::move(*changed);
-    EXPECT_FALSE(odometry.unsettled_keyframes(window.version)) << "nothing has changed since";
+    if (auto changed = odometry.active_keyframes(window.version)) window = std::move(*changed);
+    EXPECT_FALSE(odometry.active_keyframes(window.version)) << "nothing has changed since";
     if (record.T_world_cam_live && record.keyframe_reason != KeyframeReason::kNone &&
         record.keyframe_reason != KeyframeReason::kReturn)
       called.insert(record.index);
     std::set<int> there;
-    for (const KeyframeRecord& kf : odometry.settled_keyframes().keyframes) there.insert(kf.frame_index);
+    for (const KeyframeRecord& kf : odometry.marginalised_keyframes().keyframes) there.insert(kf.frame_index);
     for (const KeyframeRecord& kf : window.keyframes)
-      EXPECT_TRUE(there.insert(kf.frame_index).second) << "both settled and not: " << kf.frame_index;
+      EXPECT_TRUE(there.insert(kf.frame_index).second) << "both marginalised and not: " << kf.frame_index;
     for (const int index : called) ASSERT_TRUE(there.count(index)) << index << " at frame " << k;
   }
   ASSERT_GT(called.size(), 8u);
   EXPECT_EQ(window.keyframes.size(), size_t(params.mapping.window.keyframes));
-  // In the place where they are, near that of the finished run, and with most of their points.
+  // Near the poses of the finished run, and with most of their points.
   const edgevo::Run run = odometry.finish();
   size_t points = 0, final_points = 0;
   for (const KeyframeRecord& kf : window.keyframes) {
@@ -104,7 +106,7 @@ TEST(FrameView, SettledAndUnsettledKeyframesAreAllThatWereMade) {
   }
   EXPECT_GT(points, 300u);
   EXPECT_EQ(points, final_points) << "the last window is closed as it stands";
-  EXPECT_TRUE(odometry.unsettled_keyframes(window.version)->keyframes.empty());
+  EXPECT_TRUE(odometry.active_keyframes(window.version)->keyframes.empty());
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When a frame becomes a keyframe.
 #include "keyframe_policy.h"
 
@@ -24,7 +25,7 @@ ReferenceCloud grid_cloud(const Pinhole& camera) {
 
 constexpr int kLong = 1000;  // frames since the last keyframe
 
-// What the criteria see, and which one calls; flows at the width of these images, which is the reference
+// What the criteria evaluate, and which one calls; flows at the width of these images, which is the reference
 // width.
 struct Seen : KeyframeView {
   std::string reason;
@@ -81,8 +82,8 @@ TEST_F(KeyframeReasons, ForwardMotionMakesOneAtOnce) {
   EXPECT_EQ(d.reason, "parallax");
 }
 
-// Driving in, near things leave the view; backing away, as much comes into it that the cloud does not know.
-TEST_F(KeyframeReasons, TheFlowIsTheSameOnTheWayBack) {
+// Driving in, near points leave the view; backing away, as many enter it that the cloud does not know.
+TEST_F(KeyframeReasons, TheFlowIsTheSameInBothDirections) {
   for (const SE3& T : {move(0, 0, 0.8), move(0.1, -0.05, -0.4, 0.05), move(0.2, 0, 0.1, 0.3)}) {
     const Seen out = decide(T), back = decide(T.inverse());
     EXPECT_NEAR(out.flow_px, back.flow_px, 1e-9);
@@ -90,13 +91,13 @@ TEST_F(KeyframeReasons, TheFlowIsTheSameOnTheWayBack) {
   EXPECT_EQ(decide(move(0, 0, 1.5)).view_share, 1) << "all that the cloud knows stays in view";
 }
 
-// What comes into view is the nearest: the next keyframe is needed sooner than going forward, but not at each
-// step.
+// The nearest points of the scene come into view: the next keyframe is needed sooner than when going forward,
+// but not at each step.
 TEST_F(KeyframeReasons, BackingAwayMakesOneSooner) {
   const auto flow_at_the_next = [&](const Eigen::Vector3d& direction) {
     Seen d;
-    for (double way = 0.02; way < 3 && !d.needed; way += 0.02) {
-      const Eigen::Vector3d t = way * direction;
+    for (double path = 0.02; path < 3 && !d.needed; path += 0.02) {
+      const Eigen::Vector3d t = path * direction;
       d = decide(move(t.x(), t.y(), t.z()), kLong / 10);
     }
     return d.flow_px;
@@ -105,12 +106,12 @@ TEST_F(KeyframeReasons, BackingAwayMakesOneSooner) {
   EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitX()), params.flow_px, 4);
   EXPECT_LT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.8 * params.flow_px);
   EXPECT_GT(flow_at_the_next(Eigen::Vector3d::UnitZ()), 0.45 * params.flow_px);
-  params.shorten_in_opening_view = false;
+  params.shorten_in_expanding_view = false;
   EXPECT_NEAR(flow_at_the_next(Eigen::Vector3d::UnitZ()), params.flow_px, 2);
 }
 
 TEST_F(KeyframeReasons, SidewaysFlowIsThatOfTheDepths) {
-  // rms over the points of f t / z, exact since a sideways motion leaves z as it is.
+  // Rms over the points of f t / z, exact since a sideways motion does not change z.
   const ReferenceCloud cloud = grid_cloud(camera);
   double square = 0;
   for (const CloudPoint& p : cloud.points)
@@ -131,8 +132,8 @@ TEST_F(KeyframeReasons, TurningAwayWithSomeMotionMakesOne) {
   EXPECT_FALSE(decide(move(0.06, 0, 0, 0.02)).needed);
 }
 
-// A fast turn: enough is in view yet, but not in the next frame. A turn that took several frames goes on more
-// slowly.
+// A fast turn: enough is still in view, but not in the next frame. A turn that took several frames continues
+// more slowly.
 TEST_F(KeyframeReasons, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   const SE3 turning = move(0.06, 0, 0, 0.25);
   const Seen d = decide(turning, 1);
@@ -142,7 +143,7 @@ TEST_F(KeyframeReasons, TurningAwayFastMakesOneBeforeTooLittleIsInView) {
   EXPECT_FALSE(decide(turning, 10).needed);
 }
 
-// A turn faster still leaves the map behind within a few frames: each is a keyframe.
+// An even faster turn leaves the map behind within a few frames: each one is a keyframe.
 TEST_F(KeyframeReasons, EachFrameOfAFastTurnMakesOne) {
   params.min_view_share = 0.7;
   const SE3 turning = move(0.06, 0, 0, 0.12);
@@ -155,7 +156,7 @@ TEST_F(KeyframeReasons, EachFrameOfAFastTurnMakesOne) {
   EXPECT_FALSE(decide(turning, 1).needed);
 }
 
-TEST_F(KeyframeReasons, FollowsTheWidthOfTheImage) {
+TEST_F(KeyframeReasons, ScalesWithTheWidthOfTheImage) {
   const Pinhole half{360, 360, 310, 93.75, 621, 188};
   for (double t : {0.05, 0.15, 0.17, 0.19, 0.21, 0.4}) {
     const Seen at_half = decide(half, grid_cloud(half), move(t, 0, 0), 1);
@@ -167,13 +168,13 @@ TEST_F(KeyframeReasons, NoneWithoutPoints) {
   EXPECT_FALSE(decide(camera, ReferenceCloud(), move(1, 0, 0), kLong).needed);
 }
 
-TEST_F(KeyframeReasons, NoneWhereEverythingIsBehind) {
+TEST_F(KeyframeReasons, NoneIfAllPointsAreBehindTheCamera) {
   const Seen d = decide(move(0, 0, -50), kLong);
   EXPECT_FALSE(d.needed);
   EXPECT_EQ(d.flow_px, 0);
 }
 
-// Keyframes 0 to 4, one metre apart to the right of each other; the reference is number 4.
+// Keyframes 0 to 4, each one metre to the right of the one before; the reference is number 4.
 Reference row_of_keyframes(const Pinhole& camera) {
   Reference reference;
   reference.keyframe_id = 4;
@@ -184,7 +185,7 @@ Reference row_of_keyframes(const Pinhole& camera) {
   return reference;
 }
 
-TEST_F(KeyframeReasons, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
+TEST_F(KeyframeReasons, TheNearestKeyframeIsTheOneAtTheCamera) {
   const Reference reference = row_of_keyframes(camera);
   params.min_view_share = 0.3;
   for (const double back : {0.0, 0.9, 1.1, 2.0}) {
@@ -194,14 +195,14 @@ TEST_F(KeyframeReasons, TheNearestKeyframeIsTheOneThatTheCameraStandsAt) {
   }
 }
 
-TEST_F(KeyframeReasons, AKeyframeThatLooksElsewhereIsNotNear) {
+TEST_F(KeyframeReasons, AKeyframeWithAnotherViewIsNotNear) {
   Reference reference = row_of_keyframes(camera);
   reference.T_keyframe_world[2] = move(0, 0, 0, 2.0) * reference.T_keyframe_world[2];
   params.min_view_share = 0.3;
   EXPECT_NE(find_nearest_keyframe(camera, reference, move(2, 0, 0), params).id, 2);
 }
 
-TEST_F(KeyframeReasons, BackMeansNearerByHalfAndTheReferenceLeft) {
+TEST_F(KeyframeReasons, BackRequiresHalfTheFlowAndALeftReference) {
   EXPECT_TRUE(is_back({2, 3.0, 10.0}, 4, params));
   EXPECT_FALSE(is_back({2, 3.0, 10.0}, 2, params)) << "it is the reference";
   EXPECT_FALSE(is_back({2, 3.0, 5.0}, 4, params)) << "hardly nearer";
@@ -210,8 +211,8 @@ TEST_F(KeyframeReasons, BackMeansNearerByHalfAndTheReferenceLeft) {
   EXPECT_FALSE(is_back(NearestKeyframe{-1, 0, 10.0}, 4, params)) << "there is none";
 }
 
-// Nearest and reference are measured alike: standing at the reference, it is the nearest, and its flow is
-// that of the nearest.
+// Nearest and reference are measured in the same way: at the reference, it is the nearest, and both flows are
+// equal.
 TEST_F(KeyframeReasons, TheFlowOfTheReferenceIsMeasuredAsThatOfTheNearest) {
   params.min_view_share = 0.3;
   const NearestKeyframe nearest =
@@ -248,7 +249,7 @@ TEST_F(KeyframeActions, AnActionHasAReason) {
   EXPECT_TRUE(policy.follows_keyframe());
 }
 
-TEST_F(KeyframeActions, WaitsForTheMappingAndCounts) {
+TEST_F(KeyframeActions, WaitsForMappingAndCounts) {
   for (int i = 1; i <= 3; ++i) {
     EXPECT_EQ(policy.decide(tracked_at(move(0, 0, -1.2)), reference(), true).action,
               KeyframeDecision::Action::kPostpone);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_coverage.h"
 
 #include <gtest/gtest.h>
@@ -30,18 +31,18 @@ TEST(MapCoverage, AMapInViewIsInViewWhateverTheMatches) {
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kInView, kUnexplained), Event::kInView);
 }
 
-TEST(MapCoverage, BadLightIsNoTurn) {
+TEST(MapCoverage, BadLightIsNoRotation) {
   MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(coverage.look(kDark, kUnexplained), Event::kInView) << "few points, but they are in view";
 }
 
-TEST(MapCoverage, ATurnThatTheMapStillExplainsIsFollowed) {
+TEST(MapCoverage, ARotationThatTheMapExplainsIsFollowed) {
   MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kAway, kExplained), std::nullopt);
 }
 
-TEST(MapCoverage, TwelveMoreUnexplainedFramesThanOthers) {
+TEST(MapCoverage, IsOutOfViewAfterTwelveMoreUnexplainedFrames) {
   MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 11; ++i) EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt) << i;
   EXPECT_EQ(coverage.look(kAway, kExplained), std::nullopt);
@@ -56,7 +57,7 @@ TEST(MapCoverage, WithoutABootstrapTheMapIsNeverOutOfView) {
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(kAway, kUnexplained), std::nullopt) << i;
 }
 
-TEST(MapCoverage, ALookAtTheMapForgets) {
+TEST(MapCoverage, AMapInViewResetsTheCount) {
   MapCoverage coverage{RecoveryParams()};
   for (int i = 0; i < 20; ++i) (void)coverage.look(kAway, kUnexplained);
   EXPECT_EQ(coverage.look(kInView, kUnexplained), Event::kInView);

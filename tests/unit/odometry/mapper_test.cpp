@@ -1,4 +1,5 @@
-// The mapper: from a bootstrap over a stretch of keyframes, fed with frames that it tracks itself.
+// SPDX-License-Identifier: BSD-3-Clause
+// The mapper: from a bootstrap over a number of keyframes, fed with frames that it tracks itself.
 #include "edgevo/odometry/mapper.h"
 
 #include <gmock/gmock.h>
@@ -45,21 +46,21 @@ TEST(Mapper, BuildsAMapFromABootstrap) {
   EXPECT_LT(median(relative), 0.05);
 }
 
-TEST(Mapper, SaysWhyTwoViewsMakeNoMap) {
+TEST(Mapper, ReportsWhyTwoViewsMakeNoMap) {
   BootstrapResult bootstrap = test::true_bootstrap(0, 8);
   for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
     bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
   Mapper mapper(Sweep::pinhole(), test::window_only(seven_keyframes()), {});
   EXPECT_NE(mapper.initialise(bootstrap), "");
   EXPECT_EQ(mapper.next_id(), 0);
-  EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // and is none the worse for it
+  EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // the failure did no harm
 }
 
 TEST(Mapper, FifteenKeyframesKeepTheScale) {
   SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   int last_id = driver.mapper.next_id() - 1;
-  std::vector<Keyframe> retired;
+  std::vector<Keyframe> marginalised;
   constexpr int kKeyframes = 15, kFramesApart = 4;
   for (int k = 1; k <= kKeyframes; ++k)
     for (int i = 1; i <= kFramesApart; ++i) {
@@ -73,15 +74,15 @@ TEST(Mapper, FifteenKeyframesKeepTheScale) {
       EXPECT_GT(update.stats.matched_in_newest, 100) << "keyframe " << k;
       EXPECT_LT(update.stats.cost_per_observation, 1.5) << "keyframe " << k;
       EXPECT_LE(driver.mapper.window().keyframes().size(), 7u);
-      for (Keyframe& gone : driver.mapper.take_retired()) retired.push_back(std::move(gone));
+      for (Keyframe& gone : driver.mapper.take_marginalised()) marginalised.push_back(std::move(gone));
     }
-  ASSERT_GE(retired.size(), 10u);
-  for (size_t i = 1; i < retired.size(); ++i) EXPECT_EQ(retired[i].id, retired[i - 1].id + 1);
+  ASSERT_GE(marginalised.size(), 10u);
+  for (size_t i = 1; i < marginalised.size(); ++i) EXPECT_EQ(marginalised[i].id, marginalised[i - 1].id + 1);
   const auto& window = driver.mapper.window().keyframes();
-  EXPECT_EQ(retired.back().id + 1, window.front().id);
+  EXPECT_EQ(marginalised.back().id + 1, window.front().id);
   for (size_t i = 2; i < window.size(); ++i)
     EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
-  // Where the run ends, after about 2.4 of way: within 5 %.
+  // At the end of the run, after a path of about 2.4: within 5 %.
   const SE3 T_first_last = window.back().T_cam_world.inverse(), truth = sweep_pose(window.back().frame_index);
   EXPECT_THAT(T_first_last, test::SE3Near(truth, 0.12, 0.02));
 }
@@ -106,7 +107,7 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
-// No point can be matched in as many keyframes as requested: tentative points keep the map alive.
+// No point can be matched in as many keyframes as required: tentative points keep the map alive.
 MappingParams params_of_a_sparse_map() {
   MappingParams params = seven_keyframes();
   params.window.min_matches = 10;
@@ -118,9 +119,9 @@ TEST(Mapper, ASparseMapGetsTentativePoints) {
   SweepDriver driver(params);
   ASSERT_EQ(driver.start(), "");
   for (int step = 1; step <= 15; ++step)
-    driver.process(8 + 3 * step, true);  // every frame a keyframe: one depth each
+    driver.process(8 + 3 * step, true);  // every frame is a keyframe: one depth each
   EXPECT_GT(driver.mapper.reference()->known_points, 60);
-  // Of the last keyframe alone: earlier ones have been kept or demoted.
+  // Only those of the last keyframe: earlier ones have been kept or demoted.
   const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, kActivationCellPx);
   int tentative = 0;
   for (const Keyframe& k : driver.mapper.window().keyframes())
@@ -141,7 +142,7 @@ TEST(Mapper, WithoutTentativePointsASparseMapGetsNone) {
     for (const MapPoint& p : k.points) EXPECT_FALSE(p.tentative);
 }
 
-TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
+TEST(Mapper, APublishedReferenceDoesNotChange) {
   SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto before = driver.mapper.reference();
@@ -157,7 +158,7 @@ TEST(Mapper, AReferenceOnceHandedOutDoesNotChange) {
   EXPECT_EQ(before->cloud.points.front().idepth, first);
 }
 
-TEST(Mapper, LeavesOutAFrameWhoseReferenceIsGone) {
+TEST(Mapper, SkipsAFrameWhoseReferenceIsGone) {
   SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
@@ -195,23 +196,23 @@ TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
   for (const ImmaturePoint& p : newest.immature) EXPECT_FALSE(known[size_t(grid.index(p.px.x(), p.px.y()))]);
 }
 
-TEST(Mapper, ClosingRetiresEverything) {
+TEST(Mapper, ClosingMarginalisesAllKeyframes) {
   SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const size_t in_window = driver.mapper.window().keyframes().size();
   driver.mapper.close();
   EXPECT_EQ(driver.mapper.reference(), nullptr);
-  const auto retired = driver.mapper.take_retired();
-  EXPECT_EQ(retired.size(), in_window);
-  EXPECT_TRUE(driver.mapper.take_retired().empty());
-  EXPECT_EQ(retired.back().frame_index, 12);
+  const auto marginalised = driver.mapper.take_marginalised();
+  EXPECT_EQ(marginalised.size(), in_window);
+  EXPECT_TRUE(driver.mapper.take_marginalised().empty());
+  EXPECT_EQ(marginalised.back().frame_index, 12);
   const int next = driver.mapper.next_id();
-  ASSERT_EQ(driver.start(20, 28), "");  // the next segment counts on
+  ASSERT_EQ(driver.start(20, 28), "");  // the ids of the next segment continue
   EXPECT_EQ(driver.mapper.window().keyframes().front().id, next);
 }
 
-TEST(Mapper, TheUnitOfTheBootstrapStays) {
+TEST(Mapper, TheUnitOfTheBootstrapIsKept) {
   SweepDriver driver(seven_keyframes());
   ASSERT_EQ(driver.start(0, 8, 3.0), "");
   for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "motion_model.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ MotionModel after_steps(int n) {
   return m;
 }
 
-TEST(MotionModel, GoesOnAsBefore) {
+TEST(MotionModel, PredictsConstantVelocity) {
   MotionModel m = after_steps(3);
   m.begin_frame(seconds(0.4));
   EXPECT_LT(difference(m.predict(), kFrameMotion * kFrameMotion * kFrameMotion * kFrameMotion), 1e-12);
@@ -36,7 +37,7 @@ TEST(MotionModel, GoesOnAsBefore) {
   EXPECT_LT((*m.expected_twist() - kFrameMotion.log() / 0.1).norm(), 1e-9);
 }
 
-TEST(MotionModel, BridgesAGapAndTakesItsMeanVelocity) {
+TEST(MotionModel, BridgesAGapWithItsMeanVelocity) {
   MotionModel m = after_steps(2);
   for (const double t : {0.3, 0.4, 0.5}) m.begin_frame(seconds(t));
   EXPECT_EQ(m.frames_since(), 3);
@@ -49,8 +50,8 @@ TEST(MotionModel, BridgesAGapAndTakesItsMeanVelocity) {
   EXPECT_LT((*m.expected_twist() - kFrameMotion.log() / 0.1).norm(), 1e-9);
 }
 
-// The source left four frames out: the same as if they had been lost.
-TEST(MotionModel, BridgesFramesThatTheSourceLeftOut) {
+// The source skipped four frames: the same as if they had been lost.
+TEST(MotionModel, BridgesSkippedFrames) {
   MotionModel m = after_steps(5);
   m.begin_frame(seconds(1.0));
   EXPECT_EQ(m.frames_since(), 5);
@@ -72,8 +73,9 @@ TEST(MotionModel, ANewMapAfterAGapTakesTheMeanVelocity) {
   EXPECT_LT((*m.expected_twist() - kFrameMotion.log() / 0.1).norm(), 1e-9);
 }
 
-// Steady motion: the measured twist is the expected one. A faster step: half of the change comes on top.
-TEST(MotionModel, TwistOfTheMomentOfTheImage) {
+// At constant velocity the measured twist is the expected one. After a faster step half of the change is
+// added.
+TEST(MotionModel, TwistIsThatOfTheImage) {
   MotionModel m = after_steps(2);
   const Vector6d steady = kFrameMotion.log() / 0.1;
   EXPECT_EQ(m.twist(kFrameMotion * m.T_last_ref()), Vector6d::Zero());  // no frame has begun
@@ -82,9 +84,9 @@ TEST(MotionModel, TwistOfTheMomentOfTheImage) {
   EXPECT_LT((m.twist(SE3::exp(2 * kFrameMotion.log()) * m.T_last_ref()) - 2.5 * steady).norm(), 1e-9);
 }
 
-TEST(MotionModel, WithoutTimesNothingIsExpected) {
+TEST(MotionModel, WithoutTimesNoTwistIsExpected) {
   MotionModel m;
-  m.begin_frame(seconds(1));  // the first of all
+  m.begin_frame(seconds(1));  // the very first frame
   m.restart(kFrameMotion);
   EXPECT_FALSE(m.expected_twist());
   EXPECT_LT(difference(m.predict(), kFrameMotion), 1e-12);

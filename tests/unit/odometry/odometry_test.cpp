@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The odometry from end to end on rendered sequences.
 #include "edgevo/odometry/odometry.h"
 
@@ -17,7 +18,7 @@ using test::sweep_frame;
 using test::sweep_pose;
 using test::trajectory_error;
 
-constexpr int kSweepFrames = 110;  // about 3.5 of way
+constexpr int kSweepFrames = 110;  // a path of about 3.5
 
 const Run& whole_sweep() {
   static const auto run = run_sweep(kSweepFrames);
@@ -60,7 +61,7 @@ TEST(Odometry, FollowsTheSweepFromItsFirstFrame) {
   EXPECT_LT(e.rmse, 0.02 * e.length);
 }
 
-TEST(Odometry, TheTurnsAreThoseOfTheSweep) {
+TEST(Odometry, TheRotationsAreThoseOfTheSweep) {
   double worst = 0;
   for (const FrameRecord& f : whole_sweep().frames)
     worst = std::max(worst, (*f.T_world_cam * sweep_pose(f.index).inverse()).angle());
@@ -89,7 +90,7 @@ TEST(Odometry, KeyframesCarryPointsWithTrueDepth) {
   EXPECT_LT(error[error.size() / 2], 0.05);
 }
 
-TEST(Odometry, TheFrameOfAKeyframeStandsWhereTheKeyframeStands) {
+TEST(Odometry, TheFrameOfAKeyframeHasItsPose) {
   const auto& run = whole_sweep();
   for (size_t i = 0; i < run.keyframes.size(); ++i) {
     const FrameRecord& f = run.frames[size_t(run.keyframes[i].frame_index)];
@@ -162,7 +163,7 @@ TEST(OdometryLoss, FortyBlackFramesAreLostAndTrackingResumes) {
   }
 }
 
-TEST(OdometryLoss, TheNewSegmentStartsWhereTheOldOneLedTo) {
+TEST(OdometryLoss, TheNewSegmentContinuesAtConstantVelocity) {
   constexpr int kBegin = 45, kEnd = 85;
   OdometryParams params;
   params.recovery.max_frames = 0;  // no relocalisation
@@ -173,7 +174,7 @@ TEST(OdometryLoss, TheNewSegmentStartsWhereTheOldOneLedTo) {
   ASSERT_TRUE(restarted);
   const Eigen::Vector3d last = run.frames[kBegin - 1].T_world_cam_live->translation();
   const Eigen::Vector3d velocity =
-      (last - run.frames[kBegin - 6].T_world_cam_live->translation()) / 5;  // a frame
+      (last - run.frames[kBegin - 6].T_world_cam_live->translation()) / 5;  // per frame
   const Eigen::Vector3d predicted = last + (restarted->index - (kBegin - 1)) * velocity;
   EXPECT_LT((restarted->T_world_cam->translation() - predicted).norm(), 0.2 * (predicted - last).norm());
 }
@@ -196,7 +197,7 @@ TEST(OdometryLoss, OneBlackFrameRecoversInTheOldMap) {
   EXPECT_THAT(log, ::testing::Contains(::testing::HasSubstr("frame 61: relocalised in the old map")));
 }
 
-TEST(OdometryLoss, BlackAtTheEndEndsNormally) {
+TEST(OdometryLoss, BlackFramesAtTheEndEndTheRunNormally) {
   const auto run = run_sweep(60, {}, 45, 60);
   EXPECT_EQ(run.frames.size(), 60u);
   EXPECT_EQ(count(run, TrackingState::kLost, 45, 60), 15);
@@ -228,7 +229,7 @@ TEST(OdometryLoss, RepeatedBlackoutsKeepEverySegment) {
 
 // ---- no motion, no image ----
 
-TEST(OdometryStart, AStandstillBootstrapsForeverAndSaysWhy) {
+TEST(OdometryStart, AStandstillKeepsBootstrappingAndReportsWhy) {
   Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
   for (int k = 0; k < 12; ++k) {
     Frame frame = sweep_frame(0);
@@ -293,7 +294,7 @@ std::string error_of(const Call& call) {
   return "no error";
 }
 
-TEST(OdometryParameters, UnknownOnesAreRejectedWithTheNearestName) {
+TEST(OdometryParameters, UnknownKeysAreRejectedWithTheNearestName) {
   OdometryParams params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
   EXPECT_THAT(error_of([&] { read_params("mapping:\n  window:\n    keyframe: 9\n", "x.yaml", visit); }),
@@ -304,7 +305,7 @@ TEST(OdometryParameters, UnknownOnesAreRejectedWithTheNearestName) {
   EXPECT_THAT(error_of([&] { set_param("mapping.window.keyframes=2", visit); }), ::testing::HasSubstr("30"));
 }
 
-TEST(OdometryParameters, WhatIsWrittenReadsBack) {
+TEST(OdometryParameters, WrittenParametersReadBack) {
   OdometryParams params, again;
   params.mapping.window.keyframes = 9;
   params.recovery.max_frames = 3;

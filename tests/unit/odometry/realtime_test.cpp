@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tracking and mapping in two threads. Run under ThreadSanitizer by the tsan preset.
 #include <gtest/gtest.h>
 
@@ -40,10 +41,10 @@ TEST(Realtime, SurvivesABlackout) {
   EXPECT_GT(trajectory_error(run, kEnd, kAll, sweep_pose).poses, 10);
 }
 
-// As where an exception goes through the caller: its threads end, with work in their queues, and nobody is
-// called any more.
+// As when an exception passes through the caller: the threads end with work in their queues, and no callback
+// is called any more.
 TEST(Realtime, EndsCleanlyWithoutFinish) {
-  run_sweep(25, realtime());  // threads that a library keeps are there from now on
+  run_sweep(25, realtime());  // threads that a library keeps exist from now on
   const int threads = test::threads_of_process();
   std::atomic<int> said{0};
   OdometryOptions options = realtime();
@@ -71,9 +72,9 @@ TEST(Realtime, AnImageOfAnotherSizeThrowsInTheCaller) {
   EXPECT_GE(odometry.finish().frames.size(), 25u);
 }
 
-// Frames that a live camera gave and nobody had time for: each has its row, and tracking goes on over the
+// Frames of a live camera that were skipped for lack of time: each has its record, and tracking bridges the
 // gap.
-TEST(Realtime, FramesThatArePassedOverKeepTheirRow) {
+TEST(Realtime, SkippedFramesKeepTheirRow) {
   constexpr int kAll = 60, kBegin = 40, kEnd = 43;
   Odometry odometry(test::sweep_camera(), OdometryParams(), realtime());
   for (int k = 0; k < kAll; ++k) {
@@ -81,7 +82,7 @@ TEST(Realtime, FramesThatArePassedOverKeepTheirRow) {
     if (k < kBegin || k >= kEnd)
       odometry.process(frame);
     else
-      EXPECT_EQ(odometry.pass_over(frame, "no time").note, "no time");
+      EXPECT_EQ(odometry.skip(frame, "no time").note, "no time");
   }
   const auto run = odometry.finish();
   ASSERT_EQ(run.frames.size(), size_t(kAll));

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Sequences for the tests of the odometry: the sweep through the hollow scene, with stretches blacked out
-// where asked for.
+// Sequences for the tests of the odometry: the sweep through the hollow scene, with blacked-out intervals if
+// requested.
 #include <Eigen/Geometry>
 #include <vector>
 
@@ -36,9 +37,12 @@ inline Run run_sweep(int n, const OdometryOptions& options = {}, int black_begin
 
 struct TrajectoryError {
   int poses = 0;
-  double rmse = 0;    ///< after a similarity fit, in the unit of the truth
-  double scale = 0;   ///< truth over estimate
-  double length = 0;  ///< of the true way between the poses used
+  /// Rms position error after a similarity fit, in the unit of the truth.
+  double rmse = 0;
+  /// Length in the truth over length in the estimate.
+  double scale = 0;
+  /// Length of the true path between the poses used.
+  double length = 0;
 };
 
 /// Error of the final poses of frames begin <= index < end against `truth`(index), position only.

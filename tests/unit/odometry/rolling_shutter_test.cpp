@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the odometry expects of a rolling shutter.
 #include "rolling_shutter.h"
 
@@ -46,7 +47,7 @@ TEST(RollingShutter, DepthsMoveWithTheCamera) {
               0.15);
 }
 
-TEST(RollingShutter, WithoutPointsTheMapsMedianStands) {
+TEST(RollingShutter, WithoutPointsTheMapsMedianIsUsed) {
   EXPECT_NEAR(image_motion(kCamera, ReferenceCloud(), SE3(), twist(), 0.4).idepth.minCoeff(), 0.4, 1e-12);
   ReferenceCloud guessed = cloud_of(500);
   for (CloudPoint& p : guessed.points) p.host_keyframe = -1;
@@ -71,7 +72,7 @@ TEST(RollingShutter, ShiftedPointsProjectWhereTheirRowsShowThem) {
     };
     const Eigen::Vector2d x = seen(cloud.points[i]);
     if (!kCamera.contains(kCamera.project(Eigen::Vector3d(x.x(), x.y(), 1)))) continue;
-    // The image was rectified for the motion that was expected: what is left of the shift shows.
+    // The image was rectified for the expected motion: only the remaining shift is visible.
     const Eigen::Vector2d left =
         add_rolling(kCamera, readout_s, found, x) - add_rolling(kCamera, readout_s, expected, x);
     EXPECT_LT((seen(shifted.points[i]) - (x + left)).norm(), 1e-12);
@@ -81,8 +82,8 @@ TEST(RollingShutter, ShiftedPointsProjectWhereTheirRowsShowThem) {
   EXPECT_GT(largest, 1) << "pixels: there was something to shift";
 }
 
-// The same place, as an image made ready for one motion shows it and as one made ready for another does.
-TEST(RollingShutter, AShiftedRayIsWhereTheOtherImageShowsIt) {
+// The same point in an image rectified for one motion, and in one rectified for another.
+TEST(RollingShutter, AShiftedRayMatchesTheOtherImage) {
   const ImageMotion expected = image_motion(kCamera, cloud_of(400), SE3(), 2 * twist(), 1);
   const ImageMotion measured{4 * twist(), expected.idepth};
   const double readout_s = 0.03;
@@ -102,7 +103,7 @@ TEST(RollingShutter, AShiftedRayIsWhereTheOtherImageShowsIt) {
   }
 }
 
-TEST(RollingShutter, NothingMovesWhereTheMotionWasExpected) {
+TEST(RollingShutter, NothingShiftsIfTheMotionWasAsExpected) {
   const ReferenceCloud cloud = cloud_of(100);
   const ImageMotion m = image_motion(kCamera, cloud, SE3(), twist(), 1);
   const ReferenceCloud shifted = shift_cloud(kCamera, cloud, SE3(), 0.03, m, m);

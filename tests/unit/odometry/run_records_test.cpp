@@ -1,4 +1,5 @@
-// What a correction of the camera does to the keyframes that have retired.
+// SPDX-License-Identifier: BSD-3-Clause
+// How a correction of the camera changes the keyframes that have left the window.
 #include "run_records.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +10,9 @@
 namespace edgevo {
 namespace {
 
-// A point that the correction moves out to infinity is no more certain for it: its deviation follows the unit
-// of length, not its own inverse depth.
-TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
+// A point that the correction moves to infinity does not become more certain: its standard deviation follows
+// the unit of length, not its own inverse depth.
+TEST(RunRecords, ARevisionScalesTheSigmaOfAFarPointByTheUnit) {
   RunRecords records(test::Sweep::pinhole());
   records.begin_segment(0, Sim3());
   Keyframe keyframe;
@@ -21,7 +22,7 @@ TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   point.normal = {1, 0};
   point.idepth = 1e-3, point.idepth_sigma = 1e-4;
   keyframe.points = {point};
-  records.map().retire({keyframe}, 0);
+  records.map().add_marginalised({keyframe}, 0);
   RevisedKeyframe revised;
   revised.length_ratio = 2;
   revised.points = {{{100, 100}, 1e-6}};
@@ -34,9 +35,9 @@ TEST(RunRecords, ARevisionLeavesTheDeviationOfAFarPoint) {
   EXPECT_FALSE(PointFilter().keeps(moved));
 }
 
-// A frame that was tracked before a correction changed the unit of length at its keyframe is brought to it,
-// with what is known of its error; one that was tracked after it is in that unit already.
-TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
+// A frame that was tracked before a correction changed the unit of length at its keyframe is converted to the
+// new unit, together with its covariance; a frame that was tracked later is in that unit already.
+TEST(RunRecords, ARevisionChangesTheUnitOfEarlierFramesOnly) {
   constexpr int kKeyframe = 7;
   const SE3 T_cam_ref(Eigen::Quaterniond::Identity(), {0, 0, -1});
   RunRecords records(test::Sweep::pinhole());
@@ -57,7 +58,7 @@ TEST(RunRecords, ARevisionChangesTheUnitOfTheFramesBeforeItAndOfNoOther) {
   Keyframe keyframe;
   keyframe.id = kKeyframe, keyframe.frame_index = 100;
   keyframe.pyramid = test::Sweep::pyramid(0);
-  records.map().retire({keyframe}, 0);
+  records.map().add_marginalised({keyframe}, 0);
   const edgevo::Run run = records.finish();
   ASSERT_EQ(run.frames.size(), 2u);
   for (const int i : {0, 1}) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "segment_join.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@ namespace {
 using Method = SegmentJoin::Method;
 using Eigen::Vector3d;
 
-// Heading of the camera before the join.
+// Orientation of the camera before the join.
 const Eigen::Quaterniond kHeading(Eigen::AngleAxisd(0.3, Vector3d::UnitY()));
 
 // Poses a tenth of a second apart that move by `step`, the last of them at 1 s.
@@ -40,8 +41,8 @@ TEST(SegmentJoin, OnePoseHasNoVelocity) {
   EXPECT_EQ(join_segment(moving({0, 0, 1}, 1), bootstrap(1.2, 1), 2.0).method, Method::kOrigin);
 }
 
-// 2 units a second before the join, and 2 * 3 units a second in the bootstrap.
-TEST(SegmentJoin, GoesOnAtConstantVelocityAndEqualSpeed) {
+// 2 units per second before the join, and 2 * 3 units per second in the bootstrap.
+TEST(SegmentJoin, ContinuesAtConstantVelocityAndEqualSpeed) {
   const std::vector<TimedPose> previous = moving({0.2, 0, 0});
   const SegmentJoin join = join_segment(previous, bootstrap(1.3, 3), std::nullopt);
   EXPECT_EQ(join.method, Method::kVelocity);
@@ -51,7 +52,7 @@ TEST(SegmentJoin, GoesOnAtConstantVelocityAndEqualSpeed) {
   EXPECT_NEAR(join.T_world_map.scale, 2.0 / 6.0, 1e-9);
 }
 
-TEST(SegmentJoin, AGivenScaleIsTaken) {
+TEST(SegmentJoin, AGivenScaleIsUsed) {
   const SegmentJoin given = join_segment(moving({0.2, 0, 0}), bootstrap(1.3, 3), 5.0);
   const SegmentJoin guessed = join_segment(moving({0.2, 0, 0}), bootstrap(1.3, 3), std::nullopt);
   EXPECT_EQ(given.method, Method::kDepthRatio);
@@ -59,7 +60,7 @@ TEST(SegmentJoin, AGivenScaleIsTaken) {
   EXPECT_EQ(given.T_world_map.rigid.translation(), guessed.T_world_map.rigid.translation());
 }
 
-TEST(SegmentJoin, ACameraThatStoodStillTellsNoScale) {
+TEST(SegmentJoin, ACameraAtAStandstillGivesNoScale) {
   const std::vector<TimedPose> still = moving(Vector3d::Zero());
   EXPECT_EQ(join_segment(still, bootstrap(1.3, 3), std::nullopt).method, Method::kStandstill);
   EXPECT_EQ(join_segment(still, bootstrap(1.3, 3), std::nullopt).T_world_map.scale, 1);

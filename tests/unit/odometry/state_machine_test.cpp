@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "state_machine.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ constexpr Phase kPhases[] = {Phase::kBootstrapping, Phase::kTracking, Phase::kSe
 constexpr Event kEvents[] = {Event::kTracked, Event::kDegraded, Event::kUntracked, Event::kOutOfView,
                              Event::kInView,  Event::kMapMade,  Event::kMapRefused};
 
-// The whole machine: what is not listed changes nothing.
+// The whole machine: pairs that are not listed change nothing.
 const std::vector<std::tuple<Phase, Event, Transition>> kTable{
     {Phase::kBootstrapping, Event::kMapMade, {Phase::kTracking, Action::kNone}},
     {Phase::kTracking, Event::kUntracked, {Phase::kLost, Action::kLose}},
@@ -36,7 +37,7 @@ const std::vector<std::tuple<Phase, Event, Transition>> kTable{
     {Phase::kLost, Event::kMapRefused, {Phase::kBootstrapping, Action::kNone}},
 };
 
-TEST(StateMachine, IsTheTable) {
+TEST(StateMachine, MatchesTheTable) {
   for (const Phase phase : kPhases)
     for (const Event event : kEvents) {
       Transition expected{phase, Action::kNone};
@@ -69,7 +70,7 @@ TEST(OdometryState, BootstrapsUntilThereIsAMap) {
   EXPECT_TRUE(s.bootstraps());
   EXPECT_EQ(s.segment(), -1);
   EXPECT_EQ(s.without_pose(0, kNoEdges), TrackingState::kBootstrapping) << "nothing was ever lost";
-  EXPECT_EQ(s.passed_over(), TrackingState::kBootstrapping);
+  EXPECT_EQ(s.when_skipped(), TrackingState::kBootstrapping);
   s.after(Event::kMapMade, 10);
   EXPECT_TRUE(s.tracks(kNoEdges));
   EXPECT_FALSE(s.bootstraps());
@@ -105,10 +106,10 @@ TEST(OdometryState, FramesWithoutAPoseAreLostOrBootstrapping) {
   EXPECT_EQ(s.without_pose(20, kManyEdges), TrackingState::kLost) << "the frame of the loss";
   EXPECT_EQ(s.without_pose(21, kManyEdges), TrackingState::kBootstrapping) << "a bootstrap can use it";
   EXPECT_EQ(s.without_pose(21, kNoEdges), TrackingState::kLost);
-  EXPECT_EQ(s.passed_over(), TrackingState::kLost);
+  EXPECT_EQ(s.when_skipped(), TrackingState::kLost);
 }
 
-TEST(OdometryState, AMapThatIsRefusedEndsTheOldOneButNotItsNumber) {
+TEST(OdometryState, ARefusedMapEndsTheOldOneButKeepsItsNumber) {
   OdometryState s = tracking();
   s.after(Event::kOutOfView, 20);
   EXPECT_TRUE(s.tracks(kManyEdges));

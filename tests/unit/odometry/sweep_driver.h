@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A mapper that is driven along the sweep of the hollow scene.
+// A mapper that runs along the sweep of the hollow scene.
 #include <map>
 #include <string>
 
@@ -18,7 +19,7 @@ inline OdometryParams window_only(const MappingParams& mapping) {
   return params;
 }
 
-/// Feeds frames of the sweep to a mapper: aligned to its reference, as the odometry does.
+/// Feeds frames of the sweep to a mapper, aligned to its reference as by the odometry.
 class SweepDriver {
  public:
   SweepDriver(const MappingParams& params, uint64_t seed = 1)
@@ -56,7 +57,8 @@ class SweepDriver {
   }
 
   Mapper mapper;
-  std::map<int, int> frame_of;  ///< keyframe id -> frame
+  /// Frame index by keyframe id.
+  std::map<int, int> frame_of;
 
  private:
   double unit_ = 1;

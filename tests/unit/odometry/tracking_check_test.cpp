@@ -1,4 +1,5 @@
-// What adjusted keyframes say about the covariance that tracking told.
+// SPDX-License-Identifier: BSD-3-Clause
+// What adjusted keyframes show about the covariance of tracking.
 #include "edgevo/odometry/tracking_check.h"
 
 #include <gtest/gtest.h>
@@ -23,8 +24,8 @@ Matrix6d some_covariance() {
 const SE3 kAdjusted = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())),
                           Eigen::Vector3d(0.1, 0.02, -0.9));
 
-// `keyframes` poses, as wrong as `sigmas` times what they are told to be; the mean factor after the first ten
-// of them.
+// Mean error factor of `keyframes` poses whose errors are `sigmas` times their covariance, without the first
+// ten.
 double mean_factor(double sigmas, int keyframes) {
   Random random(3);
   const Matrix6d root = some_covariance().llt().matrixL();
@@ -39,7 +40,7 @@ double mean_factor(double sigmas, int keyframes) {
   return sum / (keyframes - 10);
 }
 
-TEST(TrackingCheck, AYoungMapIsTrustedLess) {
+TEST(TrackingCheck, ANewMapIsTrustedLess) {
   TrackingCheck exact;
   const double young = exact.error_factor();
   EXPECT_GT(young, 1.5);
@@ -48,7 +49,7 @@ TEST(TrackingCheck, AYoungMapIsTrustedLess) {
   EXPECT_GT(exact.error_factor(), 0.5);  // agreement is no proof
 }
 
-TEST(TrackingCheck, FollowsTheVarianceThatIsThere) {
+TEST(TrackingCheck, FollowsTheTrueVariance) {
   const double honest = mean_factor(1, 400);
   EXPECT_GT(honest, 1.0);
   EXPECT_LT(honest, 1.4);
@@ -63,11 +64,11 @@ TEST(TrackingCheck, OneOutlierDoesNotDecide) {
   EXPECT_LT(check.error_factor(), 3);
   const double before = check.error_factor();
   check.add(kAdjusted, kAdjusted, Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_EQ(check.error_factor(), before);  // what cannot be judged says nothing
+  EXPECT_EQ(check.error_factor(), before);  // what cannot be evaluated changes nothing
 }
 
-// The unit of length of a monocular map is nobody's error.
-TEST(TrackingCheck, ALongerStepIsNoError) {
+// The unit of length of a monocular map is arbitrary.
+TEST(TrackingCheck, AScaleDifferenceIsNoError) {
   TrackingCheck same, longer;
   const SE3 stretched(kAdjusted.rotation(), 1.05 * kAdjusted.translation());
   for (int i = 0; i < 5; ++i) {

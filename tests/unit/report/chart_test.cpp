@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/chart.h"
 
 #include <gmock/gmock.h>
@@ -47,7 +48,7 @@ TimeChart two_series() {
   return chart;
 }
 
-TEST(ReportCharts, CarryTheValuesThatThePointerTells) {
+TEST(ReportCharts, ContainTheValuesShownUnderThePointer) {
   const std::string html = draw(two_series());
   EXPECT_THAT(html, HasSubstr("&quot;range&quot;:[0,1]"));
   EXPECT_THAT(html, HasSubstr("&quot;x&quot;:[0,0.5,1]"));
@@ -63,7 +64,7 @@ TEST(ReportCharts, StackedValuesAreThoseOfEachSeriesAlone) {
   EXPECT_THAT(draw(chart), HasSubstr("&quot;y&quot;:[1,2.25,3]"));
 }
 
-TEST(ReportCharts, AFileOfItsOwnNeedsNoStyleSheet) {
+TEST(ReportCharts, ASeparateFileNeedsNoStyleSheet) {
   const std::string svg = draw_svg(two_series());
   EXPECT_THAT(svg, ::testing::StartsWith("<svg"));
   EXPECT_THAT(svg, HasSubstr("stroke:#1f5fbf"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/compare_page.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +16,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// A drive around a bend, `wave` metres off its way.
+// A drive around a bend, with an error of `wave` metres.
 Trajectory drive_with(double wave) {
   Trajectory t;
   for (int i = 0; i < 100; ++i)
@@ -58,12 +59,12 @@ class ComparePage : public ::testing::Test {
 };
 
 TEST_F(ComparePage, TheWorstComesFirst) {
-  ComparedRun spoilt = run("spoilt", 0), nowhere = run("nowhere", 0), unknown = run("unknown", 0.5, "");
-  spoilt.problem = "it is <half> written";
+  ComparedRun corrupt = run("corrupt", 0), nowhere = run("nowhere", 0), unknown = run("unknown", 0.5, "");
+  corrupt.problem = "it is <half> written";
   nowhere.trajectory.poses.clear();
-  const std::string html = compare_html({run("good", 0.001), unknown, run("bad", 0.3), nowhere, spoilt});
+  const std::string html = compare_html({run("good", 0.001), unknown, run("bad", 0.3), nowhere, corrupt});
   size_t last = 0;
-  for (const char* name : {"spoilt", "nowhere", "bad", "good", "unknown"}) {
+  for (const char* name : {"corrupt", "nowhere", "bad", "good", "unknown"}) {
     const size_t at = html.find("data-value=\"" + std::string(name) + "\"");
     ASSERT_NE(at, std::string::npos) << name;
     EXPECT_GT(at, last) << name;
@@ -81,7 +82,7 @@ TEST_F(ComparePage, FiguresAreThoseOfEval) {
   EXPECT_THAT(html, HasSubstr(text));
 }
 
-TEST_F(ComparePage, PathsWithTheSameTruthAreLaidOverEachOther) {
+TEST_F(ComparePage, PathsWithTheSameTruthAreOverlaid) {
   const std::string html = compare_html({run("a", 0.1), run("b", 0.2, "copy.txt"), run("c", 0.3, "")});
   EXPECT_THAT(html, HasSubstr("2 runs with one ground truth"));
   EXPECT_EQ(count(html, "<section"), 2u);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_packing.h"
 
 #include <gmock/gmock.h>
@@ -48,10 +49,10 @@ double number_of(const std::string& json, const std::string& name) {
   return std::atof(json.c_str() + json.find("\"" + name + "\":") + name.size() + 3);
 }
 
-TEST(MapPacking, PositionsAreExactToAStepOfTheirBlock) {
+TEST(MapPacking, PositionsAreExactToOneStepOfTheirBlock) {
   MapView view;
   view.vertices = row_of_points(3000);
-  view.vertices[2500].position = {1e6f, 0, 0};  // an outlier is not to cost the others their precision
+  view.vertices[2500].position = {1e6f, 0, 0};  // an outlier must not reduce the precision of the others
   const std::string json = packed(view);
   const auto steps = values_of<uint16_t>(json, "positions");
   const auto boxes = values_of<float>(json, "boxes");
@@ -90,7 +91,7 @@ TEST(MapPacking, HostsAndJoints) {
   EXPECT_EQ(int(bits[1]), 2);
 }
 
-TEST(MapPacking, GapsOfThePathAreNotNumbers) {
+TEST(MapPacking, GapsOfThePathAreNaN) {
   MapView view;
   view.path = {Eigen::Vector3d(1, 2, 3), std::nullopt};
   const auto path = values_of<float>(packed(view), "path");
@@ -125,7 +126,7 @@ TEST(MapPacking, ThinsLinesAsAWhole) {
   }
 }
 
-TEST(MapPacking, ThinsOneEndlessLine) {
+TEST(MapPacking, ThinsOneVeryLongLine) {
   std::vector<MapVertex> line = row_of_points(10000);
   for (size_t i = 1; i < line.size(); ++i) line[i].joined = true;
   const std::vector<MapVertex> thin = thinned(line, 5000);
@@ -133,10 +134,10 @@ TEST(MapPacking, ThinsOneEndlessLine) {
   EXPECT_GE(thin.size(), 4700u);
   for (size_t i = 1; i < thin.size(); ++i)
     EXPECT_EQ(thin[i].joined, thin[i].position.x() == thin[i - 1].position.x() + 1)
-        << "no line across what was left out";
+        << "no line across dropped vertices";
 }
 
-TEST(MapView, TellsWhatWasLeftOut) {
+TEST(MapView, ReportsDroppedVertices) {
   MapView view;
   view.unit = "m";
   view.vertices = row_of_points(kMostMapVertices + 1000);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/run_report.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// 2.5 times as large as the run.
+// The true trajectory, 2.5 times as large as the run.
 std::string truth_of(const Run& run) {
   std::string truth;
   for (const FrameRecord& f : run.frames) {
@@ -50,7 +51,7 @@ TEST(RunReport, ShowsTheErrorOverTimeAndTheDriftByLength) {
   const test::TempFolder folder;
   const std::string html = report_html({made.run, info_with_truth(made.run, folder), {}, {}, {}});
   EXPECT_THAT(html, HasSubstr("distance from the truth, m over time"));
-  EXPECT_THAT(html, HasSubstr("Drift by length of the stretch"));
+  EXPECT_THAT(html, HasSubstr("Drift by length of the interval"));
   EXPECT_THAT(html, HasSubstr("<td>6.6 m</td>")) << "30 % of a path of 22 m";
   EXPECT_THAT(report_html({made.run, RunInfo(), {}, {}, {}}), Not(HasSubstr("Drift by length")));
 }
@@ -81,7 +82,7 @@ TEST(RunReport, LinksToItsSections) {
   }
 }
 
-TEST(RunReport, TellsWhatCalledForKeyframes) {
+TEST(RunReport, ShowsTheReasonsForKeyframes) {
   test::SyntheticRun made = test::synthetic_run();
   made.run.frames[5].keyframe_reason = KeyframeReason::kReturn;
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});

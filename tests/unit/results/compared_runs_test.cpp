@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/compared_runs.h"
 
 #include <gmock/gmock.h>
@@ -38,7 +39,7 @@ TEST_F(ComparedRuns, ReadsBackWhatARunWrote) {
   EXPECT_NEAR(run.cpu_ms, 4 + 0.1 * 22 + 2 + 20.0 * double(made_.run.keyframes.size()) / 45, 1e-3);
 }
 
-TEST_F(ComparedRuns, FindsThemBelowAFolderAndEachOnce) {
+TEST_F(ComparedRuns, FindsEachRunBelowAFolderOnce) {
   run_at("b/two words");
   run_at("a");
   const std::vector<ComparedRun> rows = compared({folder_.string() + "/", (folder_ / "a").string()});
@@ -48,23 +49,22 @@ TEST_F(ComparedRuns, FindsThemBelowAFolderAndEachOnce) {
   EXPECT_EQ(rows[1].link, "out/b/two%20words/report.html");
 }
 
-TEST_F(ComparedRuns, AHalfWrittenOneIsARowAmongOthers) {
+TEST_F(ComparedRuns, AnIncompleteRunIsARowAmongOthers) {
   fs::remove(run_at("half") / "summary.yaml");
-  std::ofstream(run_at("spoilt") / "trajectory_tum.txt") << "1 2 3\n";
+  std::ofstream(run_at("torn") / "trajectory_tum.txt") << "1 2 3\n";
   EXPECT_THAT(message_of([&] { compared({folder_.string()}); }), HasSubstr("half: cannot be compared: "));
   run_at("good");
   const std::vector<ComparedRun> rows = compared({folder_.string()});
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[0].problem, "");
-  EXPECT_THAT(rows[1].problem, HasSubstr("has not ended"));
+  EXPECT_THAT(rows[1].problem, HasSubstr("is incomplete"));
   EXPECT_THAT(rows[2].problem, HasSubstr("trajectory_tum.txt:1"));
 }
 
-TEST_F(ComparedRuns, WhatHoldsNoRunIsTold) {
-  EXPECT_THAT(message_of([&] { compared({(temp_ / "nothing")}); }), HasSubstr("nothing: is no folder"));
+TEST_F(ComparedRuns, AFolderWithoutRunsIsRefused) {
+  EXPECT_THAT(message_of([&] { compared({(temp_ / "nothing")}); }), HasSubstr("nothing: is not a folder"));
   fs::create_directories(folder_);
-  EXPECT_THAT(message_of([&] { compared({folder_.string()}); }),
-              HasSubstr("no run has left its results there"));
+  EXPECT_THAT(message_of([&] { compared({folder_.string()}); }), HasSubstr("holds no results of a run"));
   EXPECT_THAT(message_of([&] { compared_runs({run_at("a").string()}, (temp_ / "no.txt"), "page.html"); }),
               HasSubstr("no.txt: cannot be read"));
 }

@@ -1,4 +1,5 @@
-// What lies in a folder when a run begins there.
+// SPDX-License-Identifier: BSD-3-Clause
+// Handling of files that are in the output folder before a run.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using ::testing::HasSubstr;
 
 class EarlierRuns : public WrittenRun {
  protected:
-  // A metric run of a vehicle has two files more.
+  // A metric run with a vehicle, which has two more files.
   edgevo::Run metric_run() const {
     edgevo::Run run = made_.run;
     run.T_vehicle_cam = SE3();
@@ -38,7 +39,7 @@ class EarlierRuns : public WrittenRun {
   }
 };
 
-TEST_F(EarlierRuns, ARunThatDoesNotBeginChangesNothing) {
+TEST_F(EarlierRuns, ARunWithoutFramesChangesNothing) {
   write(folder_, made_.run, made_.camera);
   const std::vector<std::string> before = names_in(folder_.string());
   const std::string poses = trajectory();
@@ -49,7 +50,7 @@ TEST_F(EarlierRuns, ARunThatDoesNotBeginChangesNothing) {
   EXPECT_FALSE(fs::exists(temp_ / "new"));
 }
 
-TEST_F(EarlierRuns, NothingOfItIsLeftAfterTheNextRun) {
+TEST_F(EarlierRuns, IsRemovedByTheNextRun) {
   write(folder_, metric_run(), made_.camera);
   ASSERT_TRUE(fs::exists(folder_ / "scale.csv"));
   write_file((folder_ / "my_notes.txt").string(), "by hand");
@@ -62,7 +63,7 @@ TEST_F(EarlierRuns, NothingOfItIsLeftAfterTheNextRun) {
   EXPECT_EQ(content(folder_ / "my_notes.txt"), "by hand");
 }
 
-TEST_F(EarlierRuns, ItIsKeptWhereTheNextRunHasNoPose) {
+TEST_F(EarlierRuns, IsKeptIfTheNextRunHasNoPose) {
   write(folder_, made_.run, made_.camera);
   const std::string poses = trajectory();
   for (int again = 0; again < 2; ++again) {
@@ -75,31 +76,31 @@ TEST_F(EarlierRuns, ItIsKeptWhereTheNextRunHasNoPose) {
   EXPECT_FALSE(fs::exists(folder_ / kEarlierRun));
 }
 
-TEST_F(EarlierRuns, AFolderOfSomethingElseIsRefused) {
+TEST_F(EarlierRuns, AFolderWithOtherFilesIsRefused) {
   fs::create_directories(folder_);
   write_file((folder_ / "thesis.tex").string(), "years");
   write_file((folder_ / "summary.yaml").string(), "mine");
   EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }),
-              HasSubstr("holds something else already (summary.yaml, ...); give another -o, or --force"));
+              HasSubstr("contains other files already (summary.yaml, ...); give another -o, or --force"));
   EXPECT_THAT(names_in(folder_.string()), ElementsAre("summary.yaml", "thesis.tex"));
   RunOutputs forced(folder_.string(), made_.camera, {}, OutputOptions{true, false});
   forced.finish(made_.run, {});
   EXPECT_EQ(content(folder_ / "thesis.tex"), "years");
 }
 
-TEST_F(EarlierRuns, ARunThatWasCutOffIsNotWrittenOver) {
+TEST_F(EarlierRuns, AnInterruptedRunIsNotOverwritten) {
   fs::create_directories(folder_);
-  write_file((folder_ / kRunJournal).string(), "what it had");
+  write_file((folder_ / kRecoveryLog).string(), "what it had");
   EXPECT_THAT(
       message_of([&] { write(folder_, made_.run, made_.camera); }),
-      HasSubstr("was cut off before its results were written; `edgevo finish " + folder_.string() + "`"));
-  EXPECT_EQ(content(folder_ / kRunJournal), "what it had");
+      HasSubstr("was interrupted before its results were written; `edgevo finish " + folder_.string() + "`"));
+  EXPECT_EQ(content(folder_ / kRecoveryLog), "what it had");
 }
 
-TEST_F(EarlierRuns, TwoRunsDoNotWriteIntoOneFolder) {
+TEST_F(EarlierRuns, AFolderInUseIsRefused) {
   fs::create_directories(folder_);
-  GrowingFile journal;
-  ASSERT_TRUE(journal.open((folder_ / kRunJournal).string()));
+  GrowingFile log;
+  ASSERT_TRUE(log.open((folder_ / kRecoveryLog).string()));
   for (const bool force : {false, true})
     EXPECT_THAT(message_of([&] { EarlierRun(folder_.string(), force); }),
                 HasSubstr("another run is writing there"));

@@ -1,5 +1,5 @@
-// Holds share/doc/file_formats.md to the writers: every file, column, property and key that a run leaves is
-// named on the page.
+// SPDX-License-Identifier: BSD-3-Clause
+// share/doc/file_formats.md names every file, column, property and key that a run writes.
 #include <gmock/gmock.h>
 
 #include <regex>
@@ -20,7 +20,7 @@ using test::cells_of;
 using test::content;
 using test::lines_of;
 
-// Words of the page in backquotes; a table's row may name several in one pair.
+// Words of the page in backquotes; one pair may hold several.
 std::set<std::string> named_words(const std::string& page) {
   static const std::regex kQuoted("`([^`\n]+)`"), kWord("[A-Za-z_0-9.]+");
   std::set<std::string> words;
@@ -31,7 +31,7 @@ std::set<std::string> named_words(const std::string& page) {
   return words;
 }
 
-// Keys of a summary; those that a run's own names make (stages, notes, parameters) are left out.
+// Keys of a summary, without those that depend on the run (stages, notes, parameters).
 std::vector<std::string> summary_keys(const std::string& summary) {
   static const std::regex kKey("^( *)([a-z_0-9]+):.*$");
   std::vector<std::string> keys, path;
@@ -54,7 +54,7 @@ class FileFormats : public WrittenRun {
     for (const std::string& name : names)
       EXPECT_TRUE(named_.count(name)) << where << ": " << name << " is not in share/doc/file_formats.md";
   }
-  // Of a text, the words of its first line that are separated by commas.
+  // Comma-separated words in the first line of a text.
   static std::vector<std::string> header_of(const std::string& csv) {
     return cells_of(lines_of(csv).front());
   }
@@ -78,7 +78,7 @@ TEST_F(FileFormats, ColumnsOfTables) {
   expect_named(header_of(line_table_csv({})), "edge_segments.csv");
 }
 
-// NAME_median and NAME_worst are told as NAME.
+// The page names NAME_median and NAME_worst as NAME.
 TEST_F(FileFormats, FiguresOfABench) {
   std::vector<std::string> columns;
   for (const std::string& column : header_of(bench_csv({}, {})))

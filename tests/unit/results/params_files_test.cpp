@@ -1,5 +1,5 @@
-// The files in params/ are what users start from: each must be readable, and default.yaml must
-// list the basic parameters with their defaults.
+// SPDX-License-Identifier: BSD-3-Clause
+// The files in params/ are readable, and default.yaml lists the basic parameters with their defaults.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -61,7 +61,7 @@ TEST(ParamsFiles, EachSettingOfTheAblationChangesAParameter) {
   EXPECT_GT(settings, 12);
 }
 
-TEST(ParamsFiles, TheReadmeTellsOfEach) {
+TEST(ParamsFiles, TheReadmeNamesEach) {
   const std::string readme = read_file(kFolder + "README.md", "");
   for (const std::string& file : files()) {
     const std::string name = std::filesystem::path(file).filename().string();
@@ -69,8 +69,9 @@ TEST(ParamsFiles, TheReadmeTellsOfEach) {
   }
 }
 
-// The lines below the first comment, as write_basic_params() writes them: copy them from the failure.
-TEST(ParamsFiles, DefaultYamlIsWhatTheBasicParametersSayOfThemselves) {
+// The lines below the first comment are those of write_basic_params(); if this fails, copy them from the
+// message.
+TEST(ParamsFiles, DefaultYamlListsTheBasicParameters) {
   std::istringstream file(read_file(kFolder + "default.yaml", ""));
   std::string line, body;
   while (std::getline(file, line))
@@ -87,7 +88,7 @@ TEST(ParamsFiles, FewAreBasic) {
   EXPECT_LE(basic, 20);
 }
 
-TEST(ParamsFiles, UnknownKeyOffersTheNearest) {
+TEST(ParamsFiles, AnUnknownKeySuggestsTheNearest) {
   RunParams params;
   try {
     read_params("mapping:\n  window:\n    keyframe: 9\n", "test.yaml",
@@ -98,7 +99,7 @@ TEST(ParamsFiles, UnknownKeyOffersTheNearest) {
   }
 }
 
-TEST(ParamsFiles, TheHintOfSetIsAccepted) {
+TEST(ParamsFiles, TheExampleInTheHintIsAccepted) {
   const auto set = [](const std::string& assignment) {
     RunParams params;
     set_param(assignment, [&](ParamVisitor& v) { params.visit(v); });

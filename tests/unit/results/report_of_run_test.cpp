@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // report.html as RunOutputs writes it, pictures and map included.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ using ::testing::HasSubstr;
 
 using ReportOfRun = WrittenRun;
 
-TEST_F(ReportOfRun, ShowsIt) {
+TEST_F(ReportOfRun, ShowsPicturesChartsAndNotes) {
   write(folder_, made_.run, made_.camera);
   const std::string html = content(folder_ / "report.html");
   const auto count = [&](const std::string& what) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/run_folder.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +16,7 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(RunFolder, OneFailureDoesNotKeepTheOthersFromBeingTried) {
+TEST(RunFolder, AFailureDoesNotPreventTheOtherFiles) {
   const test::TempFolder temp;
   RunFolder folder(temp / "new/parents");
   folder.attempt("a", [](const std::string&) { throw std::runtime_error("a call\nits stack"); });
@@ -24,8 +25,8 @@ TEST(RunFolder, OneFailureDoesNotKeepTheOthersFromBeingTried) {
   EXPECT_EQ(test::content(folder.path_of("b")), "b");
   EXPECT_THAT(folder.not_written(), ElementsAre("a", "c"));
   try {
-    folder.tell_failures();
-    ADD_FAILURE() << "the first failure was not told";
+    folder.throw_first_failure();
+    ADD_FAILURE() << "the first failure was not thrown";
   } catch (const InputError& e) {
     EXPECT_EQ(std::string(e.what()).find(folder.path_of("a") + ": cannot be written: a call"), 0u)
         << e.what();
@@ -33,11 +34,11 @@ TEST(RunFolder, OneFailureDoesNotKeepTheOthersFromBeingTried) {
   }
 }
 
-TEST(RunFolder, TellsNothingWhereNothingFailed) {
+TEST(RunFolder, ThrowsNothingIfNothingFailed) {
   const test::TempFolder temp;
   const RunFolder folder(temp / "new");
   EXPECT_TRUE(std::filesystem::is_directory(temp / "new"));
-  EXPECT_NO_THROW(folder.tell_failures());
+  EXPECT_NO_THROW(folder.throw_first_failure());
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/run_outputs.h"
 
 #include <gmock/gmock.h>
@@ -42,9 +43,8 @@ const char* const kFiles[] = {"trajectory_tum.txt",
                               "report.html",
                               "summary.yaml"};
 
-// A file that nobody lists is one that nobody owns; one that is listed and not in the README is one that
-// nobody finds.
-TEST_F(RunOutputFolder, TheListNamesEveryFileThatIsThereAndTheReadmeThoseOfTheList) {
+// Every file written is in the list of files, and every file of the list is in the README.
+TEST_F(RunOutputFolder, EveryFileIsListedAndDocumented) {
   write(folder_, made_.run, made_.camera);
   std::set<std::string> listed, written;
   for (const RunFile& file : run_files()) listed.insert(file.name);
@@ -72,7 +72,7 @@ TEST_F(RunOutputFolder, SameRunSameBytes) {
   }
 }
 
-TEST_F(RunOutputFolder, EmptyRunIsWrittenWithANote) {
+TEST_F(RunOutputFolder, AnEmptyRunIsWrittenWithANote) {
   edgevo::Run run;
   run.pinhole = made_.run.pinhole;
   write(folder_, run, made_.camera);
@@ -81,7 +81,7 @@ TEST_F(RunOutputFolder, EmptyRunIsWrittenWithANote) {
   EXPECT_THAT(s["map"]["note"].as<std::string>(), HasSubstr("valid but empty"));
 }
 
-TEST_F(RunOutputFolder, OneFullFileIsToldAndTheOthersAreWritten) {
+TEST_F(RunOutputFolder, AFailedFileIsReportedAndTheOthersAreWritten) {
   RunOutputs outputs(folder_.string(), made_.camera, {});
   for (const FrameRecord& frame : made_.run.frames)
     ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, frame)));
@@ -99,7 +99,7 @@ TEST_F(RunOutputFolder, OneFullFileIsToldAndTheOthersAreWritten) {
   }
 }
 
-TEST_F(RunOutputFolder, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
+TEST_F(RunOutputFolder, AFailedImageEndsTheImagesButNotTheResults) {
   RunOutputs outputs(folder_.string(), made_.camera, {});
   ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[0])));
   fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
@@ -115,13 +115,13 @@ TEST_F(RunOutputFolder, ImageThatCannotBeWrittenEndsTheImagesButNotTheResults) {
   EXPECT_GT(content(folder_ / "playback.rawlog").size(), 1000u);
 }
 
-TEST_F(RunOutputFolder, OutputFolderThatIsAFileIsRefused) {
+TEST_F(RunOutputFolder, AFileAsOutputFolderIsRefused) {
   std::ofstream(folder_) << "a file";
   EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, {}); }), HasSubstr("is a file"));
   EXPECT_EQ(content(folder_), "a file");
 }
 
-TEST_F(RunOutputFolder, WrongOccupancyParametersAreToldBeforeTheRun) {
+TEST_F(RunOutputFolder, InvalidOccupancyParametersAreReportedBeforeTheRun) {
   MapParams map;
   map.occupancy.resolution = "fine";
   EXPECT_THAT(message_of([&] { RunOutputs(folder_.string(), made_.camera, map); }),
@@ -129,12 +129,12 @@ TEST_F(RunOutputFolder, WrongOccupancyParametersAreToldBeforeTheRun) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
-// A small file system: the images fill it, and yet the text files have their room. Needs the right to mount.
-TEST_F(RunOutputFolder, FullFileSystemKeepsWhatFitted) {
+// On a small file system filled by images, the text files still fit. Needs the right to mount.
+TEST_F(RunOutputFolder, AFullFileSystemKeepsTheTextFiles) {
   fs::create_directories(folder_);
   if (mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=6500k") != 0)
     GTEST_SKIP() << "NOT TESTED: a full file system (mount refused: " << std::strerror(errno)
-                 << "); run as root with CAP_SYS_ADMIN. /dev/full stands in for it in the other tests.";
+                 << "); run as root with CAP_SYS_ADMIN. The other tests use /dev/full instead.";
   const std::string message = message_of([&] { write(folder_, made_.run, made_.camera); });
   const bool first_image = fs::exists(folder_ / "playback_Images/frame_000000.png");
   std::vector<std::string> lost;

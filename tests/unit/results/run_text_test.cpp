@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/run_text.h"
 
 #include <gmock/gmock.h>
@@ -54,7 +55,7 @@ TEST_F(RunText, TumQuaternionsHaveAPositiveW) {
       "0.0000000 1.000000000 -2.000000000 3.000000000 -0.600000000 0.000000000 0.000000000 0.800000000");
 }
 
-TEST_F(RunText, KittiTrajectoryStandsStillWhereThereIsNoPose) {
+TEST_F(RunText, KittiTrajectoryRepeatsThePoseOfFramesWithoutOne) {
   const auto rows = lines_of(trajectory_kitti(made_.run));
   ASSERT_EQ(rows.size(), 45u);
   for (int i = 20; i < 25; ++i) EXPECT_EQ(rows[size_t(i)], rows[19]);

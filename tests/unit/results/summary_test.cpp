@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/containers/yaml.h>
 
 #include "edgevo/core/run_statistics.h"
-#include "edgevo/drive/keeping_up.h"
 #include "edgevo/results/run_text.h"
 #include "edgevo/results/yaml_writer.h"
+#include "edgevo/run_loop/latency_stats.h"
 #include "written_run.h"
 
 namespace edgevo {
@@ -47,25 +48,25 @@ TEST_F(Summary, SummaryIsYamlWithTheCounts) {
   EXPECT_NE(s["libraries"]["octomap"].as<std::string>(), "none");
 }
 
-// Of 45 frames, the one with index i has its pose 10 + i ms after it was due; every tenth is handed over 2 ms
-// late, and frame 20 never.
-edgevo::Run kept_up(edgevo::Run run) {
-  KeepingUp keeping_up("30 frames a second");
+// Of 45 frames, frame i has its pose 10 + i ms after it was due. Every tenth frame is delivered 2 ms late,
+// and frame 20 is dropped.
+edgevo::Run with_latency(edgevo::Run run) {
+  LatencyStats latency("30 frames a second");
   for (int i = 0; i < 45; ++i) {
     const double due_s = 100 + i / 30.0;
     if (i == 20)
-      keeping_up.note_dropped();
+      latency.note_dropped();
     else
-      keeping_up.note_done(due_s, due_s + (i % 10 == 0 ? 2e-3 : 1e-4), due_s + 1e-3 * (10 + i));
+      latency.note_done(due_s, due_s + (i % 10 == 0 ? 2e-3 : 1e-4), due_s + 1e-3 * (10 + i));
   }
   run.realtime = RealtimeRecord();
   run.realtime->left_out_of_mapping = 7;
-  keeping_up.write_to(&run);
+  latency.write_to(&run);
   return run;
 }
 
 TEST_F(Summary, LatencyOfARealtimeRun) {
-  const edgevo::Run run = kept_up(made_.run);
+  const edgevo::Run run = with_latency(made_.run);
   write(folder_, run, made_.camera);
   const yaml s = yaml::FromFile((folder_ / "summary.yaml").string());
   EXPECT_EQ(s["realtime"]["pace"].as<std::string>(), "30 frames a second");
@@ -83,7 +84,7 @@ TEST_F(Summary, LatencyOfARealtimeRun) {
   EXPECT_EQ(cells_of(rows[1 + 3])[10], "13.000");
   EXPECT_EQ(cells_of(rows[1 + 20])[10], "");
   EXPECT_THAT(content(folder_ / "report.html"),
-              HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames handed over late, 1 dropped"));
+              HasSubstr("95 % 52.0, 99 % 54.0, max 54.0; 4 of 44 frames delivered late, 1 dropped"));
 }
 
 TEST_F(Summary, ASynchronousRunHasNoLatency) {

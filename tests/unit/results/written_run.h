@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The folder that a made-up run leaves.
+// Fixture with a synthetic run and the folder that it is written to.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include "drive_over_ground.h"
@@ -38,7 +39,7 @@ TEST(CameraHeight, PitchOfTheCameraDoesNotMatter) {
   }
 }
 
-// The unit grows by a quarter along the way: one factor would leave metres of error.
+// The unit grows by a quarter along the path: a single factor would leave metres of error.
 TEST(CameraHeight, DriftIsTakenOutWhereItAroseInPosesAndPoints) {
   GroundDrive drive;
   drive.metres_per_unit_begin = 1.8, drive.metres_per_unit_end = 2.3;
@@ -48,20 +49,20 @@ TEST(CameraHeight, DriftIsTakenOutWhereItAroseInPosesAndPoints) {
     const KeyframeRecord& keyframe = made.run.keyframes[k];
     const auto& frame = *made.run.frames[size_t(keyframe.frame_index)].T_world_cam;
     EXPECT_LT((keyframe.T_world_cam.translation() - frame.translation()).norm(), 1e-9)
-        << "a keyframe stands where its frame does";
+        << "a keyframe is where its frame is";
     double deepest = 0;
     for (const EdgePoint& p : keyframe.points) deepest = std::max(deepest, 1.0 / double(p.idepth));
     EXPECT_NEAR(deepest, 14.5, 1.3) << "points lie from 5 to 15 m ahead, keyframe " << k;
   }
 }
 
-TEST(CameraHeight, MostlyObstaclesStillShowTheGround) {
+TEST(CameraHeight, GroundIsFoundAmongMostlyObstacles) {
   GroundDrive drive;
   drive.ground_share = 0.35;
   EXPECT_NEAR(in_metres(drive).run.scale.factor, 2, 0.04);
 }
 
-TEST(CameraHeight, NoGroundIsNoScale) {
+TEST(CameraHeight, WithoutGroundThereIsNoScale) {
   GroundDrive drive;
   drive.ground_share = 0;
   const MadeRun made = drive_over_ground(drive);
@@ -70,7 +71,7 @@ TEST(CameraHeight, NoGroundIsNoScale) {
   EXPECT_NE(scale.problem.find("no ground"), std::string::npos);
 }
 
-TEST(CameraHeight, DegenerateRunsTellNothingAndDoNotCrash) {
+TEST(CameraHeight, DegenerateRunsGiveNoScaleAndDoNotCrash) {
   EXPECT_FALSE(estimate_run_scale(edgevo::Run(), kHeight, {}, ScaleParams()).problem.empty());
   GroundDrive one;
   one.frames = 2;
@@ -81,7 +82,7 @@ TEST(CameraHeight, DegenerateRunsTellNothingAndDoNotCrash) {
   EXPECT_FALSE(estimate_run_scale(still.run, kHeight, {}, ScaleParams()).problem.empty());
 }
 
-// A segment in which no ground was seen takes the scale of the one before, and says that it was not measured.
+// A segment without visible ground takes the scale of the one before, marked as not measured.
 TEST(CameraHeight, ASegmentWithoutGroundTakesItsNeighboursScale) {
   MadeRun made = drive_over_ground({});
   for (FrameRecord& f : made.run.frames) f.segment = f.index >= 200;
@@ -95,16 +96,17 @@ TEST(CameraHeight, ASegmentWithoutGroundTakesItsNeighboursScale) {
   EXPECT_EQ(made.run.scale.frames_carried_over, 100);
 }
 
-// What is known when a frame comes: nothing at first, then the same as in the end within its deviation; from
-// what lies behind only.
-TEST(CameraHeight, LiveScaleComesToKnowIt) {
+// What is known when a frame arrives, from the past only: nothing at first, then the final scale to within
+// its standard deviation.
+TEST(CameraHeight, LiveScaleConverges) {
   const MadeRun made = drive_over_ground({});
   LiveScale live(made.run.pinhole, kHeight, {}, std::nullopt, ScaleParams());
-  constexpr size_t kWindow = 16;  // keyframes settle that much later
-  size_t settled = 0;
+  constexpr size_t kWindow = 16;  // keyframes are marginalised that much later
+  size_t marginalised = 0;
   for (const FrameRecord& f : made.run.frames) {
     live.add_frame(f);
-    while (settled + kWindow < size_t(f.index) / 2) live.add_keyframe(made.run.keyframes[settled++]);
+    while (marginalised + kWindow < size_t(f.index) / 2)
+      live.add_keyframe(made.run.keyframes[marginalised++]);
   }
   ASSERT_EQ(live.history().size(), made.run.frames.size());
   EXPECT_FALSE(live.history().front());
@@ -114,7 +116,7 @@ TEST(CameraHeight, LiveScaleComesToKnowIt) {
   make_metric(estimate_run_scale(run, kHeight, {}, ScaleParams()), live.history(), kHeight, &run);
   EXPECT_NEAR(run.frames.back().T_world_cam_live->translation().norm(),
               made.truth.back().translation().norm(), 3);
-  EXPECT_EQ(run.scale.frames.front().live_factor, 0) << "it was not known then";
+  EXPECT_EQ(run.scale.frames.front().live_factor, 0) << "not yet known";
 }
 
 }  // namespace

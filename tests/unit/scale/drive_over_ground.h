@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A made-up drive over flat ground: a winding way, points on the ground and above it, a unit that grows along
-// the way.
+// A made-up drive over flat ground: a winding path, points on the ground and above it, a unit that grows
+// along the path.
 #include <cmath>
 #include <random>
 
@@ -10,17 +11,22 @@ namespace edgevo::test {
 
 struct GroundDrive {
   int frames = 300;
-  double camera_height = 1.65;  ///< metres
+  /// Metres.
+  double camera_height = 1.65;
   double metres_per_unit_begin = 2, metres_per_unit_end = 2;
-  double pitch = 0;              ///< radians, of the camera on the vehicle
-  double ground_share = 0.6;     ///< of the points; the others stand above the ground, as cars do
-  double relative_noise = 0.02;  ///< of the depths
+  /// Pitch of the camera on the vehicle, radians.
+  double pitch = 0;
+  /// Share of the points on the ground; the others are above it, as cars are.
+  double ground_share = 0.6;
+  /// Relative standard deviation of the depths.
+  double relative_noise = 0.02;
   unsigned seed = 1;
 };
 
 struct MadeRun {
   Run run;
-  std::vector<SE3> truth;  ///< poses in metres, as run.frames
+  /// Poses in metres, as run.frames.
+  std::vector<SE3> truth;
 };
 
 inline double unit_at(const GroundDrive& drive, int i) {
@@ -42,7 +48,7 @@ inline std::vector<SE3> true_poses(const GroundDrive& drive) {
   return poses;
 }
 
-/// The run that a monocular odometry would make of it: lengths divided by a unit that changes along the way.
+/// The run that a monocular odometry would make of it: lengths divided by a unit that changes along the path.
 inline MadeRun drive_over_ground(const GroundDrive& drive) {
   MadeRun made;
   made.truth = true_poses(drive);
@@ -88,7 +94,7 @@ inline MadeRun drive_over_ground(const GroundDrive& drive) {
   return made;
 }
 
-/// Length of the way of the frames' final poses.
+/// Length of the path through the frames' final poses.
 inline double length_of(const Run& run) {
   double length = 0;
   for (size_t i = 1; i < run.frames.size(); ++i)

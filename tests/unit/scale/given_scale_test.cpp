@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/given_scale.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ Run small_run() {
   return run;
 }
 
-TEST(ScaleRun, EveryLengthGrowsAndNoAngleDoes) {
+TEST(ScaleRun, ScalesEveryLengthAndNoAngle) {
   const edgevo::Run before = small_run();
   edgevo::Run run = before;
   scale_run(2.5, "factor=2.5", &run);
@@ -51,7 +52,7 @@ TEST(ScaleRun, EveryLengthGrowsAndNoAngleDoes) {
 }
 
 // Lines have depths of their own.
-TEST(ScaleRun, LinesGrowWithThePoints) {
+TEST(ScaleRun, ScalesLinesWithTheirPoints) {
   edgevo::Run run = small_run();
   scale_run(2.5, "factor=2.5", &run);
   const EdgeVertex& v = run.keyframes[0].lines[0].vertices[1];
@@ -59,8 +60,8 @@ TEST(ScaleRun, LinesGrowWithThePoints) {
   EXPECT_FLOAT_EQ(v.idepth_sigma, 0.02f / 2.5f);
 }
 
-// As measured, one factor for each frame: the same as given, where they are all the same.
-TEST(ScaleRun, AMeasuredFactorDoesWhatAGivenOneDoes) {
+// Measured factors, one for each frame, act like a given one if they are all equal.
+TEST(ScaleRun, MeasuredFactorActsLikeAGivenOne) {
   edgevo::Run given = small_run(), measured = given;
   given.frames[0].covariance = measured.frames[0].covariance = Matrix6d::Ones();
   scale_run(2.5, "factor=2.5", &given);
@@ -77,7 +78,7 @@ TEST(ScaleRun, AMeasuredFactorDoesWhatAGivenOneDoes) {
             given.keyframes[0].lines[0].vertices[0].idepth_sigma);
 }
 
-TEST(ScaleRun, RefusesWhatIsNoFactor) {
+TEST(ScaleRun, RefusesInvalidFactors) {
   for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     edgevo::Run run = small_run();
     EXPECT_THROW(scale_run(bad, "factor", &run), InputError) << bad;

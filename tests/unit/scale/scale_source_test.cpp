@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/scale_source.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +37,7 @@ TEST(ScaleSource, OnlyMeasuredOnesAreEstimated) {
     EXPECT_FALSE(parse_scale_source(given).is_estimated()) << given;
 }
 
-TEST(ScaleSource, RefusesWhatIsNoScaleAndSaysWhatToGive) {
+TEST(ScaleSource, RefusesInvalidOptionsAndSaysWhatToGive) {
   EXPECT_THAT(complaint("odometer"), HasSubstr("did you mean odometry?"));
   EXPECT_THAT(complaint("camera_height"), HasSubstr("camera_height=1.65"));
   EXPECT_THAT(complaint("gps=3"), HasSubstr("takes no value"));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
 #include "drive_over_ground.h"
@@ -13,12 +14,14 @@ using test::MadeRun;
 const ScaleSource kOdometry{ScaleSource::Kind::kOdometry, 0, "odometry"};
 
 struct TrackNoise {
-  double step = 0;      ///< relative, of each step of an odometer
-  double position = 0;  ///< metres, of each position of a GPS
+  /// Noise of each step of an odometer, relative.
+  double step = 0;
+  /// Noise of each position of a GPS, metres.
+  double position = 0;
   int every = 1;
 };
 
-// In the sensor's own frame, which is turned and moved against the camera's.
+// Track in the sensor's own frame, which is rotated and translated against the camera's.
 VehicleTrack track_of(const MadeRun& made, const TrackNoise& noise,
                       const Eigen::Vector3d& sensor_in_camera = Eigen::Vector3d::Zero()) {
   std::mt19937 random(5);
@@ -65,7 +68,7 @@ TEST(TrackScale, GpsOfOneMetreAndADrift) {
   EXPECT_GT(made.run.scale.sigma, 0.001);
 }
 
-TEST(TrackScale, FixesThatJumpAreLeftOut) {
+TEST(TrackScale, FixesThatJumpAreRejected) {
   MadeRun made = drive_over_ground({});
   VehicleTrack track = track_of(made, {0, 0.05, 1});
   for (size_t i = 20; i < track.positions.size(); i += 25)
@@ -75,11 +78,11 @@ TEST(TrackScale, FixesThatJumpAreLeftOut) {
   EXPECT_NEAR(scale.of_frame[150].factor, 2, 0.01);
 }
 
-// An antenna a metre and a half beside the camera runs another way through a bend.
-TEST(TrackScale, TheSensorsPlaceOnTheVehicleCounts) {
+// An antenna a metre and a half to the side of the camera follows a different path through a bend.
+TEST(TrackScale, LeverArmOfTheSensorIsCompensated) {
   MadeRun made = drive_over_ground({});
-  made.run.T_vehicle_cam =
-      SE3(Eigen::Quaterniond::Identity(), {0.2, 0, 0});  // the vehicle's axes are the camera's here
+  // The vehicle's axes are the camera's here.
+  made.run.T_vehicle_cam = SE3(Eigen::Quaterniond::Identity(), {0.2, 0, 0});
   VehicleTrack track = track_of(made, {}, {1.5, 0, 0});
   track.sensor_on_vehicle = {1.7, 0, 0};
   const RunScale right = estimate_run_scale(made.run, kOdometry, track, ScaleParams());
@@ -89,7 +92,7 @@ TEST(TrackScale, TheSensorsPlaceOnTheVehicleCounts) {
   EXPECT_GT(std::abs(wrong.of_frame[150].factor - 2), std::abs(right.of_frame[150].factor - 2));
 }
 
-TEST(TrackScale, TracksOfOtherTimesOrNoMotionTellNothing) {
+TEST(TrackScale, TracksOfOtherTimesOrWithoutMotionGiveNoScale) {
   const MadeRun made = drive_over_ground({});
   VehicleTrack late = track_of(made, {});
   for (VehiclePosition& p : late.positions) p.time.ticks += 1000 * Timestamp::kTicksPerSecond;

@@ -1,5 +1,6 @@
-// Derivatives of the profile cost against the cost itself: the adjustment solved again at displaced values of
-// the unknowns.
+// SPDX-License-Identifier: BSD-3-Clause
+// Derivatives of the profile cost compared with the cost itself: the adjustment is solved again at displaced
+// unknowns.
 #include "camera_problem.h"
 
 #include <gtest/gtest.h>
@@ -45,8 +46,8 @@ TEST(ProfileCost, GradientIsTheNumericOne) {
     ASSERT_TRUE(s.usable);
     const auto cost = [&](const ba::Unknowns& d) { return profile_cost(problem, k + d, &unused); };
     const auto numeric = test::numerical_jacobian<ba::kUnknowns>(cost);
-    // The weights D^T n of the matches move with k too, which the derivative leaves out: second order in
-    // the residual.
+    // The weights D^T n of the matches depend on k too, which the derivative ignores: second order in the
+    // residual.
     for (int i = 0; i < ba::kUnknowns; ++i)
       EXPECT_NEAR(s.gradient[i], numeric(0, i), 0.02 * std::abs(numeric(0, i))) << i;
   }
@@ -91,14 +92,14 @@ TEST(ProfileCost, NewtonFindsTheMinimum) {
       EXPECT_LE(best, profile_cost(problem, found + side * e.sigma[i] * ba::Unknowns::Unit(i), &unused)) << i;
 }
 
-TEST(ProfileCost, WhatIsNotFreeStays) {
+TEST(ProfileCost, FixedUnknownsStay) {
   const CameraProblem problem = camera_scene(6);
   const ImageCorrection start{0.002, 0.005};
   EXPECT_EQ(estimate(problem, true, false, start).value.readout_s, start.readout_s);
   EXPECT_EQ(estimate(problem, false, true, start).value.k1, start.k1);
   const CameraEstimate none = estimate(problem, false, false, start);
   EXPECT_EQ(none.value, start);
-  // One step with all free leads most of the way to where both searches end.
+  // One step with all unknowns free leads most of the way to where both searches end.
   const ba::Unknowns both = unknowns(estimate(problem, true, true).value), from = unknowns(start);
   EXPECT_LT((none.if_all_free - both).cwiseQuotient(none.sigma).norm(),
             0.3 * (from - both).cwiseQuotient(none.sigma).norm());

@@ -1,4 +1,6 @@
-// Self-calibration on drives with exact truth: matches as a lens with a known residual distortion makes them.
+// SPDX-License-Identifier: BSD-3-Clause
+// Self-calibration on trajectories with exact truth: matches as a lens with a known residual distortion
+// yields them.
 #include "edgevo/self_calibration/self_calibration.h"
 
 #include <gtest/gtest.h>
@@ -10,18 +12,21 @@
 namespace edgevo {
 namespace {
 
-struct DriveOptions {
+struct SyntheticDrive {
   int keyframes = 60;
-  double k1 = 0;         ///< of the images, unknown to the camera file
-  double readout_s = 0;  ///< of a rolling shutter
+  /// Residual distortion of the images, unknown to the camera file.
+  double k1 = 0;
+  /// Read-out time of a rolling shutter, seconds.
+  double readout_s = 0;
   double noise_px = 0.15;
-  double step = 1.0;  ///< metres a keyframe; 0: a standstill
+  /// Metres per keyframe; 0: a standstill.
+  double step = 1.0;
   uint64_t seed = 1;
 };
 
-// A drive with gentle turns through points on both sides. Points are hosted by keyframes and matched, along
-// random normals, in the keyframes around. Estimates stand where a window would leave them: near the truth.
-std::vector<Keyframe> make_drive(const DriveOptions& o) {
+// A path with gentle turns through points on both sides. Points are hosted by keyframes and matched, along
+// random normals, in the keyframes around. Estimates are where a window would leave them: near the truth.
+std::vector<Keyframe> make_drive(const SyntheticDrive& o) {
   const Pinhole camera = test::pinhole();
   Random random(o.seed);
   std::vector<SE3> T_world_cam(o.keyframes);
@@ -32,8 +37,8 @@ std::vector<Keyframe> make_drive(const DriveOptions& o) {
     T_world_cam[i] = T_world_cam[i - 1] * SE3::exp(step);
   }
   std::vector<Keyframe> drive(o.keyframes);
-  // The camera bobs and turns about its keyframes, five of them a second; all it sees is as far away as the
-  // middle of the points.
+  // The camera bobs and turns about its keyframes, five of them per second; everything it sees is as far away
+  // as the middle of the points.
   for (Keyframe& k : drive) {
     k.motion.velocity << 0.3 * random.normal(), 0.5 * random.normal(), -5.0, 0.1 * random.normal(),
         0.1 * random.normal(), 0.1 * random.normal();
@@ -74,14 +79,14 @@ std::vector<Keyframe> make_drive(const DriveOptions& o) {
   return drive;
 }
 
-// Feeds a drive through as the mapper does; the last 12 keyframes are the window.
+// Feeds a trajectory through as the mapper does; the last 12 keyframes are the window.
 struct Outcome {
   CameraRefinement state;
   std::optional<MapRevision> revision;
   std::vector<Keyframe> drive;
 };
 
-Outcome calibrate(const DriveOptions& o, const SelfCalibrationParams& params = {}) {
+Outcome calibrate(const SyntheticDrive& o, const SelfCalibrationParams& params = {}) {
   Outcome out;
   out.drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), params);
@@ -103,7 +108,7 @@ std::vector<const Keyframe*> range(const std::vector<Keyframe>& drive, size_t be
 TEST(SelfCalibration, FindsTheDistortion) {
   for (const double k1 : {0.01, -0.008, 0.02})
     for (const uint64_t seed : {1, 2, 3}) {
-      DriveOptions o;
+      SyntheticDrive o;
       o.k1 = k1, o.seed = seed;
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.state, CameraRefinement::State::kApplied);
@@ -118,13 +123,13 @@ TEST(SelfCalibration, FindsTheDistortion) {
 TEST(SelfCalibration, FindsARollingShutter) {
   for (const double readout_s : {0.02, -0.015, 0.03})
     for (const double k1 : {0.0, 0.012}) {
-      DriveOptions o;
+      SyntheticDrive o;
       o.k1 = k1, o.readout_s = readout_s;
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied) << readout_s << " " << k1;
       EXPECT_NEAR(out.state.shutter.estimate, readout_s, 0.001);
       EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013)
-          << "a step further: matches of crooked rows hold on to them";
+          << "applied with over-relaxation: distorted rows bias the estimates";
       EXPECT_EQ(out.state.state,
                 k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.estimate, k1, 0.002);
@@ -134,16 +139,16 @@ TEST(SelfCalibration, FindsARollingShutter) {
 }
 
 TEST(SelfCalibration, WithoutOverRelaxationTheEstimateIsApplied) {
-  DriveOptions o;
+  SyntheticDrive o;
   o.readout_s = 0.02;
   SelfCalibrationParams params;
   params.over_relax_readout = false;
   EXPECT_NEAR(calibrate(o, params).state.shutter.readout_s, 0.02, 0.001);
 }
 
-// From few keyframes, long before k1 is looked for.
+// With few keyframes, long before k1 is estimated.
 TEST(SelfCalibration, ARollingShutterShowsEarly) {
-  DriveOptions o;
+  SyntheticDrive o;
   o.keyframes = 14;
   o.readout_s = 0.02;
   const Outcome out = calibrate(o);
@@ -153,8 +158,8 @@ TEST(SelfCalibration, ARollingShutterShowsEarly) {
   EXPECT_EQ(out.state.k1, 0);
 }
 
-TEST(SelfCalibration, SeeksOnlyWhatItIsAskedFor) {
-  DriveOptions o;
+TEST(SelfCalibration, EstimatesOnlyWhatIsRequested) {
+  SyntheticDrive o;
   o.k1 = 0.012, o.readout_s = 0.02;
   SelfCalibrationParams params;
   params.refine = "k1";
@@ -167,14 +172,14 @@ TEST(SelfCalibration, SeeksOnlyWhatItIsAskedFor) {
   EXPECT_EQ(shutter.k1, 0);
   EXPECT_EQ(shutter.shutter.state, CameraRefinement::State::kApplied);
   params.refine = "none";
-  params.readout_s = 0.02;  // known: taken as it is
+  params.readout_s = 0.02;  // known: used as it is
   EXPECT_EQ(calibrate(o, params).state.correction(), (ImageCorrection{0, 0.02}));
 }
 
-// Bad light may show a rolling shutter where there is none: later keyframes take it back, and what is already
-// applied with it.
-TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
-  DriveOptions rolling, still;
+// Bad light may suggest a rolling shutter where there is none: later keyframes reset it, also after it was
+// applied.
+TEST(SelfCalibration, AFalseShutterIsGivenUp) {
+  SyntheticDrive rolling, still;
   rolling.keyframes = 14, rolling.readout_s = 0.02;
   still.keyframes = 60;
   const std::vector<Keyframe> mistaken = make_drive(rolling);
@@ -199,9 +204,9 @@ TEST(SelfCalibration, AShutterThatWasFoundByMistakeIsGivenUp) {
   EXPECT_EQ(revision->now, ImageCorrection());
 }
 
-// Images that were corrected already: the estimate is of the whole, not of what is left.
-TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
-  DriveOptions o;
+// Images that are corrected already: the estimate is of the whole read-out time, not of the rest.
+TEST(SelfCalibration, AKnownShutterIsConfirmed) {
+  SyntheticDrive o;
   o.readout_s = 0.02;
   std::vector<Keyframe> drive = make_drive(o);
   SelfCalibrationParams params;
@@ -221,7 +226,7 @@ TEST(SelfCalibration, AShutterThatIsKnownIsFoundAgain) {
 
 TEST(SelfCalibration, LeavesAGoodCameraAlone) {
   for (const uint64_t seed : {1, 2, 3, 4}) {
-    DriveOptions o;
+    SyntheticDrive o;
     o.seed = seed;
     const Outcome out = calibrate(o);
     EXPECT_EQ(out.state.state, CameraRefinement::State::kInsignificant);
@@ -231,22 +236,22 @@ TEST(SelfCalibration, LeavesAGoodCameraAlone) {
   }
 }
 
-TEST(SelfCalibration, SaysWhenItCannotTell) {
-  DriveOptions still;
+TEST(SelfCalibration, ReportsWhenNothingIsObservable) {
+  SyntheticDrive still;
   still.step = 0.002;
   still.k1 = 0.01;
   const Outcome out = calibrate(still);
   EXPECT_EQ(out.state.state, CameraRefinement::State::kNotObservable);
   EXPECT_FALSE(out.revision);
 
-  DriveOptions brief;
+  SyntheticDrive brief;
   brief.keyframes = 20;
   brief.k1 = 0.01;
   EXPECT_EQ(calibrate(brief).state.state, CameraRefinement::State::kTooEarly);
 }
 
-TEST(SelfCalibration, OffMeansOff) {
-  DriveOptions o;
+TEST(SelfCalibration, DoesNothingWhenOff) {
+  SyntheticDrive o;
   o.k1 = 0.02;
   SelfCalibrationParams params;
   params.refine = "none";
@@ -256,7 +261,7 @@ TEST(SelfCalibration, OffMeansOff) {
 }
 
 TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
-  DriveOptions o;
+  SyntheticDrive o;
   o.k1 = 0.015;
   const Outcome out = calibrate(o);
   ASSERT_TRUE(out.revision);
@@ -270,7 +275,7 @@ TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
   }
 }
 
-// The drive is the truth: after a correction the shape of the way is the true one again.
+// The trajectory is the truth: after a correction the shape of the path is the true one again.
 void expect_true_shape(const MapRevision& revision, const std::vector<Keyframe>& drive) {
   ASSERT_EQ(revision.keyframes.size(), drive.size());
   const auto step = [](const SE3& a, const SE3& b) { return (b * a.inverse()).translation().norm(); };
@@ -281,41 +286,41 @@ void expect_true_shape(const MapRevision& revision, const std::vector<Keyframe>&
   for (size_t i = 1; i < drive.size(); ++i) EXPECT_NEAR(ratio(i) / ratio(drive.size() - 1), 1.0, 0.02) << i;
 }
 
-TEST(SelfCalibration, TheRevisedWayHasTheTrueShape) {
-  DriveOptions o;
+TEST(SelfCalibration, TheRevisedTrajectoryHasTheTrueShape) {
+  SyntheticDrive o;
   o.k1 = 0.015;
   const Outcome out = calibrate(o);
   ASSERT_TRUE(out.revision);
   expect_true_shape(*out.revision, out.drive);
 }
 
-// In a thread of its own: keyframes come, and points go, while the estimate runs.
-TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
-  DriveOptions o;
+// In a thread of its own: keyframes are added and points removed while the estimate runs.
+TEST(SelfCalibration, ChangesDuringAnEstimateAreCarriedOver) {
+  SyntheticDrive o;
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
   constexpr size_t kKnown = 45, kWindow = 12;
-  SelfCalibration beside(test::pinhole(), {}), at_once(test::pinhole(), {});
-  for (size_t i = 0; i < kKnown - kWindow; ++i) beside.remember(drive[i]), at_once.remember(drive[i]);
+  SelfCalibration concurrent(test::pinhole(), {}), at_once(test::pinhole(), {});
+  for (size_t i = 0; i < kKnown - kWindow; ++i) concurrent.remember(drive[i]), at_once.remember(drive[i]);
   ASSERT_TRUE(at_once.estimate(range(drive, kKnown - kWindow, kKnown), BaOptions(), true));
 
   std::vector<Keyframe> now = drive;
-  beside.begin(range(now, kKnown - kWindow, kKnown), BaOptions());
-  EXPECT_TRUE(beside.is_running());
-  EXPECT_FALSE(beside.is_due(int(kWindow))) << "one at a time";
-  std::vector<Keyframe>(now).swap(now);  // the copy that it works on is its own
+  concurrent.begin(range(now, kKnown - kWindow, kKnown), BaOptions());
+  EXPECT_TRUE(concurrent.is_running());
+  EXPECT_FALSE(concurrent.is_due(int(kWindow))) << "one at a time";
+  std::vector<Keyframe>(now).swap(now);  // it works on a copy of its own
   now[kKnown - 1].points.erase(now[kKnown - 1].points.begin(), now[kKnown - 1].points.begin() + 20);
-  for (size_t i = kKnown - kWindow; i < now.size() - kWindow; ++i) beside.remember(now[i]);
-  const auto revision = beside.estimate(range(now, now.size() - kWindow, now.size()), BaOptions(), false);
-  EXPECT_FALSE(beside.is_running());
+  for (size_t i = kKnown - kWindow; i < now.size() - kWindow; ++i) concurrent.remember(now[i]);
+  const auto revision = concurrent.estimate(range(now, now.size() - kWindow, now.size()), BaOptions(), false);
+  EXPECT_FALSE(concurrent.is_running());
   ASSERT_TRUE(revision);
   EXPECT_EQ(revision->now, at_once.state().correction()) << "the same estimate";
-  EXPECT_EQ(beside.state().keyframes, int(kKnown));
+  EXPECT_EQ(concurrent.state().keyframes, int(kKnown));
   expect_true_shape(*revision, now);
   const RevisedKeyframe& newest = revision->keyframes.back();
   EXPECT_LT((newest.T_cam_world * now.back().T_cam_world.inverse()).log().norm(), 1e-12);
   ASSERT_EQ(revision->keyframes[kKnown - 1].points.size(), now[kKnown - 1].points.size());
-  // Depths, too: new and old points alike stand at the true depth in the unit of the newest keyframe.
+  // Depths, too: new and old points alike have the true depth in the unit of the newest keyframe.
   for (const size_t k : {kKnown - 1, kKnown + 4})
     for (size_t i = 0; i < now[k].points.size(); ++i)
       EXPECT_NEAR(revision->keyframes[k].points[i].idepth * revision->keyframes[k].length_ratio /
@@ -324,8 +329,8 @@ TEST(SelfCalibration, WhatTheMappingDidMeanwhileIsCarriedOver) {
           << k;
 }
 
-TEST(SelfCalibration, AnEstimateThatNobodyTakesDoesNoHarm) {
-  DriveOptions o;
+TEST(SelfCalibration, AnUnusedEstimateDoesNoHarm) {
+  SyntheticDrive o;
   o.keyframes = 30;
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), {});
@@ -338,7 +343,7 @@ TEST(SelfCalibration, AnEstimateThatNobodyTakesDoesNoHarm) {
 
 // A window adjusted with the revision's prior stays where the whole adjustment put it.
 TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
-  DriveOptions o;
+  SyntheticDrive o;
   o.k1 = 0.01;
   const Outcome out = calibrate(o);
   ASSERT_TRUE(out.revision);
@@ -373,11 +378,11 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
   EXPECT_LT(test::pose_difference(before, window), 0.01);  // of steps of one metre
 }
 
-TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
+TEST(SelfCalibration, RemembersNothingAfterTheLastCheckpoint) {
   SelfCalibrationParams params;
   params.refine = "k1";
   params.min_keyframes = 15;  // checkpoints at 15, 30 and 60
-  DriveOptions o;
+  SyntheticDrive o;
   o.keyframes = 72;
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), params);
@@ -395,7 +400,7 @@ TEST(SelfCalibration, RemembersNoMoreAfterTheLastCheckpoint) {
 }
 
 TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
-  DriveOptions o;
+  SyntheticDrive o;
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), {});

@@ -1,5 +1,6 @@
-// Exact correspondences: against planes whose projection is known, against rendered images, and where there
-// are none.
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact correspondences: against planes with known projection, against rendered images, and for points
+// without one.
 #include "edgevo/simulation/correspondence.h"
 
 #include <gmock/gmock.h>
@@ -107,8 +108,8 @@ TEST(Correspondence, RenderedPointsLookAlike) {
   EXPECT_GT(alike, 0.9 * compared);
 }
 
-// Against brute force: of all pixels of the second view, the one whose own point lies nearest to the pixel in
-// the first view, at its depth.
+// Against brute force: of all pixels of the second view, the one whose point is nearest to the pixel in the
+// first view, at its depth.
 TEST(Correspondence, MeetsTheSamePointOfTheOtherView) {
   const SceneRenderer renderer(load_scene("corridor"));
   const std::vector<float> from = renderer.render_depth(5), to = renderer.render_depth(7);

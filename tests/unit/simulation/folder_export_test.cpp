@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The written folder: its files, the same bytes from one thread and from two, poses relative to the first
 // written camera.
 #include "edgevo/simulation/folder_export.h"

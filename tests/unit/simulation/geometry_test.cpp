@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Depth, poses and pixel centres of rendered frames are exact.
 #include <gmock/gmock.h>
 
@@ -39,7 +40,7 @@ struct Agreement {
   int compared = 0, good = 0;
 };
 
-// Every flat pixel of frame i, carried over to frame j; what is more than 2 % behind the depth there is
+// Every flat pixel of frame i, transferred to frame j; points more than 2 % behind the depth there are
 // hidden.
 Agreement compare(const SceneRenderer& renderer, int i, int j) {
   const Pinhole& p = renderer.camera().pinhole;
@@ -112,8 +113,8 @@ TEST(PixelCentres, CornerIsSeenWhereTheLensPutsIt) {
   const Eigen::Vector2d expected(310.3 * x.x() + 158.61, 305.7 * x.y() + 121.37);
   const Eigen::Vector2d seen =
       corner_seen(SceneRenderer(test::white_square(camera)).render_image(0), expected);
-  EXPECT_NEAR(seen.x(), expected.x(),
-              0.1);  // the sides are bent: their crossings lie six pixels from the corner
+  // The sides are bent: their crossings lie six pixels from the corner.
+  EXPECT_NEAR(seen.x(), expected.x(), 0.1);
   EXPECT_NEAR(seen.y(), expected.y(), 0.1);
 }
 

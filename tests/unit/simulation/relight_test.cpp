@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Lighting changes: deterministic, as strong as documented, and only where they should be.
 #include "edgevo/simulation/relight.h"
 
@@ -30,7 +31,7 @@ TEST_P(RelightKinds, SameBytesInAnyOrderAndOtherSeedDiffers) {
   EXPECT_EQ(b.apply(image, 2, 0.2).pixels, first.pixels);
   EXPECT_EQ(b.apply(image, 40, 4.0).pixels, later.pixels);
   EXPECT_EQ(later.width, 320);
-  const bool follows_seed = GetParam() != "vignette" && GetParam() != "eaten" && GetParam() != "dropped";
+  const bool follows_seed = GetParam() != "vignette" && GetParam() != "blooming" && GetParam() != "dropped";
   EXPECT_EQ(other.apply(image, 40, 4.0).pixels != later.pixels, follows_seed);
 }
 
@@ -75,12 +76,12 @@ TEST(Relight, GlareSaturates) {
   EXPECT_EQ(brightest, 255);
 }
 
-TEST(Relight, SkyEatsIntoWhatStandsBeforeIt) {
+TEST(Relight, SkyBloomsIntoTheForeground) {
   GrayImage image = flat(60);
   for (int v = 0; v < 100; ++v) std::fill_n(image.pixels.begin() + v * 320, 320, uint8_t(240));
-  const GrayImage eaten = Relight("eaten", 1).apply(image, 0, 0);
-  EXPECT_GT(eaten.view().at(160, 101), 140);
-  EXPECT_EQ(eaten.view().at(160, 110), 60);
+  const GrayImage bloomed = Relight("blooming", 1).apply(image, 0, 0);
+  EXPECT_GT(bloomed.view().at(160, 101), 140);
+  EXPECT_EQ(bloomed.view().at(160, 110), 60);
 }
 
 TEST(Relight, NoiseHasItsStrength) {
@@ -99,7 +100,7 @@ TEST(Relight, DropsOneFrameInTwelveButNotTheFirst) {
   EXPECT_FALSE(Relight("mixed", 1).drops(7));
 }
 
-TEST(RelitSource, KeepsNumbersTimesAndCalibrationAndLeavesOutWhatIsDropped) {
+TEST(RelitSource, KeepsNumbersTimesAndCalibrationAndSkipsDroppedFrames) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("corridor"));
   const Relight dropped("dropped", 2);
   RelitSource source(std::make_unique<RenderedSource>(renderer, 0, 30), dropped);

@@ -1,4 +1,6 @@
-// Scene files: what ships is sound, the same seed gives the same bytes, and bad files get one clear line.
+// SPDX-License-Identifier: BSD-3-Clause
+// Scene files: shipped scenes are valid, the same seed gives the same bytes, and bad files give one clear
+// line.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -30,7 +32,7 @@ std::string edited(const std::string& scene, const std::string& what, const std:
   return s.replace(at, what.size(), by);
 }
 
-// Why load_scene refuses that text; empty if it does not.
+// Message of load_scene for that text; empty if it is accepted.
 std::string refusal(const std::string& text) {
   const test::TempFolder folder;
   const std::string path = folder / "bad_scene.yaml";
@@ -59,22 +61,23 @@ TEST(BadScene, NoFrames) {
   EXPECT_THAT(refusal(edited("desk", "frames: 450", "")), HasSubstr("frames is missing"));
 }
 
-TEST(BadScene, WayThroughAWall) {
+TEST(BadScene, PathThroughAWall) {
   EXPECT_THAT(refusal(edited("street", "lane_offset: 1.5", "lane_offset: 11")),
               AllOf(HasSubstr("through a wall between frames"), Not(HasSubstr("\n"))));
 }
 
-TEST(BadScene, WayTooShort) {
-  EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")), HasSubstr("the way ends at frame"));
+TEST(BadScene, PathTooShort) {
+  EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")), HasSubstr("the path ends at frame"));
   EXPECT_THAT(refusal(edited("street", "turn_radius: 8", "turn_radius: 300")),
               HasSubstr("too short for its turn"));
 }
 
-TEST(BadScene, WayPoints) {
-  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "")), HasSubstr("fewer than two way points"));
+TEST(BadScene, Waypoints) {
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "")), HasSubstr("fewer than two waypoints"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1.05]")),
               HasSubstr("list of two or three numbers"));
-  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")), HasSubstr("34: is no way point"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")),
+              HasSubstr("34: is not a waypoint"));
   EXPECT_THAT(refusal(edited("desk", "way_points:", "other_points:")), HasSubstr("list"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1, 2, 3, 4]")),
               HasSubstr("list of two or three numbers"));
@@ -86,7 +89,7 @@ TEST(BadScene, WayPoints) {
   EXPECT_THAT(refusal(edited("desk", "seed: 1", "way_points:\n  - [0, 0]")), HasSubstr("given already"));
 }
 
-// "bad_scene.yaml:LINE: ", the line where a scene that ships says that.
+// "bad_scene.yaml:LINE: ", the line of that text in a shipped scene.
 std::string at_line_of(const std::string& scene, const std::string& what) {
   std::ifstream in(std::string(EDGEVO_SOURCE_DIR) + "/datasets/scenes/" + scene + ".yaml");
   std::string line;
@@ -95,7 +98,7 @@ std::string at_line_of(const std::string& scene, const std::string& what) {
   return "bad_scene.yaml:" + std::to_string(number) + ": ";
 }
 
-// Way points first, then the rest: the lines below keep their numbers.
+// Waypoints first, then the rest: the lines below keep their numbers.
 TEST(BadScene, MessagesNameTheLine) {
   const auto with_points_first = [](const char* points, const char* rest) {
     return refusal(std::string("way_points:  # metres\n") + points + rest);
@@ -105,7 +108,7 @@ TEST(BadScene, MessagesNameTheLine) {
               HasSubstr("bad_scene.yaml:6: unknown parameter"));
   EXPECT_THAT(with_points_first(points, "frames: 0\n"), HasSubstr("bad_scene.yaml:5: frames"));
   EXPECT_THAT(with_points_first("  - [0, 0]\n  - [0, zero]\n", "frames: 9\n"),
-              HasSubstr("bad_scene.yaml:3: is no way point"));
+              HasSubstr("bad_scene.yaml:3: is not a waypoint"));
   EXPECT_THAT(with_points_first("  - [0, 0]\n", "frames: 9\n"),
               HasSubstr("bad_scene.yaml:1: has fewer than two"));
   EXPECT_THAT(refusal(edited("desk", "walls: plaster", "walls: plastre")),
@@ -115,7 +118,7 @@ TEST(BadScene, MessagesNameTheLine) {
   EXPECT_THAT(refusal(edited("street", "lane_offset: 1.5", "lane_offset: 11")),
               HasSubstr(at_line_of("street", "way_points:") + "the camera passes"));
   EXPECT_THAT(refusal(edited("street", "frames: 360", "frames: 36000")),
-              HasSubstr(at_line_of("street", "way_points:") + "the way ends"));
+              HasSubstr(at_line_of("street", "way_points:") + "the path ends"));
 }
 
 TEST(BadScene, NoCamera) {
@@ -136,7 +139,7 @@ TEST(Scene, NamesHoldWhatShips) {
     EXPECT_THAT(scene_names(), Contains(name));
 }
 
-TEST(Scene, SameSeedSameBytesOtherSeedOtherPlace) {
+TEST(Scene, SameSeedSameBytesOtherSeedOtherWorld) {
   const SceneRenderer first(load_scene("desk", 7)), second(load_scene("desk", 7)),
       other(load_scene("desk", 8));
   const RenderedFrame a = first.render(3), b = second.render(3), c = other.render(3);
@@ -184,9 +187,9 @@ double mean_gray(const GrayImage& image) {
   return sum / double(image.pixels.size());
 }
 
-// A season changes leaves and light, and neither the way nor the ground: bare trees let the bright sky
+// A season changes leaves and light, but neither the path nor the ground: bare trees let the bright sky
 // through.
-TEST(SceneSeason, ChangesWhatIsSeenAndNotTheWay) {
+TEST(SceneSeason, ChangesTheAppearanceAndNotThePath) {
   const SceneRenderer none(load_scene("lakeshore")), summer(load_scene("lakeshore:summer")),
       winter(load_scene("lakeshore:winter"));
   EXPECT_EQ(winter.scene().name, "lakeshore:winter");
@@ -212,7 +215,7 @@ TEST(SceneSeason, ChangesWhatIsSeenAndNotTheWay) {
 
 TEST(SceneSeason, UnknownOnesAndWorldsWithoutThem) {
   EXPECT_THAT(scene_error("lakeshore:wintr"),
-              AllOf(HasSubstr("'wintr' is no season"), HasSubstr("'winter'")));
+              AllOf(HasSubstr("'wintr' is not a season"), HasSubstr("'winter'")));
   EXPECT_THAT(scene_error("desk:winter"), HasSubstr("has no seasons"));
   EXPECT_THAT(scene_error("lake:winter"), HasSubstr("neither a file nor a known scene"));
 }
@@ -244,7 +247,7 @@ TEST(Scene, StreetIsADriveWithTurns) {
   EXPECT_GT(turned, 3.1);
 }
 
-TEST(RenderedSource, HandsOutTheRangeInOrder) {
+TEST(RenderedSource, DeliversTheRangeInOrder) {
   RenderedSource source(std::make_shared<SceneRenderer>(load_scene("desk")), 5, 8);
   EXPECT_EQ(source.size(), 3);
   EXPECT_EQ(source.next()->index, 5);

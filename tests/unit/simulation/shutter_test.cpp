@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rolling shutter and motion blur: each row from its own pose, the mean along the true motion.
 #include <gmock/gmock.h>
 
@@ -20,7 +21,7 @@ Scene quiet(const char* name) {
   return scene;
 }
 
-// Frame `index` as a camera without a shutter sees it from where the scene's is `seconds` later.
+// Frame `index` through an instantaneous shutter, from the pose of the scene's camera `seconds` later.
 GrayImage instant(Scene scene, int index, double seconds) {
   scene.shutter = {};
   scene.T_scene_cam[size_t(index)] = scene.T_scene_cam_at(scene.times[size_t(index)].seconds() + seconds);
@@ -46,8 +47,8 @@ TEST_P(RollingShutter, RowsAreThoseOfACameraAtTheirTime) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, RollingShutter,
-                         ::testing::Values("desk", "corridor"));  // with and without lens distortion
+// With and without lens distortion.
+INSTANTIATE_TEST_SUITE_P(Scenes, RollingShutter, ::testing::Values("desk", "corridor"));
 
 TEST(Shutter, MotionBetweenFramesPassesThroughTheFrames) {
   for (const char* name : {"desk", "rotation"}) {
@@ -127,7 +128,7 @@ TEST(ExposureTime, SpreadsAlongTheMotionAboutTheSameCentre) {
   EXPECT_NEAR(after.mass, before.mass, 0.003 * before.mass);
   EXPECT_NEAR(after.centre.x(), before.centre.x(), 0.05);
   EXPECT_NEAR(after.centre.y(), before.centre.y(), 0.05);
-  // The left side passes over 12.3 columns: across them the brightness rises by a constant step.
+  // The left side moves across 12.3 columns: across them the brightness rises by a constant step.
   const int v = int(before.centre.y());
   int columns = 0;
   for (int u = 0; u < int(before.centre.x()); ++u)

@@ -1,4 +1,5 @@
-// True edges of plain worlds lie where projection says, and nowhere else.
+// SPDX-License-Identifier: BSD-3-Clause
+// True edges of simple worlds are where projection puts them, and nowhere else.
 #include "edgevo/simulation/true_edge_labels.h"
 
 #include <gmock/gmock.h>

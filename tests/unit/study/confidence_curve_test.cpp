@@ -1,4 +1,5 @@
-// Rankings made by hand, whose curves and areas are known.
+// SPDX-License-Identifier: BSD-3-Clause
+// Hand-made rankings with known curves and areas.
 #include "edgevo/study/confidence_curve.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ TEST(ConfidenceCurve, AMixedRankingCountsPairs) {
   EXPECT_DOUBLE_EQ(rank_by_confidence(ranking({true, false, true, false})).roc_area, 0.75);
 }
 
-TEST(ConfidenceCurve, EqualConfidencesSayNothing) {
+TEST(ConfidenceCurve, EqualConfidencesAreUninformative) {
   const ConfidenceCurve c = rank_by_confidence({{0.5, true}, {0.5, false}, {0.5, true}, {0.5, false}});
   EXPECT_DOUBLE_EQ(c.roc_area, 0.5);
   EXPECT_EQ(c.points.size(), 1u);

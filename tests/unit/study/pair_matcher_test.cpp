@@ -1,4 +1,5 @@
-// Each way of matching on two views of a plane, against the exact correspondences.
+// SPDX-License-Identifier: BSD-3-Clause
+// Each matching method on two views of a plane, against the exact correspondences.
 #include "edgevo/study/pair_matcher.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ ErrorSummary photometric_errors(const test::PlanePair& pair, const std::vector<M
 
 TEST(PairMatcher, AssociationFindsThePoints) {
   const test::PlanePair pair(300, 0.03);
-  ASSERT_EQ(pair.target.track.verdict, TrackingState::kTracking) << pair.target.track.reason;
+  ASSERT_EQ(pair.target.track.status, TrackingState::kTracking) << pair.target.track.reason;
   const auto matcher = association_matcher({}, gradient_comparison());
   EXPECT_TRUE(matcher->needs_front_end());
   const auto matches = matcher->match(pair.host, pair.target);
@@ -30,7 +31,7 @@ TEST(PairMatcher, AssociationFindsThePoints) {
   EXPECT_LT(s.wrong_share, 0.1);
 }
 
-TEST(PairMatcher, UpdateSearchesAgainWhatDoesNotFit) {
+TEST(PairMatcher, UpdateSearchesAgainForOutliers) {
   const test::PlanePair pair(300, 0.03);
   const auto matcher = association_matcher({}, gradient_comparison());
   auto matches = matcher->match(pair.host, pair.target);
@@ -95,7 +96,7 @@ TEST(EpipolarFlowOfNothing, FindsNothing) {
   const auto blank = builder.build(test::make_image(320, 240, [](double, double) { return 90.0; }));
   for (const FlowMatch& m : epipolar_flow(*blank, *blank, {{100, 100}, {50, 60}})) EXPECT_FALSE(m.found);
   for (const FlowMatch& m : epipolar_flow(*pair.host.pyramid, *blank, positions(pair))) EXPECT_FALSE(m.found);
-  // A point at the border or outside is not found, and does no harm.
+  // A point at the border or outside is not found and has no effect.
   EXPECT_FALSE(epipolar_flow(*pair.host.pyramid, *pair.target.pyramid, {{-5, 3}})[0].found);
 }
 
@@ -114,7 +115,7 @@ TEST(MatchError, AlongTheAxesOfTheEdge) {
   EXPECT_NEAR(errors[0].norm(), std::sqrt(5.0), 1e-9);
 }
 
-TEST(MatchError, HiddenPointsAreLeftOut) {
+TEST(MatchError, HiddenPointsAreSkipped) {
   test::PlanePair pair(50, 0.01);
   std::vector<Match> matches(pair.host.points.size());
   matches[0].kind = MatchKind::kPhotometric;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Two views of a textured plane with exact depth, as the study makes them.
 #include "edgevo/study/study_pair.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/study_points.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +37,7 @@ TEST_F(StudyPoints, AreEdgePixelsWithoutRepetition) {
   }
 }
 
-TEST_F(StudyPoints, NoiseIsNormalWithTheGivenDeviation) {
+TEST_F(StudyPoints, NoiseIsNormalWithTheGivenStandardDeviation) {
   const auto points = sample(100000, 0.1);  // all there are
   EXPECT_EQ(points.size(), pair.host.pyramid->finest().edges.pixels.size());
   double sum = 0, square = 0;
@@ -50,7 +51,7 @@ TEST_F(StudyPoints, NoiseIsNormalWithTheGivenDeviation) {
 }
 
 TEST_F(StudyPoints, CoverTheImageEvenly) {
-  // As many on the left half as the share of edges there says.
+  // The left half has its share of edge pixels.
   double left_edges = 0, left_points = 0;
   const auto& edges = pair.host.pyramid->finest().edges.pixels;
   for (const EdgePixel& e : edges) left_edges += e.x < 160;
@@ -65,7 +66,7 @@ TEST_F(StudyPoints, FollowTheSeed) {
   EXPECT_NE(a[10].px, c[10].px);
 }
 
-TEST_F(StudyPoints, DepthsStayPositiveAndTheSkyIsLeftOut) {
+TEST_F(StudyPoints, DepthsStayPositiveAndTheSkyIsSkipped) {
   for (const StudyPoint& p : sample(2000, 0.5)) EXPECT_GE(p.idepth, 0.1 * p.idepth_true);
   std::fill(pair.depth_host.begin(), pair.depth_host.end(), 0.0f);
   EXPECT_TRUE(sample(50, 0.1).empty());
@@ -74,7 +75,7 @@ TEST_F(StudyPoints, DepthsStayPositiveAndTheSkyIsLeftOut) {
 TEST(StudyPointsOfNothing, AreNone) {
   const std::vector<float> depth(100, 1.0f);
   Random random(1);
-  EXPECT_TRUE(sample_points(EdgeMap(), {depth.data(), 10, 10, 10}, 5, 0.1, &random).empty());
+  EXPECT_TRUE(sample_points(ImageEdges(), {depth.data(), 10, 10, 10}, 5, 0.1, &random).empty());
 }
 
 }  // namespace

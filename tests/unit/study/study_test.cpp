@@ -1,4 +1,5 @@
-// The whole study on a plane, and what it refuses.
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole study on a plane, and inputs that it refuses.
 #include "edgevo/study/study.h"
 
 #include <gmock/gmock.h>
@@ -86,7 +87,7 @@ TEST(Study, AnEasySceneIsSolved) {
       EXPECT_LT(s.drift_percent, 12) << method;  // of a step of 16 cm, 5 m before a plane
       EXPECT_GT(s.matches, 60) << method;
     }
-  // A plane tells an essential matrix less than a street does.
+  // A plane constrains an essential matrix less than a street does.
   for (const StudySample& s : cell(r, "frame_distance", "normal", "epipolar_flow", "2").samples)
     EXPECT_LT(s.drift_percent, 25);
   EXPECT_EQ(cell(r, "search_length", "normal", "gradient", "0").samples[0].photometric, 0);
@@ -157,10 +158,10 @@ TEST(Study, TablesAndText) {
   const std::string text = read_file(folder / "out/study.md", "");
   for (const char* number : {"### 1. ", "### 2. ", "### 3. ", "### 4. "})
     EXPECT_THAT(text, HasSubstr(number));
-  int verdicts = 0;
+  int conclusions = 0;
   for (const char* words : {"**holds here**", "**holds here in part**", "**does not hold here**"})
-    for (size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++verdicts;
-  EXPECT_EQ(verdicts, 4);
+    for (size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++conclusions;
+  EXPECT_EQ(conclusions, 4);
 }
 
 TEST(Study, PlotsNeedAFolderWithAScript) {
@@ -178,14 +179,14 @@ std::string message_of(const ExactFrames& frames, const StudyOptions& options) {
   return {};
 }
 
-TEST(Study, TooFewFramesAreTold) {
+TEST(Study, TooFewFramesAreReported) {
   EXPECT_THAT(message_of(PlaneFrames(4), small_study()), HasSubstr("needs 5 frames, there are 4"));
   StudyOptions options = small_study();
   options.end = 9;
   EXPECT_THAT(message_of(PlaneFrames(7), options), HasSubstr("frames 0:9 are not in it"));
 }
 
-TEST(Study, OptionsThatCannotBeAreTold) {
+TEST(Study, InvalidOptionsAreReported) {
   StudyOptions options = small_study();
   options.distance = 3;
   EXPECT_THAT(message_of(PlaneFrames(9), options),
@@ -195,7 +196,7 @@ TEST(Study, OptionsThatCannotBeAreTold) {
   EXPECT_THAT(message_of(PlaneFrames(9), options), HasSubstr("dark"));
 }
 
-TEST(Study, DepthThatDoesNotBelongToThePosesIsTold) {
+TEST(Study, DepthThatContradictsThePosesIsReported) {
   PlaneFrames frames(7);
   frames.depth_factor = 0.1f;  // as if the unit were wrong
   EXPECT_THAT(message_of(frames, small_study()), HasSubstr("do not belong together"));

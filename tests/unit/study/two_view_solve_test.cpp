@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/two_view_solve.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ TEST(TwoViewSolve, ExactMatchesAndDepthsGiveThePose) {
 }
 
 // Points in a volume: two views of a plane, as PlanePair has, leave pose and depths partly free.
-TEST(TwoViewSolve, NoisyDepthsAreEstimatedAlong) {
+TEST(TwoViewSolve, NoisyDepthsAreEstimatedJointly) {
   const Pinhole camera{700, 700, 620, 180, 1240, 376};
   Vector6d xi;
   xi << 0.3, -0.1, -1.0, 0.01, 0.03, -0.01;
@@ -73,8 +74,7 @@ TEST(TwoViewSolve, NoisyDepthsAreEstimatedAlong) {
 }
 
 TEST(TwoViewSolve, ThePriorIsAGaussianOnTheInverseDepth) {
-  // Point-to-tangent matches whose normals are across the motion say nothing about depth: it stays where the
-  // prior has it.
+  // Point-to-tangent matches with normals across the motion do not constrain depth: it keeps its prior.
   const test::PlanePair pair(200, 0.05);
   std::vector<Match> matches = exact_matches(pair);
   for (size_t i = 0; i < matches.size(); ++i) {

@@ -1,5 +1,6 @@
-// The forest that the trainer writes is the forest that OpenCV uses: features, walk and answers agree to the
-// bit; the same seed gives the same file.
+// SPDX-License-Identifier: BSD-3-Clause
+// OpenCV evaluates the forest exactly as the trainer does: features, walks and predictions are identical, and
+// the same seed gives the same file.
 #include <gmock/gmock.h>
 
 #include <opencv2/imgproc.hpp>
@@ -14,7 +15,7 @@
 namespace edgevo::training {
 namespace {
 
-// Bright discs on noise, and their outlines.
+// Bright discs on noise, with their outlines.
 Sample discs(uint64_t seed) {
   Random random(seed);
   Sample s{cv::Mat(96, 128, CV_8U), cv::Mat::zeros(96, 128, CV_8U)};
@@ -34,7 +35,7 @@ Sample discs(uint64_t seed) {
 
 ForestShape small_shape() {
   ForestShape shape;
-  shape.trees = 3, shape.trees_asked = 2;
+  shape.trees = 3, shape.trees_evaluated = 2;
   return shape;
 }
 
@@ -63,16 +64,16 @@ std::vector<Tree> small_forest(uint64_t seed) {
   return trees;
 }
 
-// What the forest says by the trainer's own walk: a patch every two pixels, two of three trees asked in turn,
-// the answers added up and smoothed as OpenCV does.
+// Prediction by the trainer's own walk: a patch every two pixels, two of three trees evaluated in turn, the
+// predictions added up and smoothed like in OpenCV.
 cv::Mat answered(const std::vector<Tree>& trees, const ForestShape& s, const cv::Mat& gray) {
   const FeatureMaps maps(gray, s);
-  const float step = 2.0f * float(s.stride * s.stride) / float(s.inner * s.inner) / float(s.trees_asked);
+  const float step = 2.0f * float(s.stride * s.stride) / float(s.inner * s.inner) / float(s.trees_evaluated);
   cv::Mat sum = cv::Mat::zeros(gray.size(), CV_32F), smooth;
   for (int row = 0; row < maps.rows(); ++row)
     for (int col = 0; col < maps.cols(); ++col)
-      for (int k = 0; k < s.trees_asked; ++k) {
-        const Tree& tree = trees[size_t(((row + col) % (2 * s.trees_asked) + k) % s.trees)];
+      for (int k = 0; k < s.trees_evaluated; ++k) {
+        const Tree& tree = trees[size_t(((row + col) % (2 * s.trees_evaluated) + k) % s.trees)];
         const EdgePatch& edges = tree.answers[size_t(walk(tree, maps, row, col))];
         for (int i = 0; i < kInner * kInner; ++i)
           if (edges[size_t(i)])
@@ -91,19 +92,19 @@ cv::Mat detected(const std::string& path, const cv::Mat& gray) {
   return found;
 }
 
-TEST(Forest, OpenCvAnswersAsTheTrainerDoesToTheBit) {
+TEST(Forest, OpenCvPredictsExactlyWhatTheTrainerDoes) {
   const test::TempFolder temp;
   const std::vector<Tree> trees = small_forest(1);
   ASSERT_GT(trees[0].childs.size(), 5u);
   write_forest(temp / "forest.yml.gz", trees, small_shape());
-  const cv::Mat gray = discs(9).gray;  // another image than it was grown from
+  const cv::Mat gray = discs(9).gray;  // another image than that of the training
   const cv::Mat expected = answered(trees, small_shape(), gray),
                 found = detected(temp / "forest.yml.gz", gray);
   EXPECT_EQ(cv::norm(expected, found, cv::NORM_INF), 0);
   EXPECT_GT(cv::countNonZero(found), 100);
 }
 
-TEST(Forest, FindsTheOutlinesThatItLearned) {
+TEST(Forest, DetectsLearnedOutlines) {
   const test::TempFolder temp;
   write_forest(temp / "forest.yml.gz", small_forest(1), small_shape());
   const Sample other = discs(9);
@@ -111,7 +112,7 @@ TEST(Forest, FindsTheOutlinesThatItLearned) {
   EXPECT_GT(cv::mean(found, other.label)[0], 2 * cv::mean(found, other.label == 0)[0]);
 }
 
-TEST(Forest, SameSeedGivesTheSameFileAndAnotherSeedAnother) {
+TEST(Forest, TheSameSeedGivesTheSameFileAndAnotherSeedAnother) {
   const test::TempFolder temp;
   const auto bytes = [&](uint64_t seed) {
     write_forest(temp / "forest.yml", small_forest(seed), small_shape());
@@ -122,11 +123,11 @@ TEST(Forest, SameSeedGivesTheSameFileAndAnotherSeedAnother) {
   EXPECT_NE(bytes(4), once);
 }
 
-TEST(Forest, AFolderThatIsNotThereIsTold) {
+TEST(Forest, AMissingFolderIsReported) {
   EXPECT_THROW(write_forest("/no/such/folder/forest.yml.gz", small_forest(1), small_shape()), InputError);
 }
 
-TEST(ForestLabels, ClassesPartWhatDiffersMost) {
+TEST(ForestLabels, ClassesSeparateTheMostDifferentLabels) {
   EdgePatch across, along;
   for (size_t i = 0; i < kInner; ++i) across[8 * kInner + i] = true, along[i * kInner + 8] = true;
   const std::vector<const EdgePatch*> patches{&across, &along, &across, &along, &along};
@@ -139,7 +140,7 @@ TEST(ForestLabels, ClassesPartWhatDiffersMost) {
   EXPECT_EQ(most_typical(patches), along);  // three of five
 }
 
-TEST(TrainingSet, SameSeedGivesTheSamePiecesAndLabelsLieOnEdges) {
+TEST(TrainingSet, TheSameSeedGivesTheSamePiecesAndLabelsLieOnEdges) {
   Plan plan;
   plan.worlds = {{"desk", 5}};
   plan.frames = 2, plan.pieces = 2;

@@ -1,5 +1,6 @@
-// Edges that last are edges of the scene that a run found again: they lie on true edges, so that the shadows
-// that sweep over the images are not among them, and the same seed gives the same ones.
+// SPDX-License-Identifier: BSD-3-Clause
+// Lasting edges are edges of the scene that a run found again: they lie on true edges, so moving shadows are
+// not among them, and the same seed gives the same edges.
 #include "lasting_edges.h"
 
 #include <gtest/gtest.h>
@@ -51,11 +52,11 @@ TEST_F(LastingEdges, LieOnTrueEdges) {
   }
 }
 
-TEST_F(LastingEdges, ThereAreManyInTheMiddleOfTheRun) {
+TEST_F(LastingEdges, AreNumerousInTheMiddleOfTheRun) {
   EXPECT_GT(cv::countNonZero(found_[found_.size() / 2].label), 2000);
 }
 
-TEST_F(LastingEdges, SameSeedGivesTheSame) {
+TEST_F(LastingEdges, AreTheSameForTheSameSeed) {
   const std::vector<LabelledFrame> again = lasting_edges(beginning_of_desk(), 3);
   ASSERT_EQ(again.size(), found_.size());
   for (size_t i = 0; i < again.size(); ++i) {

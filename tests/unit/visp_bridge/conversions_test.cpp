@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/conversions.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ GrayImage ramp(int width, int height) {
   return image;
 }
 
-TEST(VispImages, SharingCopiesNothing) {
+TEST(VispImages, SharingMakesNoCopy) {
   GrayImage image = ramp(7, 5);
   vpImage<unsigned char> shared = share_with_visp(image);
   EXPECT_EQ(shared.bitmap, image.pixels.data());
@@ -55,7 +56,7 @@ TEST(VispCamera, ProjectsToTheSamePixel) {
   EXPECT_NEAR(v, pinhole.project(p).y(), 1e-12);
 }
 
-TEST(VispCamera, ComesBackUnchanged) {
+TEST(VispCamera, IsUnchangedAfterARoundTrip) {
   const Pinhole pinhole{517.3, 516.5, 318.6, 255.3, 640, 480};
   const Pinhole back = to_pinhole(to_visp(pinhole), 640, 480);
   EXPECT_EQ(back.fx, pinhole.fx);
@@ -66,12 +67,12 @@ TEST(VispCamera, ComesBackUnchanged) {
   EXPECT_EQ(back.height, 480);
 }
 
-TEST(VispCamera, DistortionAndNonsenseAreRefused) {
+TEST(VispCamera, DistortionAndInvalidValuesAreRefused) {
   EXPECT_THROW(to_pinhole(vpCameraParameters(500, 500, 320, 240, 0.1, -0.1), 640, 480), InputError);
   EXPECT_THROW(to_pinhole(vpCameraParameters(500, 500, 320, 240), 300, 480), InputError);
 }
 
-TEST(VispCamera, OneRadialCoefficientGoesBothWays) {
+TEST(VispCamera, OneRadialCoefficientIsConvertedBothWays) {
   const Camera camera{{517.3, 516.5, 318.6, 255.3, 640, 480}, {-0.08, 0, 0, 0, 0}};
   const vpCameraParameters visp = to_visp(camera, "camera");
   const Camera back = to_camera(visp, 640, 480);
@@ -92,7 +93,7 @@ TEST(VispCamera, OneRadialCoefficientGoesBothWays) {
             vpCameraParameters::perspectiveProjWithoutDistortion);
 }
 
-TEST(VispCamera, WhatViSPDoesNotKnowIsRefused) {
+TEST(VispCamera, ModelsUnknownToViSPAreRefused) {
   EXPECT_THROW(to_visp(Camera{{500, 500, 320, 240, 640, 480}, {0.1, -0.2, 0, 0, 0}}, "camera.txt"),
                InputError);
   vpCameraParameters fisheye;
@@ -110,7 +111,7 @@ TEST(VispImages, ColourBecomesGrayInPlace) {
   EXPECT_GE(gray.view().at(4, 2), 254);
 }
 
-TEST(VispMotion, MapsPointsAlikeAndComesBack) {
+TEST(VispMotion, MapsPointsEquallyAndIsUnchangedAfterARoundTrip) {
   Vector6d xi;
   xi << 1, -2, 3, 0.4, 1.9, -0.7;
   const SE3 T_a_b = SE3::exp(xi);

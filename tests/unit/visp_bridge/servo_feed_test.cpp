@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_feed.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +28,7 @@ TEST(ServoFeed, IsNotUsableBeforeAnImage) {
   EXPECT_THAT(pose.reason, HasSubstr("no image"));
 }
 
-TEST(ServoFeed, HandsOutTheNewestPoseWithItsAge) {
+TEST(ServoFeed, GivesTheNewestPoseWithItsAge) {
   ServoFeed feed;
   const SE3 T = SE3::exp(test::kMotion);
   feed.publish(tracked(0, 10, T));
@@ -35,11 +36,11 @@ TEST(ServoFeed, HandsOutTheNewestPoseWithItsAge) {
   EXPECT_TRUE(pose.usable) << pose.reason;
   EXPECT_EQ(pose.state, TrackingState::kTracking);
   EXPECT_NEAR(pose.age_s, 0.05, 1e-6);
-  EXPECT_EQ(pose.predicted_s, 0) << "one pose makes no velocity";
+  EXPECT_EQ(pose.predicted_s, 0) << "one pose gives no velocity";
   EXPECT_LT(distance(pose.cMw, T), 1e-12);
 }
 
-TEST(ServoFeed, CarriesThePoseOnAtConstantVelocity) {
+TEST(ServoFeed, PredictsAtConstantVelocity) {
   ServoFeed feed;
   feed.publish(tracked(0, 10.0, SE3()));
   feed.publish(tracked(1, 10.1, SE3::exp(0.1 * test::kMotion)));
@@ -72,7 +73,7 @@ TEST(ServoFeed, StaleAndLostAreNotUsable) {
   EXPECT_EQ(pose.reason, "LOST: too dark");
 }
 
-TEST(ServoFeed, ResumesInTheSameMapAndWithoutAVelocityFromBefore) {
+TEST(ServoFeed, ResumesInTheSameMapWithoutTheOldVelocity) {
   ServoFeed feed;
   feed.publish(tracked(0, 10, SE3()));
   const int version = feed.pose(at(10)).map_version;
@@ -84,7 +85,7 @@ TEST(ServoFeed, ResumesInTheSameMapAndWithoutAVelocityFromBefore) {
   EXPECT_EQ(pose.map_version, version);
 }
 
-TEST(ServoFeed, AnotherMapIsAnotherVersion) {
+TEST(ServoFeed, AnotherMapHasAnotherVersion) {
   ServoFeed feed;
   feed.publish(tracked(0, 10, SE3()));
   const int version = feed.pose(at(10)).map_version;
@@ -97,7 +98,7 @@ TEST(ServoFeed, AnotherMapIsAnotherVersion) {
   EXPECT_EQ(feed.pose(at(10.3)).predicted_s, 0);
 }
 
-TEST(ServoFeed, TheScaleMakesMetres) {
+TEST(ServoFeed, TheScaleGivesMetres) {
   ServoFeed feed;
   feed.publish(tracked(0, 10, SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 2, 3))));
   EXPECT_FALSE(feed.pose(at(10)).scale.is_metric());
@@ -113,13 +114,13 @@ TEST(ServoFeed, TheScaleMakesMetres) {
   EXPECT_THROW(feed.set_scale({0, 0, "nonsense"}), InputError);
 }
 
-TEST(ServoFeed, AnotherClockIsTold) {
+TEST(ServoFeed, AnotherClockIsReported) {
   ServoFeed feed;
   feed.publish(tracked(0, 1000, SE3()));
   EXPECT_THAT(feed.pose(at(10)).reason, HasSubstr("one clock"));
 }
 
-TEST(ServoFeed, AFailureIsForGood) {
+TEST(ServoFeed, AFailureIsFinal) {
   ServoFeed feed;
   feed.publish(tracked(0, 10, SE3()));
   feed.fail("image: is 3x3 but the camera is 640x480");

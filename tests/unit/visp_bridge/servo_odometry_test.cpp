@@ -1,4 +1,5 @@
-// The threads around the odometry change nothing in what it finds.
+// SPDX-License-Identifier: BSD-3-Clause
+// The thread around the odometry does not change its results.
 #include "edgevo/visp_bridge/servo_odometry.h"
 
 #include <gmock/gmock.h>
@@ -27,7 +28,7 @@ bool wait_for(const ServoFeed& feed, int index) {
   });
 }
 
-TEST(ServoOdometry, FeedsWhatTheOdometryFinds) {
+TEST(ServoOdometry, FeedsTheResultsOfTheOdometry) {
   Odometry expected(desk().camera(), servo_odometry_params(), {});
   ServoFeed feed;
   ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
@@ -53,7 +54,7 @@ TEST(ServoOdometry, FeedsWhatTheOdometryFinds) {
   EXPECT_EQ(odometry.finish().frames.size(), 14u);
 }
 
-TEST(ServoOdometry, TheNewestImageTakesThePlaceOfOneThatWaits) {
+TEST(ServoOdometry, TheNewestImageReplacesAWaitingOne) {
   ServoFeed feed;
   ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
   const GrayImage image = desk().render_image(0);
@@ -64,7 +65,7 @@ TEST(ServoOdometry, TheNewestImageTakesThePlaceOfOneThatWaits) {
   EXPECT_EQ(run.frames.back().index, 39) << "the last one is never replaced";
 }
 
-TEST(ServoOdometry, AnImageThatCannotBeIsToldByTheFeed) {
+TEST(ServoOdometry, AnInvalidImageIsReportedByTheFeed) {
   ServoFeed feed;
   ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
   odometry.push(vpImage<vpRGBa>(3, 5, vpRGBa(1, 2, 3)), Timestamp::from_seconds(0));

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_params.h"
 
 #include <gtest/gtest.h>

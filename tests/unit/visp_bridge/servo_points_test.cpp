@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_points.h"
 
 #include <gmock/gmock.h>
@@ -15,8 +16,8 @@ using test::tracked;
 
 const Pinhole kPinhole{500, 500, 319.5, 239.5, 640, 480};
 
-// Points on a plane two units away, every 40 pixels; every third one of badly known depth, every fourth one
-// nameless.
+// Points on a plane at depth 2, every 40 pixels. Every third one has a large depth uncertainty, every fourth
+// one has no identity.
 std::vector<CloudPoint> grid(double idepth = 0.5) {
   std::vector<CloudPoint> points;
   for (int v = 20; v < 480; v += 40)
@@ -48,8 +49,8 @@ TEST(ServoPoints, ChoosesPointsOfKnownDepthSpreadOverTheImage) {
   ASSERT_EQ(points.choose(pose, 12), 12);
   double u_min = 1e9, u_max = 0, v_min = 1e9, v_max = 0;
   for (const ServoPoint& p : points.features(pose)) {
-    EXPECT_NE(p.host_pixel % 3, 0) << "its depth is badly known";
-    EXPECT_NE(p.host_pixel % 4, 0) << "it has no name";
+    EXPECT_NE(p.host_pixel % 3, 0) << "its depth is uncertain";
+    EXPECT_NE(p.host_pixel % 4, 0) << "it has no identity";
     EXPECT_TRUE(p.in_view);
     const Eigen::Vector2d px = kPinhole.project({p.point.get_x(), p.point.get_y(), 1});
     u_min = std::min(u_min, px.x()), u_max = std::max(u_max, px.x());
@@ -59,7 +60,7 @@ TEST(ServoPoints, ChoosesPointsOfKnownDepthSpreadOverTheImage) {
   EXPECT_GT(v_max - v_min, 350);
 }
 
-TEST(ServoPoints, TheSamePointsInTheSameOrderFromAnotherPose) {
+TEST(ServoPoints, AreTheSameInTheSameOrderFromAnotherPose) {
   ServoPoints points(kPinhole);
   const ServoPose taught = pose_at({}, grid());
   points.choose(taught, 8);
@@ -79,16 +80,16 @@ TEST(ServoPoints, TheSamePointsInTheSameOrderFromAnotherPose) {
   }
 }
 
-TEST(ServoPoints, FollowTheMapWhileTheirKeyframeIsInIt) {
+TEST(ServoPoints, FollowTheMapWhileTheirKeyframeIsActive) {
   ServoPoints points(kPinhole);
   points.choose(pose_at({}, grid()), 8);
   for (const ServoPoint& p : points.features(pose_at({}, grid(0.25))))
     EXPECT_NEAR(p.point.get_Z(), 4, 1e-9);  // the adjustment moved them
   for (const ServoPoint& p : points.features(pose_at({}, {})))
-    EXPECT_NEAR(p.point.get_Z(), 4, 1e-9);  // their keyframe has left
+    EXPECT_NEAR(p.point.get_Z(), 4, 1e-9);  // their keyframe was marginalised
 }
 
-TEST(ServoPoints, NoPointsOfAnotherMapAndNoneWithoutAUsablePose) {
+TEST(ServoPoints, AreEmptyForAnotherMapOrWithoutAUsablePose) {
   ServoFeed feed;
   ServoPoints points(kPinhole);
   points.choose(pose_at({}, grid(), 0, &feed), 8);
@@ -98,16 +99,16 @@ TEST(ServoPoints, NoPointsOfAnotherMapAndNoneWithoutAUsablePose) {
   EXPECT_EQ(points.choose(feed.pose(at(20)), 8), 0);
 }
 
-// Draws poses and depths from their distributions and compares the spread with what is told.
-TEST(ServoPoints, SigmasAreThoseOfThePoseAndTheDepth) {
+// Draws poses and depths from their distributions and compares the spread with the sigmas.
+TEST(ServoPoints, SigmasAreThoseOfPoseAndDepth) {
   ServoPoints points(kPinhole);
   std::vector<CloudPoint> cloud = grid();
   for (CloudPoint& p : cloud) p.idepth_sigma = 0.02 * p.idepth;
   const SE3 T = SE3::exp(0.5 * test::kMotion);
   const ServoPose pose = pose_at(T, cloud);
   points.choose(pose, 4);
-  for (const ServoPoint& told : points.features(pose)) {
-    const CloudPoint& c = cloud[size_t(told.host_pixel)];
+  for (const ServoPoint& reported : points.features(pose)) {
+    const CloudPoint& c = cloud[size_t(reported.host_pixel)];
     const auto feature = [&](const SE3& T_cam_map, double idepth) -> Eigen::Vector3d {
       const Eigen::Vector3d p = T_cam_map * (c.ray / idepth);
       return {p.x() / p.z(), p.y() / p.z(), p.z()};
@@ -118,9 +119,9 @@ TEST(ServoPoints, SigmasAreThoseOfThePoseAndTheDepth) {
       const Vector6d xi = 1e-3 * Vector6d::Unit(i);  // one sigma of tracked()
       variance += Eigen::Vector3d((feature(SE3::exp(xi) * T, c.idepth) - mean).array().square());
     }
-    EXPECT_NEAR(told.sigma_x, std::sqrt(variance[0]), 0.03 * told.sigma_x);
-    EXPECT_NEAR(told.sigma_y, std::sqrt(variance[1]), 0.03 * told.sigma_y);
-    EXPECT_NEAR(told.sigma_Z, std::sqrt(variance[2]), 0.03 * told.sigma_Z);
+    EXPECT_NEAR(reported.sigma_x, std::sqrt(variance[0]), 0.03 * reported.sigma_x);
+    EXPECT_NEAR(reported.sigma_y, std::sqrt(variance[1]), 0.03 * reported.sigma_y);
+    EXPECT_NEAR(reported.sigma_Z, std::sqrt(variance[2]), 0.03 * reported.sigma_Z);
   }
 }
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Results of an odometry that never ran, for the tests of the servo feed.
+// Synthetic results of an odometry, for the tests of the servo feed.
 #include "edgevo/odometry/newest_pose.h"
 
 namespace edgevo::test {
@@ -8,7 +9,7 @@ inline const Vector6d kMotion = (Vector6d() << 0.2, -0.1, 0.05, 0.1, 0.3, -0.2).
 
 inline Timestamp at(double seconds) { return Timestamp::from_seconds(seconds); }
 
-/// A map whose reference camera stands at the origin, with the points of `cloud`.
+/// A map with its reference camera at the origin and the points of `cloud`.
 inline std::shared_ptr<const Reference> reference_with(std::vector<CloudPoint> cloud, double residual_k1 = 0,
                                                        int keyframe_id = 0) {
   auto reference = std::make_shared<Reference>();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "residuals/corner_residual.h"
 
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
@@ -24,7 +25,7 @@ double CornerTerm::cost(const std::vector<SE3>& poses) const {
 
 double CornerTerm::add(const std::vector<SE3>& poses, Eigen::MatrixXd* H, Eigen::VectorXd* b) const {
   double cost = 0;
-  // Pair of keyframes by pair of keyframes.
+  // One pair of keyframes after the other.
   for (size_t begin = 0, end = 0; begin < pairs_.size(); begin = end) {
     const int from = 6 * pairs_[begin].from, to = 6 * pairs_[begin].to;
     const SE3 T_to_from = poses[pairs_[begin].to] * poses[pairs_[begin].from].inverse();

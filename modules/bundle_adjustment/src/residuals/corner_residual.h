@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Corners seen in two keyframes as a term of the cost: what two views of a point without a depth say about
-// their poses.
+// Corners seen in two keyframes as a term of the cost: the constraint of two views of a point without depth
+// on their poses.
 //
 // With rays x and y, T_to_from = (R, t), the line l = t x R x of x in the second view and l' = R^T (y x t) of
-// y in the first, the residual is the distance of both from fitting, to first order (Sampson):
+// y in the first, the residual is the distance of both rays from their lines, to first order (Sampson):
 //     r = f y^T l / (sigma |(l_1, l_2, l'_1, l'_2)|)
 // It does not depend on the length of t. Derivative for the left perturbation [v, w] of T_to_world, the
-// denominator held during a step:
+// denominator fixed during a step:
 //     f / (sigma |..|) [R x  x  y | l  x  y],   for T_from_world the same times -Ad(T_to_from).
 #include <Eigen/Core>
 #include <vector>
@@ -16,8 +17,10 @@
 namespace edgevo::ba {
 
 struct CornerLinearization {
-  double residual = 0;               ///< whitened
-  Vector6d J_to = Vector6d::Zero();  ///< by the pose `to`; by `from`: -Ad(T_to_from)^T J_to
+  /// Whitened residual.
+  double residual = 0;
+  /// Derivative by the pose `to`; that by `from` is -Ad(T_to_from)^T J_to.
+  Vector6d J_to = Vector6d::Zero();
 };
 CornerLinearization linearize(const Pinhole& pinhole, const SE3& T_to_from, const BaCornerPair& pair);
 

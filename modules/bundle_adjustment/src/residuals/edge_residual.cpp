@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "residuals/edge_residual.h"
 
 #include "packed_problem.h"

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The residual of one edge match, Eq. (reprojectionerror), in plain form: bundle_adjustment.h states it with
-// its derivatives. The own solver's hot loop (normal_equations.cpp) sums the same from packed observations;
-// it is tested against this form, which Ceres and the profile use as it is.
+// The residual of one edge match, Eq. (reprojectionerror), in plain form; bundle_adjustment.h states it with
+// its derivatives. The hot loop of edgevo's own solver (normal_equations.cpp) computes the same from packed
+// observations and is tested against this form, which Ceres and the profile use directly.
 #include <Eigen/Core>
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
@@ -10,8 +11,9 @@ namespace edgevo::ba {
 
 /// Residual and Jacobians of one observation.
 struct EdgeLinearization {
-  bool valid = false;  ///< false: behind the camera, everything else then 0
-  /// (r_n, r_t), whitened; r_t = 0 where inv_sigma_tangent = 0.
+  /// False if the point is behind the camera; everything else is then 0.
+  bool valid = false;
+  /// Whitened residual (r_n, r_t); r_t = 0 if inv_sigma_tangent = 0.
   Eigen::Vector2d residual = Eigen::Vector2d::Zero();
   Eigen::Matrix<double, 2, 6> J_target = Eigen::Matrix<double, 2, 6>::Zero();
   Eigen::Matrix<double, 2, 6> J_host = Eigen::Matrix<double, 2, 6>::Zero();

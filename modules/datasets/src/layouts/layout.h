@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The folder layouts that there are. A new one: a file layout_NAME.cpp beside this one, its declaration here
-// and its line in layout_list.cpp.
+// The known folder layouts. A new one needs a file layout_NAME.cpp next to this one, its declaration here and
+// a line in layout_list.cpp.
 #include <string>
 
 #include "edgevo/datasets/open_source.h"
@@ -11,13 +12,14 @@ namespace edgevo {
 struct Layout {
   bool (*recognises)(const std::string& folder);
   Sequence (*read)(const SourceOptions& options);
-  bool has_labels;  ///< its cameras have names to choose by (--sensor)
-  /// Ground truth that stands beside the images in another format than TUM's, as TUM text (ground_truth.h);
-  /// empty if there is none. nullptr: such a layout has none but Sequence::ground_truth_path.
+  /// True if the layout's cameras have names to select by (--sensor).
+  bool has_labels;
+  /// Ground truth that is stored with the images in a format other than TUM's, as TUM text (ground_truth.h);
+  /// empty if there is none. nullptr: the layout has none but Sequence::ground_truth_path.
   std::string (*ground_truth)(const SourceOptions& options);
 };
 
-/// The first that recognises the folder; nullptr: it is none of them, or no folder.
+/// The first layout that recognises the folder; nullptr if none does or it is not a folder.
 const Layout* layout_of(const std::string& folder);
 
 Layout edgevo_layout();
@@ -27,7 +29,7 @@ Layout euroc_layout();
 Layout virtual_kitti_layout();
 Layout symphony_layout();
 
-/// A folder of images that is none of them.
+/// Reads a folder of images that has none of the layouts.
 Sequence read_image_folder(const SourceOptions& options);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // `edgevo` layout: images/, times.txt, camera.txt, groundtruth_tum.txt.
 #include <filesystem>
 
@@ -22,8 +23,9 @@ Sequence read_edgevo_layout(const SourceOptions& options) {
   sequence.kind = "edgevo folder";
   sequence.images = list_images(images);
   if (existing(times).empty())
-    throw InputError(times, "is missing",
-                     "write seconds, one line an image, or give " + images + " with --camera and --fps");
+    throw InputError(
+        times, "is missing",
+        "write one line of seconds for each image, or give " + images + " with --camera and --fps");
   sequence.times = read_times(times, &sequence.details);
   check_counts(sequence.images, sequence.times, times, images);
   sequence.camera = choose_or_assume_camera(options, (root / "camera.txt").string(),

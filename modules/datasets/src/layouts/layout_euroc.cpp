@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // EuRoC (ASL): mav0/camN/{data.csv, data/, sensor.yaml}, mav0/state_groundtruth_estimate0/data.csv; times in
 // ns.
 #include <cmath>
@@ -14,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRotationError = 1e-3;    // of R R^T from the identity: a file with few digits is within it
-constexpr double kQuaternionError = 0.01;  // of a length from 1: likewise
+constexpr double kRotationError = 1e-3;    // of R R^T from the identity: allows for files with few digits
+constexpr double kQuaternionError = 0.01;  // of its norm from 1: allows for files with few digits
 
 // The user may name the sequence or its mav0/.
 fs::path mav_folder(const std::string& folder) {

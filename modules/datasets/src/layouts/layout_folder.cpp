@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A plain folder of images: the camera comes from the user, times from the names or from a rate.
 #include <algorithm>
 #include <cctype>

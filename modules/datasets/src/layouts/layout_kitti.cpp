@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // KITTI odometry: sequences/NN/{image_0..3, calib.txt, times.txt}, poses/NN.txt.
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ std::vector<std::string> camera_folders(const std::string& folder) {
   return found;
 }
 
-// calib.txt has the projection but not the size, which is that of the images.
+// calib.txt has the projection but not the size, which is taken from the images.
 Camera camera_from_projection(const std::array<double, 12>& P, const std::string& first_image,
                               const std::string& where) {
   const GrayImage image = read_gray_image(first_image);
@@ -63,7 +64,7 @@ std::array<double, 12> read_kitti_projection(const SourceOptions& options, const
   throw InputError(path, "no line '" + key + "'", "give the calibration with --camera, or restore calib.txt");
 }
 
-// ../../poses/NN.txt beside sequences/NN; empty if there is none.
+// Path ../../poses/NN.txt for sequences/NN; empty if there is none.
 std::string kitti_poses_path(const std::string& folder) {
   const fs::path root = fs::path(folder + "/").parent_path();  // without trailing slashes
   return existing((root / ".." / ".." / "poses" / (root.filename().string() + ".txt")).string());

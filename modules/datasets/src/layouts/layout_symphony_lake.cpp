@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Symphony Lake: SURVEY/{image_auxilliary.csv, 0012/0345.jpg}, Maps/SURVEY/optposes.csv; a boat whose camera
 // looks at the bank.
 #include <algorithm>
@@ -22,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kAllColumns = 16;
-constexpr double kSettled = 1e-3;      // radians of tilt: less than a pixel of this camera
-constexpr double kSteadyMount = 0.02;  // radians: a degree, within which the axes of a map are level
-constexpr double kZoomed_px = 1;  // at the border of the image, by which one camera for all rows may be wrong
+constexpr double kSameTilt = 1e-3;     // radians of tilt: less than a pixel of this camera
+constexpr double kSteadyMount = 0.02;  // radians: about a degree, the levelness of a map's axes
+constexpr double kZoomed_px = 1;       // error at the image border up to which one camera serves all rows
 
 std::string list_path(const std::string& folder) {
   return (fs::path(folder) / symphony::kSurveyList).string();
@@ -40,25 +41,24 @@ double usual_tilt(const SurveyRows& survey) {
   return median(std::move(tilts));
 }
 
-// Takes out the rows before the camera has taken its place, where its tilt is not yet the usual one; returns
-// how many.
-int leave_out_unsettled(SurveyRows* survey) {
+// Removes the leading rows in which the camera has not yet reached its usual tilt; returns how many.
+int remove_rows_before_usual_tilt(SurveyRows* survey) {
   if (!survey->has_view) return 0;
   const double usual = usual_tilt(*survey);
-  const auto settled = [&](const SurveyRow& row) { return std::abs(row.tilt - usual) < kSettled; };
-  const auto first = std::find_if(survey->rows.begin(), survey->rows.end(), settled);
+  const auto at_usual_tilt = [&](const SurveyRow& row) { return std::abs(row.tilt - usual) < kSameTilt; };
+  const auto first = std::find_if(survey->rows.begin(), survey->rows.end(), at_usual_tilt);
   const int count = int(first - survey->rows.begin());
   survey->rows.erase(survey->rows.begin(), first);
   return count;
 }
 
-std::string describe_rows(const SurveyRows& survey, int left_out) {
-  std::string text = std::to_string(survey.rows.size() + size_t(left_out)) + " of " +
+std::string describe_rows(const SurveyRows& survey, int skipped) {
+  std::string text = std::to_string(survey.rows.size() + size_t(skipped)) + " of " +
                      std::to_string(survey.columns) + " columns";
   if (survey.columns < kAllColumns) text += " (newer surveys have 16)";
-  if (left_out == 0) return text;
-  return text + "; the first " + std::to_string(left_out) +
-         " are left out: the camera had not yet taken its tilt of " + fixed(survey.rows.front().tilt, 4) +
+  if (skipped == 0) return text;
+  return text + "; the first " + std::to_string(skipped) +
+         " are skipped: the camera had not yet reached its tilt of " + fixed(survey.rows.front().tilt, 4) +
          " rad";
 }
 
@@ -69,7 +69,7 @@ int missing_numbers(const SurveyRows& survey) {
   return missing;
 }
 
-// The rows that --frames asks for: [begin, end).
+// The rows selected by --frames: [begin, end).
 std::pair<size_t, size_t> played(const SurveyRows& survey, const SourceOptions& options) {
   const size_t count = survey.rows.size();
   const size_t begin = std::min(size_t(std::max(0, options.first)), count - 1);
@@ -81,7 +81,7 @@ std::pair<size_t, size_t> played(const SurveyRows& survey, const SourceOptions& 
 
 using NameOf = std::string (*)(int number);
 
-// The way of naming by which the first image is there that is there at all.
+// The naming scheme under which the first existing image is found.
 NameOf naming_of(const std::string& folder, const SurveyRows& survey) {
   for (const SurveyRow& row : survey.rows)
     for (const NameOf name : {symphony::older_name, symphony::newer_name})
@@ -90,7 +90,7 @@ NameOf naming_of(const std::string& folder, const SurveyRows& survey) {
   throw InputError(folder,
                    "none of its " + std::to_string(survey.rows.size()) + " images is there, neither as " +
                        symphony::older_name(first) + " nor as " + symphony::newer_name(first),
-                   "put the folders of the images beside " + std::string(symphony::kSurveyList));
+                   "put the folders of the images next to " + std::string(symphony::kSurveyList));
 }
 
 // ---- camera ----
@@ -99,7 +99,7 @@ Pinhole pinhole_of(const SurveyRow& row, const std::string& where) {
   return {row.fx, row.fy, row.cx, row.cy, image_side(row.width, where), image_side(row.height, where)};
 }
 
-// Whether one camera does for both rows.
+// True if one camera fits both rows.
 bool alike(const SurveyRow& a, const SurveyRow& b) {
   return a.width == b.width && a.height == b.height &&
          std::abs(a.fx / b.fx - 1) * 0.5 * b.width < kZoomed_px &&
@@ -116,7 +116,7 @@ Camera camera_of_rows(const SurveyRows& survey, const SourceOptions& options, De
   for (size_t i = begin; i < end; ++i)
     if (!alike(survey.rows[i], first))
       throw InputError(survey.where(survey.rows[i]),
-                       "the camera is another than in the rows before: fx " + fixed(survey.rows[i].fx, 2) +
+                       "the camera differs from that of the rows before: fx " + fixed(survey.rows[i].fx, 2) +
                            " instead of " + fixed(first.fx, 2) + " (it zooms)",
                        "play the rows before it with --frames " + std::to_string(begin) + ":" +
                            std::to_string(i) + ", or give one camera for all with --camera");
@@ -126,7 +126,7 @@ Camera camera_of_rows(const SurveyRows& survey, const SourceOptions& options, De
   return camera;
 }
 
-// The mount where pan and tilt stay: else the camera turns on the boat, and has none.
+// The mount, if pan and tilt are constant; a camera that turns on the boat has none.
 std::optional<SE3> steady_mount(const SurveyRows& survey, const SourceOptions& options) {
   if (!survey.has_view) return std::nullopt;
   const auto [begin, end] = played(survey, options);
@@ -151,14 +151,14 @@ VehicleTrack gps_track(const SurveyRows& survey) {
 std::string describe_truth(const std::string& folder, const SurveyRows& survey) {
   const std::string map = survey_map(folder);
   const std::string missing = "no Maps/" + survey_name(folder) + "/optposes.csv";
-  if (!survey.has_view) return "none: the rows do not tell where the camera looks";
+  if (!survey.has_view) return "none: the rows do not state where the camera looks";
   if (!map.empty())
     return map + " (poses of the boat in the plane, laser and GPS, with pan and tilt of the camera)";
   if (!survey.has_position) return "none: " + missing + ", and the rows have no x, y, theta";
   return "coarse, by GPS and compass (x, y, theta of " + std::string(symphony::kSurveyList) + "): " + missing;
 }
 
-// The boat by its GPS antenna and compass.
+// Pose of the boat by its GPS antenna and compass.
 BoatPose coarse_pose(const SurveyRow& row) {
   const Eigen::Vector3d antenna = symphony::boat_in_plane({0, 0}, row.theta) * symphony::kAntennaOnBoat;
   return {row.time, Eigen::Vector2d(row.x, row.y) - antenna.head<2>(), row.theta};
@@ -176,12 +176,12 @@ std::vector<std::optional<BoatPose>> boats_of(const std::string& folder, const S
   return boats;
 }
 
-// World: x east, y north, z up, its origin where the boat is first known: places in a country's grid would
-// leave no digits for metres.
+// World: x east, y north, z up, its origin where the boat is first known: coordinates of a national grid
+// would leave no digits for metres.
 std::string symphony_ground_truth(const SourceOptions& options) {
   SurveyRows survey = read_survey_rows(list_path(options.path));
   if (!survey.has_view) return {};
-  leave_out_unsettled(&survey);
+  remove_rows_before_usual_tilt(&survey);
   const auto boats = boats_of(options.path, survey);
   std::optional<Eigen::Vector2d> origin;
   std::string poses;
@@ -206,13 +206,13 @@ Camera survey_camera(const SurveyRows& survey, const SourceOptions& options, Seq
     return choose_or_assume_camera(options, "", {sequence->images.front()}, &sequence->details);
   throw InputError(
       survey.path,
-      "its " + std::to_string(survey.columns) + " columns are fewer than the 13 that tell the camera",
+      "its " + std::to_string(survey.columns) + " columns are fewer than the 13 that include the camera",
       "give the camera's file with --camera");
 }
 
 Sequence read_symphony_layout(const SourceOptions& options) {
   SurveyRows survey = read_survey_rows(list_path(options.path));
-  const int left_out = leave_out_unsettled(&survey);
+  const int skipped = remove_rows_before_usual_tilt(&survey);
   Sequence sequence;
   sequence.kind = "Symphony Lake";
   const NameOf name = naming_of(options.path, survey);
@@ -221,9 +221,9 @@ Sequence read_symphony_layout(const SourceOptions& options) {
     sequence.times.push_back(row.time);
   }
   sequence.details.emplace_back("survey", survey_name(options.path));
-  sequence.details.emplace_back("rows", describe_rows(survey, left_out));
+  sequence.details.emplace_back("rows", describe_rows(survey, skipped));
   if (const int missing = missing_numbers(survey); missing > 0)
-    sequence.details.emplace_back("numbers left out", std::to_string(missing) + " images have no row");
+    sequence.details.emplace_back("missing numbers", std::to_string(missing) + " images have no row");
   sequence.camera = survey_camera(survey, options, &sequence);
   sequence.T_vehicle_cam = steady_mount(survey, options);
   sequence.gps = gps_track(survey);

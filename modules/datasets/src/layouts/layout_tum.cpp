@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // TUM RGB-D: rgb.txt (`time file` a line), rgb/, groundtruth.txt; the cameras' calibrations are published on
 // its page.
 #include <filesystem>

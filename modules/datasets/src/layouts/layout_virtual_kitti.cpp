@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Virtual KITTI as a sequence of images; depth and poses are for the study (edgevo/datasets/virtual_kitti.h).
 #include "edgevo/datasets/virtual_kitti.h"
 #include "layout.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/report/compare_page.h"
 
 #include <algorithm>
@@ -14,10 +15,10 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kMostDrawings = 30;  // of the worst, where many truths are compared with
-constexpr size_t kMostLines = 40;     // of one drawing: more cannot be told apart
+constexpr size_t kMostDrawings = 30;  // ground truths with a drawing
+constexpr size_t kMostLines = 40;     // lines of one drawing: more cannot be distinguished
 constexpr size_t kMostNamed = 8;      // lines with a colour of their own
-constexpr size_t kMostPoints = 400;   // of a line
+constexpr size_t kMostPoints = 400;   // points of a line
 
 using Group = std::vector<const RunFigures*>;  // runs with the same truth, the worst first
 
@@ -45,8 +46,8 @@ PlanLine line_of(const std::string& name, const char* color, const GroundPath& p
   return {name, color, false, {thinned(path, kMostPoints)}};
 }
 
-// All of a small group, or the worst and the best of a large one, in colours of their own; the others pale
-// below them.
+// Draws all runs of a small group, or the worst and the best of a large one, in colours of their own; the
+// others pale below them.
 Plan plan_of(const Group& group) {
   static const char* const kColors[kMostNamed] = {palette::kRed,    palette::kOrange, palette::kAmber,
                                                   palette::kPurple, palette::kViolet, palette::kTeal,
@@ -66,7 +67,7 @@ Plan plan_of(const Group& group) {
   return plan;
 }
 
-// Their common source, where they have one.
+// The name of a single run, or the common source, if any, and the number of runs.
 std::string title_of(const Group& group) {
   if (group.size() == 1) return group.front()->run->name;
   const std::string& source = group.front()->run->source;
@@ -79,8 +80,8 @@ std::string title_of(const Group& group) {
 std::string overlay_section(const Group& group, size_t number) {
   std::string body = draw(plan_of(group));
   body += note_html(
-      "Each path is aligned with the truth by its own Sim(3); forward is where the true camera looked at "
-      "first." +
+      "Each path is aligned with the truth by its own Sim(3); forward is the initial viewing direction of "
+      "the true camera." +
       std::string(group.size() > kMostLines ? " Drawn are the " + std::to_string(kMostLines) + " worst."
                                             : ""));
   return section_html("paths" + std::to_string(number), title_of(group), body);
@@ -103,7 +104,7 @@ std::string tiles(const std::vector<RunFigures>& figures) {
       {std::to_string(figures.size()), figures.size() == 1 ? "run" : "runs"},
       {count([](const RunFigures& f) { return f.evaluation.has_value(); }), "compared with ground truth"},
       {count([](const RunFigures& f) { return !f.run->problem.empty() || !f.note.empty(); }),
-       "without figures, though they should have them"},
+       "with problems"},
       {count([](const RunFigures& f) { return f.run->segments > 1; }), "in more than one segment"}};
   if (const double median = median_ate_percent(figures); median == median)
     tiles.emplace_back(fixed(median, 3) + " %", "median ATE, of the path");
@@ -116,12 +117,10 @@ std::string compare_html(const std::vector<ComparedRun>& runs) {
   const std::vector<RunFigures> figures = worst_first(runs);
   std::string body =
       tiles(figures) +
-      section_html(
-          "runs", "Runs, the worst first",
-          note_html(
-              "A click on a heading sorts by it. Figures are those of edgevo eval; the worst is the one with "
-              "the largest error relative to its path.") +
-              run_table_html(figures));
+      section_html("runs", "Runs, the worst first",
+                   note_html("Click a heading to sort by it. Figures are those of edgevo eval; the worst run "
+                             "has the largest error relative to its path.") +
+                       run_table_html(figures));
   const std::vector<Group> groups = groups_of(figures);
   for (size_t i = 0; i < std::min(groups.size(), kMostDrawings); ++i)
     body += overlay_section(groups[i], i + 1);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "run_figures.h"
 
 #include <limits>
@@ -11,7 +12,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// As the camera of the first pose sees it: z forward, x right.
+// Top view in the frame of the camera at the first pose (z forward, x right).
 GroundPath seen_from(const SE3& T_world_first, const Points& positions) {
   GroundPath path;
   const SE3 T_first_world = T_world_first.inverse();

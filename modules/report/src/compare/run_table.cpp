@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "run_table.h"
 
 #include <functional>
@@ -11,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kShown = 200;  // rows; the others wait for a click
+constexpr size_t kShown = 200;  // rows shown at first; a click shows more
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 struct Column {
@@ -26,23 +27,24 @@ double if_evaluated(const RunFigures& f, const std::function<double(const Trajec
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> all{
-      {"frames", "", "put in", 0, [](const RunFigures& f) { return f.run->frames; }},
-      {"with pose", "%", "of them", 1, [](const RunFigures& f) { return f.completion_percent(); }},
+      {"frames", "", "frames processed", 0, [](const RunFigures& f) { return f.run->frames; }},
+      {"with pose", "%", "share of the frames", 1,
+       [](const RunFigures& f) { return f.completion_percent(); }},
       {"ATE", "m", "RMSE after Sim(3)", 4,
        [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.rmse; }); }},
-      {"ATE", "% of path", "the same over the length of the true path", 3,
+      {"ATE", "% of path", "RMSE relative to the length of the true path", 3,
        [](const RunFigures& f) { return f.ate_percent(); }},
-      {"drift", "cm/m", "mean over stretches, scale re-corrected every 200 frames", 2,
+      {"drift", "cm/m", "mean over intervals, scale re-corrected every 200 frames", 2,
        [](const RunFigures& f) {
          return if_evaluated(f, [](const auto& e) { return e.drift ? e.drift->mean_cm_per_m : kNoValue; });
        }},
-      {"scale", "m/unit", "metres that one unit of the run is", 4,
+      {"scale", "m/unit", "metres per unit of the run", 4,
        [](const RunFigures& f) { return if_evaluated(f, [](const auto& e) { return e.ate_sim3.scale; }); }},
-      {"scale drift", "x", "scale at the end over that at the start", 4,
+      {"scale drift", "x", "scale at the end divided by that at the start", 4,
        [](const RunFigures& f) { return f.scale_drift(); }},
-      {"CPU", "ms", "of the odometry a frame", 1, [](const RunFigures& f) { return f.run->cpu_ms; }},
+      {"CPU", "ms", "CPU time of the odometry a frame", 1, [](const RunFigures& f) { return f.run->cpu_ms; }},
       {"keyframes", "", "", 0, [](const RunFigures& f) { return f.run->keyframes; }},
-      {"lost", "frames", "without a pose after the first that has one", 0,
+      {"lost", "frames", "frames without a pose after the first with one", 0,
        [](const RunFigures& f) { return f.run->lost; }},
       {"segments", "", "more than one: the map was lost and a new one was started", 0,
        [](const RunFigures& f) { return f.run->segments; }},

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The table of `edgevo compare`: a row a run, columns that assets/compare.js sorts by.
+// The table of `edgevo compare`: one row a run; assets/compare.js sorts by the columns.
 #include <string>
 #include <vector>
 
@@ -7,7 +8,7 @@
 
 namespace edgevo {
 
-/// In the order given.
+/// The table as HTML, with the runs in the given order.
 std::string run_table_html(const std::vector<RunFigures>& runs);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "small_path.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 constexpr double kPictureWidth = 110, kPictureHeight = 70, kMargin = 4;
 constexpr size_t kMostPoints = 80;
 
-// From the ground to the picture: forward is up, left is left, one scale.
+// Maps the ground to the picture: forward is up, left is left, one scale.
 struct Frame {
   Range forward, left;
   double scale() const {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edges_section.h"
 
 #include "color_ramp.h"

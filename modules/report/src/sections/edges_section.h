@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the camera saw in report.html: keyframes with the edge points of the map, coloured by inverse depth.
+// Section of report.html with keyframes and the edge points of the map, coloured by inverse depth.
 #include <string>
 
 #include "edgevo/report/run_report.h"
 
 namespace edgevo {
 
+/// The section as HTML.
 std::string edges_section(const ReportInput& in);
 
 }  // namespace edgevo

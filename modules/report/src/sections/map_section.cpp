@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_section.h"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ cv::Vec3b color_of(GridCell cell) {
   return {};
 }
 
-// The grid as a picture: forward (x) is up, left (y) is left. Where several cells share a pixel the occupied
-// one wins, as in the grid itself.
+// The grid as a picture: forward (x) is up, left (y) is left. A pixel with several cells shows occupied
+// before free before unknown, as in the grid itself.
 class GridPicture {
  public:
   explicit GridPicture(const OccupancyGrid& grid) : grid_(grid) {
@@ -35,11 +36,11 @@ class GridPicture {
     pixels_a_cell_ = std::max(1, kFewestPixels / longer);
     draw_cells();
   }
-  void draw_way(const std::vector<std::optional<Eigen::Vector3d>>& way) {
+  void draw_path(const std::vector<std::optional<Eigen::Vector3d>>& path) {
     const cv::Scalar blue(191, 95, 31);
-    for (size_t i = 1; i < way.size(); ++i)
-      if (way[i - 1] && way[i])
-        cv::line(image_, pixel_of(*way[i - 1]), pixel_of(*way[i]), blue, 2, cv::LINE_AA);
+    for (size_t i = 1; i < path.size(); ++i)
+      if (path[i - 1] && path[i])
+        cv::line(image_, pixel_of(*path[i - 1]), pixel_of(*path[i]), blue, 2, cv::LINE_AA);
   }
   int width() const { return image_.cols; }
   std::vector<uint8_t> png() const {
@@ -77,19 +78,19 @@ class GridPicture {
   cv::Mat image_;
 };
 
-// Gaps where a frame has no pose, and between segments.
-std::vector<std::optional<Eigen::Vector3d>> way_of(const Run& run) {
-  std::vector<std::optional<Eigen::Vector3d>> way;
+// Positions of the camera, with gaps at frames without a pose and between segments.
+std::vector<std::optional<Eigen::Vector3d>> camera_path(const Run& run) {
+  std::vector<std::optional<Eigen::Vector3d>> path;
   const SE3 T_map = T_map_world(run);
   int segment = -1;
   for (const FrameRecord& f : run.frames) {
-    if (f.segment != segment) way.emplace_back();
+    if (f.segment != segment) path.emplace_back();
     segment = f.segment;
     const bool posed = f.T_world_cam && f.T_world_cam->is_finite();
-    way.push_back(posed ? std::optional<Eigen::Vector3d>((T_map * *f.T_world_cam).translation())
-                        : std::nullopt);
+    path.push_back(posed ? std::optional<Eigen::Vector3d>((T_map * *f.T_world_cam).translation())
+                         : std::nullopt);
   }
-  return way;
+  return path;
 }
 
 std::string length(const Run& run, double value, int digits) {
@@ -99,12 +100,12 @@ std::string length(const Run& run, double value, int digits) {
 std::string octree_tiles(const Run& run, const OctreeStats& stats) {
   const double voxel_volume = std::pow(stats.resolution, 3);
   return tiles_html(
-      {{length(run, stats.resolution, 3), "edge of a voxel"},
+      {{length(run, stats.resolution, 3), "voxel size"},
        {length(run, stats.max_range, 2), "range"},
        {std::to_string(stats.occupied_voxels), "occupied voxels"},
        {std::to_string(stats.free_voxels), "free voxels"},
        {fixed(double(stats.free_voxels) * voxel_volume, 1) + (run.is_metric() ? " m³" : " units³"),
-        "seen to be free"},
+        "observed to be free"},
        {std::to_string(stats.points.kept) + " of " + std::to_string(stats.points.total),
         "edge points in the map"}});
 }
@@ -118,13 +119,13 @@ std::string map_section(const Run& run, const MapReport& map) {
   std::string body = octree_tiles(run, map.octree);
   if (map.grid) {
     GridPicture picture(*map.grid);
-    picture.draw_way(way_of(run));
+    picture.draw_path(camera_path(run));
     body +=
         "<div style=\"max-width:" + std::to_string(picture.width()) + "px\">" +
         figure_html("png", picture.png(), "the 2D grid from above", "grid.yaml from above, forward is up") +
         "</div>\n" +
         note_html(std::to_string(map.grid->width) + " x " + std::to_string(map.grid->height) +
-                  " cells: black occupied, white free, gray not known, blue the way of the camera; " +
+                  " cells: black occupied, white free, gray unknown, blue the path of the camera; " +
                   map.grid->statement);
   }
   return section_html(

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The map in report.html: the grid from above with the camera's way, what the octree holds, at which
-// resolution.
+// Section of report.html on the map: the grid from above with the path of the camera, statistics of the
+// octree.
 #include <string>
 
 #include "edgevo/core/records.h"
@@ -8,7 +9,7 @@
 
 namespace edgevo {
 
-/// A section of the page. A map of nothing gives a sentence that says so.
+/// The section as HTML. An empty map gives a sentence that says so.
 std::string map_section(const Run& run, const MapReport& map);
 
 }  // namespace edgevo

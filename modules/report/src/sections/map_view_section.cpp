@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "map_view_section.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ std::vector<MapKeyframe> keyframes_of(const Run& run, const ShownPath& path) {
   return keyframes;
 }
 
-bool has_any(const std::vector<std::optional<Eigen::Vector3d>>& way) {
-  return std::any_of(way.begin(), way.end(), [](const auto& p) { return p.has_value(); });
+bool has_any(const std::vector<std::optional<Eigen::Vector3d>>& path) {
+  return std::any_of(path.begin(), path.end(), [](const auto& p) { return p.has_value(); });
 }
 
 }  // namespace

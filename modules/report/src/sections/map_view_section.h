@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The map in 3D in report.html, with the way of the camera and, where it is known, the true one.
+// Section of report.html with the map in 3D, the path of the camera and the true path, if known.
 #include <string>
 
 #include "edgevo/report/run_report.h"
@@ -7,7 +8,7 @@
 
 namespace edgevo {
 
-/// A section of the page, in the unit of `path`.
+/// The section as HTML, in the unit of `path`.
 std::string map_view_section(const ReportInput& in, const ShownPath& path);
 
 }  // namespace edgevo

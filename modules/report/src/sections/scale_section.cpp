@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "scale_section.h"
 
 #include <limits>
@@ -16,13 +17,13 @@ std::string percent(double share) { return fixed(100 * share, 2) + " %"; }
 std::string how_it_was_found(const ScaleSource& source) {
   switch (source.kind) {
     case ScaleSource::Kind::kNone:
-      return "Nothing tells the metre: one camera alone cannot.";
+      return "No source of scale was given; a single camera cannot measure it.";
     case ScaleSource::Kind::kFactor:
-      return "The factor was given; nobody measured how certain it is.";
+      return "The factor was given; its uncertainty is unknown.";
     case ScaleSource::Kind::kCameraHeight:
       return "The camera is " + fixed(source.value, 3) +
-             " m over the ground; its height in units was measured over the edges of the ground under its "
-             "way.";
+             " m above the ground; its height in units was measured from edges on the ground along its "
+             "path.";
     case ScaleSource::Kind::kOdometry:
       return "The path was compared with the odometry of the vehicle.";
     case ScaleSource::Kind::kGps:
@@ -40,11 +41,11 @@ std::string estimate_text(const Run& run) {
   text += ", median over the frames";
   if (s.lowest < s.highest)
     text += "; from " + fixed(s.lowest, 4) + " to " + fixed(s.highest, 4) +
-            " m along the way, a drift that has been taken out";
+            " m along the path; this drift has been corrected";
   text += ".";
   if (s.frames_carried_over > 0)
     text += " It was not measured on " + std::to_string(s.frames_carried_over) + " of " +
-            std::to_string(s.frames.size()) + " frames, which have that of the nearest.";
+            std::to_string(s.frames.size()) + " frames, which take the value of the nearest measured frame.";
   return text;
 }
 
@@ -52,8 +53,8 @@ TimeChart scale_chart(const Run& run) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   TimeChart chart;
   chart.y_name = "metres per unit";
-  Series upper{"one deviation more", palette::kPaleBlue, {}}, lower{"one less", palette::kPaleBlue, {}},
-      live{"known when the frame came", palette::kAmber, {}}, all{"measured", palette::kBlue, {}};
+  Series upper{"plus 1 sigma", palette::kPaleBlue, {}}, lower{"minus 1 sigma", palette::kPaleBlue, {}},
+      live{"live", palette::kAmber, {}}, all{"measured", palette::kBlue, {}};
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const FrameScale& f = run.scale.frames[i];
     chart.x.push_back(seconds_between(run.frames.front().time, run.frames[i].time));

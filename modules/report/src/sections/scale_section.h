@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The unit of lengths in report.html: where the metre comes from, how certain it is, and what its drift was;
-// the lens.
+// Section of report.html on the unit of length (source, uncertainty and drift of the scale) and on the lens.
 #include <string>
 
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 
+/// The section as HTML.
 std::string scale_section(const Run& run);
 
 }  // namespace edgevo

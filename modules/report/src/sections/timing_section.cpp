@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "timing_section.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ std::string timing_section(const Run& run) {
                       (run.realtime ? note_html("Two threads: " + latency_statement(run) + ".") : "") +
                           draw(chart) +
                           (cut ? note_html("The largest frame takes " + fixed(totals.back(), 0) +
-                                           " ms and leaves the drawing.")
+                                           " ms and is cut off in the chart.")
                                : "") +
                           stage_table(run));
 }

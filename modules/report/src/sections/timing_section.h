@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run cost in report.html: CPU time by stage over the run and as a table, and how a realtime run kept
-// up.
+// Section of report.html on CPU time by stage, over the run and as a table, and on the latency of a realtime
+// run.
 #include <string>
 
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 
-/// A section of the page; of a run with frames.
+/// The section as HTML; needs a run with frames.
 std::string timing_section(const Run& run);
 
 }  // namespace edgevo

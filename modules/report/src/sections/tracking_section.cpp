@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tracking_section.h"
 
 #include <algorithm>
@@ -54,15 +55,15 @@ TimeChart chart_of(const Run& run, const std::string& name, const std::string& c
   return chart;
 }
 
-// Nothing where no frame was aligned.
+// The chart, or nothing if no frame was aligned.
 std::string drawn_if_any(const TimeChart& chart) {
   const std::vector<double>& y = chart.series.front().y;
   return std::any_of(y.begin(), y.end(), [](double v) { return std::isfinite(v); }) ? draw(chart) : "";
 }
 
-// Why there are as many keyframes as there are: frames by what called for one.
+// Table of the reasons for keyframes.
 std::string keyframe_reasons(const Run& run) {
-  std::map<std::string_view, std::pair<int, int>> count;  // by name: keyframes, other frames
+  std::map<std::string_view, std::pair<int, int>> count;  // by reason: keyframes, other frames
   for (const FrameRecord& f : run.frames) {
     if (f.keyframe_reason == KeyframeReason::kNone) continue;
     auto& [keyframes, others] = count[to_string(f.keyframe_reason)];
@@ -72,7 +73,7 @@ std::string keyframe_reasons(const Run& run) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& [reason, n] : count)
     rows.push_back({std::string(reason), std::to_string(n.first), std::to_string(n.second)});
-  return table_html({"keyframe called for by", "keyframes", "put off, or returned to one"}, rows);
+  return table_html({"reason for a keyframe", "keyframes", "postponed, or returned to an older one"}, rows);
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What happened in report.html: states, inlier share, residual, edges over the run.
+// Section of report.html on tracking: states, inlier share, residual and edges over the run.
 #include <string>
 
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 
-/// A section of the page; of a run with frames.
+/// The section as HTML; needs a run with frames.
 std::string tracking_section(const Run& run);
 
 }  // namespace edgevo

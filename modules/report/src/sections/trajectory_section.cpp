@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "trajectory_section.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr size_t kMaxPlanPoints = 6000;
 const char* const kEstimateColor = palette::kBlue;
 const char* const kTruthColor = palette::kInk;
 
-// Pieces between gaps and between segments.
+// A line with a piece for each part between gaps and between segments.
 PlanLine plan_line(const std::string& name, const char* color, const Run& run,
                    const std::vector<std::optional<Eigen::Vector3d>>& positions, bool by_segment) {
   PlanLine line{name, color, false, {}};
@@ -37,7 +38,7 @@ PlanLine plan_line(const std::string& name, const char* color, const Run& run,
   return line;
 }
 
-// Every k-th of the points of all keyframes.
+// Every k-th point of all keyframes.
 std::vector<std::pair<double, double>> plan_points(const Run& run, const PointFilter& filter,
                                                    double metres_per_unit) {
   size_t total = 0, seen = 0;
@@ -71,7 +72,7 @@ TimeChart position_chart(const Run& run, const ShownPath& path, int axis) {
   return chart;
 }
 
-// Distance of each frame from where it truly was.
+// Distance of each frame from its true position.
 TimeChart error_chart(const Run& run, const ShownPath& path) {
   TimeChart chart;
   chart.y_name = "distance from the truth, " + path.unit;
@@ -90,15 +91,15 @@ std::string drift_table(const std::optional<Drift>& drift) {
   std::vector<std::vector<std::string>> rows;
   for (size_t i = 0; i < drift->lengths_m.size(); ++i) {
     const Drift::OfLength& d = drift->by_length[i];
-    if (d.stretches == 0) continue;
+    if (d.intervals == 0) continue;
     rows.push_back({fixed(drift->lengths_m[i], drift->lengths_m[i] < 2 ? 3 : 1) + " m",
-                    std::to_string(d.stretches), fixed(d.mean_cm_per_m, 2), fixed(d.median_cm_per_m, 2),
+                    std::to_string(d.intervals), fixed(d.mean_cm_per_m, 2), fixed(d.median_cm_per_m, 2),
                     fixed(d.max_cm_per_m, 2)});
   }
-  return "<h3>Drift by length of the stretch</h3>\n" +
-         table_html({"stretch", "number", "mean cm/m", "median", "max"}, rows) +
+  return "<h3>Drift by length of the interval</h3>\n" +
+         table_html({"interval", "number", "mean cm/m", "median", "max"}, rows) +
          note_html("All lengths together: " + fixed(drift->mean_cm_per_m, 2) + " cm/m, over " +
-                   std::to_string(drift->stretches) + " stretches of a true path of " +
+                   std::to_string(drift->intervals) + " intervals of a true path of " +
                    fixed(drift->path_m, 1) + " m, the scale re-corrected every " +
                    std::to_string(EvaluationOptions().rescale_block_frames) +
                    " frames, as edgevo eval does it.");

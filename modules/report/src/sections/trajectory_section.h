@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the camera went in report.html: from above and over time, beside the ground truth where that is
-// known.
+// Section of report.html on the trajectory: from above and over time, with the ground truth if known.
 #include <string>
 
 #include "edgevo/report/run_report.h"
@@ -8,8 +8,8 @@
 
 namespace edgevo {
 
-/// A section of the page. `why_not`: why there is no comparison with the truth; empty if there is none to
-/// compare with.
+/// The section as HTML. `why_not`: reason why there is no comparison with ground truth; empty if none is
+/// known.
 std::string trajectory_section(const ReportInput& in, const std::optional<TruthComparison>& truth,
                                const std::string& why_not);
 

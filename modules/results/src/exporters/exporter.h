@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What one file of a run's folder is made by. To add a file: a function in a source file of this folder,
-// declared in exporters.h, and a line in the list of exporters.cpp.
+// Exporters: each writes one file of a run's folder. To add a file, write a function in a source file of this
+// folder, declare it in exporters.h and add a line to the list in exporters.cpp.
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,41 +16,62 @@
 
 namespace edgevo {
 
-/// What the files are made from, and what the making of one leaves to those after it.
+/// Inputs of the exporters, and results that one exporter leaves to those after it.
 struct ExportContext {
+  /// The run to be written.
   const Run& run;
-  const MapParams& params;  ///< which points count, voxels, cells
-  // nullptr where a finished run's maps are made again (`edgevo map`):
+  /// Parameters of point filter, octree and grid.
+  const MapParams& params;
+  /// Description of the run. This and the next three are nullptr if only maps are written (`edgevo map`).
   const RunInfo* info = nullptr;
-  const Camera* camera = nullptr;             ///< of the images as they come
-  const PlaybackWriter* playback = nullptr;   ///< has the images
-  const ResourceMeter* meter = nullptr;       ///< began with the run
-  ResourceUse use_of_run = {};                ///< before the first of these files
-  std::optional<OctreeMap> octree = {};       ///< since edges.ot was tried
-  MapReport map = {};                         ///< what the map files hold
-  OnKeyframeMapped on_keyframe_mapped = {};   ///< told while the octree is made; may be empty
-  std::vector<std::string> not_written = {};  ///< files that could not be, so far
+  /// Camera of the raw images.
+  const Camera* camera = nullptr;
+  /// Writer of the playback, which holds the images.
+  const PlaybackWriter* playback = nullptr;
+  /// Meter that was started with the run.
+  const ResourceMeter* meter = nullptr;
+  /// Resources used by the run, before the first file is written.
+  ResourceUse use_of_run = {};
+  /// The octree, set by the exporter of edges.ot.
+  std::optional<OctreeMap> octree = {};
+  /// Statistics of the map files.
+  MapReport map = {};
+  /// Progress callback while the octree is made; may be empty.
+  OnKeyframeMapped on_keyframe_mapped = {};
+  /// Names of the files that could not be written so far.
+  std::vector<std::string> not_written = {};
 };
 
+/// Groups of files that are written together.
 enum class FileKind {
-  kText,    ///< small, and missed most: room is held for them
-  kMap,     ///< of the map for planners: `edgevo map` writes them again
-  kMrpt,    ///< for MRPT's tools
-  kReport,  ///< for people
-  kSummary  ///< the last: tells of all others
+  /// Text files: small, and the most important ones; disk space is reserved for them.
+  kText,
+  /// Maps for planners, which `edgevo map` can write again.
+  kMap,
+  /// Files for MRPT's tools.
+  kMrpt,
+  /// The report page.
+  kReport,
+  /// The summary, written last because it lists what is missing.
+  kSummary
 };
 
+/// A file of a run and the function that writes it.
 struct Exporter {
+  /// File name.
   const char* file;
+  /// Content of the file, one line for people.
   const char* content;
+  /// Group of the file.
   FileKind kind;
-  /// Throws what it likes: the others are written all the same. nullptr: comes with another file.
+  /// Writes the file. May throw anything: the other files are written all the same. nullptr: written together
+  /// with another file.
   void (*write)(ExportContext* context, const std::string& path);
-  /// Whether there is anything to write; nullptr: always.
+  /// Whether the run has content for this file; nullptr: always.
   bool (*applies)(const ExportContext& context) = nullptr;
 };
 
-/// All, in the order in which they are written.
+/// All exporters, in the order of writing.
 const std::vector<Exporter>& exporters();
 
 }  // namespace edgevo

@@ -1,42 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "exporters.h"
 
 #include "edgevo/results/run_files.h"
 
 namespace edgevo {
 
-// What a user would miss most comes first, and what tells of the others last.
+// The most important files come first; the summary, which lists those that are missing, comes last.
 const std::vector<Exporter>& exporters() {
   using Kind = FileKind;
   static const std::vector<Exporter> list{
       {"trajectory_tum.txt", "final poses, one line for each frame that has one", Kind::kText,
        export_final_trajectory},
-      {"trajectory_live_tum.txt", "the poses as they were known when the frames came", Kind::kText,
+      {"trajectory_live_tum.txt", "live poses, as known when each frame was processed", Kind::kText,
        export_live_trajectory},
-      {"trajectory_vehicle_tum.txt",
-       "final poses of the vehicle, where it is known how the camera sits on it", Kind::kText,
-       export_vehicle_trajectory, has_vehicle},
+      {"trajectory_vehicle_tum.txt", "final poses of the vehicle, if the mount of the camera is known",
+       Kind::kText, export_vehicle_trajectory, has_vehicle},
       {"trajectory_kitti.txt", "final poses as 3x4 matrices, one line for EVERY frame", Kind::kText,
        export_kitti_trajectory},
       {"frames.csv", "one row for every frame; timing columns last", Kind::kText, export_frames},
-      {"scale.csv", "how the metres were found, where they were measured", Kind::kText, export_scale,
-       has_scale},
+      {"scale.csv", "the metric scale over time, if it was measured", Kind::kText, export_scale, has_scale},
       {"edges.ply", "3D edges: points and lines", Kind::kMrpt, export_points},
-      {"edge_segments.csv", "the lines, one row each: ends, length, direction, certainty, who saw it",
+      {"edge_segments.csv", "3D lines, one row each: ends, length, direction, uncertainty, observers",
        Kind::kMrpt, export_line_table},
       {"edges.ot", "the map as an OctoMap with probabilities", Kind::kMap, export_full_octree},
-      {"edges.bt", "the same, occupied or free", Kind::kMap, export_binary_octree, has_octree},
-      {"edges_color.ot", "its occupied voxels in the gray of their edges, for octovis", Kind::kMap,
+      {"edges.bt", "the same map, occupied or free", Kind::kMap, export_binary_octree, has_octree},
+      {"edges_color.ot", "occupied voxels in the gray of their edges, for octovis", Kind::kMap,
        export_color_octree, has_octree},
-      {"grid.yaml", "a 2D grid of what stands over the ground, for ROS's map_server", Kind::kMap, export_grid,
-       has_octree},
-      {"grid.pgm", "its cells", Kind::kMap, nullptr},
-      {"grid.gridmap.gz", "the same for MRPT's navigators", Kind::kMap, export_gridmap, has_grid},
+      {"grid.yaml", "2D occupancy grid of obstacles above the ground, for ROS's map_server", Kind::kMap,
+       export_grid, has_octree},
+      {"grid.pgm", "cells of that grid", Kind::kMap, nullptr},
+      {"grid.gridmap.gz", "the same grid for MRPT's navigators", Kind::kMap, export_gridmap, has_grid},
       {"keyframes.simplemap", "keyframes with their edge points", Kind::kMrpt, export_simplemap},
       {"scene.3Dscene", "trajectory and points in 3D", Kind::kMrpt, export_scene},
       {"playback.rawlog", "images, poses with covariance, keyframe points", Kind::kMrpt, export_playback},
-      {"playback_Images", "its images, written or linked while the run goes on", Kind::kMrpt, nullptr},
-      {"report.html", "all of it on one page", Kind::kReport, export_report},
-      {"summary.yaml", "versions, parameters, scale, counts, timing, memory, and what could not be written",
+      {"playback_Images", "images of the playback, written or linked during the run", Kind::kMrpt, nullptr},
+      {"report.html", "the results on one page", Kind::kReport, export_report},
+      {"summary.yaml",
+       "versions, parameters, scale, counts, timing, memory, and files that could not be written",
        Kind::kSummary, export_summary},
   };
   return list;

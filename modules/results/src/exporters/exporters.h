@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The functions that write the files of a run, each to `path`. Which file that is: exporters.cpp.
+// Functions that write the files of a run, each to `path`; exporters.cpp assigns them to file names.
 #include "exporter.h"
 
 namespace edgevo {

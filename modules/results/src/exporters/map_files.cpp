@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
 #include "edgevo/occupancy/color_octree.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/scene_writer.h"
 #include "edgevo/mrpt_bridge/simplemap_writer.h"
 #include "exporters.h"

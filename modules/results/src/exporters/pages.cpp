@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/output_file.h"
 #include "edgevo/report/run_report.h"
 #include "exporters.h"
@@ -6,7 +7,7 @@
 namespace edgevo {
 namespace {
 
-// As edges.ply has them: the points, then the lines.
+// Vertices in the order of edges.ply: points, then lines.
 std::vector<MapVertex> map_vertices(const Run& run, const PointFilter& points) {
   std::vector<MapVertex> vertices = map_points(run, points), lines = map_lines(run);
   vertices.insert(vertices.end(), lines.begin(), lines.end());

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "summary_parts.h"
 
 namespace edgevo {
@@ -9,9 +10,9 @@ std::string calibration_statement(const CameraRefinement& c) {
     case State::kOff:
       return "off: the camera file was taken as it is";
     case State::kTooEarly:
-      return "the run was too short to tell";
+      return "the run was too short for an estimate";
     case State::kNotObservable:
-      return "the motion was too straight, too still or too short to tell";
+      return "the motion was too straight, too slow or too short for an estimate";
     case State::kInsignificant:
       return "no significant residual distortion: the camera file was left alone";
     case State::kAtLimit:
@@ -27,17 +28,17 @@ std::string shutter_statement(const CameraRefinement::Shutter& s) {
   switch (s.state) {
     case State::kOff:
       return s.readout_s != 0 ? "off: readout_s was taken as given"
-                              : "off: rows were taken as all of one moment";
+                              : "off: all rows were taken as exposed at the same time";
     case State::kTooEarly:
-      return "the run was too short to tell";
+      return "the run was too short for an estimate";
     case State::kNotObservable:
-      return "the motion was too still or too short to tell";
+      return "the motion was too slow or too short for an estimate";
     case State::kInsignificant:
       return "no significant read-out time: a global shutter, or a fast one";
     case State::kAtLimit:
       return "AT ITS LIMIT, not applied: the camera file is probably wrong";
     case State::kApplied:
-      return "rolling: the rows of the images are put where the moment of the middle row has them";
+      return "rolling: the rows of the images are corrected to the time of the middle row";
   }
   return "";
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "summary_parts.h"
 
 namespace edgevo {
@@ -9,7 +10,7 @@ void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   y->open("map");
   y->text("axes", "x forward, y left, z up");
   y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)"
-                                  : "of the first camera, taken to look ahead");
+                                  : "of the first camera, assumed to look straight forward");
   y->integer("points", map.points.total);
   y->integer("points_exported", map.points.kept);
   y->integer("points_invalid", map.points.invalid);

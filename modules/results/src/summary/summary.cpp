@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "summary.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ void write_frames(const Run& run, YamlWriter* y) {
   y->close();
 }
 
-// Sum of the steps within segments.
+// Sum of the distances between frames within segments.
 double path_length(const Run& run) {
   double length = 0;
   const FrameRecord* last = nullptr;

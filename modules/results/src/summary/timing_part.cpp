@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
 #include "edgevo/core/run_statistics.h"
@@ -35,7 +36,7 @@ void write_realtime(const Run& run, YamlWriter* y) {
   y->open("realtime");
   y->text("pace", r.pace);
   y->number("frames_per_second", r.frames_per_second, 3);
-  y->integer("handed_over", r.handed_over);
+  y->integer("handed_over", r.delivered);
   y->integer("late", r.late);
   y->integer("dropped", r.dropped);
   y->integer("left_out_of_mapping", r.left_out_of_mapping);

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes a Job of a script of Snakemake's and prints its name.   kubernetes_submit.sh RULE THREADS MEGABYTES SCRIPT
 #   EDGEVO_IMAGE   container with edgevo and snakemake      EDGEVO_VOLUME   claim of the volume (ReadWriteMany)
 #   EDGEVO_MOUNT   where it is mounted, here and there

@@ -1,33 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgevo/core/params.h"
 
 namespace edgevo {
 
-/// Parameters of tracking one frame. Pixels are those of the level that is aligned.
+/// Parameters of tracking one frame. Pixels are those of the aligned pyramid level.
 struct AlignmentParams {
   // Edge alignment, Eq. (edgeerror).
-  /// px
+  /// Pixels.
   double huber_px = 1.0;
-  /// px
+  /// Pixels.
   double truncation_normal_px = 4.5;
-  /// px
+  /// Pixels.
   double truncation_tangent_px = 6.75;
   // Eq. (photometricerror).
-  /// on or off
+  /// Adds the photometric cost.
   bool photometric = false;
-  // Verdict.
-  /// share of the weighed points (pose_evidence.h)
+  // Tracking status.
+  /// Share of the weighed points (pose_evidence.h).
   double degraded_share = 0.4;
-  /// share of the weighed points
+  /// Share of the weighed points.
   double lost_share = 0.15;
-  /// points
+  /// Points.
   int min_visible = 60;
-  /// share of the median depth, radians
+  /// Share of the median depth; radians.
   double weak_sigma = 0.01;
   // Heuristics.
-  /// Edge alignment starts from the predicted pose where that fits the edges better than the patches' pose.
+  /// Edge alignment starts from the predicted pose if that fits the edges better than the pose of the
+  /// patches.
   bool verify_patch_start = true;
-  /// A pose far from the median motion of the last frames needs more support (odometry/src/steady_motion.h).
+  /// A pose far from the median motion of the last frames needs more support (odometry/src/median_motion.h).
   bool use_median_motion_prior = true;
 
   /// Names, ranges and texts of the fields (core/params.h).

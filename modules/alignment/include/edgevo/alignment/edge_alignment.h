@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // SE(3) alignment of a reference cloud to a frame, coarse to fine.
 //
@@ -15,44 +16,54 @@
 
 namespace edgevo {
 
-/// What an alignment of edges ended with.
+/// Outcome of an edge alignment.
 struct AlignmentStats {
-  int visible = 0;                          ///< points that project into the image
-  int inliers = 0;                          ///< of these, matched within the gates
-  double residual_px = 0;                   ///< rms of the inliers along the normal
-  double cost = 0;                          ///< truncated, a visible point; lower is better
-  Matrix6d information = Matrix6d::Zero();  ///< sum of w J^T J at the solution, px^-2
-  int iterations = 0;                       ///< steps that were kept or refused, on this level
-  /// inliers over visible points, [0, 1]
+  /// Points that project into the image.
+  int visible = 0;
+  /// Visible points with a match within the gates.
+  int inliers = 0;
+  /// RMS residual of the inliers along the edge normal, pixels.
+  double residual_px = 0;
+  /// Truncated robust cost per visible point; lower is better.
+  double cost = 0;
+  /// Sum of w J^T J at the solution, px^-2.
+  Matrix6d information = Matrix6d::Zero();
+  /// Steps accepted or rejected on this level.
+  int iterations = 0;
+  /// Inliers over visible points, 0 to 1.
   double matched_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
 };
 
-/// Where the camera is expected: of xi in T_cur_ref <- exp(xi) T_expected, the translation v has this
-/// standard deviation, axis by axis (camera axes, unit of the map; > 0).
+/// Prior on the camera position: the translation v of xi in T_cur_ref = exp(xi) T_expected is zero within
+/// `sigma`.
 struct TranslationPrior {
-  SE3 T_expected;         ///< predicted pose, reference to current camera
-  Eigen::Vector3d sigma;  ///< one standard deviation, axis by axis
+  /// Predicted pose, reference to current camera.
+  SE3 T_expected;
+  /// Standard deviation of v along each camera axis, unit of the map; > 0.
+  Eigen::Vector3d sigma;
 };
 
 /// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per
-/// usable patch (mean square of normalised differences; above 1 means: no overlap).
+/// usable patch (mean square of normalised differences; above 1: no overlap).
 double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
                      SE3* T_cur_ref);
 
-/// Improves T_cur_ref on one level by Eq. (edgeerror), with Eq. (photometricerror) added on level 0 if params
-/// ask for it; with a `prior`, its cost and information are in the result's too.
+/// Improves T_cur_ref on one level by Eq. (edgeerror), plus Eq. (photometricerror) on level 0 if
+/// params.photometric is set. The result includes the cost and information of `prior`, if there is one.
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
                            const AlignmentParams& params, SE3* T_cur_ref,
                            const TranslationPrior* prior = nullptr);
 
-/// What align_edges minimises, at one pose: truncated robust cost a point.
+/// The objective of align_edges at one pose: truncated robust cost per point.
 double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level,
                  const AlignmentParams& params, const SE3& T_cur_ref);
 
-/// Residual g^T (p' - n) and its derivative for one point and a given match; for tests and for align_edges.
+/// Residual g^T (p' - n) of one point and a given match, with its derivative.
 struct EdgeResidual {
-  double value = 0;                      ///< pixels
-  Eigen::Matrix<double, 1, 6> jacobian;  ///< by xi in T_cur_ref <- exp(xi) T_cur_ref, tangent [v, w]
+  /// Residual, pixels.
+  double value = 0;
+  /// Derivative of the residual by xi in T_cur_ref <- exp(xi) T_cur_ref, tangent [v, w].
+  Eigen::Matrix<double, 1, 6> jacobian;
 };
 /// Eq. (edgeerror): `ray` (x, y, 1) and `idepth` in the reference camera; `match` in pixels of the current
 /// image, with the unit `normal` of its edge. The point must lie in front of the current camera (not

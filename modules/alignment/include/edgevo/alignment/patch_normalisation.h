@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Patches of zero mean and unit deviation, so that gain and offset of the light cancel. The patch is `count`
-// values, row by row; a constant count unrolls.
+// Patches of zero mean and unit standard deviation, so that gain and offset of the light cancel. A patch is
+// `count` values, row by row; a constant count lets the compiler unroll the loops.
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +9,11 @@ namespace edgevo {
 
 /// Mean and standard deviation of the values of a patch.
 struct PatchMoments {
-  float mean = 0, deviation = 0;  ///< in the patch's own unit
+  /// Mean and standard deviation, in the unit of the patch.
+  float mean = 0, deviation = 0;
 };
 
-/// Of the `count` > 0 values at `value`.
+/// Moments of the `count` > 0 values at `value`.
 inline PatchMoments patch_moments(const float* value, int count) {
   float sum = 0, square = 0;
 #pragma omp simd reduction(+ : sum, square)
@@ -20,8 +22,8 @@ inline PatchMoments patch_moments(const float* value, int count) {
   return {mean, std::sqrt(std::max(0.0f, square / float(count) - mean * mean))};
 }
 
-/// Takes out of a patch's derivative what its normalisation cancels: the mean, and the part along the
-/// normalised patch itself.
+/// Removes from the derivative of a patch what its normalisation cancels: the mean, and the component along
+/// the normalised patch itself.
 inline void project_out_normalisation(const float* normalised, int count, float* derivative) {
   float mean = 0, along = 0;
 #pragma omp simd reduction(+ : mean, along)

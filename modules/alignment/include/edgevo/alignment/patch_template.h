@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Small patches around points of a reference image, each with zero mean and unit deviation, so that gain and
-// offset of the light cancel. Compared with a patch of another image that is merely shifted: between two
-// frames the warp of five pixels is small.
+// Small patches around points of a reference image, each with zero mean and unit standard deviation, so that
+// gain and offset of the light cancel. They are compared with patches of another image at shifted positions;
+// between two frames the warp of five pixels is negligible.
 #include <Eigen/Core>
 #include <array>
 #include <vector>
@@ -10,38 +11,49 @@
 
 namespace edgevo {
 
-/// Pixels: 25 values tell a patch from others, and between two frames so few need no warp.
+/// Radius of a patch, pixels: 25 values are distinctive, and few enough to need no warp between two frames.
 constexpr int kPatchRadius = 2;
-constexpr int kPatchSide = 2 * kPatchRadius + 1;       ///< pixels
-constexpr int kPatchPixels = kPatchSide * kPatchSide;  ///< 25
-/// Of the difference of two patches of unit deviation that have nothing in common.
+/// Side of a patch, pixels.
+constexpr int kPatchSide = 2 * kPatchRadius + 1;
+/// Pixels of a patch.
+constexpr int kPatchPixels = kPatchSide * kPatchSide;
+/// Mean square of the difference between two uncorrelated patches of unit standard deviation.
 constexpr double kUnrelatedMeanSquare = 2.0;
 
-/// Huber width on the rms of a patch difference, in deviations of the patch.
+/// Huber width on the RMS of a patch difference, in standard deviations of the patch.
 constexpr double kPatchHuber = 0.5;
 
-/// A patch of the reference image, ready to be compared.
+/// Normalised patch of the reference image, with its derivatives.
 struct PatchTemplate {
-  bool usable = false;                    ///< inside the image and not flat
-  std::array<float, kPatchPixels> value;  ///< zero mean, unit deviation
-  std::array<float, kPatchPixels> gx;  ///< d value / d shift in x, with the normalisation's share taken out
-  std::array<float, kPatchPixels> gy;  ///< the same in y
-  Eigen::Matrix2d information;  ///< sum over the patch of (gx, gy)(gx, gy)^T, divided by the number of pixels
+  /// Whether the patch lies inside the image and is not flat.
+  bool usable = false;
+  /// Normalised values, row by row: zero mean, unit standard deviation.
+  std::array<float, kPatchPixels> value;
+  /// Derivative of `value` by a shift in x, without the component that the normalisation cancels.
+  std::array<float, kPatchPixels> gx;
+  /// Derivative of `value` by a shift in y, without the component that the normalisation cancels.
+  std::array<float, kPatchPixels> gy;
+  /// Mean over the patch of (gx, gy)(gx, gy)^T.
+  Eigen::Matrix2d information;
 };
-using PatchTemplates = std::vector<PatchTemplate>;  ///< one for each point of a cloud, in its order
+/// Patches of the points of a cloud, in its order.
+using PatchTemplates = std::vector<PatchTemplate>;
 
 /// Patches centred at `positions` (pixels of this image).
 template <class T>
 PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::Vector2f>& positions);
 
-/// How a patch differs from the image at a place.
+/// Difference between a patch and the image at one position.
 struct PatchDifference {
-  bool usable = false;       ///< inside the image and not flat
-  float mean_square = 0;     ///< of the normalised difference; 0 equal, kUnrelatedMeanSquare unrelated
-  Eigen::Vector2d gradient;  ///< d (mean_square / 2) / d shift
+  /// Whether the patch lies inside the image and is not flat.
+  bool usable = false;
+  /// Mean square of the normalised difference: 0 for equal patches, kUnrelatedMeanSquare for unrelated ones.
+  float mean_square = 0;
+  /// Derivative of mean_square / 2 by the shift.
+  Eigen::Vector2d gradient;
 };
 
-/// Difference of `patch` to the image at (x, y).
+/// Difference between `patch` and the image at (x, y), pixels.
 template <class T>
 PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& patch, float x, float y);
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which pose does a frame have? Hypotheses are proposed, each is aligned with the image, and one judge tells
+// Selects the pose of a frame: hypotheses are proposed, each is aligned with the image, and one score decides
 // which wins.
 //
-// An alignment finds the minimum next to where it starts, and there are several: where edges repeat, where
-// shadows move, after an unpredicted turn. So there are several hypotheses, from the likeliest and
-// cheapest to the most expensive; the expensive ones are tried only where the poses found so far call for
-// them.
+// An alignment converges to the minimum nearest to its start, and there are several: where edges repeat,
+// where shadows move, after an unpredicted turn. So there are several hypotheses, from the likeliest and
+// cheapest to the most expensive; the expensive ones are tried only if the poses found so far are not good
+// enough.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -15,37 +16,47 @@
 
 namespace edgevo {
 
-/// Where the camera may be, and how it gets from there to where it is.
+/// A pose to try, and how it is refined.
 struct PoseHypothesis {
-  /// What is aligned, from the hypothesis on.
+  /// Alignment steps that start from the hypothesis.
   enum class Refinement {
-    kPatchesThenEdges,  ///< from far: gray patches on the coarse levels, then edges on two
-    kEdges,             ///< from near: edges on two levels
-    kLengthThenEdges,   ///< rotation and direction are known: the translation's length is searched from half
-                        ///< to twice, then edges
-    kFinestEdges,       ///< nearly right already: edges on the finest level
+    /// Far from the truth: gray patches on the coarse levels, then edges on two levels.
+    kPatchesThenEdges,
+    /// Near the truth: edges on two levels.
+    kEdges,
+    /// Rotation and direction are known: the length of the translation is searched from half to twice its
+    /// value, then edges are aligned.
+    kLengthThenEdges,
+    /// Almost exact already: edges on the finest level only.
+    kFinestEdges,
   };
-  SE3 T_cur_ref;                                          ///< reference to current camera
-  Refinement refinement = Refinement::kPatchesThenEdges;  ///< how far it may be from the truth
-  /// Standard deviation of its translation, axis by axis (camera axes, unit of the map); nothing: no prior
-  /// holds the alignment to it.
+  /// Pose of the hypothesis, reference to current camera.
+  SE3 T_cur_ref;
+  /// Refinement that fits its distance from the truth.
+  Refinement refinement = Refinement::kPatchesThenEdges;
+  /// Standard deviation of the translation along each camera axis, unit of the map; empty: the alignment uses
+  /// no prior.
   std::optional<Eigen::Vector3d> translation_sigma = std::nullopt;
 };
 
-/// Where a hypothesis led.
+/// Aligned pose of a hypothesis.
 struct PoseCandidate {
-  SE3 T_cur_ref;           ///< reference to current camera, aligned
-  AlignmentStats stats;    ///< of the last alignment, on the finest level
-  PoseEvidence evidence;   ///< of the image alone, whatever the prior
-  bool has_prior = false;  ///< a prior held the alignment
+  /// Aligned pose, reference to current camera.
+  SE3 T_cur_ref;
+  /// Outcome of the last alignment, on the finest level.
+  AlignmentStats stats;
+  /// Support by the image alone, without the prior.
+  PoseEvidence evidence;
+  /// Whether the alignment used a prior.
+  bool has_prior = false;
 };
 
-/// Cost: with patches some 3 ms for 1500 points at 1241x376, edges alone 1 ms; kLengthThenEdges 13
-/// evaluations of the edge cost more.
+/// Aligns a hypothesis with the current frame. Cost for 1500 points at 1241x376: 3 ms with patches, 1 ms with
+/// edges alone; kLengthThenEdges adds 13 evaluations of the edge cost.
 PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
-/// How well the image supports a pose, the worst first.
+/// How well the image supports a pose, worst first.
 enum class TrackingQuality {
   /// The pose is not finite.
   kDiverged,
@@ -55,32 +66,33 @@ enum class TrackingQuality {
   kUnsupported,
   /// The inlier share is below AlignmentParams::degraded_share.
   kWeak,
+  /// None of the above.
   kGood,
 };
-/// The quality decides whether a frame has a pose, whether more hypotheses are tried, and the state of the
-/// frame.
+/// Quality of a pose. It decides whether a frame has a pose, whether more hypotheses are tried, and the
+/// tracking status of the frame.
 TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params);
-/// Is there no pose?
+/// Whether a frame of this quality has no pose.
 inline bool is_lost(TrackingQuality quality) { return quality < TrackingQuality::kWeak; }
 
-/// The one judge between poses of a frame: the support of the image (pose_evidence.h) times how likely the
-/// motion is. A pose that left the prior it was held to is a compromise that neither image nor motion asks
-/// for, and never wins: on a drive that speeds up evenly it would hold the camera back a little in frame
-/// after frame (rendered street under mixed light: 0.07 instead of 0.03 m).
-class PoseJudge {
+/// Scores the candidate poses of a frame: support by the image (pose_evidence.h) times likelihood of the
+/// motion. A pose that moved away from its prior never wins: it is a compromise that neither image nor motion
+/// supports, and under constant acceleration it would hold the camera back a little in each frame (rendered
+/// street under mixed light: 0.07 instead of 0.03 m).
+class PoseScorer {
  public:
-  /// In (0, 1]: 1 for a motion that nothing speaks against.
+  /// Likelihood of a motion, in (0, 1]; 1 for a motion without counter-evidence.
   using Likelihood = std::function<double(const SE3& T_cur_ref)>;
 
   /// Keeps a reference to `params`; without a `likelihood` all motions are equally likely.
-  explicit PoseJudge(const AlignmentParams& params, Likelihood likelihood = {})
+  explicit PoseScorer(const AlignmentParams& params, Likelihood likelihood = {})
       : params_(params), likelihood_(std::move(likelihood)) {}
 
-  /// The pose is good enough to look no further, as far as the image goes.
+  /// Whether the image supports the pose so well that no further hypotheses are tried.
   bool fits(const PoseCandidate& pose) const;
-  /// The image supports it so little that there is no pose.
+  /// Whether the image supports the pose too little to accept it.
   bool is_lost(const PoseCandidate& pose) const;
-  /// Higher is better; below 0: lost.
+  /// Score of a pose: higher is better, below 0 means lost.
   double score(const PoseCandidate& pose) const;
 
  private:
@@ -88,37 +100,42 @@ class PoseJudge {
   Likelihood likelihood_;
 };
 
-/// What a hypothesis rests on.
+/// Source of a hypothesis.
 enum class ProposerKind {
-  /// Motions that continue the last ones (motion_hypotheses()).
+  /// Motions extrapolated from the last ones (motion_hypotheses()).
   kStarts,
   /// Rotations around the predicted pose (rotation_search.h).
   kRotations,
-  /// The median motion of a camera that moves evenly.
+  /// Median motion of a camera that moves at constant speed.
   kMedianMotion,
-  /// Corners, followed from the reference.
+  /// Corners tracked from the reference image.
   kCorners,
 };
 
-/// One who knows where the camera may be.
+/// A source of pose hypotheses.
 struct Proposer {
-  /// Told with the pose that won (PoseChoice).
+  /// Kind that PoseChoice reports with the winning pose.
   ProposerKind kind;
-  /// Asked before each of its hypotheses but the first of all: is it called for, after what was found so far?
+  /// Whether another hypothesis of this proposer is needed, given the best pose so far. Evaluated before each
+  /// hypothesis except the very first of the frame.
   std::function<bool(const PoseCandidate& best)> is_called_for;
-  /// Its hypotheses, likeliest first; made when the first of them is called for.
+  /// Generates the hypotheses, likeliest first, when the first of them is needed.
   std::function<std::vector<PoseHypothesis>()> hypotheses;
 };
 
-/// The pose that won, and what it took to find it.
+/// The selected pose and the effort of finding it.
 struct PoseChoice {
-  PoseCandidate pose;                         ///< the winner
-  ProposerKind kind = ProposerKind::kStarts;  ///< of the proposer whose hypothesis won
-  int hypotheses_tried = 0;                   ///< 1: the first was good
+  /// Winning pose.
+  PoseCandidate pose;
+  /// Kind of the proposer whose hypothesis won.
+  ProposerKind kind = ProposerKind::kStarts;
+  /// Number of hypotheses tried; 1 if the first was good enough.
+  int hypotheses_tried = 0;
 };
 
-/// The best of all that is called for; of equals the first. The first proposer has a hypothesis.
+/// Aligns the hypotheses that are needed and returns the one with the highest score, the earliest on a tie.
+/// The first proposer must have a hypothesis.
 PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current,
-                  const ReferenceCloud& cloud, const PoseJudge& judge, const AlignmentParams& params);
+                  const ReferenceCloud& cloud, const PoseScorer& scorer, const AlignmentParams& params);
 
 }  // namespace edgevo

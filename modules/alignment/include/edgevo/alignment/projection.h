@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Projection of a point with inverse depth into another camera, with its derivatives.
 #include <Eigen/Core>
@@ -7,17 +8,21 @@
 
 namespace edgevo {
 
-constexpr double kMinProjectedDepth = 1e-3;  ///< of Y_z = z_target / z_host: closer points are not projected
+/// Lower bound of Y_z = z_target / z_host: nearer points are not projected.
+constexpr double kMinProjectedDepth = 1e-3;
 
 /// p' = pi(Y), Y = R x + rho t (the point in the target camera, times rho), Eq. (pointproj).
 struct Projection {
-  bool valid = false;  ///< in front of the target camera
-  Eigen::Vector2d px;  ///< target pixels
-  Eigen::Vector3d Y;   ///< R x + rho t
+  /// Whether the point lies in front of the target camera.
+  bool valid = false;
+  /// Projected position, pixels of the target image.
+  Eigen::Vector2d px;
+  /// Point in the target camera times the host's inverse depth: R x + rho t.
+  Eigen::Vector3d Y;
 };
 
-/// Of the point with the viewing `ray` (x, y, 1) and inverse depth `idepth` in its host camera; (R, t) is
-/// host to target. Not valid where Y_z <= kMinProjectedDepth.
+/// Projects the point with the viewing `ray` (x, y, 1) and the inverse depth `idepth` in its host camera;
+/// (R, t) is host to target. Invalid if Y_z <= kMinProjectedDepth.
 inline Projection project(const Pinhole& camera, const Eigen::Matrix3d& R, const Eigen::Vector3d& t,
                           const Eigen::Vector3d& ray, double idepth) {
   Projection p;
@@ -28,7 +33,7 @@ inline Projection project(const Pinhole& camera, const Eigen::Matrix3d& R, const
   return p;
 }
 
-/// d pi / d Y (2x3).
+/// Jacobian d pi / d Y (2x3).
 inline Eigen::Matrix<double, 2, 3> projection_jacobian(const Pinhole& camera, const Eigen::Vector3d& Y) {
   const double iz = 1.0 / Y.z();
   Eigen::Matrix<double, 2, 3> J;
@@ -36,7 +41,7 @@ inline Eigen::Matrix<double, 2, 3> projection_jacobian(const Pinhole& camera, co
   return J;
 }
 
-/// d p' / d xi (2x6) for T <- exp(xi) T:  J_pi [rho I | -[Y]x].
+/// Jacobian d p' / d xi (2x6) for T <- exp(xi) T:  J_pi [rho I | -[Y]x].
 inline Eigen::Matrix<double, 2, 6> pose_jacobian(const Pinhole& camera, const Eigen::Vector3d& Y,
                                                  double idepth) {
   const double iz = 1.0 / Y.z(), x = Y.x() * iz, y = Y.y() * iz;

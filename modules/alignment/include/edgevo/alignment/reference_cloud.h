@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // What a frame is tracked against: the newest keyframe's image and the map points seen in it.
 #include <Eigen/Core>
@@ -9,27 +10,36 @@
 
 namespace edgevo {
 
-/// A map point as the reference keyframe sees it.
+/// A map point in the frame of the reference keyframe.
 struct CloudPoint {
-  Eigen::Vector3d ray;      ///< (x, y, 1) in the reference camera
-  double idepth = 0;        ///< 1/z in the reference camera
-  double idepth_sigma = 0;  ///< one standard deviation
-  Eigen::Vector2f px;       ///< in the reference image, finest level
-  Eigen::Vector2f normal;   ///< unit gradient there
-  /// Name of the point for as long as it is in the map: its keyframe and edge pixel there. -1: its depth is
-  /// still being found.
+  /// Viewing ray (x, y, 1) in the reference camera.
+  Eigen::Vector3d ray;
+  /// Inverse depth 1/z in the reference camera.
+  double idepth = 0;
+  /// Standard deviation of the inverse depth.
+  double idepth_sigma = 0;
+  /// Position in the reference image, pixels of the finest level.
+  Eigen::Vector2f px;
+  /// Unit gradient of the reference image at the point.
+  Eigen::Vector2f normal;
+  /// Identifier of the point while it is in the map: its host keyframe and the edge pixel there; -1 for a
+  /// point whose depth is still being estimated.
   int host_keyframe = -1, host_pixel = -1;
 };
 
 /// The reference keyframe: its image, the points and their patches. Immutable while frames are tracked.
 struct ReferenceCloud {
-  std::shared_ptr<const FramePyramid> pyramid;  ///< of the reference image
-  std::vector<CloudPoint> points;               ///< in the reference camera's frame
-  std::vector<PatchTemplates> patches;          ///< one for each pyramid level, normalised intensity
-  PatchTemplates gradient_patches;              ///< finest level, gradient magnitude; empty unless requested
+  /// Pyramid of the reference image.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Points in the frame of the reference camera.
+  std::vector<CloudPoint> points;
+  /// Patches of normalised intensity for each pyramid level.
+  std::vector<PatchTemplates> patches;
+  /// Patches of the gradient magnitude on the finest level; empty unless requested.
+  PatchTemplates gradient_patches;
 };
 
-/// Cuts the patches of all levels. Cost: 2 to 3 ms for 1500 points.
+/// Builds a cloud and cuts the patches of all levels. Cost: 2 to 3 ms for 1500 points.
 ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid,
                                     std::vector<CloudPoint> points, bool with_gradient_patches);
 

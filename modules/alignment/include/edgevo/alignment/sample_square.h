@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Bilinear values of a square of pixels that all lie the same fraction off the grid.
+// Bilinear interpolation of a square of samples that share one sub-pixel offset.
 #include <cstddef>
 
 namespace edgevo {
 
-/// `corner`: the grid point of the first pixel; all pixels lie (fx, fy) beyond theirs. Writes kSide * kSide
-/// values row by row; reads one row and one column more. Each row is interpolated along itself once and
-/// serves the values above and below it.
+/// Writes kSide * kSide interpolated values row by row. `corner` is the grid point of the first sample; each
+/// sample lies (fx, fy) beyond its grid point. Reads one row and one column more. Each row is interpolated
+/// horizontally once and used for the values above and below it.
 template <int kSide, class T>
 inline void sample_square(const T* corner, std::ptrdiff_t stride, float fx, float fy, float* to) {
   float rows[2][kSide];

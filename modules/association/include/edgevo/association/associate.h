@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Edge-guided data association (paper, section IV-B) of one point with one keyframe:
-//   1. the nearest edge, and the search length;
+//   1. the nearest edge and the search length;
 //   2. a walk along the edge that compares patches;
 //   3. the match confidence (AML), with larger patches where it is ambiguous;
-//   4. what stays ambiguous falls back to the edge match, with a depth confidence;
+//   4. fallback to an edge match, with a depth confidence, if it remains ambiguous;
 //   5. optional one-dimensional refinement along the normal.
 #include <Eigen/Core>
 
@@ -14,47 +15,68 @@
 
 namespace edgevo {
 
-/// What a match fixes of a point's projection.
+/// Which part of a projection a match constrains.
 enum class MatchKind {
-  kNone,         ///< no edge within the gates
-  kPhotometric,  ///< best template match along the edge: 2-D residual
-  kEdge,         ///< ambiguous along the edge, depth observable: point-to-tangent residual
-  kEdgeFixed,    ///< ambiguous and depth hardly observable: point-to-tangent with the depth held fixed
+  /// No edge within the gates.
+  kNone,
+  /// Best template match along the edge: 2-D residual.
+  kPhotometric,
+  /// Ambiguous along the edge, depth observable: point-to-tangent residual.
+  kEdge,
+  /// Ambiguous and depth hardly observable: point-to-tangent residual with fixed depth.
+  kEdgeFixed,
 };
 
-/// The point as its host keyframe knows it.
+/// A point of a host keyframe to be matched in a target keyframe.
 struct AssociationQuery {
-  const FramePyramid* host = nullptr;    ///< pyramid of the keyframe that hosts the point; not null
-  const FramePyramid* target = nullptr;  ///< pyramid of the keyframe that it is matched in; not null
-  Eigen::Vector2d px_host;               ///< position in the host image, finest level, pixels
-  Eigen::Vector2d normal_host;           ///< unit gradient there
-  double idepth = 0, idepth_sigma = 0;   ///< 1/z in the host camera, > 0, and one standard deviation
-  SE3 T_target_host;                     ///< predicted pose, host to target
-  Matrix6d pose_covariance;              ///< of T_target_host, tangent [v, w]
+  /// Pyramid of the keyframe that hosts the point; not null.
+  const FramePyramid* host = nullptr;
+  /// Pyramid of the target keyframe; not null.
+  const FramePyramid* target = nullptr;
+  /// Position in the host image, finest level, pixels.
+  Eigen::Vector2d px_host;
+  /// Unit gradient of the host image at the point.
+  Eigen::Vector2d normal_host;
+  /// Inverse depth 1/z in the host camera, > 0, and its standard deviation.
+  double idepth = 0, idepth_sigma = 0;
+  /// Predicted pose, host to target.
+  SE3 T_target_host;
+  /// Covariance of T_target_host, tangent [v, w].
+  Matrix6d pose_covariance;
 };
 
-/// Where a point was found in a keyframe, and how far that can be trusted.
+/// Position of a point in a keyframe, with confidences and weights.
 struct Match {
-  MatchKind kind = MatchKind::kNone;                   ///< kNone: all else is meaningless
-  Eigen::Vector2d px;                                  ///< in the target, sub-pixel
-  Eigen::Vector2d normal;                              ///< unit gradient of the matched edge
-  bool refined = false;                                ///< along the normal
-  double search_px = 0;                                ///< lambda_1/2 that was used
-  double cost = 0;                                     ///< of the best patch, kPhotometric only
-  double match_confidence = 1;                         ///< C_m
-  double depth_confidence = 0;                         ///< C_d, 1/px
-  int patch_side = 0;                                  ///< at which the search ended
-  double inv_sigma_normal = 0, inv_sigma_tangent = 0;  ///< weights for the BA, 1/px
+  /// Kind of the match; with kNone all other fields are meaningless.
+  MatchKind kind = MatchKind::kNone;
+  /// Sub-pixel position in the target.
+  Eigen::Vector2d px;
+  /// Unit gradient of the matched edge.
+  Eigen::Vector2d normal;
+  /// Whether the position was refined along the normal.
+  bool refined = false;
+  /// Half search length lambda_1/2 that was used, pixels.
+  double search_px = 0;
+  /// Cost of the best patch, kPhotometric only.
+  double cost = 0;
+  /// Match confidence C_m, 0 to 1.
+  double match_confidence = 1;
+  /// Depth confidence C_d, 1/px.
+  double depth_confidence = 0;
+  /// Patch side at which the search ended, pixels.
+  int patch_side = 0;
+  /// Weights in the bundle adjustment along the normal and the tangent, 1/px.
+  double inv_sigma_normal = 0, inv_sigma_tangent = 0;
 };
 
-/// Cost: about 2 to 6 us.
+/// Associates a point by gradient patches. Cost: about 2 to 6 us.
 Match associate(const AssociationQuery& query, const AssociationParams& params);
-/// The same with patches compared in another way than by their gradient.
+/// Associates a point with another patch comparison.
 Match associate(const AssociationQuery& query, const AssociationParams& params,
                 const PatchComparison& comparison);
 
-/// Must the match be searched again? |<r, g_perp>| > k_m lambda_max, Eq. (distancecheck) with |e| where the
-/// paper prints e, or a residual along the normal beyond 3.5 sigma.
+/// Whether the match must be searched again: |<r, g_perp>| > k_m lambda_max, Eq. (distancecheck) with |e|
+/// where the paper prints e, or a residual along the normal beyond 3.5 sigma.
 bool needs_update(const Match& match, double residual_normal_px, double residual_tangent_px,
                   const AssociationParams& params);
 

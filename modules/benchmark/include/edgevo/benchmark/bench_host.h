@@ -1,22 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a benchmark asks of the program that runs it.
+// Services that a benchmark needs from the program that runs it.
 #include <functional>
 #include <optional>
 #include <string>
 
 namespace edgevo {
 
-/// Shows how many frames are done; the line ends when the last copy goes.
+/// Shows the number of finished frames; the line ends when the last copy is destroyed.
 using ProgressLine = std::function<void(int done)>;
 
+/// Version, signals and progress of the program that runs a benchmark.
 struct BenchHost {
-  /// Tells one build of the program from another: a job that another build has run is run again.
+  /// Identifies the build of the program: jobs of another build are run again.
   std::string version;
-  /// From here on a signal no longer ends the program, but is asked for by `stop`.
+  /// From this call on, signals no longer end the program but are reported by `stop`.
   std::function<void()> listen_to_signals;
-  /// The user wants the program to end.
+  /// Whether the user wants the program to end.
   std::function<bool()> stop;
-  /// Begins a line of progress: what is done, and how many frames that is, if it is known.
+  /// Starts a progress line: its title, and the number of frames if known.
   std::function<ProgressLine(const std::string& what, std::optional<int> total)> progress;
 };
 

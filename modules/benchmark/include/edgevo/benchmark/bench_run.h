@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A list run by the engine (share/workflow), the rows of its table, and the table's files.
+// Runs a list with the engine (share/workflow), collects the rows of its table and writes the table.
 #include <string>
 #include <vector>
 
@@ -9,53 +10,65 @@
 
 namespace edgevo {
 
-/// The folders of a benchmark.
+/// Paths of a benchmark.
 struct BenchTarget {
-  std::string list_path;  ///< camera and parameter files lie beside it
+  /// Path of the list, to which camera and parameter files are relative.
+  std::string list_path;
+  /// Output folder, and folder to which sources are relative.
   std::string out, data;
 };
 
+/// Options of the engine.
 struct EngineOptions {
-  std::string profile;  ///< name of one in share/workflow/profiles, or a folder; empty: this machine
-  int cores = 0;        ///< 0: as the profile says; jobs at a time on a cluster
+  /// Name of a profile in share/workflow/profiles, or a folder; empty: this machine.
+  std::string profile;
+  /// Number of cores, on a cluster of parallel jobs; 0: that of the profile.
+  int cores = 0;
+  /// Whether to show the jobs only.
   bool dry_run = false;
 };
 
+/// State of a benchmark.
 struct BenchOutcome {
-  std::vector<BenchRow> rows;  ///< in the order of the list
-  int ran = 0, taken = 0;      ///< trials that ended now, and that had ended before
-  std::string first_failure;   ///< of a trial that has not ended; empty: there is none
+  /// Rows in the order of the list.
+  std::vector<BenchRow> rows;
+  /// Number of trials finished by this call, and before.
+  int ran = 0, taken = 0;
+  /// Reason of failure of the first trial that failed; empty: none failed.
+  std::string first_failure;
 };
 
-/// What is left to do.
+/// Remaining work of a benchmark.
 struct PlanSummary {
-  std::string path;  ///< of plan.json
+  /// Path of plan.json.
+  std::string path;
+  /// Number of unfinished trials, and of the jobs into which they are packed.
   int open_trials = 0, engine_jobs = 0;
 };
 
-/// Words for the parser of lists.
+/// Reads a list with the known changes of light and detectors. Throws InputError.
 BenchList read_bench_list(const std::string& path);
 
-/// Writes the plan for the engine, and runs nothing. Throws InputError: a bad source.
+/// Writes the plan for the engine without running it. Throws InputError for a bad source.
 PlanSummary plan_bench(const BenchList& list, const BenchTarget& target, const BenchHost& host);
 
-/// Runs what is open of the list, in OUT/workflow/list.yaml as it was given, whatever lies at
-/// target.list_path. What fails, and what a signal keeps from being run, is missing in its row. Throws
-/// InputError: a bad source, no engine, another at work in OUT.
+/// Runs the unfinished trials of the list, which is copied to OUT/workflow/list.yaml. Trials that fail or are
+/// prevented by a signal are missing in their row. Throws InputError for a bad source, a missing engine, or
+/// another engine running in OUT.
 BenchOutcome run_bench(const BenchList& list, const BenchTarget& target, const EngineOptions& options,
                        const BenchHost& host);
 
-/// The rows of what has ended so far.
+/// Rows of the trials finished so far.
 BenchOutcome collect_bench(const BenchList& list, const BenchTarget& target, const BenchHost& host);
 
-/// Writes table.md and table.csv into OUT; returns the text of the first.
+/// Writes table.md and table.csv into OUT; returns the text of table.md.
 std::string write_bench_tables(const BenchList& list, const BenchOutcome& outcome, const BenchTarget& target,
                                const BenchHost& host);
 
-/// "3 of each, seeds 1 2 3".
+/// Seeds of the list in words: "3 of each, seeds 1 2 3".
 std::string seeds_text(const BenchList& list);
 
-/// As the operating system names it.
+/// Name of the processor, from the operating system.
 std::string processor_name();
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the paper prints: the cells of its two tables of whole systems, as they stand there.
+// Figures of the paper: the cells of its two tables of whole systems, as printed.
 // Source: Wu, Vela, Pradalier, "Robust Monocular Edge Visual Odometry through Coarse-to-Fine Data
 // Association", tables `evalrobustness` (twelve surveys of Symphony Lake, whole and every third frame) and
 // `evalKITTI`.
@@ -8,30 +9,37 @@
 
 namespace edgevo {
 
-/// Failure rate of a sequence in percent, averaged over ten trials; drift in cm/m.
+/// Figures of one sequence, averaged over ten trials.
 struct PaperLakeCell {
-  double rate_percent, drift_cm_per_m;  ///< failure rate and mean drift
+  /// Failure rate, percent, and mean drift, cm/m.
+  double rate_percent, drift_cm_per_m;
 };
 
-/// One method on the lake: spring, summer, autumn, winter; milliseconds a frame, 0 where the paper prints
-/// none.
+/// One method on the lake: spring, summer, autumn, winter.
 struct PaperLakeRow {
-  std::string method;       ///< as the paper names it
-  PaperLakeCell full[4];    ///< every frame
-  PaperLakeCell every3[4];  ///< every third frame
-  double track_ms, map_ms;  ///< tracking and mapping
+  /// Name of the method in the paper.
+  std::string method;
+  /// Figures with every frame.
+  PaperLakeCell full[4];
+  /// Figures with every third frame.
+  PaperLakeCell every3[4];
+  /// Time of tracking and of mapping, milliseconds per frame; 0 if not printed.
+  double track_ms, map_ms;
 };
-const std::vector<PaperLakeRow>& paper_lake_rows();  ///< in the order of the paper
+/// Rows of the table on the lake, in the order of the paper.
+const std::vector<PaperLakeRow>& paper_lake_rows();
 
-/// The columns of the table on KITTI.
+/// Columns of the table on KITTI.
 const std::vector<std::string>& paper_kitti_methods();
 
-/// ATE in metres of each method on one sequence; 0 where the paper prints none. The last row is the mean
-/// without sequence 01.
+/// ATE of each method on one sequence. The last row is the mean without sequence 01.
 struct PaperKittiRow {
-  std::string sequence;  ///< as the paper names it
-  double ate_m[5];       ///< in the order of paper_kitti_methods()
+  /// Name of the sequence in the paper.
+  std::string sequence;
+  /// ATE, metres, in the order of paper_kitti_methods(); 0 if not printed.
+  double ate_m[5];
 };
-const std::vector<PaperKittiRow>& paper_kitti_rows();  ///< in the order of the paper
+/// Rows of the table on KITTI, in the order of the paper.
+const std::vector<PaperKittiRow>& paper_kitti_rows();
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The paper's tables from trials that are run for them: the work of `edgevo table`.
+// Runs the trials of the paper's tables and writes the tables, for `edgevo table`.
 #include <string>
 
 #include "edgevo/benchmark/bench_host.h"
@@ -7,23 +8,34 @@
 
 namespace edgevo {
 
+/// Arguments of `edgevo table`.
 struct PaperTableRequest {
-  std::string which;  ///< "1": seasons of a lake shore; "2": KITTI
-  std::string out;    ///< folder of the table and its jobs
-  std::string data;   ///< 1: an archive whose surveys are added; 2: folder of the sequences; may be empty
-  std::string list;   ///< of sequences; empty: the one that ships with the program
-  std::string seeds;  ///< as parse_seeds reads them; empty: those of the list, or `trials`
-  int trials = 0;     ///< seeds 1 to so many; 0: those of the list
+  /// Number of the table. "1": seasons of a lake shore; "2": KITTI.
+  std::string which;
+  /// Output folder of the table and its jobs.
+  std::string out;
+  /// For table 1 an archive whose surveys are added, for table 2 the folder of the sequences; may be empty.
+  std::string data;
+  /// List of sequences; empty: the one that ships with the program.
+  std::string list;
+  /// Seeds as for parse_seeds(); empty: those of the list, or `trials`.
+  std::string seeds;
+  /// Number of seeds, from 1; 0: those of the list.
+  int trials = 0;
 };
 
+/// Result of run_paper_table().
 struct PaperTableResult {
+  /// Table as written.
   PrintedTable table;
-  std::string stem;        ///< path of the written files without .md, .csv, .html
-  int missing_trials = 0;  ///< trials without a result; their cells say so
+  /// Path of the written files, without .md, .csv and .html.
+  std::string stem;
+  /// Number of trials without a result, which is stated in their cells.
+  int missing_trials = 0;
 };
 
-/// Runs what is open of the table's list, one job at a time, and writes the table. Throws InputError: a bad
-/// list or source, no engine.
+/// Runs the unfinished trials of the table's list, one job at a time, and writes the table. Throws InputError
+/// for a bad list or source or a missing engine.
 PaperTableResult run_paper_table(const PaperTableRequest& request, const BenchHost& host);
 
 }  // namespace edgevo

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A table as it is printed, three ways from one value: Markdown to be read, CSV to be used, HTML to be shown.
-// The same value gives the same bytes.
+// A table as a value, printed as Markdown, CSV or HTML. The same value gives the same bytes.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,36 +11,49 @@ namespace edgevo {
 
 /// One figure of a table.
 struct TableCell {
-  std::optional<double> value;        ///< none: `text` stands there, or "-"
-  std::optional<double> least, most;  ///< of the trials
-  std::string text;                   ///< what is said beside the value, or instead of it
+  /// Value; nullopt: the cell is `text`, or "-".
+  std::optional<double> value;
+  /// Minimum and maximum over the trials.
+  std::optional<double> least, most;
+  /// Text next to the value, or instead of it.
+  std::string text;
 };
 
 /// One row of a table.
 struct TableRow {
-  std::string name;              ///< stands before the cells
-  std::vector<TableCell> cells;  ///< as many as columns
-  bool is_own = false;           ///< measured here, not taken from the paper
+  /// Name in the first column.
+  std::string name;
+  /// Cells, one for each column.
+  std::vector<TableCell> cells;
+  /// Whether the figures are ours, not those of the paper.
+  bool is_own = false;
 };
 
-/// A table with what stands around it.
+/// A table with title, header and remarks.
 struct PrintedTable {
-  std::string title, corner;         ///< corner: the title of the rows' names
-  BenchHeader header;                ///< version, machine, ...
-  std::vector<std::string> columns;  ///< their titles
-  std::vector<TableRow> rows;        ///< from the top
-  std::vector<std::string> remarks;  ///< lines below the table
-  int decimals = 1;                  ///< of all values
+  /// Title of the table, and title of the first column.
+  std::string title, corner;
+  /// Header: version, machine, ...
+  BenchHeader header;
+  /// Titles of the columns.
+  std::vector<std::string> columns;
+  /// Rows from the top.
+  std::vector<TableRow> rows;
+  /// Remarks below the table.
+  std::vector<std::string> remarks;
+  /// Number of decimals of all values.
+  int decimals = 1;
 };
 
-/// "1.2 [0.9..1.7]", "1.2", the text, or "-".
+/// Text of a cell: "1.2 [0.9..1.7]", "1.2", its text, or "-".
 std::string cell_text(const TableCell& cell, int decimals);
 
-std::string table_markdown(const PrintedTable& table);  ///< For people: header, table, remarks.
-/// The header as comment lines; for each column its value, and `least` and `most` where one of the rows has
-/// them.
+/// Table as Markdown: header, table, remarks.
+std::string table_markdown(const PrintedTable& table);
+/// Table as CSV: the header as comment lines; for each column the value, and `least` and `most` if one of the
+/// rows has them.
 std::string table_csv(const PrintedTable& table);
-/// One page that loads nothing; follows light and dark.
+/// Table as a self-contained HTML page, with light and dark mode.
 std::string table_html(const PrintedTable& table);
 
 }  // namespace edgevo

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The figures of one run that a benchmark's table is made of, as a value that is written to a file and read
-// back.
+// Figures of one run of a benchmark, as a value that is written to a file and read back.
 #include <limits>
 #include <string>
 
@@ -10,29 +10,41 @@
 
 namespace edgevo {
 
-/// One sequence, variant and seed.
+/// Figures of one sequence, variant and seed.
 struct Trial {
-  int frames = 0;                 ///< put in
-  double completion_percent = 0;  ///< of them, with a pose
-  int segments = 0;               ///< with a pose
-  double cpu_ms = 0;  ///< of the odometry a frame, all threads; images are read or rendered beforehand
-  bool evaluated =
-      false;            ///< against ground truth; if not, `note` says why and the figures below say nothing
-  std::string note;     ///< why there are no errors; else empty
-  double path_m = 0;    ///< of the ground truth
-  double ate_m = 0;     ///< RMSE after Sim(3)
-  double ate200_m = 0;  ///< scale re-corrected every 200 input frames (absolute_error.h)
-  double drift_cm_per_m = 0;        ///< mean (relative_error.h)
-  double failure_percent = 0;       ///< of the stretches of the drift: above its cap, or without poses
-  double track_ms = 0, map_ms = 0;  ///< CPU a frame: edges, alignment and corners; all other stages
+  /// Number of input frames.
+  int frames = 0;
+  /// Share of the input frames with a pose, percent.
+  double completion_percent = 0;
+  /// Number of connected segments of trajectory.
+  int segments = 0;
+  /// CPU time of the odometry per frame, all threads, without reading or rendering images, milliseconds.
+  double cpu_ms = 0;
+  /// Whether the trial was compared with ground truth; if not, the error figures below are meaningless.
+  bool evaluated = false;
+  /// Reason why there are no error figures; else empty.
+  std::string note;
+  /// Length of the true path, metres.
+  double path_m = 0;
+  /// ATE (RMSE) after a Sim(3) fit, metres.
+  double ate_m = 0;
+  /// ATE200, scale re-corrected every 200 input frames (absolute_error.h), metres.
+  double ate200_m = 0;
+  /// Mean drift (relative_error.h), cm/m.
+  double drift_cm_per_m = 0;
+  /// Share of the intervals of the drift that exceed its cap or lack poses, percent.
+  double failure_percent = 0;
+  /// CPU time per frame of edges, alignment and corners, and of all other stages, milliseconds.
+  double track_ms = 0, map_ms = 0;
 
-  void visit(KeyVisitor& v);  ///< names of the fields, for the file of a trial (core/params.h)
+  /// Visits the fields, for the file of a trial (core/params.h).
+  void visit(KeyVisitor& v);
 };
 
-/// What the run itself tells; `cpu_s` of all its frames.
+/// Figures of a run without ground truth; `cpu_s` is the CPU time of all its frames, seconds.
 Trial trial_of(const Run& run, double cpu_s);
 
-/// Adds the errors to a trial.
+/// Adds the error figures to a trial.
 void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial);
 
 }  // namespace edgevo

@@ -1,13 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What fixes the scale of an adjustment that nothing measures: the length of a baseline, as a prior.
+// Gauge of an adjustment whose scale is not observable: a prior on the length of a baseline.
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 
 namespace edgevo::ba {
 
-/// A prior that holds the pose `last_id` along the way from the first camera to it, to 1e-4 of the way's
-/// length, and leaves it free otherwise; `T_first_world` is to be held by BaPose::fixed. Moving the last
-/// camera along the way changes its translation by the unit vector of it. A way of no length has no
-/// direction, and then the prior says nothing at all.
-BaPrior hold_baseline(const SE3& T_first_world, const SE3& T_last_world, int last_id);
+/// Prior that fixes pose `last_id` along the baseline from the first camera to it, with a standard deviation
+/// of 1e-4 of the baseline, and leaves the other directions free; the pose of `T_first_world` must be fixed
+/// (BaPose::fixed). Without a baseline the prior has no information.
+BaPrior fix_baseline(const SE3& T_first_world, const SE3& T_last_world, int last_id);
 
 }  // namespace edgevo::ba

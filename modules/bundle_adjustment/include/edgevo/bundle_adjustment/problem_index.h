@@ -1,26 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A BaProblem by host, and the part of it that concerns one host: what marginalising a keyframe takes, a
-// window's oldest or one of a long history after another.
+// Index of a BaProblem by host, and the part of it that belongs to one host, for marginalising keyframes: the
+// oldest of a window, or one after the other in a long history.
 #include <vector>
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 
 namespace edgevo::ba {
 
-/// Where the points of each host and the observations of each point are. Cost: one pass over the problem.
+/// Points of each host and observations of each point. Cost: linear in the problem.
 struct ProblemIndex {
   /// Indices into BaProblem::points, host by host, ascending within each.
   std::vector<int> points;
-  /// Host h has points[first_of_host[h]] to before points[first_of_host[h + 1]].
+  /// Host h has the points [first_of_host[h], first_of_host[h + 1]) of `points`.
   std::vector<int> first_of_host;
   /// Point i has observations [first_observation[i], first_observation[i + 1]).
   std::vector<int> first_observation;
 };
-/// Observations of a point must be adjacent, as in BaProblem.
+/// Indexes a problem, whose observations of a point must be adjacent.
 ProblemIndex index_problem(const BaProblem& problem);
 
-/// The poses [host, end) of a problem with the points that `host` hosts, matches and corners among these
-/// poses, and no prior. Points that are left without a match are left out. Cost: that of the part.
+/// Part of a problem with the poses [host, end), the points hosted by `host`, and the matches and corners
+/// among these poses; without a prior and without points that have no match. Cost: linear in the part.
 BaProblem problem_of_host(const BaProblem& problem, const ProblemIndex& index, int host, int end);
 
 }  // namespace edgevo::ba

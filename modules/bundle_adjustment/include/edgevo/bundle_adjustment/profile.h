@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Global unknowns k of a bundle adjustment (a few numbers that all observations share, such as coefficients
-// of the camera), found by minimising the profile cost
+// Global unknowns k of a bundle adjustment (a few numbers shared by all observations, such as camera
+// coefficients), estimated by minimising the profile cost
 //     C(k) = min over poses and depths of cost(k, poses, depths).
 // At the minimum over poses and depths, one linearisation gives C'(k) and C''(k): with r the whitened
 // residuals, w their robust weights,
@@ -14,38 +15,43 @@
 
 namespace edgevo::ba {
 
-/// Number of global unknowns: k1 and the read-out time (self_calibration). Known to the compiler, so that
-/// nothing is allocated.
+/// Number of global unknowns: k1 and the read-out time (self_calibration). A constant, so that nothing is
+/// allocated.
 constexpr int kUnknowns = 2;
-/// k, or a gradient by it.
+/// Global unknowns k, or a gradient with respect to them.
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
-/// A curvature or covariance of k.
+/// Curvature with respect to k, or covariance of k.
 using UnknownsSquare = Eigen::Matrix<double, kUnknowns, kUnknowns>;
-/// d / dk of an image point; a column an unknown.
+/// Derivative of an image point by k, one column per unknown.
 using ImageRate = Eigen::Matrix<double, 2, kUnknowns>;
 
-/// How rays and matches move with k.
+/// Derivatives of rays and matches by k.
 struct GlobalDerivative {
-  std::vector<ImageRate> ray;  ///< per point, d (x, y) / dk of its host ray
-  std::vector<ImageRate> px;   ///< per observation, dm / dk in pixels
+  /// Per point, d (x, y) / dk of its host ray.
+  std::vector<ImageRate> ray;
+  /// Per observation, dm / dk in pixels.
+  std::vector<ImageRate> px;
 };
 
-/// The profile cost's derivatives at one k, and how the map moves with k.
+/// Derivatives of the profile cost, and of the map, at one k.
 struct ProfileStep {
-  Unknowns gradient = Unknowns::Zero();               ///< C'
-  UnknownsSquare curvature = UnknownsSquare::Zero();  ///< C''
-  /// sum over hosts of the square of each host's own part of C'. Errors of one image are not independent, so
-  /// that C''^-1 score_square C''^-1 is an honest covariance of k (the cluster-robust "sandwich"), C''^-1 is
-  /// not.
+  /// Gradient C'.
+  Unknowns gradient = Unknowns::Zero();
+  /// Curvature C''.
+  UnknownsSquare curvature = UnknownsSquare::Zero();
+  /// Sum over hosts of the square of each host's share of C'. Errors in one image are not independent:
+  /// C''^-1 score_square C''^-1 is a valid covariance of k (the cluster-robust "sandwich"), C''^-1 is not.
   UnknownsSquare score_square = UnknownsSquare::Zero();
-  /// dpose/dk, left perturbations, 6 rows a pose; 0 for fixed poses.
+  /// Derivative dpose/dk, left perturbations, 6 rows per pose; 0 for fixed poses.
   Eigen::Matrix<double, Eigen::Dynamic, kUnknowns> pose_rate;
-  std::vector<Eigen::Matrix<double, 1, kUnknowns>> idepth_rate;  ///< per point
-  bool usable = false;  ///< false: the normal equations have no finite solution
+  /// Derivative drho/dk of each point.
+  std::vector<Eigen::Matrix<double, 1, kUnknowns>> idepth_rate;
+  /// False if the normal equations have no finite solution.
+  bool usable = false;
 };
 
-/// `problem` must stand at its minimum (BundleAdjuster::solve). Cost: about two linearisations and one 6n x
-/// 6n factorisation.
+/// Derivatives at the minimum of `problem` over poses and depths (BundleAdjuster::solve), where it must be.
+/// Cost: about two linearisations and one 6n x 6n factorisation.
 ProfileStep profile_step(const BaProblem& problem, const GlobalDerivative& derivative,
                          const BaOptions& options);
 

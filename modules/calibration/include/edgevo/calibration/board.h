@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A flat board whose corners are known: a chessboard, all of which has to be in view, or a ChArUco board (a
-// chessboard with a marker in each white square), of which a part is enough. Both are found by OpenCV.
+// A flat board with known corners: a chessboard, which must be fully in view, or a ChArUco board (a
+// chessboard with a marker in each white square), which may be partly in view. OpenCV detects both.
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
@@ -11,40 +12,47 @@
 
 namespace edgevo {
 
-/// What the board looks like.
+/// Kind and dimensions of a calibration board.
 struct Board {
-  bool charuco = false;  ///< else a chessboard
-  /// Chessboard: INNER corners along its two sides, as OpenCV counts (a game's board has 7x7). ChArUco:
+  /// True: a ChArUco board; false: a chessboard.
+  bool charuco = false;
+  /// Chessboard: INNER corners along its two sides, as OpenCV counts them (a chess board has 7x7). ChArUco:
   /// squares.
   int columns = 0, rows = 0;
-  double square_m = 1;                ///< side of a square; of no consequence for the camera
-  double marker_m = 0;                ///< ChArUco: side of a marker, less than that of a square
-  std::string dictionary = "4x4_50";  ///< ChArUco: OpenCV's predefined ones, DICT_4X4_50 and so on
+  /// Side of a square, metres; does not affect the camera.
+  double square_m = 1;
+  /// ChArUco: side of a marker, metres, less than that of a square.
+  double marker_m = 0;
+  /// ChArUco: OpenCV's predefined dictionary without its prefix DICT_, in lower case.
+  std::string dictionary = "4x4_50";
 
-  /// Throws InputError: a size or dictionary that no board has. The option that is wrong is named.
+  /// Throws InputError, which names the wrong option, for an impossible size or an unknown dictionary.
   void check() const;
 };
 
-/// A chessboard or ChArUco board of "COLUMNSxROWS", 3 to 100 each; `option` opens the message of an
-/// InputError.
+/// Board of "COLUMNSxROWS", 3 to 100 each. Throws InputError, which names `option`.
 Board board_of_size(const std::string& text, bool charuco, const std::string& option);
 
-/// What one image shows of a board.
+/// Corners of a board detected in one image.
 struct BoardView {
-  int frame = 0;                         ///< of the image in its source
-  std::vector<int> ids;                  ///< which corner, row by row
-  std::vector<Eigen::Vector2f> px;       ///< where it is in the image, lens included
-  std::vector<Eigen::Vector2f> p_board;  ///< where it is on the board, metres
+  /// Index of the image in its source.
+  int frame = 0;
+  /// Index of each corner on the board, row by row.
+  std::vector<int> ids;
+  /// Position of each corner in the image, distorted pixels.
+  std::vector<Eigen::Vector2f> px;
+  /// Position of each corner on the board, metres.
+  std::vector<Eigen::Vector2f> p_board;
 };
 
-/// Finds one board in images. Stateless; any thread.
+/// Detects one board in images. Stateless; any thread.
 class BoardFinder {
  public:
-  /// Throws InputError as Board::check().
+  /// Throws InputError as Board::check() does.
   explicit BoardFinder(const Board& board);
   ~BoardFinder();
-  /// Corners to about a tenth of a pixel; nullopt where the board is not seen (a chessboard: as a whole;
-  /// ChArUco: six corners that are not on a line). Cost: 20 to 300 ms for 640x480.
+  /// Corners, accurate to about a tenth of a pixel; nullopt if the board is not found (chessboard:
+  /// completely; ChArUco: six corners not on a line). Cost: 20 to 300 ms for 640x480.
   std::optional<BoardView> find(const GrayImage& image) const;
 
  private:

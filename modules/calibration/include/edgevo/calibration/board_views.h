@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The different views of a board that a sequence of images holds.
+// The distinct views of a board in a sequence of images.
 #include <functional>
 #include <vector>
 
@@ -8,18 +9,22 @@
 
 namespace edgevo {
 
-/// What a sequence of images shows of a board.
+/// Distinct views of a board in a sequence of images.
 struct BoardViews {
-  int width = 0, height = 0;     ///< of the images
-  int images = 0;                ///< looked at
-  int seen = 0;                  ///< in which the board is
-  std::vector<BoardView> views;  ///< of these, the ones that differ, at most 60, in the order of the source
+  /// Size of the images, pixels.
+  int width = 0, height = 0;
+  /// Number of images searched.
+  int images = 0;
+  /// Number of images in which the board was found.
+  int seen = 0;
+  /// The distinct views among these, at most 60, in the order of the source.
+  std::vector<BoardView> views;
 };
 
-/// Looks at every image of `source`; its calibration is not used. A view whose corners are within two
-/// hundredths of the image's width of those of one before tells nothing new and is left out, so that a video
-/// may be given. `on_image` is called after each image and ends the search by returning false. Throws
-/// InputError as the source does.
+/// Searches every image of `source`; its calibration is not used. A view whose corners are within 2 % of the
+/// image width of those of an earlier view adds nothing and is skipped, so that a video may be given.
+/// `on_image` is called after each image; returning false ends the search. Throws InputError as the source
+/// does.
 BoardViews collect_views(ImageSource& source, const BoardFinder& finder,
                          const std::function<bool()>& on_image);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
@@ -5,9 +6,9 @@
 
 namespace edgevo {
 
-/// A PNG of the image's area with every corner of every view and its residual, drawn so many times too long
-/// that they can be seen (the picture says how many), one colour a view: where corners are missing the lens
-/// is a guess, and residuals that point the same way in one place are what the model does not hold.
+/// A PNG of the image area with every corner of every view and its residual, magnified so that it is visible
+/// (the caption states the factor), one colour for each view. Where corners are missing the lens is
+/// extrapolated; residuals that agree in direction show what the model cannot represent.
 std::string calibration_picture(const CameraCalibration& calibration);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // One plumb-bob lens for a camera whose residual distortion was found by self-calibration, so that any
 // program can use it.
@@ -8,25 +9,28 @@
 //     x_d - x = x (k1 r^2 + k2 r^4 + k3 r^6) + tangential(p1, p2),   in pixels
 // Where the file has no distortion the answer is exact: k1 = residual_k1. For the strong lens of TUM's
 // freiburg1 and a residual of 0.01, which moves the corner by 2.9 px, 0.009 px rms and 0.10 px in the corner
-// remain: the price of a model that everybody reads.
+// remain: the price of a model that every program reads.
 #include <string>
 
 #include "edgevo/core/camera.h"
 
 namespace edgevo {
 
-/// The camera for other programs, and what the fold costs.
+/// A camera without residual distortion, and the error of folding it in.
 struct FoldedCamera {
-  Camera camera;  ///< same pinhole, residual_k1 = 0
-  /// Distance over the image between the two lens models, pixels of the distorted image.
+  /// Camera with the same pinhole and residual_k1 = 0.
+  Camera camera;
+  /// RMS distance over the image between the two lens models, pixels of the distorted image.
   double rms_error_px = 0;
-  double max_error_px = 0;  ///< the largest such distance; it stands in a corner
-  double max_shift_px = 0;  ///< what residual_k1 moves at most over the image, pixels of the distorted image
+  /// Largest distance between the two lens models, pixels of the distorted image; attained in a corner.
+  double max_error_px = 0;
+  /// Largest shift by residual_k1 over the image, pixels of the distorted image.
+  double max_shift_px = 0;
 };
 
-/// The error is taken over a grid of about 50 lines over the shorter side, borders included. Throws
-/// InputError opened by `where` when the camera's lens model cannot be inverted over most of the image. Cost:
-/// a millisecond.
+/// Folds residual_k1 into the plumb-bob coefficients. The error is evaluated on a grid of about 50 lines over
+/// the shorter side, borders included. Throws InputError opened by `where` when the camera's lens model
+/// cannot be inverted over most of the image. Cost: a millisecond.
 FoldedCamera fold_residual(const Camera& camera, const std::string& where);
 
 }  // namespace edgevo

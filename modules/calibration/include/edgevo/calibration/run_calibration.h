@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The camera that a finished `edgevo run` has found, from the summary.yaml in its folder.
+// The camera refined by a finished `edgevo run`, from the summary.yaml in its folder.
 #include <string>
 
 #include "edgevo/calibration/fold_residual.h"
@@ -7,19 +8,22 @@
 
 namespace edgevo {
 
-/// The camera of a finished run.
+/// Camera and self-calibration of a finished run.
 struct RunCalibration {
-  std::string path;             ///< of the summary.yaml, for messages
-  Camera camera;                ///< that the run was given
-  CameraRefinement refinement;  ///< what self-calibration says about it
+  /// Path of the summary.yaml, for messages.
+  std::string path;
+  /// Camera that was given to the run.
+  Camera camera;
+  /// Result of self-calibration for that camera.
+  CameraRefinement refinement;
 };
 
 /// Throws InputError: no summary.yaml in the folder, or one without a readable camera or self_calibration.
 RunCalibration read_run_calibration(const std::string& run_folder);
 
-/// The run's camera with its residual distortion folded in; unchanged where self-calibration found none.
-/// Throws InputError, which says what to do, when self-calibration was off or could not tell: then nobody
-/// knows whether the camera is right.
+/// The run's camera with its residual distortion folded in; unchanged if self-calibration found none. Throws
+/// InputError, which says what to do, when self-calibration was off or undetermined: the camera was then not
+/// verified.
 FoldedCamera corrected_camera(const RunCalibration& run);
 
 }  // namespace edgevo

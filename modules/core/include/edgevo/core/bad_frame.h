@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One image of a source that cannot be used, while those behind it may be.
+// A single unusable image of a source; the frames after it may be fine.
 #include <string>
 
 #include "edgevo/core/error.h"
@@ -7,15 +8,17 @@
 
 namespace edgevo {
 
-/// What ImageSource::next() throws for an image that is missing, does not decode or has another size than the
-/// camera's. Whoever catches it may call next() again: the frame behind it comes. Uncaught it is an
-/// InputError.
+/// Thrown by ImageSource::next() for an image that is missing, does not decode or differs in size from the
+/// camera model. After catching it, next() may be called again and returns the following frame. Uncaught, it
+/// is an InputError.
 class BadFrame : public InputError {
  public:
-  /// `index` and `time` of the frame in its source; `why` as an InputError says it.
+  /// `index` and `time` of the frame in its source; `why` states the cause.
   BadFrame(int index, Timestamp time, const InputError& why) : InputError(why), index_(index), time_(time) {}
-  int index() const { return index_; }      ///< in the source
-  Timestamp time() const { return time_; }  ///< of the frame
+  /// Index of the frame in its source.
+  int index() const { return index_; }
+  /// Time of the frame.
+  Timestamp time() const { return time_; }
 
  private:
   int index_;

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Broken input as an exception: what is wrong, where, and what to do about it. `main` turns it into one line
+// The exception for unusable input: what is wrong, where, and how to fix it. `main` turns it into one line
 // and exit code 2. Expected failures (a frame that does not track, a bootstrap that is not ready) are values,
 // never exceptions.
 #include <stdexcept>
@@ -13,7 +14,7 @@ namespace edgevo {
 /// break.
 class InputError : public std::runtime_error {
  public:
-  /// `remedy` may be empty.
+  /// Joins the three parts into what(); `remedy` may be empty.
   InputError(const std::string& where, const std::string& what, const std::string& remedy)
       : std::runtime_error(where + ": " + what + (remedy.empty() ? "" : "; " + remedy)) {}
 };

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What every image source checks on every frame before it hands it out.
+// Checks that every image source runs on each frame before returning it.
 #include <string>
 
 #include "edgevo/core/camera.h"
@@ -8,7 +9,7 @@
 
 namespace edgevo {
 
-/// Throws InputError (opened by `where`, the image) when the image's size differs from the camera's.
+/// Throws InputError, prefixed with `where` (the image), when the image's size differs from the camera's.
 inline void check_image_size(const GrayImage& image, const Pinhole& camera, const std::string& where) {
   if (image.width == camera.width && image.height == camera.height) return;
   throw InputError(where,
@@ -18,13 +19,13 @@ inline void check_image_size(const GrayImage& image, const Pinhole& camera, cons
                    "give the calibration of these images (--camera)");
 }
 
-/// Throws InputError (opened by `where`, the frame) when `time` is not after `previous`.
+/// Throws InputError, prefixed with `where` (the frame), when `time` is not after `previous`.
 inline void check_time_increases(Timestamp previous, Timestamp time, const std::string& where) {
   if (previous < time) return;
   throw InputError(
       where,
       "its time " + to_string(time) + " s is not after the frame before (" + to_string(previous) + " s)",
-      "put the frames in the order of their times, or leave this stretch out with --frames A:B");
+      "put the frames in the order of their times, or skip this interval with --frames A:B");
 }
 
 }  // namespace edgevo

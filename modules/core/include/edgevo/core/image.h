@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Images as plain values: an owned 8-bit gray image, and a view that owns nothing.
 #include <cstddef>
@@ -9,33 +10,45 @@
 
 namespace edgevo {
 
-/// Rows of T that somebody else owns; `stride` counts elements from row to row.
+/// View of an image of T, not owned.
 template <class T>
 struct ImageView {
-  const T* data = nullptr;    ///< first element of the first row
-  int width = 0, height = 0;  ///< pixels
-  std::ptrdiff_t stride = 0;  ///< elements from one row to the next
+  /// First element of the first row.
+  const T* data = nullptr;
+  /// Size in pixels.
+  int width = 0, height = 0;
+  /// Number of elements from one row to the next.
+  std::ptrdiff_t stride = 0;
 
-  const T* row(int y) const { return data + y * stride; }           ///< 0 <= y < height, not checked
-  const T& at(int x, int y) const { return data[y * stride + x]; }  ///< inside the image, not checked
+  /// First element of row y, 0 <= y < height, not checked.
+  const T* row(int y) const { return data + y * stride; }
+  /// Element at column x and row y, not checked.
+  const T& at(int x, int y) const { return data[y * stride + x]; }
 };
 
-/// Gray image, 8 bits, rows without padding.
+/// Owned gray image, 8 bits, rows without padding.
 struct GrayImage {
-  int width = 0, height = 0;    ///< pixels
-  std::vector<uint8_t> pixels;  ///< width * height
+  /// Size in pixels.
+  int width = 0, height = 0;
+  /// Intensities row by row, width * height of them.
+  std::vector<uint8_t> pixels;
 
-  bool empty() const { return pixels.empty(); }  ///< no image
-  /// valid while this object is unchanged
+  /// Whether there is no image.
+  bool empty() const { return pixels.empty(); }
+  /// View of this image; valid while this object is unchanged.
   ImageView<uint8_t> view() const { return {pixels.data(), width, height, width}; }
 };
 
-/// One image of a sequence, as every source hands it out.
+/// One image of a sequence, as every source returns it.
 struct Frame {
-  int index = 0;    ///< position in the source, from 0; frames left out by --frames or --every keep theirs
-  Timestamp time;   ///< of the exposure, as the source tells it
-  GrayImage image;  ///< as the camera took it, distortion included
-  std::string image_path = {};  ///< the file it was read from; empty if it is not a file of its own
+  /// Position in the source, from 0; unaffected by --frames and --every.
+  int index = 0;
+  /// Time of exposure, as the source reports it.
+  Timestamp time;
+  /// Raw image, with lens distortion.
+  GrayImage image;
+  /// File of the image; empty if the image does not have a file of its own.
+  std::string image_path = {};
 };
 
 }  // namespace edgevo

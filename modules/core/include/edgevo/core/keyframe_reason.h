@@ -1,34 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Why a frame called for a keyframe.
+// Why a frame requested a keyframe.
 #include <optional>
 #include <string_view>
 
 namespace edgevo {
 
-/// The criterion that called for a keyframe (odometry/src/keyframe_policy.cpp), or how else the frame became
-/// one.
+/// Criterion that requested a keyframe (odometry/src/keyframe_policy.cpp), or another way in which the frame
+/// became one.
 enum class KeyframeReason {
-  /// Nothing called for a keyframe.
+  /// No keyframe was requested.
   kNone,
-  /// Translation has moved the image.
+  /// Translation has caused enough parallax.
   kParallax,
-  /// A rotation, even without translation, has turned the map out of view.
+  /// Rotation, possibly without translation, has turned the map out of view.
   kRotation,
   /// The next frame would see too little of the map.
   kViewLeaves,
-  /// Each frame loses much of the view.
+  /// The view changes quickly from frame to frame.
   kFastTurn,
-  /// Many frames have passed.
+  /// The maximum interval between keyframes has passed.
   kLongSince,
-  /// The camera is back at an older keyframe, which becomes the reference; none is made.
+  /// The camera has returned to an older keyframe, which becomes the reference; no keyframe is made.
   kReturn,
   /// The frame is a view of the bootstrap.
   kBootstrap,
 };
 
-/// As in frames.csv: "parallax", "view leaves", ...; empty for kNone.
+/// Name in frames.csv: "parallax", "view leaves", ...; empty for kNone.
 std::string_view to_string(KeyframeReason reason);
-/// The reason of such a name; nothing for a name that is not known.
+/// Inverse of to_string(); nullopt for an unknown name.
 std::optional<KeyframeReason> parse_keyframe_reason(std::string_view name);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Medians and quantiles of small sets of measurements.
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 namespace edgevo {
 
-/// The value of rank 0 <= `rank` < size, 0 being the smallest. O(size).
+/// Value of rank `rank`, 0 <= rank < size, 0 being the smallest. O(size).
 template <class T>
 T of_rank(std::vector<T> values, size_t rank) {
   const auto at = values.begin() + std::ptrdiff_t(rank);
@@ -15,14 +16,14 @@ T of_rank(std::vector<T> values, size_t rank) {
   return *at;
 }
 
-/// The middle value, the larger one where two are in the middle; 0 of none. O(size).
+/// Median, the larger of the middle two for an even size; 0 for no values. O(size).
 template <class T>
 T median(std::vector<T> values) {
   const size_t middle = values.size() / 2;
   return values.empty() ? T(0) : of_rank(std::move(values), middle);
 }
 
-/// The value that `share` (0..1) of the others are not above; 0 of none. O(size).
+/// Quantile: the value that `share` (0 to 1) of the others do not exceed; 0 for no values. O(size).
 template <class T>
 T quantile(std::vector<T> values, double share) {
   if (values.empty()) return T(0);

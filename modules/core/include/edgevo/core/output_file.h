@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A file being written, with every write and the close checked: a full disk is told, never swallowed.
+// An output file with every write and the close checked: a full disk is reported, never ignored.
 //
-// A std::ofstream that nobody asks afterwards loses data silently, since what fails is often the last flush.
-// Here each failure is an InputError such as
+// A std::ofstream whose state is not checked at the end loses data silently, since often the last flush
+// fails. Here each failure is an InputError such as
 //     out/frames.csv: cannot be written: No space left on device; free space or give another -o; what was
 //     written so far is kept
 // An existing file is overwritten. Numbers are formatted without regard to the locale and in the same way
@@ -19,8 +20,8 @@ class OutputFile {
  public:
   /// Opens `path` for writing. Throws InputError.
   explicit OutputFile(std::string path);
-  /// Closes; a failure here goes unheard, so call close() where the content matters (everywhere but while
-  /// unwinding).
+  /// Closes and ignores a failure: call close() first wherever the content matters (everywhere except during
+  /// stack unwinding).
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -30,7 +31,8 @@ class OutputFile {
   /// Flushes and closes. Throws InputError. Nothing may be written afterwards.
   void close();
 
-  const std::string& path() const { return path_; }  ///< as given
+  /// Path as given to the constructor.
+  const std::string& path() const { return path_; }
 
  private:
   [[noreturn]] void fail(int error_number) const;
@@ -39,15 +41,15 @@ class OutputFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Writes one file in one go. Throws InputError.
+/// Writes a whole file. Throws InputError.
 void write_file(const std::string& path, std::string_view bytes);
 
-/// Makes the folder and those above it, if need be. Throws InputError, for instance when a file of that name
-/// is there.
+/// Creates the folder and its parents if necessary. Throws InputError, for instance if a file has that name.
 void make_output_folder(const std::string& path);
 
 /// Appends `value` with `decimals` digits after a '.', whatever the locale; no "-0.000".
 void append_fixed(std::string* text, double value, int decimals);
-std::string fixed(double value, int decimals);  ///< the same as a text
+/// `value` with `decimals` digits, as append_fixed() writes it.
+std::string fixed(double value, int decimals);
 
 }  // namespace edgevo

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What changes all poses or all lengths of a run's records.
+// Changes of unit and origin of a run's records.
 #include <algorithm>
 
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 
-/// Multiplies the depths of a keyframe's points and lines, and their deviations, by `factor` > 0; its pose
-/// stays.
+/// Multiplies the depths of a keyframe's points and lines and their standard deviations by `factor` > 0; the
+/// pose is unchanged.
 inline void multiply_depths(double factor, KeyframeRecord* k) {
   const auto change = [factor](auto& p) {
     p.idepth = float(p.idepth / factor), p.idepth_sigma = float(p.idepth_sigma / factor);
@@ -17,8 +18,8 @@ inline void multiply_depths(double factor, KeyframeRecord* k) {
     for (EdgeVertex& v : line.vertices) change(v);
 }
 
-/// Moves all poses so that the first is the identity: a corrected map keeps the newest pose of its time,
-/// while the run's world is that of its first one. Without a pose nothing changes.
+/// Moves all poses so that the first is the identity: a correction of the map keeps the pose that was newest
+/// at the time, while the world frame of a run is that of its first pose. Without a pose nothing changes.
 inline void move_first_to_origin(Run* run) {
   const auto first = std::find_if(run->frames.begin(), run->frames.end(),
                                   [](const FrameRecord& f) { return f.T_world_cam.has_value(); });

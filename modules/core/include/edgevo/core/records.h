@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run leaves behind, as plain values: the odometry fills these, the outputs (occupancy, mrpt_bridge,
-// evaluation, the command line) read them. Nothing here knows how it was computed.
+// Results of a run as plain values: filled by the odometry, read by the outputs (occupancy, mrpt_bridge,
+// evaluation, the command line), independent of how they were computed.
 //
 // World frame: the axes of the first camera of the run (x right, y down, z forward), origin at its first
 // pose. Map files re-express it z up by T_zup_world below. Unit: arbitrary unless Run::scale_source says
@@ -18,150 +19,212 @@
 
 namespace edgevo {
 
-/// One row for every input frame.
+/// Result of one input frame.
 struct FrameRecord {
-  int index = 0;                                        ///< in the source
-  Timestamp time;                                       ///< of the exposure
-  TrackingState state = TrackingState::kBootstrapping;  ///< the verdict
-  int segment = -1;          ///< number of the connected stretch of trajectory, from 0; -1: none
-  bool is_keyframe = false;  ///< it was made one
-  /// What called for a keyframe. With !is_keyframe it was called for while the mapping was busy with another,
-  /// or it is kReturn.
+  /// Index in the source.
+  int index = 0;
+  /// Time of exposure.
+  Timestamp time;
+  /// Tracking state.
+  TrackingState state = TrackingState::kBootstrapping;
+  /// Number of the connected segment of trajectory, from 0; -1: none.
+  int segment = -1;
+  /// Whether the frame became a keyframe.
+  bool is_keyframe = false;
+  /// Criterion that requested a keyframe. With !is_keyframe the mapping was busy with another one, or the
+  /// reason is kReturn.
   KeyframeReason keyframe_reason = KeyframeReason::kNone;
-  int reference_keyframe = -1;  ///< Run::keyframes index that the final pose hangs on; -1: no pose
-  double inlier_share =
-      0;  ///< share of the map points in view that speak for the pose (alignment/pose_evidence.h), [0, 1]
-  double residual_px = 0;                                ///< rms over the inliers along the edge normal
-  int edges = 0;                                         ///< edge pixels found
-  std::vector<std::pair<std::string, double>> stage_ms;  ///< name and CPU milliseconds of each stage that ran
-  std::optional<SE3> T_world_cam;       ///< final: re-expressed from the final keyframe poses
-  std::optional<SE3> T_world_cam_live;  ///< as it was known when the frame came
-  /// Of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the unit of the
-  /// run; against the keyframe that the frame was tracked against, the scale taken as known
-  /// (alignment/pose_covariance.h, times what odometry/tracking_check.h measured). Zero: unknown.
+  /// Index into Run::keyframes of the keyframe that anchors the final pose; -1: no pose.
+  int reference_keyframe = -1;
+  /// Share of the map points in view that are inliers of the pose (alignment/pose_evidence.h), [0, 1].
+  double inlier_share = 0;
+  /// RMS residual of the inliers along the edge normal, pixels.
+  double residual_px = 0;
+  /// Number of edge pixels.
+  int edges = 0;
+  /// Name and CPU time, milliseconds, of each stage that ran.
+  std::vector<std::pair<std::string, double>> stage_ms;
+  /// Final pose, re-expressed from the final keyframe poses.
+  std::optional<SE3> T_world_cam;
+  /// Live pose, as estimated when the frame was processed.
+  std::optional<SE3> T_world_cam_live;
+  /// Covariance of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the
+  /// unit of the run; relative to the keyframe that the frame was tracked against, given its scale
+  /// (alignment/pose_covariance.h, times the factor of odometry/tracking_check.h). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
-  std::string note;  ///< why a bootstrap is not ready, why tracking was lost; else empty
-  std::optional<double>
-      latency_ms;  ///< --realtime: from when the frame was due (or came in) until its pose was there
+  /// Reason why a bootstrap is not ready or tracking was lost; else empty.
+  std::string note;
+  /// With --realtime: time from when the frame was due (or arrived) until its pose was available,
+  /// milliseconds.
+  std::optional<double> latency_ms;
 };
 
-/// A 3D edge point as its host keyframe leaves the window.
+/// A 3D edge point as of the marginalisation of its host keyframe.
 struct EdgePoint {
-  Eigen::Vector2f px;      ///< in the undistorted host image
-  Eigen::Vector2f normal;  ///< unit gradient direction in the image
-  float idepth = 0;        ///< 1/z in the host frame
-  float idepth_sigma = 0;  ///< one standard deviation, same unit; <= 0: unknown
-  int observations = 0;    ///< keyframes that matched it
-  uint8_t gray = 0;        ///< intensity in the host image
+  /// Pixel in the undistorted host image.
+  Eigen::Vector2f px;
+  /// Unit gradient direction in the image.
+  Eigen::Vector2f normal;
+  /// Inverse depth 1/z in the host frame.
+  float idepth = 0;
+  /// Standard deviation of the inverse depth, same unit; <= 0: unknown.
+  float idepth_sigma = 0;
+  /// Number of keyframes that matched the point.
+  int observations = 0;
+  /// Intensity in the host image.
+  uint8_t gray = 0;
 };
 
-/// A place on an EdgeLine.
+/// A vertex of an EdgeLine.
 struct EdgeVertex {
-  Eigen::Vector2f px;                      ///< in the undistorted host image
-  float idepth = 0;                        ///< 1/z in the host frame, > 0
-  float idepth_sigma = 0;                  ///< one standard deviation, same unit, > 0
-  uint8_t gray_dark = 0, gray_bright = 0;  ///< intensity on the two sides of the edge in the host image
+  /// Pixel in the undistorted host image.
+  Eigen::Vector2f px;
+  /// Inverse depth 1/z in the host frame, > 0.
+  float idepth = 0;
+  /// Standard deviation of the inverse depth, same unit, > 0.
+  float idepth_sigma = 0;
+  /// Intensity on the two sides of the edge in the host image.
+  uint8_t gray_dark = 0, gray_bright = 0;
 };
 
-/// A stretch of a 3D edge without a jump in depth, as the keyframe that hosts it saw it
-/// (edge_map/edge_mapper.h).
+/// A section of a 3D edge without a jump in depth, as its host keyframe saw it (edge_map/edge_mapper.h).
 struct EdgeLine {
-  std::vector<EdgeVertex> vertices;  ///< two or more, in order along the edge
-  int keyframes = 1;                 ///< that saw it, the host among them
-  bool is_straight = false;          ///< all vertices lie on one line of space, within their deviations
-  bool is_outline = false;  ///< seen against what lies behind: the border of a thing, not a mark on it
+  /// Two or more vertices, in order along the edge.
+  std::vector<EdgeVertex> vertices;
+  /// Number of keyframes that saw the line, including the host.
+  int keyframes = 1;
+  /// Whether all vertices lie on one line in space, within their standard deviations.
+  bool is_straight = false;
+  /// Whether it is an occluding contour: the border of an object, not a mark on its surface.
+  bool is_outline = false;
 };
 
-/// A keyframe as it left the window: final pose, and what it hosts.
+/// A keyframe as of its marginalisation: final pose, hosted points and lines.
 struct KeyframeRecord {
-  int frame_index = 0;            ///< index of its frame in the source
-  Timestamp time;                 ///< of its frame
-  int segment = 0;                ///< as FrameRecord::segment
-  SE3 T_world_cam;                ///< final
-  std::vector<EdgePoint> points;  ///< that it hosts
-  std::vector<EdgeLine> lines;    ///< empty with `--edge-map off`
+  /// Index of its frame in the source.
+  int frame_index = 0;
+  /// Time of its frame.
+  Timestamp time;
+  /// Number of its segment (FrameRecord::segment).
+  int segment = 0;
+  /// Final pose.
+  SE3 T_world_cam;
+  /// Points that the keyframe hosts.
+  std::vector<EdgePoint> points;
+  /// Lines that the keyframe hosts; empty with `--edge-map off`.
+  std::vector<EdgeLine> lines;
 };
 
-/// What self-calibration says about the camera: images of the file's model are distorted by k1 (radial.h),
-/// and read row by row in readout_s (ImageCorrection).
+/// Result of self-calibration: images under the file's model are distorted by k1 (radial.h) and read row by
+/// row in readout_s (ImageCorrection).
 struct CameraRefinement {
-  /// What became of the estimate; only kApplied changes anything.
+  /// Outcome of an estimate; only kApplied changes the images.
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
-  State state = State::kOff;  ///< of k1
-  double k1 = 0;              ///< applied to all images; 0 unless kApplied
-  double estimate = 0;        ///< newest estimate, applied or not
-  double sigma = 0;           ///< one standard deviation of the estimate; 0: there is none
-  int keyframes = 0;          ///< that the estimate rests on
+  /// Outcome for k1.
+  State state = State::kOff;
+  /// Coefficient applied to all images; 0 unless kApplied.
+  double k1 = 0;
+  /// Newest estimate of k1, applied or not.
+  double estimate = 0;
+  /// Standard deviation of the estimate; 0: no estimate.
+  double sigma = 0;
+  /// Number of keyframes that the estimate is based on.
+  int keyframes = 0;
 
-  /// The read-out time of a rolling shutter, in the same words.
+  /// Result for the read-out time of a rolling shutter.
   struct Shutter {
-    State state = State::kOff;  ///< of the read-out time
-    double readout_s = 0;       ///< applied to all images: found, or as the parameters gave it
-    /// newest estimate and its standard deviation, seconds; sigma 0: there is none
+    /// Outcome for the read-out time.
+    State state = State::kOff;
+    /// Read-out time applied to all images, estimated or from the parameters, seconds.
+    double readout_s = 0;
+    /// Newest estimate and its standard deviation, seconds; sigma 0: no estimate.
     double estimate = 0, sigma = 0;
-    int keyframes = 0;  ///< that the estimate rests on
+    /// Number of keyframes that the estimate is based on.
+    int keyframes = 0;
   };
-  Shutter shutter;  ///< rolling shutter
+  /// Result for the rolling shutter.
+  Shutter shutter;
 
-  ImageCorrection correction() const { return {k1, shutter.readout_s}; }  ///< what is applied to all images
+  /// Correction applied to all images.
+  ImageCorrection correction() const { return {k1, shutter.readout_s}; }
 };
 
-/// Words for the states in files, in their order. At the limit: the images ask for more than a lens that the
-/// file nearly describes can have; nothing is applied, and the file is wrong in some other way.
+/// Names of the states in files, in the order of the enum. "at_limit": the estimate exceeds any plausible
+/// residual of a roughly correct camera file; nothing is applied, and the file is wrong in some other way.
 inline const std::vector<std::string>& refinement_state_names() {
   static const std::vector<std::string> names{"off",           "too_early", "not_observable",
                                               "insignificant", "applied",   "at_limit"};
   return names;
 }
-/// Its word in refinement_state_names().
+/// Name of `state` in refinement_state_names().
 inline const std::string& to_string(CameraRefinement::State state) {
   return refinement_state_names()[size_t(state)];
 }
 
-/// Metres per unit of the odometry at one frame: `factor` from all of the run, `live_factor` from what was
-/// known when the frame came.
+/// Metres per unit of the odometry at one frame: `factor` from the whole run, `live_factor` from the frames
+/// up to this one.
 struct FrameScale {
-  double factor = 1, sigma = 0;  ///< sigma: relative, one standard deviation
-  int samples = 0;               ///< 0: not measured here, taken over from the nearest frame where it was
-  double live_factor = 0, live_sigma = 0;  ///< 0: not known yet
+  /// Factor and its relative standard deviation.
+  double factor = 1, sigma = 0;
+  /// Number of measurements; 0: taken from the nearest frame that has some.
+  int samples = 0;
+  /// Live factor and its relative standard deviation; 0: not known yet.
+  double live_factor = 0, live_sigma = 0;
 };
 
-/// How a run got its metres; values over the frames that have a pose.
+/// Metric scale of a run; statistics over the frames with a pose.
 struct ScaleRecord {
-  double factor = 1, sigma = 0;    ///< medians
-  double lowest = 1, highest = 1;  ///< factors: what the drift of the scale was, before it was taken out
-  int frames_carried_over = 0;     ///< frames where the scale was not measured
-  std::vector<FrameScale> frames;  ///< as Run::frames; empty where one factor was given
-  std::string problem;             ///< why the requested scale could not be had; else empty
+  /// Medians of the factor and of its relative standard deviation.
+  double factor = 1, sigma = 0;
+  /// Smallest and largest factor: the drift of the scale before it was corrected.
+  double lowest = 1, highest = 1;
+  /// Number of frames without a scale measurement.
+  int frames_carried_over = 0;
+  /// Scale of each frame, parallel to Run::frames; empty if one factor was given.
+  std::vector<FrameScale> frames;
+  /// Reason why the requested scale is not available; else empty.
+  std::string problem;
 };
 
 /// How a --realtime run kept up with its source; the latency of each frame is in its FrameRecord.
 struct RealtimeRecord {
-  std::string pace;     ///< when frames were due, in words
-  int handed_over = 0;  ///< frames that the odometry was given
-  int late = 0;         ///< of them, those that it was not ready for within a millisecond after they were due
-  int dropped =
-      0;  ///< frames that a live camera gave while too many were waiting; each has its row, without a pose
-  int left_out_of_mapping =
-      0;  ///< frames with a pose that did not refine depths, since the mapping was behind
-  double frames_per_second = 0;  ///< handed over, from when the first was due until the last had its pose
+  /// When frames were due, in words.
+  std::string pace;
+  /// Frames delivered to the odometry.
+  int delivered = 0;
+  /// Delivered frames that the odometry took more than a millisecond after they were due.
+  int late = 0;
+  /// Frames of a live camera dropped because too many were waiting; each has a row, without a pose.
+  int dropped = 0;
+  /// Frames with a pose that did not refine depths because the mapping was behind.
+  int left_out_of_mapping = 0;
+  /// Delivered frames per second, from when the first was due until the last had its pose.
+  double frames_per_second = 0;
 };
 
-/// All that the odometry knows about a run.
+/// Complete result of a run.
 struct Run {
-  Pinhole pinhole;          ///< of the undistorted images, camera.k1 taken out; EdgePoint::px refers to it
-  CameraRefinement camera;  ///< what self-calibration found
-  std::vector<FrameRecord> frames;         ///< one for every input frame, in time order
-  std::vector<KeyframeRecord> keyframes;   ///< in time order
-  std::string scale_source = "none";       ///< "none": unit arbitrary; else metres
-  ScaleRecord scale;                       ///< all lengths of the run have been multiplied by it
-  std::optional<RealtimeRecord> realtime;  ///< none of a synchronous run
-  std::optional<SE3>
-      T_vehicle_cam;  ///< mount of the camera (vehicle x forward, y left, z up; metres), if it is known
+  /// Pinhole of the undistorted images, with camera.k1 removed; EdgePoint::px refers to it.
+  Pinhole pinhole;
+  /// Result of self-calibration.
+  CameraRefinement camera;
+  /// One record for each input frame, in time order.
+  std::vector<FrameRecord> frames;
+  /// Keyframes in time order.
+  std::vector<KeyframeRecord> keyframes;
+  /// Source of the scale; "none": unit arbitrary; else metres.
+  std::string scale_source = "none";
+  /// Scale by which all lengths of the run have been multiplied.
+  ScaleRecord scale;
+  /// Timing of a realtime run; nullopt for a synchronous run.
+  std::optional<RealtimeRecord> realtime;
+  /// Mount of the camera (vehicle x forward, y left, z up; metres), if it is known.
+  std::optional<SE3> T_vehicle_cam;
 
-  bool is_metric() const { return scale_source != "none"; }  ///< lengths are metres
-  /// The factor changed along the run by more than drift does: the odometry itself was wrong, and so may be
-  /// the metres between the places where they were measured.
+  /// Whether lengths are metres.
+  bool is_metric() const { return scale_source != "none"; }
+  /// Whether the factor changed along the run by more than drift explains: the odometry itself was then
+  /// wrong, and so may be the metres between the measurements.
   bool scale_varies() const {
     constexpr double kMostDrift = 1.3;  // over hundreds of metres a monocular scale drifts by a tenth
     return scale.highest > kMostDrift * scale.lowest;
@@ -173,27 +236,27 @@ inline Eigen::Vector3d point_in_camera(const Pinhole& pinhole, const EdgePoint& 
   return pinhole.ray(p.px.cast<double>()) / double(p.idepth);
 }
 
-/// The same of a vertex.
+/// Vertex of a line of a keyframe in the keyframe's camera frame.
 inline Eigen::Vector3d point_in_camera(const Pinhole& pinhole, const EdgeVertex& v) {
   return pinhole.ray(v.px.cast<double>()) / double(v.idepth);
 }
 
-/// Rotation to the exported world: z up, x forward at the first image (REP-103, MRPT): x = z_cam, y = -x_cam,
-/// z = -y_cam.
+/// Rotation from the world frame to the exported one: z up, x forward at the first image (REP-103, MRPT): x =
+/// z_cam, y = -x_cam, z = -y_cam.
 inline SE3 T_zup_world() {
   Eigen::Matrix3d R;
   R << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   return {R, Eigen::Vector3d::Zero()};
 }
 
-/// What the numbers in a file mean, for its header: "metre (scale from odometry, +- 0.8 %)" or "arbitrary
+/// Unit of the numbers in a file, for its header: "metre (scale from odometry, +- 0.8 %)" or "arbitrary
 /// (...)".
 std::string unit_statement(const Run& run);
 
-/// From the run's world to the world of the map files: z up, x forward, origin at the first pose of the
-/// vehicle. With a known mount "up" is the vehicle's; else the camera is taken to look straight ahead
-/// (T_zup_world). The lever arm is in metres and is therefore left out while the scale is arbitrary: the
-/// origin is then the first camera.
+/// Transform from the run's world frame to that of the map files: z up, x forward, origin at the first pose
+/// of the vehicle. "Up" is the vehicle's if the mount is known; else the camera is assumed to look straight
+/// ahead (T_zup_world). The lever arm is in metres and is ignored while the scale is arbitrary: the origin is
+/// then the first camera.
 inline SE3 T_map_world(const Run& run) {
   if (!run.T_vehicle_cam) return T_zup_world();
   return {run.T_vehicle_cam->rotation(),

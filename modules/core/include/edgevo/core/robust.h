@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Robust weights for iteratively re-weighted least squares. `r` and the widths share one unit (pixels or
+// Robust weights for iteratively re-weighted least squares. `r` and `width` share one unit (pixels or
 // sigmas).
 #include <cmath>
 

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A loop whose turns do not depend on each other, on some threads.
+// A loop with independent iterations on several threads.
 #include <functional>
 
 namespace edgevo {
 
-/// Runs job(i) for begin <= i < end on up to `threads` threads, the caller's included; turns begin in
-/// ascending order. The first exception ends the loop and is thrown on.
+/// Runs job(i) for begin <= i < end on up to `threads` threads, including the caller's; iterations
+/// start in ascending order. The first exception ends the loop and is rethrown.
 void run_parallel(int begin, int end, int threads, const std::function<void(int)>& job);
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Facts about a run that are counted in its records: for the closing line, frames.csv, summary.yaml,
-// report.html and tables.
+// Statistics of a run from its records: for the closing line, frames.csv, summary.yaml, report.html and
+// tables.
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,42 +11,52 @@
 
 namespace edgevo {
 
-/// How much a run holds of what.
+/// Counts of the contents of a run.
 struct RunCounts {
-  int frames = 0;     ///< input frames
-  int with_pose = 0;  ///< frames that have a final pose
-  int lost = 0;       ///< frames in state LOST
-  int segments = 0;   ///< connected stretches of trajectory
-  int keyframes = 0;  ///< of all segments
-  size_t points = 0;  ///< edge points of all keyframes
-  size_t lines = 0;   ///< edge lines of all keyframes
+  /// Number of input frames.
+  int frames = 0;
+  /// Number of frames with a final pose.
+  int with_pose = 0;
+  /// Number of frames in state LOST.
+  int lost = 0;
+  /// Number of connected segments of trajectory.
+  int segments = 0;
+  /// Number of keyframes of all segments.
+  int keyframes = 0;
+  /// Number of edge points of all keyframes.
+  size_t points = 0;
+  /// Number of edge lines of all keyframes.
+  size_t lines = 0;
 
-  /// Fewer than half of the frames have a pose.
+  /// Whether fewer than half of the frames have a pose.
   bool mostly_failed() const { return 2 * with_pose < frames; }
 };
+/// Counts the contents of a run.
 RunCounts count(const Run& run);
 
 /// Names of the stages in the order in which they first ran.
 std::vector<std::string> stages_of(const Run& run);
-/// For each of them the milliseconds of the frames in which it ran.
+/// For each stage, its CPU time in the frames in which it ran, milliseconds.
 std::vector<std::pair<std::string, std::vector<double>>> stage_times(const Run& run);
-/// For each frame the sum of its stages, milliseconds.
+/// For each frame, the total CPU time of its stages, milliseconds.
 std::vector<double> total_ms(const Run& run);
-/// Smallest value that `share` of the sorted values do not exceed (nearest rank). `sorted` is not empty.
+/// Smallest value that `share` (0 to 1) of the sorted values do not exceed (nearest rank). `sorted` must not
+/// be empty.
 double percentile(const std::vector<double>& sorted, double share);
 
 // How a --realtime run kept up with its source. Latency of a frame: FrameRecord::latency_ms.
 
-/// Milliseconds that half, 95 and 99 % of the frames do not exceed (nearest rank), and the largest.
+/// Percentiles of the latency (nearest rank) and its maximum.
 struct LatencyFigures {
-  double p50 = 0, p95 = 0, p99 = 0, max = 0;  ///< milliseconds
+  /// Milliseconds.
+  double p50 = 0, p95 = 0, p99 = 0, max = 0;
 };
-/// None of no values.
+/// Percentiles of `ms`; nullopt for no values.
 std::optional<LatencyFigures> latency_figures(std::vector<double> ms);
-/// None where no frame has a latency.
+/// Percentiles over the frames of `run`; nullopt if no frame has a latency.
 std::optional<LatencyFigures> latency_figures(const Run& run);
 
-/// One sentence; empty for a synchronous run.
+/// Latency in one sentence; empty for a synchronous run.
 std::string latency_statement(const Run& run);
 
 }  // namespace edgevo

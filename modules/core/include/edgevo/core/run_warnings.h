@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a user must know before the results of a run are used: on the console, first on the report, in
-// summary.yaml.
+// Warnings that a user must see before using the results of a run: on the console, at the top of the report,
+// in summary.yaml.
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 
 namespace edgevo {
 
-/// One sentence each; empty where there is nothing to warn of.
+/// Warnings about the run, one sentence each; empty if there are none.
 std::vector<std::string> run_warnings(const Run& run);
 
 }  // namespace edgevo

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Rigid motions SE(3) and similarities Sim(3).
 //
 // T_a_b maps coordinates from b to a:            p_a = T_a_b p_b = R p_b + t
 // Tangent of se(3): xi = [v, w], translation part first; exp is the TRUE exponential (the translation is V(w)
-// v, not v). The project's one perturbation convention is from the left: T <- exp(xi) T, so that for p_a =
+// v, not v). Perturbations are always from the left: T <- exp(xi) T, so that for p_a =
 // T_a_b p_b
 //     d p_a / d xi = [ I | -[p_a]x ]            (3x6)
 // MRPT's Lie::SE<3>::exp leaves the translation untouched: never mix the two.
@@ -13,41 +14,50 @@
 
 namespace edgevo {
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;  ///< tangent [v, w], translation first
-using Matrix6d = Eigen::Matrix<double, 6, 6>;  ///< covariance or information of such a tangent
+/// Tangent vector [v, w], translation first.
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+/// Covariance or information matrix of a tangent vector.
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// Cross-product matrix: skew(a) b = a x b.
 Eigen::Matrix3d skew(const Eigen::Vector3d& a);
 
-/// Rigid motion p_a = R p_b + t. Sixty-four bytes, a value; cheap to copy.
+/// Rigid motion p_a = R p_b + t. A value of 64 bytes, cheap to copy.
 class SE3 {
  public:
   SE3() = default;
-  /// `q` need not be normalised, but must not be zero.
+  /// From a quaternion, which need not be normalised but must not be zero, and a translation.
   SE3(const Eigen::Quaterniond& q, const Eigen::Vector3d& t) : q_(q.normalized()), t_(t) {}
-  /// `R` is a rotation
+  /// From a rotation matrix and a translation.
   SE3(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : q_(Eigen::Quaterniond(R).normalized()), t_(t) {}
 
-  /// The true exponential of xi = [v, w] (metres or map units, radians).
+  /// True exponential of xi = [v, w] (metres or map units, radians).
   static SE3 exp(const Vector6d& xi);
-  /// Inverse of exp; |w| <= pi.
+  /// Inverse of exp(); |w| <= pi.
   Vector6d log() const;
 
-  SE3 inverse() const;  ///< T_b_a of T_a_b
-  /// T_a_c = T_a_b T_b_c
+  /// Inverse transform: T_b_a of T_a_b.
+  SE3 inverse() const;
+  /// Composition T_a_c = T_a_b T_b_c.
   SE3 operator*(const SE3& other) const { return {q_ * other.q_, q_ * other.t_ + t_}; }
-  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return q_ * p + t_; }  ///< p_a = T_a_b p_b
+  /// Transformed point p_a = T_a_b p_b.
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return q_ * p + t_; }
 
-  /// Ad(T): exp(Ad(T) xi) = T exp(xi) T^-1, for tangents [v, w].
+  /// Adjoint Ad(T): exp(Ad(T) xi) = T exp(xi) T^-1, for tangents [v, w].
   Matrix6d adjoint() const;
 
-  const Eigen::Quaterniond& rotation() const { return q_; }    ///< unit
-  Eigen::Matrix3d R() const { return q_.toRotationMatrix(); }  ///< rotation matrix
-  const Eigen::Vector3d& translation() const { return t_; }    ///< t
-  Eigen::Matrix4d matrix() const;                              ///< [R t; 0 1]
-  /// Angle of the rotation, in [0, pi] radians.
+  /// Rotation as a unit quaternion.
+  const Eigen::Quaterniond& rotation() const { return q_; }
+  /// Rotation matrix.
+  Eigen::Matrix3d R() const { return q_.toRotationMatrix(); }
+  /// Translation vector t.
+  const Eigen::Vector3d& translation() const { return t_; }
+  /// Homogeneous matrix [R t; 0 1].
+  Eigen::Matrix4d matrix() const;
+  /// Rotation angle in [0, pi], radians.
   double angle() const;
-  bool is_finite() const { return q_.coeffs().allFinite() && t_.allFinite(); }  ///< neither NaN nor infinite
+  /// Whether no value is NaN or infinite.
+  bool is_finite() const { return q_.coeffs().allFinite() && t_.allFinite(); }
 
  private:
   Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
@@ -56,16 +66,20 @@ class SE3 {
 
 /// Similarity p_a = s R p_b + t, the gauge freedom of a monocular map. scale > 0.
 struct Sim3 {
-  double scale = 1.0;  ///< s > 0
-  SE3 rigid;           ///< R and t
+  /// Scale s > 0.
+  double scale = 1.0;
+  /// Rotation R and translation t.
+  SE3 rigid;
 
-  /// s R p + t.
+  /// Transformed point s R p + t.
   Eigen::Vector3d operator*(const Eigen::Vector3d& p) const {
     return scale * (rigid.rotation() * p) + rigid.translation();
   }
-  Sim3 operator*(const Sim3& other) const;  ///< first `other`, then this
-  Sim3 inverse() const;                     ///< of a to b
-  /// Where a camera at T_b_cam stands in frame a; the rotation stays a rotation.
+  /// Composition: first `other`, then this.
+  Sim3 operator*(const Sim3& other) const;
+  /// Inverse similarity.
+  Sim3 inverse() const;
+  /// Pose in frame a of a camera at T_b_cam, without the scale in its rotation.
   SE3 apply(const SE3& T_b_cam) const;
 };
 

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a stage of the work costs: processor time, which other threads and other programs do not add to.
+// CPU time of the calling thread, unaffected by other threads and programs.
 
 namespace edgevo {
 
-/// Processor time that the calling thread has used so far, milliseconds. Cost: under a microsecond.
+/// CPU time that the calling thread has used so far, milliseconds. Cost: under a microsecond.
 double thread_cpu_ms();
 
 }  // namespace edgevo

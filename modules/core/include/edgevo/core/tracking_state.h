@@ -1,18 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The tracking status of a frame.
 #include <string_view>
 
 namespace edgevo {
 
-/// How far a frame's pose can be trusted.
+/// Reliability of a frame's pose.
 enum class TrackingState {
-  kBootstrapping,  ///< no map yet; a pose may be filled in afterwards
-  kTracking,       ///< pose and map are good
-  kDegraded,       ///< a pose, but with few inliers or badly observed directions: use with its covariance
-  kLost,           ///< no pose; the old map is tried for some frames more while a bootstrap runs
+  /// No map yet; a pose may be filled in afterwards.
+  kBootstrapping,
+  /// The pose and the map are good.
+  kTracking,
+  /// The pose has few inliers or poorly observed directions: use it with its covariance.
+  kDegraded,
+  /// No pose; relocalisation in the old map is tried for some more frames while a bootstrap runs.
+  kLost,
 };
 
-/// "BOOTSTRAPPING", "TRACKING", "DEGRADED", "LOST".
+/// Name of the state: "BOOTSTRAPPING", "TRACKING", "DEGRADED", "LOST".
 std::string_view to_string(TrackingState state);
 
 }  // namespace edgevo

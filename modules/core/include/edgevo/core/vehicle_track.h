@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where another sensor says that the vehicle was: wheel odometry, GPS, a motion capture. It measures the
-// metre for a monocular run.
+// Positions of the vehicle measured by another sensor (wheel odometry, GPS, motion capture): the metric
+// reference for a monocular run.
 #include <Eigen/Core>
 #include <vector>
 
@@ -8,20 +9,23 @@
 
 namespace edgevo {
 
-/// Which sensor of a rawlog: wheel odometry, GPS, or a robot pose (such as motion capture).
+/// Sensor of a rawlog: wheel odometry, GPS, or a robot pose (such as motion capture).
 enum class VehicleSensor { kOdometry, kGps, kRobotPose };
 
 /// One measured position.
 struct VehiclePosition {
-  Timestamp time;                                      ///< of the measurement
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< metres, in any fixed frame with right-handed axes
+  /// Time of the measurement.
+  Timestamp time;
+  /// Position in any fixed right-handed frame, metres.
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// What one sensor recorded.
+/// Recording of one sensor.
 struct VehicleTrack {
-  std::vector<VehiclePosition> positions;  ///< in time order
-  /// What moves along these positions (an antenna, say), in the vehicle's axes (x forward, y left, z up),
-  /// metres.
+  /// Positions in time order.
+  std::vector<VehiclePosition> positions;
+  /// Point on the vehicle that moves along these positions (such as an antenna), in the vehicle's axes
+  /// (x forward, y left, z up), metres.
   Eigen::Vector3d sensor_on_vehicle = Eigen::Vector3d::Zero();
 };
 

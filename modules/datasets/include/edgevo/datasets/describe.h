@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What `edgevo info` tells about a source: name and value, in the order of reading.
+// What `edgevo info` prints about a source: names and values, in order.
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,11 +10,10 @@
 namespace edgevo {
 
 /// Kind, frames, image size, camera, field of view, duration, rate, gaps in time, mount, ground truth, and
-/// what the source itself has to say. Reads no image. A gap is a step in time longer than 2.5 times the
-/// median step.
+/// the source's own details. Reads no image. A gap is a time step longer than 2.5 times the median step.
 std::vector<std::pair<std::string, std::string>> describe(const ImageSource& source);
 
-/// Horizontal and vertical angle that the camera sees, in degrees, distortion included.
+/// Horizontal and vertical field of view in degrees, distortion included.
 std::pair<double, double> field_of_view_deg(const Camera& camera);
 
 }  // namespace edgevo

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Hands out the frames of a source as a camera would: each when it is due. Images are read and decoded ahead
-// in a thread of the feed's own, so that this does not count as the delay of whoever uses them.
+// Delivers the frames of a source as a camera would: each when it is due. Images are read and decoded ahead
+// in a separate thread, so that decoding does not count towards the latency of the consumer.
 //
-// A recording waits: nothing of it is ever dropped, and a frame that is not fetched when it is due is handed
-// out late. A live camera does not: while more than kMaxWaiting frames wait, the oldest of them is dropped,
-// and the next frame that is handed out says so.
+// A recording waits: none of its frames is ever dropped, and a frame that is not fetched when it is due is
+// delivered late. A live camera does not wait: while more than kMaxWaiting frames are queued, the oldest is
+// dropped, and the next frame delivered lists it.
 //
 //   LiveFeed feed(source, parse_pace("30"));
 //   while (auto fed = feed.next([] { return false; })) use(fed->frame);
@@ -23,45 +24,50 @@
 
 namespace edgevo {
 
-/// Seconds on a clock that never goes back, and waiting by it. Both are called from several threads.
+/// A monotonic clock to read and to wait on. Called from several threads.
 class FeedClock {
  public:
   virtual ~FeedClock() = default;
-  /// seconds since some moment
+  /// Seconds since an arbitrary moment.
   virtual double now_s() const = 0;
-  /// returns at once where `seconds` <= 0
+  /// Waits for `seconds`; returns at once if that is <= 0.
   virtual void sleep_s(double seconds) = 0;
 };
 
-/// The clock of the machine.
+/// The machine's monotonic clock.
 std::shared_ptr<FeedClock> steady_clock();
 
-/// A frame as the feed hands it out.
+/// A frame as delivered by the feed.
 struct FedFrame {
-  Frame frame;          ///< of the source
-  double due_s = 0;     ///< of the feed's clock: when it was due. Live camera: when it came in; pace kAtOnce:
-                        ///< when it was asked for and there
-  double handed_s = 0;  ///< when it was handed out, due_s or later
-  std::vector<Frame>
-      dropped;  ///< frames that came before it and were not handed out, in order, without their images
+  /// The frame of the source.
+  Frame frame;
+  /// Time at which the frame was due, seconds of the feed's clock. Live camera: when it arrived; pace
+  /// kAtOnce: when it was both requested and available.
+  double due_s = 0;
+  /// Time at which the frame was delivered, seconds of the feed's clock, due_s or later.
+  double delivered_s = 0;
+  /// Frames before this one that were not delivered, in order, without their images.
+  std::vector<Frame> dropped;
 };
 
-/// Plays a source in time. One thread calls next().
+/// Plays a source in real time. One thread calls next().
 class LiveFeed {
  public:
-  static constexpr size_t kReadAhead = 4;    ///< frames of a recording that are decoded beforehand
-  static constexpr size_t kMaxWaiting = 16;  ///< of a live camera; half a second at 30 frames a second
+  /// Number of frames of a recording decoded in advance.
+  static constexpr size_t kReadAhead = 4;
+  /// Queue length for a live camera, frames: half a second at 30 frames/s.
+  static constexpr size_t kMaxWaiting = 16;
 
-  /// Begins to read. `source` is not to be used otherwise until the feed has gone. A live camera paces
-  /// itself: throws InputError for any other pace than kAtOnce.
+  /// Starts reading. `source` must not be used otherwise while the feed exists. A live camera paces itself:
+  /// throws InputError for any pace other than kAtOnce.
   LiveFeed(ImageSource& source, const Pace& pace, std::shared_ptr<FeedClock> clock = steady_clock());
-  /// Waits for the image that is being read.
+  /// Waits until the image being read is complete.
   ~LiveFeed();
 
-  /// Waits until the next frame is due; nullopt at the end, or when `stop` has become true meanwhile (asked
-  /// every 50 ms). Throws what the source threw, after all frames before.
+  /// Waits until the next frame is due; nullopt at the end, or once `stop` returns true (polled every 50 ms).
+  /// Rethrows an exception of the source after all frames before it.
   std::optional<FedFrame> next(const std::function<bool()>& stop);
-  /// Seconds by the clock that due_s is told in.
+  /// Current time in seconds, on the clock of due_s.
   double now_s() const { return clock_->now_s(); }
 
  private:
@@ -80,7 +86,7 @@ class LiveFeed {
   const Pace pace_;
   const bool is_live_;
   const std::shared_ptr<FeedClock> clock_;
-  int handed_out_ = 0;
+  int delivered_ = 0;
   Timestamp first_time_;
   double first_due_s_ = 0;
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One way in for every kind of input: whatever SOURCE names on the command line becomes an ImageSource.
+// The single entry point for all inputs: whatever SOURCE names on the command line becomes an ImageSource.
 //
 // Recognised, in this order:
 //   camera:N              a live camera, by OpenCV; needs a camera file; ends when the user stops it
@@ -15,8 +16,8 @@
 //                         Camera_0 (default), Camera_1
 //   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
 //   any other file        a video, by OpenCV; needs a camera file
-// A camera file given by the user wins over the source's own calibration. Where there is neither, --fov or
-// the focal length in a photo's EXIF data makes a camera to start with.
+// A camera file given by the user takes precedence over the source's own calibration. If there is neither,
+// --fov or the focal length in a photo's EXIF data gives an initial camera.
 //
 // Frames come out as the camera took them (gray, distorted) in time order, numbered from 0 in the whole
 // source. Opening reads lists and calibration, not the images (but the first one, where the calibration does
@@ -29,33 +30,43 @@
 
 namespace edgevo {
 
-/// What the command line says about a source.
+/// Options of a source on the command line.
 struct SourceOptions {
-  std::string path;          ///< SOURCE
-  std::string camera_file;   ///< camera_file.h; empty: the source's own calibration
-  std::string sensor_label;  ///< which of several cameras; empty: the only or the usual one
-  int first = 0;             ///< frames first .. last-1 of the source (half-open)
-  std::optional<int> last;   ///< nullopt: to the end
-  int every = 1;   ///< and of these each every-th, beginning with `first`; the others are not decoded
-  double fps = 0;  ///< frames a second, for sources without times; 0: the video's own rate, else 30
-  std::optional<double> fov_deg;  ///< over the image's width, for a source without a calibration
-  bool any_camera = false;  ///< the images alone are wanted: the camera need not be known, and may be made up
-  double image_scale = 1;   ///< of the images (scaled_source.h); 0: the usual one for their width
+  /// SOURCE as given.
+  std::string path;
+  /// Calibration file (camera_file.h); empty: the source's own calibration.
+  std::string camera_file;
+  /// Label of the camera to use; empty: the only or the default one.
+  std::string sensor_label;
+  /// First frame played; frames first .. last-1 are played (half-open).
+  int first = 0;
+  /// End of the frames played; nullopt: to the end of the source.
+  std::optional<int> last;
+  /// Step between frames played, counted from `first`; the frames between are not decoded.
+  int every = 1;
+  /// Frame rate in frames/s for sources without times; 0: the video's own rate, else 30.
+  double fps = 0;
+  /// Horizontal field of view in degrees for a source without a calibration.
+  std::optional<double> fov_deg;
+  /// True if only the images are needed: the camera may then be unknown and is made up.
+  bool any_camera = false;
+  /// Scale of the images (scaled_source.h); 0: the default for their width.
+  double image_scale = 1;
 };
 
-/// Names in ImageSource::details() for what a user must be told: how the camera was guessed, and that images
-/// were scaled.
+/// Name in ImageSource::details() that notifies the user how the camera was guessed.
 constexpr const char* kAssumed = "camera assumed";
-constexpr const char* kScaled = "images scaled";  ///< from which size to which
+/// Name in ImageSource::details() that notifies the user from and to which size images were scaled.
+constexpr const char* kScaled = "images scaled";
 
 /// Sets first and last from "A:B", "A:" or ":B" (half-open, A < B). Throws InputError.
 void set_frame_range(const std::string& text, SourceOptions* options);
 
-/// Throws InputError: nothing there, an empty folder, a layout that is not recognised, a list or calibration
-/// that is not readable, not as many times as images, an unknown sensor label, a stretch of frames outside
-/// the source. next() of the result throws InputError for an image that is missing or does not decode, a size
-/// that is not the camera's and times that do not increase; always after the frames before have been handed
-/// out.
+/// Opens the source. Throws InputError: nothing there, an empty folder, an unknown layout, an unreadable list
+/// or calibration, different numbers of times and images, an unknown sensor label, a frame range outside the
+/// source. next() of the result throws InputError for an image that is missing or does not decode, for a size
+/// that differs from the camera's and for times that do not increase; always after the frames before it have
+/// been delivered.
 std::unique_ptr<ImageSource> open_source(const SourceOptions& options);
 
 }  // namespace edgevo

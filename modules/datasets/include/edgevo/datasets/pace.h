@@ -1,31 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// When the images of a recording are due, so that a program meets them as it would meet those of a camera.
+// When the images of a recording are due, so that a program receives them as from a camera.
 #include <string>
 
 #include "edgevo/core/timestamp.h"
 
 namespace edgevo {
 
-/// A rule for when images are due.
+/// Rule that determines when images are due.
 struct Pace {
-  /// The rule.
+  /// Kind of rule.
   enum class Kind {
-    kAtOnce,  ///< each as soon as it is asked for
-    kRate,    ///< `value` images a second, whatever their times say
-    kTimes,   ///< as their times say, `value` times as fast
+    /// Each image as soon as it is requested.
+    kAtOnce,
+    /// `value` images per second, whatever their times.
+    kRate,
+    /// By the times of the images, `value` times as fast.
+    kTimes,
   };
-  Kind kind = Kind::kAtOnce;  ///< the rule
-  double value = 0;           ///< of kRate and kTimes, > 0
+  /// Kind of this rule.
+  Kind kind = Kind::kAtOnce;
+  /// Rate (kRate, images per second) or speed-up factor (kTimes), > 0.
+  double value = 0;
 
-  /// Seconds after the first image (taken at `first`) at which the n-th (from 0, of those that are taken) is
-  /// due. Not for kAtOnce.
+  /// Time at which the n-th image played (from 0) is due, in seconds after the first image, whose time is
+  /// `first`. Not for kAtOnce.
   double due_s(int n, Timestamp first, Timestamp time) const;
 };
 
-/// "30": so many images a second; "1x": as their times say; "0.5x": half as fast. Throws InputError.
+/// Parses "30": images per second; "1x": by the times of the source; "0.5x": at half speed. Throws
+/// InputError.
 Pace parse_pace(const std::string& text);
 
-/// "30 frames a second", "the source's own times", ...
+/// Text such as "30 frames a second" or "the source's own times".
 std::string describe(const Pace& pace);
 
 }  // namespace edgevo

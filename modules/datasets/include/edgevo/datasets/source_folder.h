@@ -1,12 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A SOURCE that is named by an archive and what it holds, as the folder that it is.
+// Resolves a SOURCE given as an archive and one of its surveys to a folder.
 #include <string>
 
 namespace edgevo {
 
-/// Where the files of SOURCE lie: `path` itself, but of ARCHIVE/SURVEY of Symphony Lake, and of an archive
-/// with a single survey, the survey's folder. open_source() and ground_truth_tum() ask by themselves. Throws
-/// InputError: an archive with several surveys (it lists them), two of one name, none of that name.
+/// Folder of the files of SOURCE: the survey's folder for ARCHIVE/SURVEY of Symphony Lake and for an archive
+/// with a single survey, else `path` itself. open_source() and ground_truth_tum() call this themselves.
+/// Throws InputError: an archive with several surveys (it lists them), two of the same name, none of that
+/// name.
 std::string source_folder(const std::string& path);
 
 }  // namespace edgevo

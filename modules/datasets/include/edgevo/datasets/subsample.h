@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Some frames of another source, as --frames and --every choose them.
+// A subset of another source's frames, as --frames and --every select them.
 #include <memory>
 
 #include "edgevo/core/image_source.h"
@@ -7,8 +8,8 @@
 
 namespace edgevo {
 
-/// Frames first .. last-1 of `inner`, each every-th, with their own indices; the others are passed over
-/// without decoding. Throws InputError for a stretch that lies outside the source, or an `every` below 1.
+/// Every `every`-th of the frames first .. last-1 of `inner`, with their own indices; the others are skipped
+/// without decoding. Throws InputError for a range outside the source, or an `every` below 1.
 std::unique_ptr<ImageSource> subsample(std::unique_ptr<ImageSource> inner, const SourceOptions& options);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The surveys of an archive in the layout of Symphony Lake.
 #include <string>
@@ -5,13 +6,14 @@
 
 namespace edgevo {
 
-/// A survey of an archive.
+/// A survey in an archive.
 struct Survey {
-  std::string name, folder;  ///< its date, and where its list and images lie
+  /// Name (its date), and folder of its list and images.
+  std::string name, folder;
 };
 
-/// All surveys below an archive's folder, by name; none where it is no archive. Cost: a look at each folder
-/// of the archive's trees.
+/// All surveys below an archive's folder, by name; empty if it is not an archive. Cost: one look at each
+/// folder of the archive's trees.
 std::vector<Survey> surveys_in(const std::string& archive);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Virtual KITTI: rendered drives with exact depth and pose for every frame, in the layouts of both releases.
 //
@@ -11,12 +12,12 @@
 //           frames/depth/Camera_0/depth_00000.png ..    as above
 //           extrinsic.txt                               a header, then `frame camera` and 16 numbers
 //           intrinsic.txt                               a header, then `frame camera fx fy cx cy`
-//           Where the archives were unpacked apart (vkitti_2.0.3_rgb, _depth, _textgt): the folder under
+//           For archives unpacked separately (vkitti_2.0.3_rgb, _depth, _textgt): the folder under
 //           vkitti_2.0.3_rgb.
 //
 // The camera's axes are ours (x right, y down, z forward) and pixel (0,0) is the centre of the top-left one
-// in both. There are no times: frames are taken to be 0.1 s apart, as KITTI's are. Cars that drive by
-// themselves are in the depth, but not in the poses.
+// in both. There are no times: frames are taken to be 0.1 s apart, as KITTI's are. Moving cars are in the
+// depth but not in the poses.
 #include <string>
 #include <vector>
 
@@ -27,29 +28,36 @@
 
 namespace edgevo {
 
-/// A sequence as its lists and calibration tell it.
+/// A sequence as its lists and calibration describe it.
 struct VirtualKitti {
-  std::string release;              ///< "1.3.1" or "2.0.3"
-  std::string camera_name;          ///< "Camera_0"; empty for 1.3.1
-  Camera camera;                    ///< without distortion
-  std::vector<std::string> images;  ///< paths, in order
-  std::vector<std::string>
-      depths;  ///< where the depth of each image is; whether it is there shows when it is read
-  std::vector<Timestamp> times;  ///< of each image, 0.1 s apart
-  std::string poses_path;        ///< empty where the poses were not downloaded
-  std::vector<SE3> T_world_cam;  ///< of each image, metres; empty without poses
+  /// Release: "1.3.1" or "2.0.3".
+  std::string release;
+  /// Name of the camera, "Camera_0"; empty for 1.3.1.
+  std::string camera_name;
+  /// Camera of the images, without distortion.
+  Camera camera;
+  /// Paths of the images, in order.
+  std::vector<std::string> images;
+  /// Path of each image's depth; existence is checked when it is read.
+  std::vector<std::string> depths;
+  /// Time of each image, 0.1 s apart.
+  std::vector<Timestamp> times;
+  /// Path of the poses; empty if they were not downloaded.
+  std::string poses_path;
+  /// Pose of each image, metres; empty without poses.
+  std::vector<SE3> T_world_cam;
 };
 
-/// The folder is one of a Virtual KITTI sequence.
+/// True if the folder holds a Virtual KITTI sequence.
 bool is_virtual_kitti(const std::string& folder);
 
-/// `path` and `sensor_label` of the options are used (and `fps` for the times). Reads lists, calibration and
-/// poses. Throws InputError: no such camera, a list that is not readable, a frame without a pose, a matrix
-/// that is no rigid motion.
+/// Reads lists, calibration and poses. Uses `path` and `sensor_label` of the options (and `fps` for the
+/// times). Throws InputError: no such camera, an unreadable list, a frame without a pose, a matrix that is
+/// not a rigid motion.
 VirtualKitti read_virtual_kitti(const SourceOptions& options);
 
-/// z in metres, row by row; 0 for the sky. Throws InputError: missing, damaged, not 16 bits, not width x
-/// height.
+/// Depth z in metres, row by row; 0 for the sky. Throws InputError: missing, damaged, not 16 bits, not width
+/// x height.
 std::vector<float> read_virtual_kitti_depth(const std::string& path, int width, int height);
 
 }  // namespace edgevo

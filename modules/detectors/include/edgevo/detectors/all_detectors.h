@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The detectors that come with edgevo. Those besides Canny bring OpenCV's dnn, ximgproc and imgcodecs, which
-// the modules of the method do without.
+// The detectors of edgevo. All but Canny need OpenCV's dnn, ximgproc and imgcodecs, which the other modules
+// of the method do not use.
 #include "edgevo/edges/edge_detector.h"
 
 namespace edgevo {
 
-/// All of them, the default first: for OdometryOptions::detectors and PyramidBuilder.
+/// Table of all detectors, the default first, for OdometryOptions::detectors and PyramidBuilder.
 const EdgeDetectorTable& all_edge_detectors();
 
 }  // namespace edgevo

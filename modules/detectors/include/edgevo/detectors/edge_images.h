@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The probability of an edge for every image of a source, as files: for the detector `precomputed`, here or
-// on another machine.
+// Writes the edge probability of every image of a source to files, for the detector `precomputed`, on this or
+// another machine.
 //
 //   FOLDER/NAME.png           8 bits, 0 to 255, for the image NAME.* of the source, or the frame of that
 //                             number (000012)
-//   FOLDER/edges.yaml         what they were made of: images of other settings are not added to them
-//   FOLDER/contact_sheet.jpg  some frames with their edges, and their probability beside them
+//   FOLDER/edges.yaml         the settings: images of other settings are not added to the folder
+//   FOLDER/contact_sheet.jpg  some frames with their edges, next to their probabilities
 #include <functional>
 #include <string>
 
@@ -14,29 +15,39 @@
 
 namespace edgevo {
 
-/// What is written, and where.
+/// Options of write_edge_images().
 struct EdgeImageOptions {
-  EdgeParams edges;    ///< the detector; of one that looks at the gradient alone, the edge pixels are written
-                       ///< (0 or 255)
-  std::string folder;  ///< where the files go
-  std::string source_path;                 ///< as the user named it, for edges.yaml
-  int threads = 1;                         ///< the bytes do not depend on it
-  bool force = false;                      ///< the folder may hold something else
-  std::function<void(int)> on_frame_done;  ///< frames so far; one call at a time
-  std::function<bool()> stop;              ///< asked before each frame
+  /// Detector; for one that uses the gradient alone, its edge pixels are written (0 or 255).
+  EdgeParams edges;
+  /// Output folder.
+  std::string folder;
+  /// Source as named by the user, for edges.yaml.
+  std::string source_path;
+  /// Number of threads; the files do not depend on it.
+  int threads = 1;
+  /// Whether the folder may contain other files.
+  bool force = false;
+  /// Called with the number of frames so far, never concurrently.
+  std::function<void(int)> on_frame_done;
+  /// Checked before each frame; true stops the work.
+  std::function<bool()> stop;
 };
 
-/// What became of the images of the source.
+/// Numbers of images of the source, by outcome.
 struct EdgeImageCounts {
-  int written = 0;                                       ///< new files
-  int kept = 0;                                          ///< had been there
-  int left_out = 0;                                      ///< the source's image could not be used
-  int all() const { return written + kept + left_out; }  ///< images of the source
+  /// New files.
+  int written = 0;
+  /// Files that existed already.
+  int kept = 0;
+  /// Images that could not be used.
+  int skipped = 0;
+  /// All images of the source.
+  int all() const { return written + kept + skipped; }
 };
 
-/// Reads `source` to its end. Files that are there are kept, and each new one is whole or not there: an
-/// interrupted call is gone on with by another. Throws InputError: a folder of other settings or of somebody
-/// else, a live camera, a model that cannot be used.
+/// Processes `source` to its end. Existing files are kept and new files are written atomically, so that a
+/// second call resumes an interrupted one. Throws InputError for a folder of other settings or with other
+/// contents, a live camera, or an unusable model.
 EdgeImageCounts write_edge_images(ImageSource& source, const EdgeImageOptions& options);
 
 }  // namespace edgevo

@@ -1,19 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Depth for the edge pixels of one keyframe, chain by chain, from other images with known poses.
 //
-// Not from the paper, whose map holds the points that it tracks by. Along an edge three steps:
+// Not from the paper, whose map holds only the points used for tracking. Three steps along an edge:
 //   1. Hypotheses: where the epipolar line of a pixel crosses edges of like direction in one or two images,
-//      and what its neighbour on the chain found.
-//   2. Evidence: each hypothesis is looked up in all images. The nearest edge there gives one equation,
+//      and the depths of its neighbour on the chain.
+//   2. Evidence: each hypothesis is projected into all images. The nearest edge there gives one equation,
 //          r = n . (e - p(rho)),   J = n . dp/drho,
 //      and rho is moved by sum(J r) / sum(J^2), Gauss-Newton in one dimension; its information is
-//      sum(J^2) / sigma^2. A view without a fitting edge speaks against it.
-//   3. The chain: dynamic programming picks a hypothesis or none for each pixel, so that depth goes on along
-//      the edge or breaks; a line fitted to the neighbours then smooths (the image of a straight edge has
-//      inverse depths that are linear along it, exactly).
-// An edge along its epipolar line has J = 0: it gets the depth of its neighbours, or none.
+//      sum(J^2) / sigma^2. A view without a matching edge counts against it.
+//   3. The chain: dynamic programming selects a hypothesis or none for each pixel, so that depth is
+//      continuous along the edge or breaks; then a line fitted to the neighbours smooths it (the image of a
+//      straight edge has inverse depths that are exactly linear along it).
+// An edge along its epipolar line has J = 0: it takes the depth of its neighbours, or none.
 //
-// Cost at 1241x376, 20 000 edge pixels, 8 views: some 40 ms (tests/bench/bench_edge_map.cpp). Any thread.
+// Cost at 1241x376, 20 000 edge pixels, 8 views: about 40 ms (tests/bench/bench_edge_map.cpp). Thread-safe.
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
@@ -27,36 +28,46 @@
 
 namespace edgevo {
 
-/// Gray levels on both sides of an edge pixel.
+/// Gray values on both sides of an edge pixel.
 struct EdgeSides {
-  uint8_t dark = 0, bright = 0;  ///< gray levels on the darker and the brighter side
+  /// Gray value on the darker and on the brighter side.
+  uint8_t dark = 0, bright = 0;
 };
-/// Of each edge pixel of an image. Cost: 0.3 ms for 26 000.
+/// Samples the sides of all edge pixels of an image, in their order. Cost: 0.3 ms for 26 000.
 std::vector<EdgeSides> sample_sides(const PyramidLevel& level);
 
-/// Another image of the scene. Lengths in the unit of the map.
+/// Another image of the scene with a known pose.
 struct EdgeView {
-  std::shared_ptr<const FramePyramid> pyramid;          ///< of the image; not null
-  std::shared_ptr<const std::vector<EdgeSides>> sides;  ///< of the pyramid's finest level
-  SE3 T_view_host;                                      ///< host to this view
-  double gain = 1;                                      ///< its brightness over the host's
+  /// Pyramid of the image; not null.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Sides of the edge pixels on the finest level; not null.
+  std::shared_ptr<const std::vector<EdgeSides>> sides;
+  /// Pose, host to this view, unit of the map.
+  SE3 T_view_host;
+  /// Brightness of the view over that of the host.
+  double gain = 1;
 };
 
-/// A pixel of an edge with its depth.
+/// Edge pixel with its depth.
 struct EdgeNode {
-  int edge_pixel = -1;      ///< index into the host's EdgeMap
-  double idepth = 0;        ///< 1/z in the host frame
-  double idepth_sigma = 0;  ///< one standard deviation, same unit
-  int views = 0;            ///< that show it there
-  bool is_outline = false;  ///< only one side of the edge looks the same from elsewhere
+  /// Index into ImageEdges::pixels of the host.
+  int edge_pixel = -1;
+  /// Inverse depth 1/z in the host frame.
+  double idepth = 0;
+  /// Standard deviation of the inverse depth.
+  double idepth_sigma = 0;
+  /// Number of views that show the edge at that depth.
+  int views = 0;
+  /// Whether only one side of the edge looks the same in the other views (an occluding contour).
+  bool is_outline = false;
 };
 
 /// Neighbours on one edge without a jump in depth, in the order of the chain.
 using EdgePiece = std::vector<EdgeNode>;
 
-/// The stretches of the host's edges whose depth the views tell, in the order of its chains. `sides`: of each
-/// edge pixel of the host. `views`: the nearest first. Nothing is nearer than 1 over `max_idepth`. `trace`:
-/// of each edge pixel, filled if not null.
+/// Finds the pieces of the host's edges whose depth the views constrain, in the order of its chains. `sides`
+/// belongs to the edge pixels of the host, `views` are sorted nearest first, and no depth is below 1 over
+/// `max_idepth`. `trace`, unless null, receives one entry per edge pixel.
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
@@ -5,24 +6,24 @@
 
 namespace edgevo {
 
-/// Parameters of the lines of whole edges.
+/// Parameters of the map of 3D edge lines.
 struct EdgeMapParams {
-  /// "off", "keyframes" or "full"
+  /// "off", "keyframes" or "full".
   std::string mode = "full";
-  /// images
+  /// Images.
   int views = 8;
-  /// px
+  /// Pixels.
   int step_px = 3;
-  /// images
+  /// Images.
   int min_views = 3;
-  /// vertices
+  /// Vertices.
   int min_vertices = 4;
-  /// share of the inverse depth
+  /// Share of the inverse depth.
   double max_relative_sigma = 0.007;
 
-  /// Lines are made at all.
+  /// Whether lines are made at all.
   bool is_on() const { return mode != "off"; }
-  /// Each 3D edge once.
+  /// Whether lines of several keyframes are fused, so that each 3D edge is mapped once.
   bool is_fused() const { return mode == "full"; }
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The lines of edges of a whole map: keyframe after keyframe as they leave the window, each 3D edge once.
+// 3D edge lines of a whole map: made keyframe by keyframe as they leave the window, each 3D edge once.
 //
-// A keyframe's edges get their depth from its neighbours on both sides (edge_depth.h). Lines that earlier
-// keyframes host are first projected into it: an edge pixel whose depth they tell, and the views confirm, is
-// explained and needs no search; a vertex that should be seen and is not is missed. What is left becomes new
-// lines, hosted here. Where this keyframe tells a depth much better than the old host did, because it is
-// nearer, its line takes the old one's place. A line is settled when twelve more have passed:
-// vertices missed more often than seen go.
+// The edges of a keyframe get their depth from its neighbours on both sides (edge_depth.h). Lines hosted by
+// earlier keyframes are projected into it: an edge pixel whose depth they predict, and the views confirm, is
+// explained; a vertex that should be visible but is not counts as missed. The remaining pixels become new
+// lines, hosted by this keyframe. If this keyframe measures a depth much better than the old host did,
+// because it is nearer, its line replaces the old one. A line is final after twelve more keyframes: vertices
+// missed more often than seen are removed.
 //
-// Memory: the images of the few newest keyframes, and the lines. One thread; with a thread of its own the
-// work is done there, and what it cannot keep up with is left out.
+// Memory: the images of the few newest keyframes, and the lines. Call it from one thread. With `own_thread`
+// the work is done in a thread of its own, which skips keyframes when it is behind.
 #include <deque>
 #include <memory>
 #include <vector>
@@ -22,29 +23,32 @@
 
 namespace edgevo {
 
-/// The lines of a keyframe, in its frame.
+/// Lines hosted by a keyframe, in its frame.
 struct HostedLines {
-  int keyframe_id = -1;         ///< that hosts them
-  std::vector<EdgeLine> lines;  ///< vertices in its undistorted image
+  /// Id of the host keyframe.
+  int keyframe_id = -1;
+  /// Lines whose vertices are pixels of the host's undistorted image.
+  std::vector<EdgeLine> lines;
 };
 
 /// Makes the lines of one segment after another.
 class EdgeMapper {
  public:
-  /// `own_thread`: add() returns at once. `trace`: filled until close() if not null.
+  /// With `own_thread`, add() returns at once. `trace`, unless null, is filled until close().
   EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread,
              EdgeTrace* trace = nullptr);
   ~EdgeMapper();
 
-  /// A keyframe that has left the window, in order of id; `younger`: those after it. The images are shared.
+  /// Adds a keyframe that has left the window, in order of id; `younger`: the keyframes after it. The images
+  /// are shared.
   void add(const Keyframe& keyframe, const std::deque<Keyframe>& younger);
-  /// The camera was corrected: lines and poses move along.
+  /// Moves lines and poses to a corrected camera.
   void apply(const MapRevision& revision);
-  /// Ends the segment: all its lines, ascending id.
+  /// Ends the segment and returns all its lines, in ascending order of keyframe id.
   std::vector<HostedLines> close();
 
-  /// Keyframes whose lines were left out, since the thread was behind.
-  int left_out() const;
+  /// Number of keyframes skipped because the thread was behind.
+  int skipped() const;
 
  private:
   struct Impl;

@@ -1,45 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What became of the edge pixels of keyframes on their way to lines: for figures, not for results.
+// Trace of the edge pixels of keyframes on their way to lines: for diagnosis, not for results.
 #include <map>
 #include <string>
 #include <vector>
 
 namespace edgevo {
 
-/// The furthest gate that an edge pixel reached, in their order. Up to kFound of its depth, then of the
+/// Last stage that an edge pixel reached, in order: up to kFound those of its depth, then those of the
 /// fusion.
-enum class EdgeFate {
-  kNotTried,     ///< its edge is too short
-  kNoCrossing,   ///< no edge of like direction lies on its epipolar lines, and no neighbour's depth fits it
-  kFewViews,     ///< fewer than min_views show an edge where any of its depths says
-  kNoSupport,    ///< more views look at the place without showing it
-  kNoMotion,     ///< no view moves it across its edge
-  kNotChosen,    ///< along the edge no depth was cheaper
-  kAlongMotion,  ///< an error that all views share makes the depth too uncertain: no neighbour can help
-  kUncertain,    ///< the noise does
-  kShort,        ///< the stretch with a depth is shorter than min_vertices
-  kFound,        ///< it has a depth
-  kExplained,    ///< which an earlier line tells as well
-  kReplaced,     ///< a later keyframe tells it much better
-  kMissed,       ///< more keyframes contradict it than see it
-  kUnconfirmed,  ///< only its host tells it, from few images
-  kKept,         ///< a vertex of a line
+enum class EdgeStage {
+  /// The edge is too short.
+  kNotTried,
+  /// No edge of like direction lies on its epipolar lines, and the depth of no neighbour fits.
+  kNoCrossing,
+  /// Fewer than min_views views show an edge at any of its depths.
+  kFewViews,
+  /// More of the views that contain the point show no edge there than show one.
+  kNoSupport,
+  /// A change of depth moves the point across its edge in no view.
+  kNoMotion,
+  /// Having no depth was cheaper along the edge.
+  kNotChosen,
+  /// The error common to all views makes the depth too uncertain, which neighbours cannot improve.
+  kAlongMotion,
+  /// Noise makes the depth too uncertain.
+  kUncertain,
+  /// The piece of the edge with a depth has fewer than min_vertices vertices.
+  kShort,
+  /// The pixel has a depth.
+  kFound,
+  /// An earlier line predicts the same depth.
+  kExplained,
+  /// A later keyframe measures the depth much better.
+  kReplaced,
+  /// More keyframes contradict the vertex than see it.
+  kMissed,
+  /// Only the host supports the vertex, from few images.
+  kUnconfirmed,
+  /// The pixel is a vertex of a line.
+  kKept,
 };
-/// Its words in tables.
-const std::string& to_string(EdgeFate fate);
+/// Label of a stage in tables.
+const std::string& to_string(EdgeStage stage);
 
-/// Of an edge pixel.
+/// Trace of one edge pixel.
 struct TracedPixel {
-  EdgeFate fate = EdgeFate::kNotTried;  ///< furthest gate
-  double idepth = 0;  ///< 1/z in the frame of its keyframe, whether it was certain or not; 0: there was none
+  /// Last stage that the pixel reached.
+  EdgeStage stage = EdgeStage::kNotTried;
+  /// Inverse depth 1/z in the frame of its keyframe, certain or not; 0 if there is none.
+  double idepth = 0;
 
-  /// Notes that the pixel came to this gate.
-  void reach(EdgeFate gate) {
-    if (gate > fate) fate = gate;
+  /// Records that the pixel reached a stage.
+  void reach(EdgeStage reached) {
+    if (reached > stage) stage = reached;
   }
 };
 
-/// Of each keyframe by its id, by edge pixel; those between two searched ones (step_px) stay as they began.
+/// Traces of the edge pixels of each keyframe, by keyframe id; pixels between two searched ones (step_px)
+/// keep the initial stage.
 using EdgeTrace = std::map<int, std::vector<TracedPixel>>;
 
 }  // namespace edgevo

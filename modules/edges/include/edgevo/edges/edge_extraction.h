@@ -1,15 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From a mask of edge pixels to an EdgeMap: thin to one pixel, link along the edge, place each pixel to
-// sub-pixel.
-#include "edgevo/edges/edge_map.h"
+// Extraction of ImageEdges from a mask of edge pixels: thinning to one pixel, linking along the edge,
+// sub-pixel positions.
 #include "edgevo/edges/gradient.h"
+#include "edgevo/edges/image_edges.h"
 
 namespace edgevo {
 
-/// Walks each edge of `mask` from its ends (then the closed ones), straight on where it branches; pixels
-/// beside the walked line (corners of thick masks) form no edge of their own unless they reach `min_chain`.
+/// Walks each edge of `mask` from its ends (then the closed edges), straight on where it branches; pixels
+/// next to the walked line (corners of thick masks) form no edge of their own unless they reach `min_chain`.
 /// Each pixel then moves along its gradient to the maximum of a parabola through three gradient magnitudes,
-/// at most half a pixel. Pixels within two of the border are left out. Cost: 2 to 3 ms for 22k edge pixels.
-EdgeMap extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain);
+/// by at most half a pixel. Pixels within two of the border are skipped. Cost: 2 to 3 ms for 22k edge pixels.
+ImageEdges extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain);
 
 }  // namespace edgevo

@@ -1,24 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Edges of a mask as chains of whole pixels.
+// Linking of the edges of a mask to chains of integer pixels.
 #include <vector>
 
-#include "edgevo/edges/edge_map.h"
+#include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/plane.h"
 
 namespace edgevo {
 
-/// A pixel of a mask.
+/// Pixel of a mask.
 struct MaskPixel {
-  int x;  ///< column
-  int y;  ///< row
+  /// Column.
+  int x;
+  /// Row.
+  int y;
 };
 
-/// Pixels chain by chain, in walking order.
+/// Chains of pixels, in walking order.
 struct PixelChains {
-  std::vector<MaskPixel> pixels;  ///< of all chains
-  std::vector<EdgeChain> chains;  ///< ranges of `pixels`
+  /// Pixels of all chains, one chain after the other.
+  std::vector<MaskPixel> pixels;
+  /// Ranges of `pixels` that form one chain each.
+  std::vector<EdgeChain> chains;
 
-  /// One more chain.
+  /// Appends a chain.
   void append(const std::vector<MaskPixel>& path) {
     const int begin = int(pixels.size());
     pixels.insert(pixels.end(), path.begin(), path.end());
@@ -26,7 +31,7 @@ struct PixelChains {
   }
 };
 
-/// Chains of at least `min_chain` pixels, one pixel thick (edge_extraction.h tells how they are walked).
+/// Chains of at least `min_chain` pixels, one pixel thick, walked as extract_edges() describes.
 PixelChains link_edges(const Plane<uint8_t>& mask, int min_chain);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 #include <vector>
@@ -6,29 +7,28 @@
 
 namespace edgevo {
 
-/// The detectors that edgevo knows, the default first: what edges.detector may be. A program need not offer
-/// all of them (edge_detector.h).
+/// Valid values of edges.detector, the default first. A program need not offer all of them (edge_detector.h).
 std::vector<std::string> edge_detector_names();
 
 /// Parameters of edge detection.
 struct EdgeParams {
-  /// one of edge_detector_names()
+  /// One of edge_detector_names().
   std::string detector = "canny";
-  /// path
+  /// Path; may be empty.
   std::string model;
-  /// path
+  /// Path; may be empty.
   std::string folder;
-  /// levels
+  /// Levels.
   int levels = 4;
-  /// levels
+  /// Levels.
   int edge_levels = 2;
-  /// [0.5, 0.99]
+  /// Share of the pixels, 0.5 to 0.99.
   double canny_percentile = 0.90;
-  /// ratio
+  /// Ratio to the high threshold.
   double canny_low_ratio = 0.4;
-  /// gray levels per pixel
+  /// Gray levels per pixel.
   double min_gradient = 3.0;
-  /// px
+  /// Pixels.
   int min_chain = 6;
 
   /// Names, ranges and texts of the fields (core/params.h).

@@ -1,26 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How likely each pixel of an image lies on an edge, by what was learned or computed before: the first half
-// of the detectors that do not look at the gradient alone (paper, Sec. V: structured forests, HED). The
-// second half, which pixels are then edges and where exactly they lie, is the image's own gradient's again
+// Probability that each pixel of an image lies on an edge, learned or precomputed: the first half of the
+// detectors that do not use the gradient alone (paper, Sec. V: structured forests, HED). The second half, the
+// selection of edge pixels and their exact positions, uses the gradient of the image again
 // (modules/detectors).
 //
-// It is taken from the image as the camera took it, once a frame: undistortion, rolling shutter and the
-// coarser levels of the pyramid then move and halve it as they do the image, so that a probability from a
-// file serves as well as one computed here, and a frame that is rectified anew costs no second look.
+// It is computed on the raw image, once per frame. Undistortion, rolling-shutter rectification and the
+// coarser pyramid levels then transform it like the image. So probabilities from files work equally well, and
+// a frame that is rectified again needs no second evaluation.
 #include <string>
 
 #include "edgevo/edges/plane.h"
 
 namespace edgevo {
 
-/// Tells the probability of an edge. One object a thread.
+/// Estimates the probability of an edge. Use one object per thread.
 class EdgeProbability {
  public:
   virtual ~EdgeProbability() = default;
-  /// Of the image's size, 0 (no edge) to 255; deterministic. `name`: of the frame (image_names.h). Throws
-  /// InputError for an image that the model, or the folder, does not fit.
+  /// Returns a probability image of the size of `gray`, 0 (no edge) to 255; deterministic. `name` is that of
+  /// the frame (image_names.h). Throws InputError for an image that does not fit the model or the folder.
   virtual Plane<uint8_t> estimate(const ImageView<uint8_t>& gray, const std::string& name) = 0;
-  /// What it is, for a journal: the model's file and a checksum of its bytes, or the folder.
+  /// Description for records: the file of the model and a checksum of its bytes, or the folder.
   virtual std::string description() const = 0;
 };
 

@@ -1,71 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A frame made ready for tracking and mapping: undistorted image pyramid, and on its finest levels edges with
-// their nearest-neighbour fields.
+// A frame prepared for tracking and mapping: undistorted image pyramid, with edges and their
+// nearest-neighbour fields on its finest levels.
 #include <memory>
 #include <vector>
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
 #include "edgevo/edges/edge_detector.h"
-#include "edgevo/edges/edge_map.h"
 #include "edgevo/edges/image_correction.h"
+#include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/nearest_field.h"
 #include "edgevo/edges/plane.h"
 
 namespace edgevo {
 
-/// x_l = x_0 / 2^l for all pixel coordinates.
+/// One level of a pyramid; pixel coordinates are x_l = x_0 / 2^l.
 struct PyramidLevel {
-  Pinhole pinhole;                  ///< of this level's pixels
-  Plane<uint8_t> gray;              ///< undistorted
-  Plane<float> gradient_magnitude;  ///< Sobel units; empty on levels without edges
-  EdgeMap edges;                    ///< empty on levels without edges
-  NearestField field;               ///< of `edges`; empty on levels without edges
+  /// Pinhole of this level's pixels.
+  Pinhole pinhole;
+  /// Undistorted gray image.
+  Plane<uint8_t> gray;
+  /// Gradient magnitude, Sobel units; empty on levels without edges.
+  Plane<float> gradient_magnitude;
+  /// Edges of the level; empty on levels without edges.
+  ImageEdges edges;
+  /// Nearest-neighbour field of `edges`; empty on levels without edges.
+  NearestField field;
 };
 
-/// A frame made ready. Immutable once it is built.
+/// Pyramid of a frame. Immutable once it is built.
 struct FramePyramid {
-  std::vector<PyramidLevel> levels;  ///< the finest first
-  GrayImage source;  ///< as the camera took it: to build the pyramid again when the camera is corrected
-  std::shared_ptr<const Plane<uint8_t>>
-      border_mask;  ///< 255 where no light reaches `source`: no edges are taken there; null where it does
-                    ///< everywhere, and at first
-  std::shared_ptr<const Plane<uint8_t>>
-      probability;  ///< of an edge, of `source` (edge_probability.h); null for a detector that needs none
-  ImageCorrection correction;  ///< that was taken out of `levels`, beside what the camera file says
-  const PyramidLevel& finest() const { return levels.front(); }  ///< level 0
-  double masked_share() const;                                   ///< of the pixels of `source`, 0 to 1
+  /// Levels, finest first.
+  std::vector<PyramidLevel> levels;
+  /// Raw image, kept to rebuild the pyramid when the camera is corrected.
+  GrayImage source;
+  /// Mask of `source`, 255 where no light ever reaches it, so that no edges are extracted; null if there is
+  /// no such area, and for the first images.
+  std::shared_ptr<const Plane<uint8_t>> border_mask;
+  /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
+  std::shared_ptr<const Plane<uint8_t>> probability;
+  /// Correction applied to `levels` in addition to the camera file.
+  ImageCorrection correction;
+  /// Finest level (level 0).
+  const PyramidLevel& finest() const { return levels.front(); }
+  /// Share of the pixels of `source` covered by `border_mask`, 0 to 1.
+  double masked_share() const;
 };
 
-/// Turns frames into pyramids. Holds the detector and the undistortion maps; one object a thread.
+/// Builds pyramids from frames. Holds the detector and the undistortion maps; use one object per thread.
 class PyramidBuilder {
  public:
-  /// Throws InputError for an unknown detector or one that `detectors` lacks, a model or folder that it
-  /// cannot use, or an unusable camera.
+  /// Throws InputError for an unknown detector, one that is not in `detectors`, an unusable model or folder,
+  /// or an unusable camera.
   PyramidBuilder(const Camera& camera, const EdgeParams& params,
                  const EdgeDetectorTable& detectors = basic_edge_detectors());
   ~PyramidBuilder();
   PyramidBuilder(PyramidBuilder&&) noexcept;
-  /// One that is asked to rebuild() only, which takes no model: the probability is in the pyramid.
+  /// Builder for rebuild() only. It loads no model, since the pyramid holds the probability.
   static PyramidBuilder for_rebuilding(const Camera& camera, const EdgeParams& params,
                                        const EdgeDetectorTable& detectors = basic_edge_detectors());
 
   /// Pinhole of the undistorted images.
   const Pinhole& pinhole() const;
-  /// Taken out of the images that follow. A change of k1 makes new undistortion maps, about 20 ms at
-  /// 1241x376.
+  /// Correction applied to new images.
   ImageCorrection correction() const;
-  /// likewise; pyramids built before stay as they are
+  /// Sets the correction for new images; existing pyramids do not change. A change of k1 makes new
+  /// undistortion maps, about 20 ms at 1241x376.
   void set_correction(const ImageCorrection& correction);
-  /// `image` must have the camera's size (throws InputError). `motion`: of the image at that moment, for a
-  /// rolling shutter; without it the rows stay where they are. Cost at 1241x376: see
-  /// tests/bench/bench_edges.cpp. Images of one camera in their order: what no image so far has lit (a black
-  /// frame, a letterbox) gets no edges.
+  /// Builds the pyramid of an image. Throws InputError if it does not have the size of the camera. `motion`
+  /// is the image motion at that time, used to rectify a rolling shutter; without it the rows stay unchanged.
+  /// Pass the images of one camera in order: areas that no image so far has lit (a letterbox) get no edges.
+  /// Cost: tests/bench/bench_edges.cpp.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
-  /// The same for a frame, by whose name the detector `precomputed` finds its files; throws InputError where
-  /// it does not.
+  /// Builds the pyramid of a frame, whose name the detector `precomputed` uses to find its files; throws
+  /// InputError if there is none.
   std::shared_ptr<const FramePyramid> build(const Frame& frame, const ImageMotion& motion = {});
-  /// The pyramid of the same image for the present correction and another motion.
+  /// Rebuilds the pyramid of the same image with the present correction and another motion.
   std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
 
  private:

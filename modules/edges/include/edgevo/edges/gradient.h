@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Gradient of a smoothed image: what edges are found in, placed by and compared by.
+// Gradient of a smoothed image, from which edges are detected, located and compared.
 #include <array>
 #include <cstdint>
 
@@ -7,27 +8,32 @@
 
 namespace edgevo {
 
-/// Smoothed by a binomial of 5x5 pixels (sigma 1), then Sobel 3x3. Sobel units: 8 times gray levels per
-/// pixel. No rounding in between: the sub-pixel positions of edges live from it.
+/// Gradient after smoothing with a binomial of 5x5 pixels (sigma 1), by Sobel 3x3. Sobel units are 8 times
+/// gray levels per pixel. There is no rounding in between, on which the sub-pixel positions of edges rely.
 struct Gradient {
-  Plane<int16_t> dx, dy;   ///< kGradientSteps steps a Sobel unit
-  Plane<float> magnitude;  ///< Sobel units
+  /// Derivatives in x and y, in steps of 1 / kGradientSteps Sobel units.
+  Plane<int16_t> dx, dy;
+  /// Magnitude, Sobel units.
+  Plane<float> magnitude;
 };
-constexpr float kGradientSteps = 32.0f;     ///< the finest that 16 bits hold: 4 * 255 * 32 = 32640
-constexpr float kSobelPerGrayLevel = 8.0f;  ///< Sobel 3x3 response to a ramp of one gray level per pixel
+/// Steps per Sobel unit, as many as fit 16 bits: 4 * 255 * 32 = 32640.
+constexpr float kGradientSteps = 32.0f;
+/// Response of Sobel 3x3 to a ramp of one gray level per pixel.
+constexpr float kSobelPerGrayLevel = 8.0f;
 
-/// The image goes on beyond its border as its last row and column. Cost: 0.6 ms at 1241x376.
+/// Computes the gradient; beyond the border the border pixels are repeated. Cost: 0.6 ms at 1241x376.
 Gradient compute_gradient(const ImageView<uint8_t>& gray);
 
-/// How strong the gradient of an image is; looks at a quarter of its pixels.
+/// Histogram of gradient magnitudes over a quarter of the pixels.
 class GradientHistogram {
  public:
-  explicit GradientHistogram(const Plane<float>& magnitude);  ///< `magnitude` in Sobel units
-  /// Magnitude (Sobel units, rounded up) that the share `percentile` of the pixels does not exceed.
+  /// `magnitude` in Sobel units.
+  explicit GradientHistogram(const Plane<float>& magnitude);
+  /// Magnitude (Sobel units, rounded up) that the share `percentile` (0 to 1) of the pixels does not exceed.
   float percentile(double percentile) const;
 
  private:
-  static constexpr int kBins = 1536;  // of one Sobel unit: magnitudes stay below 4 * 255 * sqrt(2) = 1443
+  static constexpr int kBins = 1536;  // of one Sobel unit; magnitudes are below 4 * 255 * sqrt(2) = 1443
   std::array<int, kBins> count_{};
   int total_ = 0;
 };

@@ -1,14 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How an image point moves when what the camera file does not say (ImageCorrection, core/camera.h) is taken
-// out:
+// Motion of an image point under a correction of the camera file (ImageCorrection, core/camera.h):
 //   1. a residual radial distortion k1 (core/radial.h),
-//   2. a rolling shutter: row v is taken readout_s (v / (height - 1) - 1/2) seconds after the row in the
-//      middle, whose moment is the frame's. An image point x that moves with dx/dt (image_motion.h) is found
-//      at
+//   2. a rolling shutter: row v is exposed readout_s (v / (height - 1) - 1/2) seconds after the middle row,
+//      whose time is that of the frame. An image point x that moves with dx/dt (image_motion.h) appears at
 //          x + readout_s row(x) dx/dt,   row(x) = v / (height - 1) - 1/2.
 // Together: x_file = add_radial(k1, x + readout_s row(x) dx/dt), normalised coordinates. The row is that of x
-// and not that of the raw image, the depths are those of image_motion.h: both are wrong by a few per cent of
-// a shift of a few pixels.
+// and not that of the raw image, and depths are those of image_motion.h: both cause errors of a few per cent
+// of a shift of a few pixels.
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"
@@ -21,17 +20,17 @@ inline double shutter_row(const Pinhole& c, const Eigen::Vector2d& x) {
   return c.height > 1 ? (c.fy * x.y() + c.cy) / (c.height - 1) - 0.5 : 0.0;
 }
 
-/// Where the rolling shutter alone shows the point x.
+/// Position at which the rolling shutter alone shows the point x, normalised coordinates.
 Eigen::Vector2d add_rolling(const Pinhole& pinhole, double readout_s, const ImageMotion& motion,
                             const Eigen::Vector2d& x);
-/// x_file of a true x.
+/// Distorted position x_file of a true x, normalised coordinates.
 Eigen::Vector2d to_file(const Pinhole& pinhole, const ImageCorrection& correction, const ImageMotion& motion,
                         const Eigen::Vector2d& x);
-/// Inverse of to_file, to 1e-12 where the image moves by less than a fifth of its height while it is read; at
-/// most 12 steps. Where it moves so fast that the steps lead away, the lens alone is taken out.
+/// Inverse of to_file(), to 1e-12 if the image moves by less than a fifth of its height during the read-out;
+/// at most 12 steps. If it moves so fast that the iteration diverges, only the lens is corrected.
 Eigen::Vector2d from_file(const Pinhole& pinhole, const ImageCorrection& correction,
                           const ImageMotion& motion, const Eigen::Vector2d& x_file);
-/// d x_file / d x; the rolling shutter's share by differences.
+/// Jacobian d x_file / d x; the part of the rolling shutter is computed by differences.
 Eigen::Matrix2d file_jacobian(const Pinhole& pinhole, const ImageCorrection& correction,
                               const ImageMotion& motion, const Eigen::Vector2d& x);
 

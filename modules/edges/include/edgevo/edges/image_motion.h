@@ -1,13 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How fast image points move at one moment, everywhere in the image: what the rows of a rolling shutter need
-// to know.
+// Velocity of image points at one time, everywhere in the image, as needed to rectify a rolling shutter.
 //
-// A camera that moves by the twist (v, w) sees a point X of its frame move by dX/dt = v + w x X, and with the
-// inverse depth rho the normalised image point x = (X/Z, Y/Z) by
+// If points X in the camera frame move by dX/dt = v + w x X, the normalised image point x = (X/Z, Y/Z) with
+// the inverse depth rho moves by
 //     dx/dt = (rho v + w x (x, y, 1))_xy - x (rho v + w x (x, y, 1))_z.
-// rho is a coarse picture of the depths in view, and need not be exact for each edge point: at 0.3 m/s, 1 m
-// from the camera and 520 px of focal length, an error by a third is one of 50 px/s, and a quarter of a pixel
-// where a shutter of 0.02 s is halfway to the border.
+// rho is a coarse map of the depths in view and need not be exact for each edge point: at 0.3 m/s, 1 m from
+// the camera and 520 px of focal length, an error of a third causes 50 px/s, a quarter of a pixel halfway to
+// the border for a read-out time of 0.02 s.
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"
@@ -15,18 +15,19 @@
 
 namespace edgevo {
 
-/// The motion of the camera at one moment, with the depths in view.
+/// Motion of the camera at one time, with the depths in view.
 struct ImageMotion {
-  /// Cells of the image: a coarse picture of the depths will do.
+  /// Number of cells of the coarse depth map.
   static constexpr int kRows = 8, kColumns = 10;
 
-  /// (v, w) of points in the camera frame, units and radians a second; 0: not known.
+  /// Velocity (v, w) of points in the camera frame, units of the map and radians per second; 0 if unknown.
   Vector6d velocity = Vector6d::Zero();
-  /// At the cells' centres.
+  /// Inverse depth at the centres of the cells.
   Eigen::Matrix<double, kRows, kColumns> idepth = Eigen::Matrix<double, kRows, kColumns>::Zero();
 
-  bool is_known() const { return !velocity.isZero(0); }  ///< `velocity` is not zero
-  /// dx/dt of the normalised image point x, per second; depths between the cells' centres bilinear.
+  /// Whether the velocity is known (not zero).
+  bool is_known() const { return !velocity.isZero(0); }
+  /// Velocity dx/dt of the normalised image point x, per second; depths are interpolated bilinearly.
   Eigen::Vector2d at(const Pinhole& pinhole, const Eigen::Vector2d& x) const;
 };
 

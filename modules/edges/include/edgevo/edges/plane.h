@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// An owned image of any element type, rows without padding. Elements are NOT initialised by the constructor:
-// planes are written whole right after they are made, and clearing megabytes a frame would be wasted. Their
-// memory is kept for the next plane of the same size: a frame needs some ten of them, and fresh memory costs
-// more than a gradient does.
+// An owned image of any element type, rows without padding. The constructor does NOT initialise the elements:
+// planes are written completely right after construction, and clearing megabytes per frame would be wasted.
+// Their memory is reused by the next plane of the same size: a frame needs about ten of them, and fresh
+// memory costs more than computing a gradient.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -12,36 +13,43 @@
 
 namespace edgevo {
 
-/// Memory of planes, used again. Any thread.
+/// Memory pool of planes. Thread-safe.
 struct PlaneMemory {
-  /// A block of `bytes`, not initialised. Throws std::bad_alloc.
+  /// Returns an uninitialised block of `bytes`. Throws std::bad_alloc.
   static void* take(size_t bytes);
-  /// Keeps the block for the next `take` of that size, or frees it where many are kept.
+  /// Keeps the block for the next take() of that size, or frees it if many are kept already.
   static void give_back(void* block, size_t bytes);
 };
 
-/// An owned image of trivial elements; see above.
+/// Owned image of trivial elements, rows without padding.
 template <class T>
 class Plane {
   static_assert(std::is_trivial_v<T>);
 
  public:
   Plane() = default;
-  /// Elements are not initialised.
+  /// Allocates a plane; its elements are not initialised.
   Plane(int width, int height)
       : width_(width),
         height_(height),
         data_(static_cast<T*>(PlaneMemory::take(sizeof(T) * width * height)),
               GiveBack{sizeof(T) * width * height}) {}
 
-  int width() const { return width_; }                                    ///< pixels
-  int height() const { return height_; }                                  ///< pixels
-  bool empty() const { return !data_; }                                   ///< no image
-  T* row(int y) { return data_.get() + size_t(y) * width_; }              ///< 0 <= y < height, not checked
-  const T* row(int y) const { return data_.get() + size_t(y) * width_; }  ///< 0 <= y < height, not checked
-  T& at(int x, int y) { return row(y)[x]; }                               ///< inside the image, not checked
-  const T& at(int x, int y) const { return row(y)[x]; }                   ///< inside the image, not checked
-  /// valid while this object lives
+  /// Width, pixels.
+  int width() const { return width_; }
+  /// Height, pixels.
+  int height() const { return height_; }
+  /// Whether there is no image.
+  bool empty() const { return !data_; }
+  /// First pixel of a row, 0 <= y < height (not checked).
+  T* row(int y) { return data_.get() + size_t(y) * width_; }
+  /// First pixel of a row, 0 <= y < height (not checked).
+  const T* row(int y) const { return data_.get() + size_t(y) * width_; }
+  /// Pixel inside the image (not checked).
+  T& at(int x, int y) { return row(y)[x]; }
+  /// Pixel inside the image (not checked).
+  const T& at(int x, int y) const { return row(y)[x]; }
+  /// View of the plane, valid while this object lives.
   ImageView<T> view() const { return {data_.get(), width_, height_, width_}; }
 
  private:
@@ -53,7 +61,7 @@ class Plane {
   std::unique_ptr<T[], GiveBack> data_;
 };
 
-/// Bilinear value at (x, y); the caller keeps 0 <= x < width-1, 0 <= y < height-1.
+/// Bilinear interpolation at (x, y); requires 0 <= x < width - 1 and 0 <= y < height - 1.
 template <class T>
 inline float bilinear(const ImageView<T>& image, float x, float y) {
   const int x0 = int(x), y0 = int(y);

@@ -1,12 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Which ground-truth pose belongs to which estimated pose, and which input frame that was.
+// Association of estimated poses with ground truth and with input frames.
 //
 // Ground truth may have a rate of its own (motion capture at 100 Hz under images at 30 Hz), so it is
-// interpolated to the estimate's times: positions linearly, rotations by slerp. Outside its span, or inside a
-// hole of more than ten of its median steps, there is no match: nobody knows where the camera was.
+// interpolated to the estimate's times: positions linearly, rotations by slerp. Outside its span, or in a
+// gap of more than ten of its median steps, there is no match: the position of the camera is unknown.
 //
-// What the metrics need to know beside the poses is the INPUT: the frames that the system was given, posed or
-// not.
+// Besides the poses, the metrics need the INPUT: the frames that the system received, with or without pose.
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,60 +17,74 @@
 
 namespace edgevo {
 
-/// The ground truth at `time`; nullopt where it does not say. A time up to 0.1 ms outside the span (rounding
-/// of the files) counts as its end. Cost: logarithmic, after one linear pass in the constructor.
+/// Interpolates ground truth. A time up to 0.1 ms outside the span (rounding of the files) counts as its end.
+/// Cost: logarithmic per query, after one linear pass in the constructor.
 class GroundTruth {
  public:
-  /// Keeps a reference; poses in time order.
+  /// Keeps a reference to `trajectory`, whose poses are in time order.
   explicit GroundTruth(const Trajectory& trajectory);
-  std::optional<SE3> at(Timestamp time) const;  ///< interpolated T_world_cam
+  /// Interpolated T_world_cam at `time`; nullopt outside the span and in long gaps.
+  std::optional<SE3> at(Timestamp time) const;
 
  private:
-  const std::vector<StampedPose>* poses_;  ///< not owned: the trajectory must outlive this
+  /// Not owned; the trajectory must outlive this object.
+  const std::vector<StampedPose>* poses_;
   int64_t longest_gap_ticks_;
 };
 
-/// The frames that were put into the system, in time order.
+/// Frames that the system received, in time order.
 struct InputFrames {
-  std::vector<Timestamp> times;  ///< ascending
-  std::string source;            ///< how they were found, for the report
+  /// Times, ascending.
+  std::vector<Timestamp> times;
+  /// Where they were found, for the report.
+  std::string source;
 };
 
-/// Finds the input frames, taking the first of these that there is:
-///   1. `frames_total` (a count that the user gives): that many frames, spaced by the estimate's median step;
+/// Finds the input frames from the first of these that is available:
+///   1. `frames_total` (given by the user): that many frames, spaced by the estimate's median step;
 ///   2. frames.csv in the folder of the trajectory (a run of `edgevo run`): its rows;
 ///   3. times.txt in the folder of the ground truth (a sequence in the `edgevo` layout): its lines;
-///   4. the ground truth's own lines, where most of the estimate's times are among them and the median steps
-///      are alike;
-///   5. the estimate's span at its median step: frames lost before its first and after its last pose go
-///      unnoticed.
-/// Throws InputError for a file of 2. or 3. that is there but broken.
+///   4. the lines of the ground truth, if they contain most of the estimate's times and the median steps are
+///      similar;
+///   5. the span of the estimate at its median step: frames lost before its first and after its last pose are
+///      not counted.
+/// Throws InputError if a file of 2. or 3. exists but is broken.
 InputFrames find_input_frames(const Trajectory& estimate, const Trajectory& ground_truth,
                               std::optional<int> frames_total);
 
 /// An estimated pose with its ground truth.
 struct MatchedPose {
-  Timestamp time;  ///< of the estimated pose
-  int frame = 0;   ///< index of the nearest input frame
-  SE3 T_est;       ///< estimate, its own world and unit
-  SE3 T_gt;        ///< ground truth at `time`, metres
+  /// Time of the estimated pose.
+  Timestamp time;
+  /// Index of the nearest input frame.
+  int frame = 0;
+  /// Estimated pose, in its own world frame and unit.
+  SE3 T_est;
+  /// True pose at `time`, metres.
+  SE3 T_gt;
 };
 
-/// One input frame.
+/// An input frame with its match.
 struct EvaluatedFrame {
-  std::optional<SE3> T_gt;  ///< at the pose's time if there is one, else at the frame's
-  int match = -1;           ///< index into Association::matches; -1: no pose, or none with ground truth
-  bool has_pose = false;    ///< the estimate holds a pose for it, whether or not ground truth does
+  /// True pose at the time of the estimated pose if there is one, else at the time of the frame.
+  std::optional<SE3> T_gt;
+  /// Index into Association::matches; -1: no pose, or no ground truth for it.
+  int match = -1;
+  /// Whether the estimate has a pose for the frame, with or without ground truth.
+  bool has_pose = false;
 };
 
-/// The estimate beside its ground truth, by pose and by input frame.
+/// The estimate with its ground truth, by pose and by input frame.
 struct Association {
-  std::vector<MatchedPose> matches;    ///< in time order
-  std::vector<EvaluatedFrame> frames;  ///< one for each input frame
-  int without_ground_truth = 0;        ///< estimated poses outside the ground truth
+  /// Matched poses in time order.
+  std::vector<MatchedPose> matches;
+  /// One entry for each input frame.
+  std::vector<EvaluatedFrame> frames;
+  /// Number of estimated poses without ground truth.
+  int without_ground_truth = 0;
 };
 
-/// Throws InputError with fewer than three matches.
+/// Matches `estimate` with `ground_truth`. Throws InputError if there are fewer than three matches.
 Association associate(const Trajectory& estimate, const Trajectory& ground_truth, const InputFrames& input);
 
 }  // namespace edgevo

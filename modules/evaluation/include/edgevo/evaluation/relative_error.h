@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Relative errors over stretches of the path: drift, KITTI's t_rel and r_rel, and the curve of the local
+// Relative errors over intervals of the path: drift, KITTI's t_rel and r_rel, and the curve of the local
 // scale.
 //
-// Over a stretch from frame i to j the relative motions of ground truth and estimate are compared:
+// Over an interval from frame i to j the relative motions of ground truth and estimate are compared:
 //   E = (T_est_i^-1 T_est_j)^-1 (T_gt_i^-1 T_gt_j)
 // |trans(E)| is the translation error, the angle of E the rotation error. No alignment is needed, only a
 // scale.
@@ -13,55 +14,69 @@
 
 namespace edgevo {
 
-/// Translational drift. A stretch begins at every input frame that has ground truth and ends at the first one
-/// that is at least the wanted length further along the true path; its drift is the translation error over
-/// its true length. Lengths: 100, 200, ..., 800 m; 5, 10, 20, 30 % of the path where the whole path is under
-/// 400 m. Each stretch counts at most `cap`, and counts the cap if one of its ends, or half or more of its
-/// input frames, lack a pose: losing track must not look better than tracking badly.
+/// Translational drift. An interval starts at each input frame that has ground truth and ends at the first
+/// one at least the nominal length further along the true path; its drift is the translation error over its
+/// true length. Nominal lengths: 100, 200, ..., 800 m; 5, 10, 20, 30 % of the path if it is shorter than 400
+/// m. An interval counts at most the cap, and exactly the cap if one of its ends, or at least half of its
+/// input frames, lack a pose: losing track must not score better than tracking badly.
 struct Drift {
-  double mean_cm_per_m = 0, median_cm_per_m = 0;  ///< over all stretches
-  int stretches = 0;                              ///< that were compared
-  int capped = 0;                                 ///< for the size of their error
-  int without_poses = 0;                          ///< capped for missing poses
-  double path_m = 0;                              ///< length of the true path over the input
-  std::vector<double> lengths_m;                  ///< of the stretches, ascending
-  /// The same for each of these lengths alone, in their order.
+  /// Mean and median over all intervals, cm/m.
+  double mean_cm_per_m = 0, median_cm_per_m = 0;
+  /// Number of intervals compared.
+  int intervals = 0;
+  /// Number of intervals whose error exceeded the cap.
+  int capped = 0;
+  /// Number of intervals that count the cap for missing poses.
+  int without_poses = 0;
+  /// Length of the true path over the input, metres.
+  double path_m = 0;
+  /// Nominal lengths of the intervals, ascending, metres.
+  std::vector<double> lengths_m;
+  /// Drift over the intervals of one nominal length.
   struct OfLength {
-    double mean_cm_per_m = 0, median_cm_per_m = 0, max_cm_per_m = 0;  ///< over the stretches of this length
-    int stretches = 0;  ///< 0: none fits, the figures say nothing
+    /// Mean, median and maximum, cm/m.
+    double mean_cm_per_m = 0, median_cm_per_m = 0, max_cm_per_m = 0;
+    /// Number of intervals of this length; 0: none fits, the figures are meaningless.
+    int intervals = 0;
   };
-  std::vector<OfLength> by_length;  ///< as lengths_m
+  /// Drift for each length, parallel to lengths_m.
+  std::vector<OfLength> by_length;
 };
 
-/// `metric_matches` are Association::matches with T_est in metres (rescale_blocks), `frames`
-/// Association::frames. nullopt where no stretch fits, as when the camera never moves. Cost: frames times
-/// lengths.
+/// Drift of `metric_matches`, which are Association::matches with T_est in metres (rescale_blocks()), over
+/// `frames`, which are Association::frames; nullopt if no interval fits, for instance if the camera never
+/// moves. Cost: frames times lengths.
 std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames,
                            const std::vector<MatchedPose>& metric_matches, double cap_cm_per_m);
 
-/// The KITTI odometry benchmark's figures, averaged over stretches of 100, 200, ..., 800 m that begin at
-/// every tenth frame; as its devkit, divided by the nominal length. Stretches whose ends lack a pose are left
-/// out.
+/// Figures of the KITTI odometry benchmark, averaged over intervals of 100, 200, ..., 800 m that start at
+/// every tenth frame and divided by the nominal length, as in its devkit. Intervals whose ends lack a pose
+/// are skipped.
 struct KittiRelative {
-  double t_rel_percent = 0;       ///< translation error over length
-  double r_rel_deg_per_100m = 0;  ///< rotation error over length
-  int stretches = 0;              ///< that were averaged
+  /// Translation error over length, percent.
+  double t_rel_percent = 0;
+  /// Rotation error over length, degrees per 100 m.
+  double r_rel_deg_per_100m = 0;
+  /// Number of intervals averaged.
+  int intervals = 0;
 };
 
-/// `scale` multiplies the estimate: one Sim(3) fit for all. nullopt where no stretch fits (a path under 100
-/// m).
+/// KITTI figures of `matches` after multiplying the estimate by `scale`, from one Sim(3) fit of the whole
+/// run; nullopt if no interval fits (a path under 100 m).
 std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& frames,
                                             const std::vector<MatchedPose>& matches, double scale);
 
-/// Local scale of a window of input frames: estimate over ground truth, divided by that of the whole run, so
-/// that 1 means no drift. Windows overlap by half.
+/// Local scale of a window of input frames. Windows overlap by half.
 struct ScalePoint {
-  int first_frame = 0, last_frame = 0;  ///< input frames of the window's first and last pose
-  double relative_scale = 1;            ///< estimate over truth, 1: as in the whole run
+  /// Input frames of the window's first and last pose.
+  int first_frame = 0, last_frame = 0;
+  /// Scale (estimate over ground truth) divided by that of the whole run: 1 means no drift.
+  double relative_scale = 1;
 };
 
-/// Windows of `window_frames` input frames (stretch_scale of absolute_error.h); windows with fewer than three
-/// poses or without motion are left out. `whole_scale` is ground truth over estimate of the whole run.
+/// Local scale in windows of `window_frames` input frames (interval_scale() of absolute_error.h); windows
+/// with fewer than three poses or without motion are skipped. `whole_scale` is ground truth over estimate of
+/// the whole run.
 std::vector<ScalePoint> scale_curve(const std::vector<MatchedPose>& matches, int window_frames,
                                     double whole_scale);
 

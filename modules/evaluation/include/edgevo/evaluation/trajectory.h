@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Trajectory files, strictly read.
+// Strict readers of trajectory files.
 //
 // TUM    one pose a line: t tx ty tz qx qy qz qw   (seconds; T_world_cam, camera x right, y down, z forward)
 // KITTI  one pose a line: the first three rows of T_world_cam, row by row (12 numbers); no times, one line a
 // frame
 //
 // Fields are separated by any number of blanks or tabs; lines may end in CR LF; empty lines and lines that
-// begin with # are passed over. The format follows from the number of fields of the first pose (8 or 12).
-// Errors: InputError "FILE:LINE: ..." for anything that is not a finite number, a wrong number of fields, a
-// rotation that is none, times that do not increase. Cost: linear. Threads: no state.
+// begin with # are skipped. The number of fields of the first pose (8 or 12) determines the format.
+// Errors: InputError "FILE:LINE: ..." for anything that is not a finite number, a wrong number of fields, an
+// invalid rotation, times that do not increase. Cost: linear. Threads: no state.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,30 +19,34 @@
 
 namespace edgevo {
 
-/// The two formats above.
+/// Format of a trajectory file.
 enum class TrajectoryFormat { kTum, kKitti };
 
-/// "TUM", "KITTI".
+/// Name of the format: "TUM", "KITTI".
 std::string_view to_string(TrajectoryFormat format);
 
-/// One line of the file.
+/// A pose with its time: one line of a file.
 struct StampedPose {
-  Timestamp time;   ///< KITTI: the number of the row, in seconds
-  SE3 T_world_cam;  ///< translation in the file's own unit: metres in a ground truth, arbitrary in a
-                    ///< monocular estimate
+  /// Time; in a KITTI file the number of the line, in seconds.
+  Timestamp time;
+  /// Pose, in the unit of the file: metres in ground truth, arbitrary in a monocular estimate.
+  SE3 T_world_cam;
 };
 
-/// A trajectory file.
+/// Contents of a trajectory file.
 struct Trajectory {
-  std::string path;                                  ///< file it came from, for messages
-  TrajectoryFormat format = TrajectoryFormat::kTum;  ///< of the file
-  std::vector<StampedPose> poses;  ///< times increase; a KITTI row's time is its number, in seconds
+  /// Path of the file, for messages.
+  std::string path;
+  /// Format of the file.
+  TrajectoryFormat format = TrajectoryFormat::kTum;
+  /// Poses with increasing times.
+  std::vector<StampedPose> poses;
 };
 
-/// Throws InputError if the file cannot be read or holds no pose.
+/// Reads a file. Throws InputError if it cannot be read or contains no pose.
 Trajectory read_trajectory(const std::string& path);
 
-/// As read_trajectory, from text; `where` opens each error message.
+/// As read_trajectory(), from text; `where` starts each error message.
 Trajectory parse_trajectory(std::string_view text, const std::string& where);
 
 }  // namespace edgevo

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Is an encoded image whole? The decoders tell only part of it: libjpeg pads a cut image with gray and
-// succeeds; libpng, and OpenCV's own decoders, print to stderr.
+// Checks that an encoded image is complete. Decoders are not reliable here: libjpeg pads a truncated image
+// with gray and succeeds; libpng and the decoders of OpenCV print to stderr.
 #include <string>
 #include <string_view>
 
 namespace edgevo {
 
-/// Empty if `bytes` is a whole PNG, JPEG, BMP or PNM, or another format (not checked); else what is wrong
-/// with it. No pixel is decoded: a header that promises a giant costs nothing.
+/// Describes the damage of a PNG, JPEG, BMP or PNM; empty if it is complete or in another format (not
+/// checked). No pixel is decoded: a header with a huge size costs nothing.
 std::string image_damage(std::string_view bytes);
 
 }  // namespace edgevo

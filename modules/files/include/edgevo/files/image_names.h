@@ -1,19 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Names of image files: their order in a folder, and what the image of a frame is to be called.
+// Names of image files: their order in a folder, and the name for the image of a frame.
 #include <string>
 
 #include "edgevo/core/image.h"
 
 namespace edgevo {
 
-/// The order in which images of a folder are played: runs of digits compare as numbers (of any length), all
-/// else byte by byte.
+/// Order of the images of a folder: runs of digits compare as numbers (of any length), everything else byte
+/// by byte.
 bool natural_less(const std::string& a, const std::string& b);
 
-/// Six digits or more: "000012".
+/// `number` with at least six digits: "000012".
 std::string padded_number(int number);
 
-/// The name of the frame's file without folder and suffix; its number where it was no file of its own.
+/// Name of the frame's file without folder and suffix; the frame number if it has no file of its own.
 std::string image_name(const Frame& frame);
 
 }  // namespace edgevo

@@ -1,18 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Where the running program lies: what is built or installed beside it is found from there, wherever that is.
+// Folder of the running program, from which files built or installed with it are found.
 #include <filesystem>
 
 namespace edgevo {
 
-/// The folder of the program's own file, links followed; empty where the system does not tell (no /proc).
+/// Folder of the program's executable, with links resolved; empty if unknown (no /proc).
 std::filesystem::path program_folder();
 
-/// The folder share/edgevo of the build or the installation that the running program is of, whether that lies
-/// in bin/ or in libexec/edgevo/.
+/// Folder share/edgevo of the build or installation of the running program, which is in bin/ or
+/// libexec/edgevo/.
 std::filesystem::path data_folder();
 
-/// The same for a program in `folder`: the share/edgevo of the nearest folder above that has one; where none
-/// has, what would be that of the folder just above.
+/// Folder share/edgevo for a program in `folder`: that of the nearest parent that has one; else the one that
+/// the direct parent would have.
 std::filesystem::path data_folder_of(const std::filesystem::path& folder);
 
 }  // namespace edgevo

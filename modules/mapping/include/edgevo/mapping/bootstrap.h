@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Two-view bootstrap: corners are followed from the first view until their parallax allows an essential
-// matrix; the frames in between are placed by PnP. Says at every frame why it is not ready yet.
+// matrix; the frames in between are placed by PnP. Reports at every frame why it is not ready yet.
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,50 +14,63 @@
 
 namespace edgevo {
 
-/// Corners that must survive; of those that are triangulated half as many.
+/// Least number of corners that must survive; half as many must be triangulated.
 constexpr int kMinBootstrapCorners = 80;
-/// Median depth of the first map: this sets the arbitrary unit of length.
+/// Median depth of the first map, which sets the arbitrary unit of length.
 constexpr double kFirstMedianDepth = 10.0;
 
 /// A frame of the bootstrap with its pose; the first view is the origin.
 struct BootstrapView {
-  int frame_index = 0;                          ///< in the source
-  Timestamp time;                               ///< of the frame
-  std::shared_ptr<const FramePyramid> pyramid;  ///< empty for frames whose image was not kept
-  SE3 T_cam_first;                              ///< first view to this camera, unit of the bootstrap
-  bool placed = false;                          ///< false: PnP failed, no pose
+  /// Index of the frame in the source.
+  int frame_index = 0;
+  /// Timestamp of the frame.
+  Timestamp time;
+  /// Edge pyramid; null if the image was not kept.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Motion from the first view to this camera, in the unit of the bootstrap.
+  SE3 T_cam_first;
+  /// False if PnP failed: no pose.
+  bool placed = false;
 };
 
 /// A corner triangulated from the two views, in the first camera.
 struct BootstrapCorner {
-  Eigen::Vector2d px_first, px_last;         ///< pixels, in the first view and in the last
-  double idepth_first = 0, idepth_last = 0;  ///< 1/z in the first camera and in the last, > 0
+  /// Pixels in the first view and in the last.
+  Eigen::Vector2d px_first, px_last;
+  /// Inverse depths 1/z in the first camera and in the last, > 0.
+  double idepth_first = 0, idepth_last = 0;
 };
 
-/// Two views that make a map, and what lies between them.
+/// Two views that make a map, and the frames between them.
 struct BootstrapResult {
-  std::vector<BootstrapView> views;      ///< all frames from the first view to the last
-  std::vector<BootstrapCorner> corners;  ///< inliers
-  double parallax_deg = 0;               ///< median
+  /// All frames from the first view to the last.
+  std::vector<BootstrapView> views;
+  /// Triangulated corners, inliers only.
+  std::vector<BootstrapCorner> corners;
+  /// Median parallax, degrees.
+  double parallax_deg = 0;
 };
 
-/// What the newest frame brought.
+/// Outcome of the newest frame.
 struct BootstrapStatus {
-  std::optional<BootstrapResult> result;  ///< none: not ready yet
-  std::string reason;                     ///< why there is no result yet, a short sentence
+  /// The two views; nothing if they are not ready yet.
+  std::optional<BootstrapResult> result;
+  /// Why there is no result yet, as a short sentence.
+  std::string reason;
 };
 
-/// Waits for two views with enough parallax.
+/// Searches two views with enough parallax.
 class Bootstrap {
  public:
-  Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);  ///< `seed` of its RANSAC
+  /// `seed`: that of RANSAC.
+  Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);
   ~Bootstrap();
 
-  /// Next frame. Corners are followed on histogram-equalised images, so that a changing exposure does no
-  /// harm.
+  /// Adds the next frame. Corners are followed on histogram-equalised images, so that a changing exposure
+  /// does no harm.
   [[nodiscard]] BootstrapStatus add(int frame_index, Timestamp time,
                                     std::shared_ptr<const FramePyramid> pyramid);
-  /// Forgets everything.
+  /// Forgets all frames.
   void reset();
 
  private:

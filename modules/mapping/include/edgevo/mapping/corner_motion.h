@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A motion hypothesis from corner matches, for a frame that the edges of the map explain poorly.
 //
-// In a fast turn the map leaves the view before its depths are settled. Poses and depths then go wrong
-// together, and the edges go on fitting: an edge gives one equation, which its own depth takes up. A corner
-// is matched forwards and backwards without any map. The corners alone give the rotation and the direction of
-// the translation; its length, and all the rest, comes from the edges.
+// In a fast turn the map leaves the view before its depths have converged. Poses and depths then go wrong
+// together, and the edges still fit: an edge gives one equation, which its own depth absorbs. A corner is
+// matched forwards and backwards without any map. The corners alone give the rotation and the direction of
+// the translation; its length comes from the edges.
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
@@ -17,20 +18,23 @@
 
 namespace edgevo {
 
-/// A corner in two images, as rays (x, y, 1).
+/// A corner in two images.
 struct CornerPair {
-  Eigen::Vector3d from, to;  ///< (x, y, 1) in the two cameras
+  /// Rays (x, y, 1) in the two cameras.
+  Eigen::Vector3d from, to;
 };
 
-/// What corners say of a motion.
+/// Camera motion estimated from corners.
 struct CornerMotion {
-  SE3 T_to_from;                  ///< |translation| = 1
-  std::vector<CornerPair> pairs;  ///< its inliers
+  /// Motion between the two cameras, |translation| = 1.
+  SE3 T_to_from;
+  /// Inliers of the motion.
+  std::vector<CornerPair> pairs;
 };
 
-/// Corners of `from` are tracked into `to`, starting where the rotation of `T_to_from` predicts them (wrong
-/// by some degrees at most). The motion is that of the essential matrix by RANSAC, refined over all inliers.
-/// nullopt where there are too few inliers, or too little parallax: then the direction is not known.
+/// Tracks corners of `from` into `to`, starting where the rotation of `T_to_from` predicts them (wrong by
+/// some degrees at most), and estimates an essential matrix by RANSAC, refined over all inliers. Returns
+/// nothing if there are too few inliers, or too little parallax: the direction is not known then.
 /// Deterministic for a seed. Cost: some 30 ms at 1241x376 with 450 corners.
 std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const FramePyramid& from,
                                                const FramePyramid& to, const SE3& T_to_from,

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Depth of edge points: what epipolar searches find fused as Gaussians with a count of outliers, smoothed
-// along the edge; new points.
+// Depth of edge points: epipolar searches fused as Gaussians with a count of outliers, and smoothed along the
+// edge; new points.
 #include <Eigen/Core>
 #include <algorithm>
 #include <vector>
@@ -12,44 +13,46 @@
 
 namespace edgevo {
 
-/// New immature points on the edges of `keyframe`: one a cell, none where `occupied` says so, spread by
-/// `random`. `range(px)` gives the inverse depths to search.
+/// New immature points on the edges of `keyframe`: one per cell, none in occupied cells, spread by `random`.
+/// `range(px)` returns the inverse depths to search.
 template <class Range>
 std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
                                                 const std::vector<bool>& occupied_cells, const Range& range,
                                                 const DepthFilterParams& params, Random* random);
 
-/// Cells of `cell_px` pixels over an image, row by row.
+/// Cells of `cell_px` pixels over an image, in row-major order.
 struct CellGrid {
-  /// Over an image of width x height pixels.
+  /// Grid over an image of width x height pixels.
   CellGrid(int width, int height, int cell_px)
       : cell(cell_px), columns((width + cell_px - 1) / cell_px), rows((height + cell_px - 1) / cell_px) {}
   /// Cell of a pixel of the image (not checked).
   int index(double x, double y) const { return int(y) / cell * columns + int(x) / cell; }
-  int size() const { return columns * rows; }  ///< number of cells
-  int cell, columns, rows;                     ///< side of a cell in pixels; cells along x and along y
+  /// Number of cells.
+  int size() const { return columns * rows; }
+  /// Side of a cell in pixels; number of cells along x and along y.
+  int cell, columns, rows;
 };
 
-/// One observation of every living immature point of `host` in a frame at T_target_host.
+/// Observes every living immature point of `host` once, in a frame at T_target_host.
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
                    Keyframe* host);
 
-/// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier; kills
-/// points with more outliers than 2 + agreements.
+/// Fuses a measurement into a point: product of Gaussians if it agrees within 3 sigma, else an outlier. Marks
+/// points dead that have more outliers than 2 + agreements.
 void fuse(const EpipolarMatch& measurement, ImmaturePoint* point);
 
-/// Pulls inverse depths towards those of their neighbours on the same edge that agree with them: depth is
-/// smooth along an edge but for jumps. A weight of 0 does nothing.
-void smooth_along_edges(const EdgeMap& edges, const DepthFilterParams& params,
+/// Pulls inverse depths towards those of agreeing neighbours on the same edge: depth is smooth along an edge
+/// except for jumps. A weight of 0 does nothing.
+void smooth_along_edges(const ImageEdges& edges, const DepthFilterParams& params,
                         std::vector<ImmaturePoint>* points);
 
 template <class Range>
 std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
                                                 const std::vector<bool>& occupied_cells, const Range& range,
                                                 const DepthFilterParams& params, Random* random) {
-  const EdgeMap& edges = keyframe.pyramid->finest().edges;
+  const ImageEdges& edges = keyframe.pyramid->finest().edges;
   const CellGrid grid(edges.width, edges.height, params.cell_px);
-  // Reservoir sampling: each edge pixel of a cell is equally likely to stand for it.
+  // Reservoir sampling: each edge pixel of a cell is equally likely to represent it.
   std::vector<int> chosen(grid.size(), -1), seen(grid.size(), 0);
   for (int i = 0; i < int(edges.pixels.size()); ++i) {
     const int c = grid.index(edges.pixels[i].x, edges.pixels[i].y);

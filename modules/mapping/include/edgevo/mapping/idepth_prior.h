@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the window already knows about depth in an image: smallest and largest inverse depth near a pixel. A
-// new point is searched around these: its neighbours mostly lie on the same surface, and a short search has
-// fewer wrong matches than one around the median of the image.
+// What the window knows about depth in an image: smallest and largest inverse depth near a pixel. New points
+// are searched around these: neighbours mostly lie on the same surface, and a short search has fewer wrong
+// matches than one around the median of the image.
 #include <algorithm>
 #include <limits>
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace edgevo {
 
-/// Search range around the inverse depths that are known nearby, `low` to `high`.
+/// Search range around the inverse depths known nearby, `low` to `high`.
 inline IdepthRange range_around(double low, double high) {
   constexpr double kLowFactor = 0.4, kHighFactor = 2.5;
   return {kLowFactor * low, kHighFactor * high};
@@ -20,7 +21,7 @@ inline IdepthRange range_around(double low, double high) {
 /// Depths known in one image, by cell.
 class IdepthPrior {
  public:
-  /// `median_before`: the median inverse depth of an earlier image, for one in which nothing is known.
+  /// `median_before`: median inverse depth of an earlier image, used while nothing is known in this one.
   IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params, double median_before)
       : use_neighbours_(params.use_neighbour_depths),
         grid_(pinhole.width, pinhole.height, params.cell_px),
@@ -28,7 +29,7 @@ class IdepthPrior {
         high_(grid_.size(), 0),
         median_(median_before) {}
 
-  /// A point of known depth: `px` inside the image, `idepth` > 0 in its camera.
+  /// Adds a point of known depth: `px` inside the image, `idepth` > 0 in its camera.
   void add(const Eigen::Vector2d& px, double idepth) {
     const int c = grid_.index(px.x(), px.y());
     low_[c] = std::min(low_[c], idepth);
@@ -36,10 +37,12 @@ class IdepthPrior {
     all_.push_back(idepth);
   }
 
-  bool occupied(int cell) const { return high_[cell] > 0; }  ///< a known depth lies in the cell
-  const CellGrid& grid() const { return grid_; }             ///< cells of `cell_px`
+  /// Whether a known depth lies in the cell.
+  bool occupied(int cell) const { return high_[cell] > 0; }
+  /// Cells of `cell_px` pixels.
+  const CellGrid& grid() const { return grid_; }
 
-  /// Search range at `px`: around what lies in the 5x5 cells about it, else around the median of the image.
+  /// Search range at `px`: around the depths in the 5x5 cells about it, else around the median of the image.
   IdepthRange range(const Eigen::Vector2d& px) {
     const int column = int(px.x()) / grid_.cell, row = int(px.y()) / grid_.cell;
     double low = kNone, high = 0;
@@ -52,7 +55,7 @@ class IdepthPrior {
     return {kFarLow * median(), kFarHigh * median(), median()};
   }
 
-  /// Median inverse depth of the image, or of the earlier one where nothing is known.
+  /// Median inverse depth of the image, or of the earlier one if nothing is known.
   double median() {
     if (!all_.empty()) {
       median_ = edgevo::median(std::move(all_));
@@ -62,7 +65,7 @@ class IdepthPrior {
   }
 
  private:
-  // Search range where nothing is near, times the median inverse depth.
+  // Search range without known depths nearby, as factors on the median inverse depth.
   static constexpr double kFarLow = 0.02, kFarHigh = 8.0;
   static constexpr double kNone = std::numeric_limits<double>::infinity();
 

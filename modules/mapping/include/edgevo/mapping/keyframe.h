@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Keyframes and the edge points they host.
 #include <Eigen/Core>
@@ -15,22 +16,32 @@ namespace edgevo {
 
 /// A point's match in another keyframe of the window.
 struct Observation {
-  int keyframe_id = 0;  ///< that the point was matched in
-  Match match;          ///< position, normal and weights there
+  /// Keyframe that the point was matched in.
+  int keyframe_id = 0;
+  /// Position, normal and weights of the match.
+  Match match;
 };
 
-/// An edge point with a depth good enough to track by and to adjust.
+/// An edge point whose depth is good enough to track against and to adjust.
 struct MapPoint {
-  Eigen::Vector2d px;                     ///< in the host image, sub-pixel
-  Eigen::Vector2d normal;                 ///< unit gradient in the host image
-  double idepth = 0;                      ///< 1/z in the host frame
-  double idepth_sigma = 0;                ///< one standard deviation, same unit
-  int edge_pixel = -1;                    ///< index into the host's EdgeMap
-  std::vector<Observation> observations;  ///< ascending keyframe_id
-  int misses = 0;                         ///< keyframes that should have seen it and did not
-  bool tentative = false;                 ///< its immature point lives on (Window::activate)
+  /// Pixel in the host image, sub-pixel.
+  Eigen::Vector2d px;
+  /// Unit gradient in the host image.
+  Eigen::Vector2d normal;
+  /// Inverse depth 1/z in the host frame.
+  double idepth = 0;
+  /// Standard deviation of `idepth`.
+  double idepth_sigma = 0;
+  /// Index into the host's ImageEdges.
+  int edge_pixel = -1;
+  /// Matches, ascending keyframe_id.
+  std::vector<Observation> observations;
+  /// Number of keyframes that should have seen the point and did not.
+  int misses = 0;
+  /// True while its immature point lives on (Window::activate).
+  bool tentative = false;
 
-  /// Its match in a keyframe; null where there is none.
+  /// The match in a keyframe; null if there is none.
   const Observation* find(int keyframe_id) const {
     for (const Observation& o : observations)
       if (o.keyframe_id == keyframe_id) return &o;
@@ -38,38 +49,56 @@ struct MapPoint {
   }
 };
 
-/// All its matches are ambiguous and hardly show its depth: the adjustment holds the depth, and they
-/// constrain poses only.
-inline bool is_depth_held(const MapPoint& p) {
+/// True if all matches are ambiguous and hardly constrain the depth: the adjustment fixes the depth, and the
+/// matches constrain poses only.
+inline bool is_depth_fixed(const MapPoint& p) {
   return std::all_of(p.observations.begin(), p.observations.end(),
                      [](const Observation& o) { return o.match.kind == MatchKind::kEdgeFixed; });
 }
 
 /// An edge point whose depth is still being found.
 struct ImmaturePoint {
-  Eigen::Vector2d px, normal;  ///< in the host image, sub-pixel; unit gradient there
-  int edge_pixel = -1;         ///< index into the host's EdgeMap
-  /// Until the first observation the middle and a quarter of the search range.
+  /// Pixel in the host image, sub-pixel, and unit gradient there.
+  Eigen::Vector2d px, normal;
+  /// Index into the host's ImageEdges.
+  int edge_pixel = -1;
+  /// Inverse depth and its standard deviation; the middle and a quarter of the search range before any
+  /// observation.
   double idepth = 0, idepth_sigma = 0;
-  double idepth_guess = 0;  ///< from its surroundings, before any observation
-  int good = 0, bad = 0;    ///< depth observations that agreed, and that did not
-  int age = 0;              ///< keyframes since it was made
-  bool tentative = false;   ///< until the next keyframe there is a MapPoint of it, too (Window::activate)
-  bool dead = false;        ///< given up, or made a MapPoint: it goes
+  /// Inverse depth guessed from the surroundings, before any observation.
+  double idepth_guess = 0;
+  /// Number of depth observations that agreed, and that did not.
+  int good = 0, bad = 0;
+  /// Number of keyframes since the point was made.
+  int age = 0;
+  /// True if a MapPoint of it exists, too, until the next keyframe (Window::activate).
+  bool tentative = false;
+  /// True if the point was given up or made a MapPoint, and is to be removed.
+  bool dead = false;
 };
 
 /// A keyframe with the points that it hosts.
 struct Keyframe {
-  int id = 0;                                   ///< ascending over the whole run
-  int frame_index = 0;                          ///< in the source
-  Timestamp time;                               ///< of its frame
-  std::shared_ptr<const FramePyramid> pyramid;  ///< of its image; null once the images were dropped
-  ImageMotion motion;                           ///< of the image when it was taken, for a rolling shutter
-  SE3 T_cam_world;                              ///< of the segment's map
-  std::vector<MapPoint> points;                 ///< in no particular order
-  std::vector<ImmaturePoint> immature;          ///< ascending edge_pixel
-  int corners_from = -1;            ///< keyframe that its corner matches start in; -1: it has none
-  std::vector<CornerPair> corners;  ///< from there to here
+  /// Id, ascending over the whole run.
+  int id = 0;
+  /// Index of the frame in the source.
+  int frame_index = 0;
+  /// Timestamp of the frame.
+  Timestamp time;
+  /// Edge pyramid; null once the images were dropped.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Motion of the image when it was taken, for a rolling shutter.
+  ImageMotion motion;
+  /// Pose in the segment's map.
+  SE3 T_cam_world;
+  /// Active points, in no particular order.
+  std::vector<MapPoint> points;
+  /// Immature points, ascending edge_pixel.
+  std::vector<ImmaturePoint> immature;
+  /// Keyframe that the corner matches start in; -1: there are none.
+  int corners_from = -1;
+  /// Corner matches from `corners_from` to this keyframe.
+  std::vector<CornerPair> corners;
 };
 
 /// Motion from keyframe `host` to keyframe `target`.

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A map after its camera was corrected (edges/image_correction.h): where keyframes, points and matches lie
-// then. self_calibration makes revisions; Window::apply moves the window by one.
+// A map after its camera was corrected (edges/image_correction.h): new positions of keyframes, points and
+// matches. self_calibration makes revisions; Window::apply applies one to the window.
 #include <Eigen/Core>
 #include <vector>
 
@@ -12,36 +13,46 @@
 
 namespace edgevo {
 
-/// What a keyframe became when the camera was corrected. Everything in map coordinates.
+/// A keyframe after a correction of the camera, in map coordinates.
 struct RevisedKeyframe {
-  int id = 0;               ///< of the keyframe
-  SE3 T_cam_world;          ///< after the correction
-  ImageMotion motion;       ///< of its image: its pixels move with it
-  double length_ratio = 1;  ///< new length over old length near this keyframe
+  /// Id of the keyframe.
+  int id = 0;
+  /// Pose after the correction.
+  SE3 T_cam_world;
+  /// Motion of the image: corrected pixels depend on it.
+  ImageMotion motion;
+  /// New length over old length near this keyframe.
+  double length_ratio = 1;
   /// A point that the keyframe hosts.
   struct Point {
-    Eigen::Vector2d px;  ///< in the host image as it is corrected now
-    double idepth = 0;   ///< 1/z in the host frame
+    /// Pixel in the host image with the new correction.
+    Eigen::Vector2d px;
+    /// Inverse depth 1/z in the host frame.
+    double idepth = 0;
   };
-  std::vector<Point> points;  ///< in the order of Keyframe::points
+  /// Hosted points, in the order of Keyframe::points.
+  std::vector<Point> points;
 };
 
-/// A correction of the camera and all that moves with it.
+/// A correction of the camera and all that changes with it.
 struct MapRevision {
-  ImageCorrection before, now;             ///< what was applied, and what is
-  std::vector<RevisedKeyframe> keyframes;  ///< remembered ones and the window's, ascending id
-  BaPrior prior;                           ///< of the remembered ones on the window
+  /// The correction applied before, and the new one.
+  ImageCorrection before, now;
+  /// Remembered keyframes and those of the window, ascending id.
+  std::vector<RevisedKeyframe> keyframes;
+  /// Prior of the remembered keyframes on the window.
+  BaPrior prior;
 
-  /// of the keyframe's image; one of no motion where the keyframe is not in the revision
+  /// Motion of the keyframe's image; no motion if the keyframe is not in the revision.
   const ImageMotion& motion_of(int keyframe_id) const;
 };
 
-/// Images corrected by `before` are corrected by `now` instead: where a pixel of one that moved with `motion`
-/// lies then, and its normal.
+/// New position of a pixel when an image of the given motion that was corrected by `before` is corrected by
+/// `now` instead.
 Eigen::Vector2d correct_pixel(const Pinhole& pinhole, const ImageCorrection& before,
                               const ImageCorrection& now, const ImageMotion& motion,
                               const Eigen::Vector2d& px);
-/// The unit normal of the edge at `px`, likewise.
+/// New unit normal of the edge at `px` when an image corrected by `before` is corrected by `now` instead.
 Eigen::Vector2d correct_normal(const Pinhole& pinhole, const ImageCorrection& before,
                                const ImageCorrection& now, const ImageMotion& motion,
                                const Eigen::Vector2d& px, const Eigen::Vector2d& normal);

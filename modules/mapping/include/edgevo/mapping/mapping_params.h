@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <string>
 
@@ -7,38 +8,38 @@ namespace edgevo {
 
 /// Parameters of the two-view bootstrap.
 struct BootstrapParams {
-  /// share of the image width
+  /// Share of the image width.
   double min_disparity = 0.016;
-  /// degrees
+  /// Degrees.
   double min_parallax_deg = 0.7;
-  /// frames
+  /// Frames.
   int max_frames = 90;
-  /// Corners that were lost count as moved further than the median (median_motion in src/corner_tracking.h).
+  /// Count lost corners as moved further than the median (median_motion in src/corner_tracking.h).
   bool count_lost_corners = true;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
 };
 
-/// Parameters of new points and of their depth. Pixels: at full resolution.
+/// Parameters of new points and of their depth. Pixels refer to full resolution.
 struct DepthFilterParams {
-  /// points
+  /// Points.
   int max_new_points = 1200;
-  /// factor
+  /// Factor.
   double candidates_per_point = 4;
-  /// px
+  /// Pixels.
   int cell_px = 12;
-  /// patch cost
+  /// Patch cost.
   double max_cost = 0.30;
-  /// ratio
+  /// Ratio.
   double max_cost_ratio = 0.75;
-  /// px
+  /// Pixels.
   double sigma_edge_px = 0.5;
-  /// on or off
+  /// Refine the depth after the search.
   bool refine = true;
-  /// [0, 1]
+  /// 0 to 1.
   double smoothing_weight = 0.3;
-  /// A new point is searched around the depths known nearby, not around the median (idepth_prior.h).
+  /// Search a new point around the depths known nearby, not around the median (idepth_prior.h).
   bool use_neighbour_depths = true;
 
   /// Names, ranges and texts of the fields (core/params.h).
@@ -47,56 +48,60 @@ struct DepthFilterParams {
 
 /// Parameters of the sliding window and its bundle adjustment.
 struct WindowParams {
-  /// keyframes
+  /// Keyframes.
   int keyframes = 12;
-  /// points
+  /// Points.
   int max_points = 2000;
-  /// px
+  /// Pixels.
   double max_projected_sigma_px = 1.5;
-  /// keyframes
+  /// Keyframes.
   int min_matches = 2;
-  /// a name that make_bundle_adjuster() knows
+  /// Name that make_bundle_adjuster() knows.
   std::string solver = "schur";
-  /// iterations
+  /// Iterations.
   int ba_iterations = 4;
-  /// iterations
+  /// Iterations.
   int ba_update_iterations = 4;
-  /// standard deviations
+  /// Standard deviations.
   double ba_huber = 1.5;
-  /// points
+  /// Points.
   int max_cloud_points = 1500;
-  /// Where few points are seen, one depth and one match activate a point until the next keyframe.
+  /// Activate points by one depth and one match, until the next keyframe, where few points are seen.
   bool use_tentative_points = true;
-  /// A frame is tracked against immature points, too, where few points of known depth are in view.
+  /// Track against immature points, too, where few points of known depth are in view.
   bool track_immature_points = true;
-  /// Matches many standard deviations off are dropped after the adjustment.
+  /// Drop matches that are many standard deviations off after the adjustment.
   bool drop_outlier_matches = true;
-  /// Points that several keyframes should have seen and did not are dropped.
+  /// Drop points that several keyframes should have seen and did not.
   bool drop_missed_points = true;
-  /// Pairs of corners (group corners) are residuals of the adjustment.
+  /// Use pairs of corners (group corners) as residuals of the adjustment.
   bool adjust_corners = true;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
 };
 
-/// When corners give a motion hypothesis: corner_motion.h.
+/// Parameters of motion hypotheses from corners (corner_motion.h).
 struct CornerParams {
-  /// [0, 1]
+  /// 0 to 1.
   double max_inlier_share = 0.7;
-  /// corners
+  /// Corners.
   int min_agreeing = 60;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
 };
 
-/// The groups of params/default.yaml under `mapping`, but for `keyframe` (odometry/keyframe_params.h).
+/// The groups of params/default.yaml under `mapping`, except `keyframe` (odometry/keyframe_params.h).
 struct MappingParams {
-  BootstrapParams bootstrap;       ///< the first map of a segment
-  DepthFilterParams depth_filter;  ///< new points
-  WindowParams window;             ///< keyframes and their adjustment
-  CornerParams corners;            ///< motion hypotheses from corners
+  /// The first map of a segment.
+  BootstrapParams bootstrap;
+  /// New points.
+  DepthFilterParams depth_filter;
+  /// Keyframes and their adjustment.
+  WindowParams window;
+  /// Motion hypotheses from corners.
+  CornerParams corners;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The sliding window of keyframes: association with a new keyframe, activation of immature points, local
 // bundle adjustment with match updates, removal of the oldest keyframe.
@@ -17,69 +18,79 @@ namespace edgevo {
 
 struct CellGrid;
 
-/// Active points are spread over cells of this size, pixels.
+/// Size in pixels of the cells that active points are spread over.
 constexpr int kActivationCellPx = 14;
 
-/// Health of the window after an adjustment.
+/// Statistics of the window after an adjustment.
 struct WindowStats {
-  int observations = 0;             ///< matches that were adjusted
-  int points = 0;                   ///< that have them
-  int matched_in_newest = 0;        ///< of these points
-  int photometric = 0;              ///< matches with a 2-D residual
-  double cost_per_observation = 0;  ///< robust, in sigmas squared
+  /// Number of matches that were adjusted.
+  int observations = 0;
+  /// Number of points with such matches.
+  int points = 0;
+  /// Number of these points that are matched in the newest keyframe.
+  int matched_in_newest = 0;
+  /// Number of matches with a 2-D residual.
+  int photometric = 0;
+  /// Robust cost per match, in sigmas squared.
+  double cost_per_observation = 0;
 };
 
-/// Which immature points become active, and how many.
+/// Conditions for immature points to become active.
 struct ActivationPolicy {
-  /// Depth observations of a point that agree.
+  /// Depth observations of a point that must agree.
   int min_depths = 2;
-  /// Keyframes that match it.
+  /// Keyframes that must match a point.
   int min_matches = 2;
-  /// Points that are activated at most.
+  /// Most points to activate.
   int budget = std::numeric_limits<int>::max();
 };
 
-/// The sliding window of one segment. Not for several threads at a time.
+/// The sliding window of one segment. Not thread-safe.
 class Window {
  public:
   /// Throws InputError for an unknown solver.
   Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
 
-  std::deque<Keyframe>& keyframes() { return keyframes_; }              ///< the oldest first
-  const std::deque<Keyframe>& keyframes() const { return keyframes_; }  ///< the oldest first
-  Keyframe& newest() { return keyframes_.back(); }                      ///< there must be one
-  const Keyframe& newest() const { return keyframes_.back(); }          ///< there must be one
-  /// more keyframes than it is to hold: remove_oldest()
+  /// Keyframes, oldest first.
+  std::deque<Keyframe>& keyframes() { return keyframes_; }
+  /// Keyframes, oldest first.
+  const std::deque<Keyframe>& keyframes() const { return keyframes_; }
+  /// The newest keyframe; the window must not be empty.
+  Keyframe& newest() { return keyframes_.back(); }
+  /// The newest keyframe; the window must not be empty.
+  const Keyframe& newest() const { return keyframes_.back(); }
+  /// True if there are more keyframes than the window may hold: call remove_oldest().
   bool full() const { return int(keyframes_.size()) > params_.keyframes; }
-  int active_points() const;  ///< of all keyframes
+  /// Number of active points of all keyframes.
+  int active_points() const;
 
-  /// the newest from now on; ids ascend
+  /// Appends the newest keyframe; ids ascend.
   void add(Keyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
 
   /// Matches all active points with the newest keyframe; `pose_covariance` is that of its tracking. Returns
   /// the number of matches.
   int associate_newest(const Matrix6d& pose_covariance);
 
-  /// Turns immature points into active ones where they are certain enough, spread over the newest image. Two
-  /// depths are of two images; one and a match may be of the same, so that nothing has checked it: a point
-  /// with one depth is only tentative, until demote_unconfirmed(), and its immature point lives on. Returns
-  /// how many.
+  /// Activates immature points that are certain enough, spread over the newest image. Two depths are of two
+  /// images; one depth and one match may be of the same image, so that nothing has confirmed them: a point
+  /// with one depth is only tentative until demote_unconfirmed(), and its immature point lives on. Returns
+  /// the number of activated points.
   int activate(const ActivationPolicy& policy);
-  /// Decides on the tentative points of before the newest keyframe: one that a second keyframe matches, too,
-  /// stays; the others are immature again, but for those that the adjustment has dropped, which are gone.
+  /// Decides on the tentative points that are older than the newest keyframe: one that a second keyframe
+  /// matches, too, stays; the others become immature again, except for those that the adjustment has dropped.
   void demote_unconfirmed();
-  /// Points of known depth that the newest keyframe lacks for tracking: it should see 500, in a small image
-  /// one for each four cells of the activation.
+  /// Number of points of known depth that the newest keyframe lacks for tracking: it should see 500, in a
+  /// small image one for each four cells of the activation.
   int points_lacking() const;
 
-  /// Adjusts poses and depths, updates matches that moved, adjusts again, drops what does not fit.
+  /// Adjusts poses and depths, updates matches that moved, adjusts again, and drops what does not fit.
   WindowStats adjust();
 
-  /// Scale of the map held by a prior on the newest pose: used from the bootstrap until the window first
-  /// moves on.
-  void hold_bootstrap_scale();
+  /// Fixes the scale of the map by a prior on the newest pose, from the bootstrap until the first keyframe
+  /// leaves the window.
+  void fix_bootstrap_scale();
 
-  /// Takes the oldest keyframe out and returns it with its points as they stand.
+  /// Removes the oldest keyframe and returns it with its present points.
   Keyframe remove_oldest();
 
   /// The points seen in a keyframe of the window, in its frame.
@@ -87,13 +98,14 @@ class Window {
   /// Share of the window's points that lie in the image of `keyframe`, matched there or not; 0 without
   /// points.
   double view_share(const Keyframe& keyframe) const;
-  /// The points of `cloud`; where they are few (a rotation away from the map) with immature ones, whose depth
+  /// The points of cloud(); if they are few (a rotation away from the map), also immature ones, whose depth
   /// is a guess.
   std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
-  /// The camera was corrected: poses, points and prior as the revision says, images built again by `rebuild`.
+  /// Rebuilds the pyramid of a keyframe for a new correction of the camera.
   using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const Keyframe&)>;
-  void apply(const MapRevision& revision, const Rebuild& rebuild);  ///< moves the window to the revision
+  /// Applies a correction of the camera: moves poses, points and prior, and rebuilds the images.
+  void apply(const MapRevision& revision, const Rebuild& rebuild);
 
  private:
   /// Another keyframe as a host sees it.
@@ -127,11 +139,13 @@ class Window {
   MapPoint match_candidate(const Candidate& candidate, const std::vector<Sight>& sights) const;
   bool try_activate(const ActivationPolicy& policy, const Candidate& candidate);
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const View& view) const;
-  /// The window as a problem, and how to find one's way back from it.
+  /// The window as a problem, with indices to transfer its result back.
   struct Adjustment {
     BaProblem problem;
-    std::vector<MapPoint*> points;  ///< of problem.points
-    std::vector<int> match_index;   ///< of each match, point by point: its place in problem.observations
+    /// Map points of problem.points.
+    std::vector<MapPoint*> points;
+    /// Index into problem.observations of each match, point by point.
+    std::vector<int> match_index;
   };
   Adjustment build_adjustment();
   void add_point(int host, MapPoint* point, Adjustment* adjustment) const;
@@ -155,7 +169,7 @@ class Window {
   std::unique_ptr<BundleAdjuster> adjuster_;
   std::deque<Keyframe> keyframes_;
   std::optional<BaPrior> prior_;
-  bool bootstrap_gauge_ = false;  // prior_ is that of hold_bootstrap_scale
+  bool bootstrap_gauge_ = false;  // prior_ is that of fix_bootstrap_scale
 };
 
 }  // namespace edgevo

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Our values as MRPT's and back, without loss.
+// Lossless conversion between the types of core and those of MRPT.
 //
 // Poses keep their meaning: SE3 T_a_b and CPose3D both map coordinates from b to a. Times are integers of the
 // same tick (100 ns) and differ only in their epoch, so they pass through unchanged; MRPT's own fromDouble
 // would round to 0.24 us. Pixel convention and plumb-bob coefficients are the same on both sides (OpenCV's).
-// Cost: nothing but the copy of the pixels. Threads: pure functions.
+// Cost: only images are copied. Threads: pure functions.
 #include <mrpt/core/Clock.h>
 #include <mrpt/img/CImage.h>
 #include <mrpt/img/TCamera.h>
@@ -19,28 +20,31 @@
 
 namespace edgevo {
 
-mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b);    ///< The same motion.
-SE3 from_mrpt(const mrpt::poses::CPose3D& T_a_b);  ///< The same motion.
+/// The same rigid motion as an MRPT pose.
+mrpt::poses::CPose3D to_mrpt(const SE3& T_a_b);
+/// The same rigid motion as an SE3.
+SE3 from_mrpt(const mrpt::poses::CPose3D& T_a_b);
 
-/// Exact for every tick; MRPT counts from 1601 (its "no time" is tick 0 of that epoch).
+/// The same instant, exact for every tick; MRPT counts from 1601 (its "no time" is tick 0 of that epoch).
 mrpt::Clock::time_point to_mrpt(Timestamp t);
-Timestamp from_mrpt(mrpt::Clock::time_point t);  ///< Exact for every tick.
+/// The same instant, exact for every tick.
+Timestamp from_mrpt(mrpt::Clock::time_point t);
 
-/// Always with the plumb-bob model, zeros included.
+/// The same camera, always with the plumb-bob model, zeros included.
 mrpt::img::TCamera to_mrpt(const Camera& camera);
-/// `where` (file and observation) opens the message of the InputError for a lens model other than none and
-/// plumb-bob with k1 k2 p1 p2 k3, and for values that Camera::check refuses.
+/// The same camera. Throws InputError, opened by `where` (file and observation), for a lens model other than
+/// none and plumb-bob with k1 k2 p1 p2 k3, and for values that Camera::check rejects.
 Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where);
 
 /// A deep copy as an 8-bit gray CImage.
 mrpt::img::CImage to_mrpt(const GrayImage& image);
-/// Pixels of an image held in memory (not of one stored externally: see rawlog_source.h). Colour becomes gray
-/// by OpenCV's weights, exactly as read_gray_image() does. Throws InputError for an empty image or one deeper
-/// than 8 bits.
+/// Pixels of an image in memory (for one stored externally see rawlog_source.h). Colour is converted to gray
+/// with OpenCV's weights, exactly as read_gray_image() does. Throws InputError for an empty image or one
+/// deeper than 8 bits.
 GrayImage from_mrpt(const mrpt::img::CImage& image, const std::string& where);
 
-/// The mount of a camera that looks straight ahead from the vehicle's origin: p_vehicle = T p_cam, with the
-/// vehicle x forward, y left, z up. MRPT writes it CPose3D(0, 0, 0, -90 deg, 0, -90 deg).
+/// Mount of a camera at the vehicle's origin that looks straight ahead: p_vehicle = T p_cam, with the vehicle
+/// x forward, y left, z up. In MRPT: CPose3D(0, 0, 0, -90 deg, 0, -90 deg).
 SE3 T_vehicle_cam_forward();
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A keyframe's edge points as an MRPT observation.
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -7,10 +8,10 @@
 
 namespace edgevo {
 
-/// The points that pass `filter`, given in the frame F by T_F_cam, with sensorPose = identity: whoever
-/// inserts the observation into a map does so from the pose of F. It is the one combination that MRPT 2.5's
-/// point maps and octomaps read alike (they disagree about sensorPose; CObservationPointCloud is worse).
-/// Pixel indices are those of the undistorted host image.
+/// The points that pass `filter`, expressed in the frame F by T_F_cam, with sensorPose = identity: insert the
+/// observation into a map from the pose of F. This is the only combination that MRPT 2.5's point maps and
+/// octomaps read alike (they disagree about sensorPose; CObservationPointCloud is worse). Pixel indices are
+/// those of the undistorted host image.
 mrpt::obs::CObservation3DRangeScan::Ptr make_edge_scan(const KeyframeRecord& keyframe, const Pinhole& pinhole,
                                                        const PointFilter& filter, const SE3& T_F_cam);
 

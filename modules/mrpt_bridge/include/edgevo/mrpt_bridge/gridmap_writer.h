@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A 2D grid as MRPT's COccupancyGridMap2D, for its navigators, planners and viewers.
 #include <string>

@@ -1,24 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Image files to gray images and back. Folders of images and rawlogs with external images both read through
-// here, so that the same file gives the same bytes whichever way it came.
+// here, so that the same file gives the same bytes on either path.
 //
 // Colour becomes gray by OpenCV's cvtColor weights on the decoded pixels (not by the JPEG decoder's own luma
 // plane), hence a colour image embedded in a rawlog gives the same gray values as the file it was made from.
-// Sixteen bits are cut to eight. The orientation tag of a JPEG is ignored: pixels are as the sensor delivered
-// them. Threads: pure functions.
+// Sixteen bits are truncated to eight. The orientation tag of a JPEG is ignored: pixels stay as the sensor
+// delivered them. Threads: pure functions.
 #include <string>
 
 #include "edgevo/core/image.h"
 
 namespace edgevo {
 
-/// Reads PNG, JPEG, BMP, PGM, TIFF, ... Throws InputError for a file that is missing, cut short (PNG and JPEG
-/// are checked to their end, so a half-written last image is told rather than padded with gray) or not an
+/// Reads PNG, JPEG, BMP, PGM, TIFF, ... Throws InputError for a file that is missing, truncated (PNG and JPEG
+/// are checked to their end, so a half-written last image is reported rather than padded with gray) or not an
 /// image. Cost: decoding, about 5 ms for a 1241x376 PNG.
 GrayImage read_gray_image(const std::string& path);
 
-/// Writes an 8-bit gray PNG, lossless. Throws InputError (disk full, no such folder, ...); what there is of
-/// the file is removed then, which also leaves room on a full disk to close the other files of a run.
+/// Writes an 8-bit gray PNG, lossless. Throws InputError (disk full, no such folder, ...); the partial file
+/// is then removed, which also leaves room on a full disk to close the other files of a run.
 void write_png(const std::string& path, const GrayImage& image);
 
 }  // namespace edgevo

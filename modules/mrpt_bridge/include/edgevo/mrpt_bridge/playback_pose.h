@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Camera poses and their covariance as MRPT's vehicle poses.
 //
-// With C = T_map_world(run), the mount of the camera (or the camera that looks straight ahead), and rel =
-// T_world_cam,
+// With C = T_map_world(run), the mount of the camera (or that of a camera that looks straight ahead), and rel
+// = T_world_cam,
 //     V = C (+) rel (+) inverse(C)
 // is the pose of the vehicle (x forward, y left, z up) in the world of the map files, identity at the first
 // frame.
@@ -28,10 +29,10 @@ namespace edgevo {
 /// Pose of the vehicle in the world of the map files.
 SE3 T_map_vehicle(const Run& run, const SE3& T_world_cam);
 
-/// d(x y z yaw pitch roll) / d eta of T exp(eta) at eta = 0, tangent [v, w].
+/// Jacobian d(x y z yaw pitch roll) / d eta of T exp(eta) at eta = 0, tangent [v, w].
 Matrix6d d_mrpt_pose_d_right_tangent(const SE3& T);
 
-/// Both of the above. `covariance` is FrameRecord::covariance.
+/// Pose of the vehicle with its covariance. `covariance` is FrameRecord::covariance.
 mrpt::poses::CPose3DPDFGaussian vehicle_pose_pdf(const Run& run, const SE3& T_world_cam,
                                                  const Matrix6d& covariance);
 

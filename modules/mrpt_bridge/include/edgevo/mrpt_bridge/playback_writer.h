@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // playback.rawlog: a run as MRPT's tools play it (rawlog-edit, RawLogViewer).
 //
-// Images are written, or linked, while the run goes on; the rawlog itself at the end, with the final poses.
-// It is an observations-only rawlog in time order; for each frame
+// Images are written, or linked, during the run; the rawlog itself at the end, with the final poses. It is an
+// observations-only rawlog in time order; for each frame
 //   CObservationImage        label CAM0 (or as given), image by reference into playback_Images/, as the
 //                            camera took it
 //   CObservationRobotPose    label EDGE_VO: pose of the vehicle with its covariance (playback_pose.h), where
@@ -10,10 +11,9 @@
 //   CObservationOdometry     label EDGE_VO_ODO: the same in the plane, for RawLogViewer's "map from odometry"
 // and for each keyframe
 //   CObservation3DRangeScan  label EDGE_VO_POINTS: its edge points in the axes of the VEHICLE, sensorPose =
-//   identity. The pose
-//                            beside it is the vehicle's, so pose (+) point is right in point maps and
-//                            octomaps alike; the camera's axes are kept for keyframes.simplemap, whose poses
-//                            are the camera's.
+//                            identity. The preceding pose is that of the vehicle, so that pose (+) point is
+//                            right in point maps and octomaps alike; keyframes.simplemap has the camera's
+//                            axes instead, since its poses are those of the camera.
 // Lengths are in the unit of the run. The tools find the images only when started in the folder of the rawlog
 // (MRPT 2.5.8).
 //
@@ -33,26 +33,25 @@ namespace edgevo {
 /// Writes the playback of one run.
 class PlaybackWriter {
  public:
-  /// Makes `folder`/playback_Images. Files of an earlier run are overwritten. `camera`: of the images as they
-  /// come.
+  /// Creates `folder`/playback_Images. Files of an earlier run are overwritten. `camera`: camera of the
+  /// unscaled images.
   PlaybackWriter(std::string folder, const Camera& camera, std::string sensor_label = "CAM0");
 
   /// Writes the image as PNG, lossless. Cost: about 4 ms for 1241x376.
   void add_frame(const Frame& frame);
-  /// Instead of add_frame: links to an image that is on disk already. The link is relative where both lie
-  /// below one folder other than the root, so that a packed or moved tree of both keeps it; else absolute.
-  /// Costs nothing, but breaks when only one of them moves.
+  /// Instead of add_frame(), links to an image that is already on disk. The link is relative if both are
+  /// below one folder other than the root, so that it survives moving both together; else absolute. It breaks
+  /// if only one of them moves.
   void add_frame_link(int frame_index, const std::string& image_path);
-  /// Instead: copies the file, byte by byte. For a folder that stands alone.
+  /// Instead of add_frame(), copies the image file byte by byte, for a self-contained folder.
   void add_frame_copy(int frame_index, const std::string& image_path);
-  /// The images that are in the folder already, of frames up to the `last`: a run that was cut off has left
-  /// them.
+  /// Adopts the images already in the folder for frames up to `last`, as left by an interrupted run.
   void adopt_images(int last);
 
-  /// Where the image of a frame lies; empty if it was not added. Logarithmic.
+  /// Path of a frame's image; empty if it was not added. Cost: logarithmic.
   std::string image_path(int frame_index) const;
 
-  /// Writes playback.rawlog. Frames whose image was not added get their poses all the same.
+  /// Writes playback.rawlog. Frames without an image still get their poses.
   void finish(const Run& run, const PointFilter& filter) const;
 
  private:
@@ -61,7 +60,8 @@ class PlaybackWriter {
   std::string folder_;
   Camera camera_;
   std::string sensor_label_;
-  std::vector<std::pair<int, std::string>> images_;  ///< frame index and file name, in the order of time
+  /// Frame index and file name, in time order.
+  std::vector<std::pair<int, std::string>> images_;
 };
 
 }  // namespace edgevo

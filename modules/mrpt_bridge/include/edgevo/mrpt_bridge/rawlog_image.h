@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // One image of one camera inside an observation, whichever of MRPT's three classes holds it.
 #include <mrpt/img/CImage.h>
@@ -12,20 +13,25 @@
 
 namespace edgevo {
 
-/// Points into the observation that it was made from.
+/// An image within an observation. Points into the observation it was made from.
 struct RawlogImage {
-  const char* kind = "";  ///< "image", "left image of a stereo pair", "intensity image of a depth camera"
-  std::string label;      ///< of the sensor
-  Timestamp time;         ///< of the observation
-  bool has_time = false;  ///< false: the observation holds no time
-  const mrpt::img::CImage* image = nullptr;    ///< not null
-  const mrpt::img::TCamera* camera = nullptr;  ///< its calibration; not null
-  /// Mount; nullopt where the observation holds the identity, which is what nobody has set (it would look
-  /// straight up).
+  /// Kind: "image", "left image of a stereo pair" or "intensity image of a depth camera".
+  const char* kind = "";
+  /// Label of the sensor.
+  std::string label;
+  /// Time of the observation.
+  Timestamp time;
+  /// False if the observation has no time.
+  bool has_time = false;
+  /// The image; not null.
+  const mrpt::img::CImage* image = nullptr;
+  /// Calibration of the image; not null.
+  const mrpt::img::TCamera* camera = nullptr;
+  /// Mount; nullopt if the observation has the identity, the default (a camera that looks straight up).
   std::optional<SE3> T_vehicle_cam;
 };
 
-/// nullopt if the observation holds no image of ours.
+/// The image of an observation; nullopt if it has no image of a supported class.
 std::optional<RawlogImage> find_image(const mrpt::obs::CObservation& observation);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A rawlog being written, with every write and the close checked: MRPT's own stream swallows a full disk.
+// Writes a rawlog and checks every write and the close: MRPT's own stream ignores a full disk.
 //
 // The file is a gz stream of serialised objects, which every MRPT tool reads. Write observations in the order
 // of their times. The bytes depend on the objects alone, so two equal runs give equal files.
@@ -17,19 +18,20 @@ class RawlogWriter {
  public:
   /// Overwrites `path`. Throws InputError if it cannot be opened.
   explicit RawlogWriter(const std::string& path);
-  /// Closes; a failure here goes unheard, so call close().
+  /// Closes the file and ignores errors; call close() to have them reported.
   ~RawlogWriter();
 
-  /// Throws InputError (disk full); what was written before stays a readable rawlog up to the cut.
+  /// Appends an object. Throws InputError (disk full); what was written before remains readable up to the
+  /// cut.
   void write(const mrpt::serialization::CSerializable& object);
-  /// Throws InputError. Nothing may be written afterwards.
+  /// Closes the file; nothing may be written afterwards. Throws InputError.
   void close();
 
  private:
   std::unique_ptr<ObjectFile> file_;
 };
 
-/// "/a/b/x.rawlog" -> "/a/b/x": what the names of the files beside a rawlog begin with (x_Images, ...).
+/// Common prefix of the files that belong to a rawlog (x_Images, ...): "/a/b/x.rawlog" -> "/a/b/x".
 std::string rawlog_stem(const std::string& rawlog_path);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // scene.3Dscene: trajectory, keyframes and coloured edges, for SceneViewer3D and robot-map-gui.
 //
@@ -12,12 +13,13 @@
 
 namespace edgevo {
 
-/// What the scene shows.
+/// Options of the scene.
 struct SceneOptions {
-  int max_points = 500'000;  ///< a viewer stays fluent; with more, every n-th point is shown
+  /// Largest number of points, for a fluent viewer; with more, every n-th point is shown.
+  int max_points = 500'000;
 };
 
-/// Throws InputError when the file cannot be written.
+/// Writes the scene. Throws InputError if the file cannot be written.
 void write_scene(const Run& run, const PointFilter& filter, const std::string& path,
                  const SceneOptions& options = {});
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // keyframes.simplemap: the keyframes with their edge points, for observations2map and robot-map-gui.
 //
@@ -13,8 +14,8 @@
 
 namespace edgevo {
 
-/// Writes the points that pass `filter`; keyframes without any are left out. Throws InputError when it cannot
-/// be written.
+/// Writes the points that pass `filter`; keyframes without any are skipped. Throws InputError if the file
+/// cannot be written.
 void write_simplemap(const Run& run, const PointFilter& filter, const std::string& path);
 
 }  // namespace edgevo

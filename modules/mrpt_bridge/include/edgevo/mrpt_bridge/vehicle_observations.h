@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A frame's image and pose as MRPT observations: the same in playback.rawlog and in what the plug-in records.
 //
@@ -14,16 +15,17 @@
 
 namespace edgevo {
 
-/// Everything but the image itself. `T_vehicle_cam`: as the source says; a camera that looks straight ahead
-/// where it says nothing.
+/// An image observation without the image itself. `T_vehicle_cam`: mount as the source states it; that of a
+/// camera that looks straight ahead if it states none.
 mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const std::string& label,
                                                          const Camera& camera,
                                                          const std::optional<SE3>& T_vehicle_cam);
 
-/// `T_world_cam`: the final or the live pose of `frame`, whose time and covariance go with it.
+/// Pose of the vehicle. `T_world_cam` is the final or the live pose of `frame`, which provides time and
+/// covariance.
 mrpt::obs::CObservationRobotPose::Ptr make_pose_observation(const Run& run, const FrameRecord& frame,
                                                             const SE3& T_world_cam);
-/// The same pose in the plane.
+/// The vehicle pose projected to the plane.
 mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, const FrameRecord& frame,
                                                                const SE3& T_world_cam);
 

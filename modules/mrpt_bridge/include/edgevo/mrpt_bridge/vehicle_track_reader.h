@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The positions of the vehicle that a rawlog's other sensors recorded, for a metric scale.
 //
@@ -5,16 +6,16 @@
 //   kGps         CObservationGPS with an NMEA GGA message and a fix; latitude, longitude and height become
 //                Cartesian metres (WGS84, from the centre of the earth, first fix at the origin)
 //   kRobotPose   CObservationRobotPose
-// Where several sensors of a kind were recorded, the one with the most positions counts. What edgevo itself
-// wrote into a playback.rawlog (EDGE_VO, EDGE_VO_ODO) is no other sensor and does not count.
+// If several sensors of a kind were recorded, the one with the most positions is used. Poses that edgevo
+// itself wrote into a playback.rawlog (EDGE_VO, EDGE_VO_ODO) are ignored.
 #include <string>
 
 #include "edgevo/core/vehicle_track.h"
 
 namespace edgevo {
 
-/// Reads the rawlog once, its external images left alone. Positions in time order, one a time; a rawlog that
-/// is cut short gives those before the cut. Throws InputError if it cannot be opened.
+/// Reads the rawlog once, without its external images. Positions in time order, one for each time; a
+/// truncated rawlog yields those before the cut. Throws InputError if it cannot be opened.
 VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor sensor);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The occupied voxels of an edge map in the gray of their edges, as octomap::ColorOcTree, for octovis.
 #include <string>
@@ -9,8 +10,8 @@
 namespace edgevo {
 
 /// Writes an .ot file with the occupied voxels of `map`, made from `run` with the same `filter`: each has the
-/// mean gray of the points and lines within, free space is left out. Cost: one look-up for
-/// each vertex and each voxel between two. Throws InputError when it cannot be written.
+/// mean gray of the points and lines within. Free space is not written. Cost: one look-up for each vertex and
+/// for each voxel between two vertices. Throws InputError if the file cannot be written.
 void write_color_octree(const Run& run, const PointFilter& filter, const OctreeMap& map,
                         const std::string& path);
 

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How large the octree of a run gets, before it is built: a voxel too small by ten takes up to a thousand
-// times the memory, and one too small by more reaches only the surroundings of the first camera.
+// Estimate of the size of an octree before it is built: voxels ten times too small take up to a thousand
+// times the memory, and even smaller ones cover only the surroundings of the first camera.
 //
-// Rays are sampled on cells so coarse that this is done in a second; how the count of cells grows from those
-// twice as large tells that of the voxels (a full volume by 8, single rays by 2). An upper estimate: single
-// rays separate.
+// Rays are sampled on cells so coarse that this takes less than a second. The number of voxels is
+// extrapolated from the growth of the number of cells when their size is halved (by 8 for a full volume, by 2
+// for single rays). The result is an upper bound, since rays diverge at finer resolutions.
 #include <string>
 
 #include "edgevo/core/records.h"
@@ -12,25 +13,28 @@
 
 namespace edgevo {
 
-/// An estimate before the map is made.
+/// Estimated size of a map.
 struct MapSize {
-  double resolution = 0;  ///< edge of a voxel as it will be used, unit of the run
-  double voxels = 0;      ///< free and occupied, about
-  double bytes = 0;       ///< of memory while it is built and written, about
-  double outside_share =
-      0;  ///< of the points in range: beyond the 32768 voxels from the origin that an octree has
+  /// Voxel size that will be used, unit of the run.
+  double resolution = 0;
+  /// Number of free and occupied voxels.
+  double voxels = 0;
+  /// Memory for building and writing the map, bytes.
+  double bytes = 0;
+  /// Share of the points in range that lie outside the octree (32768 voxels from the origin), 0 to 1.
+  double outside_share = 0;
 };
 
-/// Cost: half a second for any run.
+/// Estimates the size of the map of a run. Cost: half a second for any run.
 MapSize estimate_map_size(const Run& run, const OccupancyParams& params);
 
-/// Throws InputError when the map cannot be held in `free_bytes`, or would leave points outside; the message,
-/// opened by `where`, names the smallest resolution (two digits) that will do. Likewise when a resolution
-/// that was given is coarser than the whole run. Cost: next to none where the map is small.
+/// Throws InputError if the map does not fit into `free_bytes` or some points would lie outside; the message
+/// begins with `where` and gives the finest possible resolution (two digits). Throws InputError also if a
+/// given resolution is coarser than the whole run. Cost: negligible for a small map.
 void check_map_size(const Run& run, const OccupancyParams& params, double free_bytes,
                     const std::string& where);
 
-/// Bytes that programs can still have on this machine, as the system tells it.
+/// Memory available to programs on this machine, bytes, as reported by the system.
 double free_memory();
 
 }  // namespace edgevo

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames,
-// handing out the reference that the next frames are tracked against. One thread at a time; reference() hands
-// out immutable values.
+// The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames.
+// Publishes the reference that the next frames are tracked against. One thread at a time; reference() returns
+// immutable values.
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,68 +20,86 @@
 
 namespace edgevo {
 
-/// A frame with its pose, handed from tracking to mapping.
+/// A frame with its pose, passed from tracking to mapping.
 struct TrackedFrame {
-  int frame_index = 0;                          ///< in the source
-  Timestamp time;                               ///< of the frame
-  std::shared_ptr<const FramePyramid> pyramid;  ///< of its image
-  ImageMotion motion;                           ///< of its image
-  int reference_id = 0;                         ///< keyframe that T_cam_ref refers to
-  SE3 T_cam_ref;                                ///< keyframe `reference_id` to this camera
-  Matrix6d covariance = Matrix6d::Zero();       ///< of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w]
-  bool make_keyframe = false;                   ///< keyframe_policy.h called for it
-  std::vector<CornerPair> corners;  ///< seen in its reference keyframe and here; empty unless requested
-  int return_to = -1;  ///< keyframe of the window to track against from now on; -1: the present one
+  /// Index of the frame in the source.
+  int frame_index = 0;
+  /// Timestamp of the frame.
+  Timestamp time;
+  /// Edge pyramid of the image.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Motion of the image while it was taken.
+  ImageMotion motion;
+  /// Keyframe that T_cam_ref refers to.
+  int reference_id = 0;
+  /// Motion from keyframe `reference_id` to this camera.
+  SE3 T_cam_ref;
+  /// Covariance of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w].
+  Matrix6d covariance = Matrix6d::Zero();
+  /// True if the frame is to become a keyframe (keyframe_policy.h).
+  bool make_keyframe = false;
+  /// Corners seen in the reference keyframe and in this frame; empty unless requested.
+  std::vector<CornerPair> corners;
+  /// Keyframe of the window to track against from now on; -1: the present one.
+  int return_to = -1;
 };
 
-/// Milliseconds of CPU time by stage.
+/// CPU time in milliseconds by stage.
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
-/// What mapping made of a frame.
+/// Result of mapping a frame.
 struct MapUpdate {
-  int keyframe_id = -1;  ///< of the keyframe made of this frame; -1 if none
-  WindowStats stats;     ///< of the adjustment, if there was one
-  StageTimes times;      ///< of the stages that ran
+  /// Id of the keyframe made of this frame; -1: none.
+  int keyframe_id = -1;
+  /// Statistics of the adjustment, if there was one.
+  WindowStats stats;
+  /// CPU times of the stages that ran.
+  StageTimes times;
 };
 
-/// Builds a pyramid again from its source image, whose motion is given, for another correction of the camera.
+/// Rebuilds a pyramid from its source image, whose motion is given, for another correction of the camera.
 using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
     const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
 
-/// How the mapping of a run works; what it estimates is in OdometryParams.
+/// How mapping works in a run; what it estimates is in OdometryParams.
 struct MapperOptions {
-  /// Of the run.
+  /// Seed of the run.
   uint64_t seed = 1;
-  /// Self-calibration and edge map in threads of their own: mapping goes on meanwhile, but when they end, and
-  /// with it the result, depends on the machine. Keyframes may be left out of the edge map.
+  /// Self-calibration and edge map run in threads of their own: mapping continues meanwhile, but when they
+  /// end, and with it the result, depends on the machine. The edge map may skip keyframes.
   bool own_threads = false;
-  /// Needed with self-calibration.
+  /// Rebuilds pyramids; required with self-calibration.
   RebuildPyramid rebuild;
 };
 
 /// Window, self-calibration and edge map of a run.
 class Mapper {
  public:
+  /// Starts without a map. `pinhole` is that of the undistorted images. Throws InputError for a solver of
+  /// another name.
   Mapper(const Pinhole& pinhole, const OdometryParams& params, const MapperOptions& options);
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
   /// between them. Returns an empty string, or why they make no map.
   [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
-  /// One tracked frame: updates immature depths, and makes it a keyframe if requested.
+  /// Processes one tracked frame: updates immature depths, and makes it a keyframe if requested.
   MapUpdate process(const TrackedFrame& frame);
-  /// Closes the segment: all keyframes retire, the window is empty.
+  /// Closes the segment: marginalises all keyframes and empties the window.
   void close();
 
-  std::shared_ptr<const Reference> reference() const { return reference_; }  ///< null without a map
-  const Window& window() const { return window_; }                           ///< empty without a map
-  int next_id() const { return next_id_; }  ///< of the keyframe that comes next; ascends over the whole run
+  /// Reference that frames are tracked against; null without a map.
+  std::shared_ptr<const Reference> reference() const { return reference_; }
+  /// The window of keyframes; empty without a map.
+  const Window& window() const { return window_; }
+  /// Id of the next keyframe; ascends over the whole run.
+  int next_id() const { return next_id_; }
   /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
-  std::vector<Keyframe> take_retired() { return std::exchange(retired_, {}); }
-  /// Keyframes, retired or in the window, that a correction of the camera moved since the last call.
+  std::vector<Keyframe> take_marginalised() { return std::exchange(marginalised_, {}); }
+  /// Keyframes, marginalised or in the window, that a correction of the camera moved since the last call.
   std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
-  /// what self-calibration found so far
+  /// Self-calibration so far.
   const CameraRefinement& camera() const { return calibration_.state(); }
-  /// Of the segments closed since the last call.
+  /// Lines of the segments closed since the last call.
   std::vector<HostedLines> take_lines() { return std::exchange(lines_, {}); }
 
  private:
@@ -109,7 +128,7 @@ class Mapper {
   int new_points_wanted() const;
   void drop_old_points();
   void seed_points(Keyframe* keyframe);
-  void calibrate_on_the_way();
+  void calibrate_during_run();
   void calibrate(bool at_end);
   std::vector<const Keyframe*> window_pointers() const;
   BaOptions calibration_options() const;
@@ -125,12 +144,13 @@ class Mapper {
   std::shared_ptr<const Reference> reference_;
   SelfCalibration calibration_;
   EdgeMapper edge_mapper_;
-  std::vector<Keyframe> retired_;
+  std::vector<Keyframe> marginalised_;
   std::vector<HostedLines> lines_;
   std::vector<RevisedKeyframe> revised_;
   int next_id_ = 0;
   TrackingCheck tracking_check_;
-  double median_idepth_ = 1;  ///< of the points seen in the newest keyframe
+  /// Median inverse depth of the points seen in the newest keyframe.
+  double median_idepth_ = 1;
 };
 
 }  // namespace edgevo

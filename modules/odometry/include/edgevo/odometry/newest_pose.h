@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is known when a frame has just been processed, for whoever acts on it at once: a servo loop, a window
-// on the screen.
+// Result of the frame that has just been processed, for clients that act on it at once: a servo loop, a
+// window on the screen.
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,17 +16,23 @@ namespace edgevo {
 /// A snapshot: what it points to never changes. Lengths are in the unit of the segment's map, which has its
 /// origin at the segment's first keyframe. Cheap to copy.
 struct NewestPose {
-  int frame_index = -1;                                 ///< -1: no frame yet
-  Timestamp time;                                       ///< of the image
-  TrackingState state = TrackingState::kBootstrapping;  ///< the verdict
-  std::string note;                                     ///< why it is not TRACKING; else empty
-  int segment = -1;  ///< poses of two segments have no common frame that could be trusted
-  std::optional<SE3>
-      T_cam_map;  ///< against the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING
-  /// Of xi in T_cam_map <- exp(xi) T_cam_map, tangent [v, w]; the scale taken as known
+  /// Index of the frame in the source; -1: no frame yet.
+  int frame_index = -1;
+  /// Timestamp of the image.
+  Timestamp time;
+  /// Tracking state of the frame.
+  TrackingState state = TrackingState::kBootstrapping;
+  /// Why the state is not TRACKING; empty if it is.
+  std::string note;
+  /// Segment of the map; poses of two segments have no reliable common frame. -1: none.
+  int segment = -1;
+  /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING.
+  std::optional<SE3> T_cam_map;
+  /// Covariance of xi in T_cam_map <- exp(xi) T_cam_map, tangent [v, w], with the scale assumed known
   /// (alignment/pose_covariance.h). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
-  std::shared_ptr<const Reference> reference;  ///< what the frame was tracked against; null without a map
+  /// Reference that the frame was tracked against; null without a map.
+  std::shared_ptr<const Reference> reference;
 };
 
 }  // namespace edgevo

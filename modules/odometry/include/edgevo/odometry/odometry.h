@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The odometry: frames in, poses and edge points out. The way of one image:
+// The odometry: frames in, poses and edge points out. The path of one image:
 //   Frame -> edge pyramid -> alignment -> (keyframe?) -> association -> window BA -> map -> records
 // States: BOOTSTRAPPING until two views make a map; TRACKING or DEGRADED while frames align; LOST when one
-// does not. A loss keeps everything: the old map is tried for some frames more while a new bootstrap runs,
-// and when that succeeds a new segment begins, joined to the old one by constant velocity (position, heading
-// and, by equal speed, scale); FrameRecord::segment tells the join.
+// does not. A loss discards nothing: relocalisation in the old map is tried for some frames while a new
+// bootstrap runs. When the bootstrap succeeds, a new segment begins, joined to the old one by constant
+// velocity (position, orientation and, by equal speed, scale); FrameRecord::segment marks the join.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,49 +21,51 @@
 
 namespace edgevo {
 
-/// How a run is made; what is estimated and how is in OdometryParams.
+/// How a run works; what it estimates is in OdometryParams.
 struct OdometryOptions {
-  uint64_t seed = 1;  ///< same seed, same bytes (without `realtime`)
-  /// Tracking, mapping and self-calibration in threads of their own: faster, and not bit-identical from run
-  /// to run.
+  /// Seed of all random numbers: the same seed gives the same bytes (without `realtime`).
+  uint64_t seed = 1;
+  /// Run tracking, mapping and self-calibration in threads of their own: faster, but not bit-identical from
+  /// run to run.
   bool realtime = false;
-  /// Realtime: so many frames that call for a keyframe may be tracked while the mapping is still busy with
-  /// one; then tracking waits for it. 1: nearly the map of a synchronous run. More: fewer waits where frames
-  /// come at their own time, on an older map; with 8 a drive at 1 m a frame runs out of it.
+  /// Realtime: frames that call for a keyframe and may be tracked while mapping is still busy with one;
+  /// beyond, tracking waits. 1: nearly the map of a synchronous run. Larger: fewer waits for live cameras, on
+  /// an older map; at 8, a camera that moves 1 m per frame outruns its map.
   int max_frames_ahead = 1;
-  /// Which detectors edges.detector may name.
+  /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
-  std::function<void(const std::string&)> log;  ///< one line at each change of state; may be empty
+  /// Called with one line at each change of state; may be empty.
+  std::function<void(const std::string&)> log;
 };
 
-/// A run of one camera. One thread.
+/// A run of one camera, in one thread.
 class Odometry {
  public:
   /// Throws InputError for an unusable camera, or a detector that is unusable or not in the table.
   Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options);
   ~Odometry();
 
-  /// The next frame, in time order. The record holds what is known now; poses found later (bootstrap) and
-  /// final poses come with finish(). Throws InputError if the image does not have the camera's size.
+  /// Processes the next frame, in time order. The record holds what is known now; poses found later
+  /// (bootstrap) and final poses come with finish(). Throws InputError if the image does not have the
+  /// camera's size.
   const FrameRecord& process(const Frame& frame);
-  /// A frame that came and is not to be processed, since the program is behind its camera: it gets its row,
-  /// without a pose and with `why` as its note, and the next frame is expected further on. The image is not
-  /// used.
-  const FrameRecord& pass_over(const Frame& frame, const std::string& why);
+  /// Records a frame that is not processed because the program is behind its camera: it gets a record without
+  /// a pose, with `why` as its note, and the motion model counts it. The image is not used.
+  const FrameRecord& skip(const Frame& frame, const std::string& why);
 
-  /// What the newest frame sees of the map. In the thread of process(). Cost: one projection a point, about
-  /// 0.1 ms.
+  /// View of the map from the newest frame. Call in the thread of process(). Cost: one projection per point,
+  /// about 0.1 ms.
   FrameView frame_view() const;
-  /// The keyframes that have left the window so far, but for the first `skip` of them. In the thread of
+  /// The keyframes that have left the window so far, from index `first` on. Call in the thread of
   /// process().
-  SettledKeyframes settled_keyframes(size_t skip = 0) const;
-  /// The keyframes of the window, if they have changed since `version`. In the thread of process(). Cost: a
-  /// copy of their points, about 0.1 ms.
-  std::optional<UnsettledKeyframes> unsettled_keyframes(int version = 0) const;
-  /// What process() has just found out, with the map that it used. The same thread as process().
+  MarginalisedKeyframes marginalised_keyframes(size_t first = 0) const;
+  /// The keyframes of the window, if they have changed since `version`. Call in the thread of process().
+  /// Cost: a copy of their points, about 0.1 ms.
+  std::optional<ActiveKeyframes> active_keyframes(int version = 0) const;
+  /// The result of the last process() call, with the map that it used. Call in the thread of process().
   const NewestPose& newest_pose() const;
 
-  /// Ends the run and returns everything: call once, also after an exception from the source.
+  /// Ends the run and returns everything. Call once, also after an exception from the source.
   Run finish();
 
  private:

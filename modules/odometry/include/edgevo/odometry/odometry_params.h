@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/association/association_params.h"
@@ -9,12 +10,12 @@
 
 namespace edgevo {
 
-/// What is done after a loss, and where one is near.
+/// Relocalisation after a loss, and precautions before one.
 struct RecoveryParams {
-  /// frames
+  /// Frames.
   int max_frames = 10;
-  /// A bootstrap begins next to a map that is still tracked where that one is out of view and does not
-  /// explain the images (src/map_coverage.h).
+  /// Run a bootstrap next to a map that is still tracked, if the map is out of view and does not explain the
+  /// images (src/map_coverage.h).
   bool bootstrap_out_of_view = true;
 
   /// Names, ranges and texts of the fields (core/params.h).
@@ -23,14 +24,22 @@ struct RecoveryParams {
 
 /// All parameters of a run, group by group.
 struct OdometryParams {
-  SelfCalibrationParams camera;   ///< what the camera file does not say
-  EdgeParams edges;               ///< edge detection
-  AlignmentParams alignment;      ///< tracking
-  AssociationParams association;  ///< matches between keyframes
-  MappingParams mapping;          ///< bootstrap, points, window
-  KeyframeParams keyframe;        ///< when a frame becomes one; the group `keyframe` of `mapping`
-  RecoveryParams recovery;        ///< relocalisation
-  EdgeMapParams edge_map;         ///< lines of whole edges
+  /// Camera properties that the camera file does not contain.
+  SelfCalibrationParams camera;
+  /// Edge detection.
+  EdgeParams edges;
+  /// Tracking.
+  AlignmentParams alignment;
+  /// Matches between keyframes.
+  AssociationParams association;
+  /// Bootstrap, points and window.
+  MappingParams mapping;
+  /// Decision on keyframes; the group `keyframe` of `mapping`.
+  KeyframeParams keyframe;
+  /// Relocalisation.
+  RecoveryParams recovery;
+  /// Map of lines.
+  EdgeMapParams edge_map;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

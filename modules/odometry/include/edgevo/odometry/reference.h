@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What frames are tracked against: the hand-over from the mapping side to the tracking side.
+// The reference that frames are tracked against, passed from mapping to tracking.
 #include <map>
 
 #include "edgevo/alignment/reference_cloud.h"
@@ -8,19 +9,27 @@
 
 namespace edgevo {
 
-/// What a frame is tracked against: the cloud of a keyframe, the newest unless the camera has come back to an
-/// older one, and where the window's keyframes stand. Immutable once handed out.
+/// Reference that a frame is tracked against: the cloud of a keyframe (the newest, unless the camera has come
+/// back to an older one) and the poses of the window's keyframes. Immutable once published.
 struct Reference {
-  int keyframe_id = 0;    ///< of the keyframe
-  SE3 T_ref_world;        ///< of the segment's map
-  ReferenceCloud cloud;   ///< its image and points
-  int known_points = 0;   ///< of the cloud's points, those of known depth
-  double view_share = 1;  ///< of all points of the window, those that lie in its image, matched there or not
-  double median_idepth = 1;             ///< of the map where the newest keyframe sees it
-  std::map<int, SE3> T_keyframe_world;  ///< of all keyframes in the window
-  CameraRefinement camera;              ///< that this map was made with
-  double error_factor =
-      1;  ///< variance of poses tracked against it, over the covariance that their alignment tells
+  /// Id of the keyframe.
+  int keyframe_id = 0;
+  /// Pose of the keyframe in the segment's map.
+  SE3 T_ref_world;
+  /// Image and points of the keyframe.
+  ReferenceCloud cloud;
+  /// Number of the cloud's points whose depth is known.
+  int known_points = 0;
+  /// Share of all points of the window that lie in the keyframe's image, matched there or not, 0 to 1.
+  double view_share = 1;
+  /// Median inverse depth of the map as the newest keyframe sees it.
+  double median_idepth = 1;
+  /// Poses of all keyframes in the window, by id.
+  std::map<int, SE3> T_keyframe_world;
+  /// Camera correction that this map was made with.
+  CameraRefinement camera;
+  /// Variance of poses tracked against this keyframe over the variance that their alignment reports.
+  double error_factor = 1;
 };
 
 }  // namespace edgevo

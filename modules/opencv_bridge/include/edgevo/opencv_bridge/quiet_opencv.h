@@ -1,13 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// OpenCV's own words kept off stderr: its back ends announce each format that they do not know.
+// Keeps OpenCV's log off stderr: its back ends announce every format they do not support.
 
 namespace edgevo {
 
-/// Nothing of OpenCV's log while it lives. One at a time: the level is that of the process.
+/// Silences OpenCV's log during its lifetime. One instance at a time: the log level is that of the process.
 class QuietOpenCv {
  public:
-  QuietOpenCv();   ///< silences it
-  ~QuietOpenCv();  ///< as it was before
+  /// Silences the log.
+  QuietOpenCv();
+  /// Restores the previous log level.
+  ~QuietOpenCv();
   QuietOpenCv(const QuietOpenCv&) = delete;
   QuietOpenCv& operator=(const QuietOpenCv&) = delete;
 

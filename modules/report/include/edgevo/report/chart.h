@@ -1,36 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Charts over time: pure functions, the same bytes every time, nothing to load. In a page they are as wide as
-// it is, with labels that stay readable, and assets/page.js tells the values under the pointer.
+// Charts over time. Pure functions: the same input gives the same bytes, and nothing is loaded. In a page a
+// chart is as wide as the page, its labels stay readable, and assets/page.js shows the values under the
+// pointer.
 #include <string>
 #include <vector>
 
 namespace edgevo {
 
-/// One line of a chart; a y that is not finite is a gap.
+/// One curve of a chart; values that are not finite are gaps.
 struct Series {
-  std::string name, color;  ///< any CSS colour; those of palette.h follow light and dark
-  std::vector<double> y;    ///< one for each x of the chart
+  /// Name in the legend, and any CSS colour; those of palette.h adapt to light and dark.
+  std::string name, color;
+  /// Values, one for each x of the chart.
+  std::vector<double> y;
 };
 
-/// Values over time. Long series are drawn as the mean of stretches of equal length.
+/// Values over time. Long series are drawn as means over intervals of equal length.
 struct TimeChart {
-  std::string y_name;          ///< with its unit
-  std::vector<double> x;       ///< seconds, ascending
-  std::vector<Series> series;  ///< the first is drawn first
-  bool stacked = false;        ///< areas on top of each other; values >= 0
-  bool from_zero = false;      ///< the y axis holds 0
-  double y_max = 0;            ///< > 0: what is larger leaves the drawing
+  /// Name and unit of the values.
+  std::string y_name;
+  /// Times, seconds, ascending.
+  std::vector<double> x;
+  /// Curves; the first is drawn first, below the others.
+  std::vector<Series> series;
+  /// Whether the curves are stacked areas; needs values >= 0.
+  bool stacked = false;
+  /// Whether the y axis includes 0.
+  bool from_zero = false;
+  /// Upper end of the y axis; larger values are cut. 0: no limit.
+  double y_max = 0;
 };
-/// For a page.
+/// The chart as HTML for a page.
 std::string draw(const TimeChart& chart);
-/// The drawing alone as one svg element, 1000 x 190 units, for files of their own.
+/// The chart as a single svg element, 1000 x 190 units, for a separate file.
 std::string draw_svg(const TimeChart& chart);
 
-/// A strip with one colour for each stretch of equal value; drawn above charts of the same `x`.
+/// A strip of colours over time, drawn above charts with the same `x`.
 struct Ribbon {
-  std::vector<double> x;           ///< seconds, ascending
-  std::vector<std::string> color;  ///< one for each x
+  /// Times, seconds, ascending.
+  std::vector<double> x;
+  /// CSS colours, one for each x.
+  std::vector<std::string> color;
 };
-std::string draw(const Ribbon& ribbon);  ///< For a page.
+/// The strip as HTML for a page.
+std::string draw(const Ribbon& ribbon);
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Several runs on one page: a table that sorts, the worst first, a picture of each path, and the paths of the
-// runs that share a ground truth laid over each other. One file that needs nothing but a browser.
+// Several runs on one page: a sortable table, the worst run first, a picture of each path, and overlaid paths
+// of runs with the same ground truth. One file that needs nothing but a browser.
 #include <string>
 #include <vector>
 
@@ -8,22 +9,28 @@
 
 namespace edgevo {
 
-/// A run as the page needs it.
+/// A run in the comparison.
 struct ComparedRun {
-  std::string name;          ///< unlike that of the others
-  std::string problem;       ///< why it cannot be compared; then only the name counts
-  std::string source;        ///< what was run
-  std::string link;          ///< its own page, as a URL relative to this one; empty: it has none
-  std::string ground_truth;  ///< a trajectory file; empty: not known. One that cannot be read or compared is
-                             ///< told in the row
-  int frames = 0, lost = 0, keyframes = 0, segments = 0;  ///< counts of the run
-  double cpu_ms = 0;                                      ///< a frame
-  Trajectory
-      trajectory;  ///< final poses, T_world_cam; `path` tells where frames.csv lies (find_input_frames)
+  /// Name of the run, unique on the page.
+  std::string name;
+  /// Reason why the run cannot be compared (only the name is used then); empty: it can.
+  std::string problem;
+  /// Input of the run: path of the source, or sequence of a benchmark.
+  std::string source;
+  /// The run's own report as a URL relative to this page; empty: none.
+  std::string link;
+  /// Path of the true trajectory; empty: unknown. If it cannot be read or compared, the row says so.
+  std::string ground_truth;
+  /// Counts of frames, of frames without a pose after the first with one, of keyframes and of segments.
+  int frames = 0, lost = 0, keyframes = 0, segments = 0;
+  /// CPU time of the odometry, milliseconds a frame.
+  double cpu_ms = 0;
+  /// Final poses, T_world_cam; frames.csv is found next to Trajectory::path (find_input_frames).
+  Trajectory trajectory;
 };
 
-/// For one run or hundreds: 2 kB each, and 5 kB of the first 40 that share a ground truth. Figures are those
-/// of `edgevo eval`. Cost: that of evaluate() for each.
+/// The page for one run or hundreds of them. Size: 2 kB a run, and 5 kB for each of the first 40 with the
+/// same ground truth. The error figures are those of `edgevo eval`. Cost: one evaluate() a run.
 std::string compare_html(const std::vector<ComparedRun>& runs);
 
 }  // namespace edgevo

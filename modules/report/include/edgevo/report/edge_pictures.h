@@ -1,9 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Pictures of report.html: keyframes with the edge points of the map coloured by inverse depth.
 //
-// A keyframe hosts only the points that the map lacked when it came. Drawn are therefore the points of the
-// keyframes before it, too, as many as stand in the window with it; one that is hidden by now is drawn all
-// the same.
+// A keyframe hosts only points that the map lacked before it. The points of the keyframes before it are
+// therefore drawn as well, even those that are occluded in its image.
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,23 +14,29 @@
 
 namespace edgevo {
 
-/// One keyframe.
+/// Picture of one keyframe.
 struct EdgePicture {
-  int frame_index = 0;        ///< in the source
-  Timestamp time;             ///< of the frame
-  int points = 0;             ///< drawn
-  std::vector<uint8_t> jpeg;  ///< bytes of the file
+  /// Index of the frame in the source.
+  int frame_index = 0;
+  /// Time of the frame.
+  Timestamp time;
+  /// Number of points drawn.
+  int points = 0;
+  /// Bytes of the JPEG file.
+  std::vector<uint8_t> jpeg;
 };
 
-/// The pictures of one run, with one scale of colours.
+/// Pictures of one run, with a common colour scale.
 struct EdgePictures {
-  std::vector<EdgePicture> pictures;       ///< evenly spread over the run
-  double idepth_low = 0, idepth_high = 0;  ///< ends of the colours, blue and red, in 1/unit of the run
+  /// Pictures in time order, evenly spread over the run.
+  std::vector<EdgePicture> pictures;
+  /// Inverse depths at the blue and the red end of the colour scale, 1/unit of the run.
+  double idepth_low = 0, idepth_high = 0;
 };
 
-/// Up to `count` keyframes that have points which `filter` keeps. `image_path` tells where the image of a
-/// frame lies, as the camera took it; `camera` is the camera of these files. A keyframe whose image is not
-/// there is passed over. Cost: 20 ms a picture.
+/// Draws up to `count` keyframes that host points which `filter` keeps. `image_path` returns the file of a
+/// frame's raw image; `camera` is the camera of these files. Keyframes without an image are skipped. Cost: 20
+/// ms a picture.
 EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
                                 const std::function<std::string(int frame_index)>& image_path, int count);
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What the map files of a run hold: told by report.html, summary.yaml and the closing line of `edgevo map`.
+// Statistics of the map files of a run, for report.html, summary.yaml and the closing line of `edgevo map`.
 #include <optional>
 
 #include "edgevo/occupancy/grid_map.h"
@@ -7,10 +8,12 @@
 
 namespace edgevo {
 
-/// What was written, for those who tell it.
+/// Statistics and contents of the map files.
 struct MapReport {
-  OctreeStats octree;                 ///< of edges.ot
-  std::optional<OccupancyGrid> grid;  ///< as written
+  /// Statistics of edges.ot.
+  OctreeStats octree;
+  /// The 2D grid as written; nullopt: none was.
+  std::optional<OccupancyGrid> grid;
 };
 
 }  // namespace edgevo

@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The map of a run in 3D, to be turned, zoomed and picked from in a browser: points and lines of edges, the
-// way of the camera, its keyframes, the true way. It is drawn by a script in the page itself
-// (assets/map_view.js), without a graphics card and without anything that is loaded: 300,000 vertices are
-// turned fluidly by one core.
+// The map of a run in 3D, to rotate, zoom and pick in a browser: points and lines of edges, the path of the
+// camera, its keyframes and the true path. A script in the page (assets/map_view.js) draws it without a
+// graphics card and without loading anything; one core rotates 300,000 vertices smoothly.
 //
 // All positions are in the map's frame (x forward, y left, z up; T_map_world), in `unit`.
 #include <Eigen/Core>
@@ -15,42 +15,52 @@
 
 namespace edgevo {
 
-/// A point of the map; with those that follow it and are `joined`, a line.
+/// A vertex of the map: a point, or the start of a line through the `joined` vertices after it.
 struct MapVertex {
-  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< finite
-  float sigma = 0;      ///< one standard deviation of the position, along the ray that saw it; <= 0: unknown
-  uint8_t gray = 0;     ///< intensity in the image of its host
-  bool joined = false;  ///< a line leads here from the vertex before
-  int keyframe = -1;    ///< index of the host in MapView::keyframes; -1: none
+  /// Position in the map's frame; finite.
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();
+  /// Standard deviation of the position along the viewing ray; <= 0: unknown.
+  float sigma = 0;
+  /// Intensity in the image of its host, 0 to 255.
+  uint8_t gray = 0;
+  /// Whether a line connects the vertex to the one before.
+  bool joined = false;
+  /// Index of the host keyframe in MapView::keyframes; -1: none.
+  int keyframe = -1;
 };
 
-/// A keyframe as a small camera.
+/// A keyframe, drawn as a small camera.
 struct MapKeyframe {
-  int frame_index = 0;  ///< in the source
-  SE3 T_map_cam;        ///< camera x right, y down, z forward
+  /// Index of the frame in the source.
+  int frame_index = 0;
+  /// Pose of the camera (x right, y down, z forward) in the map's frame.
+  SE3 T_map_cam;
 };
 
-/// What the view shows.
+/// Contents of the 3D view.
 struct MapView {
-  std::string unit;                 ///< of all lengths: "m", "units"
-  std::vector<MapVertex> vertices;  ///< more than kMostMapVertices are thinned evenly, and the page says so
-  std::vector<MapKeyframe> keyframes;                       ///< in time order
-  std::vector<double> seconds;                              ///< of each frame, since the first
-  std::vector<std::optional<Eigen::Vector3d>> path, truth;  ///< one for each frame; truth may be empty
+  /// Unit of all lengths: "m" or "units".
+  std::string unit;
+  /// Points and lines. More than kMostMapVertices are thinned evenly, and the page says so.
+  std::vector<MapVertex> vertices;
+  /// Keyframes in time order.
+  std::vector<MapKeyframe> keyframes;
+  /// Time of each frame since the first.
+  std::vector<double> seconds;
+  /// Estimated and true position of each frame; `truth` may be empty.
+  std::vector<std::optional<Eigen::Vector3d>> path, truth;
 };
 
-/// What a page carries: 8 bytes each (11 as text), 3.3 MB, and what one core of a laptop draws in a tenth of
-/// a second.
+/// Largest number of vertices in a page: 3.3 MB at 11 bytes each, drawn by one core of a laptop in 0.1 s.
 constexpr size_t kMostMapVertices = 300'000;
 
-/// The edge points that `filter` keeps, keyframe after keyframe as edges.ply has them, in the unit of the
-/// run.
+/// Edge points that `filter` keeps, keyframe by keyframe in the order of edges.ply, in the unit of the run.
 std::vector<MapVertex> map_points(const Run& run, const PointFilter& filter);
 
-/// The lines of the edge map, keyframe after keyframe, in the unit of the run.
+/// Lines of the edge map, keyframe by keyframe, in the unit of the run.
 std::vector<MapVertex> map_lines(const Run& run);
 
-/// HTML with its script: one a page. A view without vertices and without a path gives nothing.
+/// The view as HTML with its script, at most one a page. Empty if there are neither vertices nor a path.
 std::string draw(const MapView& view);
 
 }  // namespace edgevo

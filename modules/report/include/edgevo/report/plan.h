@@ -1,24 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A drawing from above for a page: pure functions, the same bytes every time, nothing to load. assets/page.js
-// tells where on the ground the pointer is.
+// A top view for a page. Pure functions: the same input gives the same bytes, and nothing is loaded.
+// assets/page.js shows the ground position under the pointer.
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace edgevo {
 
-/// A line on the ground; gaps between its pieces.
+/// A line on the ground, with gaps between its pieces.
 struct PlanLine {
-  std::string name, color;  ///< without a name it is not in the legend; colours: palette.h
-  bool dashed = false;      ///< else drawn through
-  std::vector<std::vector<std::pair<double, double>>> pieces;  ///< (forward, left) points
+  /// Name in the legend (empty: not listed), and colour (palette.h).
+  std::string name, color;
+  /// Whether the line is dashed, not solid.
+  bool dashed = false;
+  /// Pieces of (forward, left) points.
+  std::vector<std::vector<std::pair<double, double>>> pieces;
 };
-/// Seen from above: forward is up, left is left, one scale for both axes.
+/// A top view: forward is up, left is left, one scale for both axes.
 struct Plan {
-  std::string unit;                               ///< of all lengths, for the scale
-  std::vector<std::pair<double, double>> points;  ///< small gray dots below the lines
-  std::vector<PlanLine> lines;                    ///< the first is drawn first
+  /// Unit of all lengths, for the labels.
+  std::string unit;
+  /// (forward, left) points, drawn as small gray dots below the lines.
+  std::vector<std::pair<double, double>> points;
+  /// Lines; the first is drawn first, below the others.
+  std::vector<PlanLine> lines;
 };
-std::string draw(const Plan& plan);  ///< For a page.
+/// The top view as HTML for a page.
+std::string draw(const Plan& plan);
 
 }  // namespace edgevo

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What is told of a run besides its records: who requested it, on which source, with which
-// parameters.
+// Description of a run besides its records: command line, source, camera and parameters.
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,15 +9,22 @@
 
 namespace edgevo {
 
-/// What summary.yaml and report.html tell besides the run itself.
+/// Facts about a run that summary.yaml and report.html show besides its records.
 struct RunInfo {
-  std::vector<std::string> command_line;  ///< program and arguments
-  std::string source_kind, source_path;   ///< ImageSource::kind(), and where it lies
-  std::string ground_truth_path;          ///< a trajectory file, for report.html; empty if there is none
-  Camera camera;                          ///< as given by the source or --camera
-  std::string params_yaml;                ///< of write_params(), not indented
-  bool interrupted = false;  ///< ended by Ctrl-C or by a source that broke: the run is the part up to there
-  std::vector<std::pair<std::string, std::string>> notes;  ///< anything else, as name and text
+  /// Program and arguments.
+  std::vector<std::string> command_line;
+  /// ImageSource::kind(), and path of the source.
+  std::string source_kind, source_path;
+  /// Path of the true trajectory, for report.html; empty if there is none.
+  std::string ground_truth_path;
+  /// Camera as given by the source or --camera.
+  Camera camera;
+  /// Effective parameters as written by write_params(), not indented.
+  std::string params_yaml;
+  /// Whether the run was ended early, by Ctrl-C or a failing source; it is then the part up to there.
+  bool interrupted = false;
+  /// Further remarks, as name and text.
+  std::vector<std::pair<std::string, std::string>> notes;
 };
 
 }  // namespace edgevo

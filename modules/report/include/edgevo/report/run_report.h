@@ -1,11 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// report.html: a run on one page that needs nothing but a browser: no network, no script, no other file.
+// report.html: a run on one page that needs nothing but a browser: no network and no other file.
 //
-// It holds what happened (states, inlier share, residual), where the camera went (from above and over time,
-// with ground truth where that is known), what it saw (edges coloured by inverse depth), what it cost (CPU
-// time by stage), what the map holds, in which unit and how certain that is, with which parameters, and
-// what the user can do next. A pure function of its input: the same run gives the same bytes but for the
-// stage times.
+// The page shows tracking (states, inlier share, residual), the trajectory (from above and over time, with
+// ground truth if known), edges coloured by inverse depth, CPU time by stage, the map, the unit of length and
+// its uncertainty, the parameters, and hints on what to do next. A pure function of its input: except for the
+// stage times, the same run gives the same bytes.
 #include <string>
 #include <vector>
 
@@ -16,18 +16,25 @@
 
 namespace edgevo {
 
-/// All that the page tells. References must outlive it.
+/// Contents of the page. Referenced objects must outlive it.
 struct ReportInput {
-  const Run& run;                        ///< finished
-  const RunInfo& info;                   ///< what is told besides
-  PointFilter points;                    ///< which edge points are drawn
-  EdgePictures pictures;                 ///< may be empty
-  std::vector<std::string> not_written;  ///< files of the run that could not be
-  MapReport map = {};                    ///< what the map files hold
-  std::vector<MapVertex> map_vertices =
-      {};  ///< shown in 3D; map frame and unit of the run (map_points, or lines)
+  /// The finished run.
+  const Run& run;
+  /// Description of the run.
+  const RunInfo& info;
+  /// Filter of the edge points that are drawn.
+  PointFilter points;
+  /// Pictures of keyframes; may be empty.
+  EdgePictures pictures;
+  /// Names of files that could not be written.
+  std::vector<std::string> not_written;
+  /// Statistics of the map files.
+  MapReport map = {};
+  /// Vertices of the 3D view, in map frame and unit of the run (map_points(), map_lines()).
+  std::vector<MapVertex> map_vertices = {};
 };
 
-std::string report_html(const ReportInput& input);  ///< The page.
+/// The page as HTML.
+std::string report_html(const ReportInput& input);
 
 }  // namespace edgevo

@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What runs have left on disk, read back for comparison: those of `edgevo run` and the jobs of `edgevo
-// bench`.
+// Results on disk, read back for comparison: runs of `edgevo run` and jobs of `edgevo bench`.
 #include <string>
 #include <vector>
 
@@ -8,28 +8,39 @@
 
 namespace edgevo {
 
-/// A folder with results, and what it tells. Where `problem` is not empty the rest is what could be read
-/// before.
+/// Results read from the folder of a run. If `problem` is not empty, the other fields hold what could be read
+/// before it was met.
 struct FinishedRun {
-  std::string folder;        ///< where it lies
-  std::string problem;       ///< in a line, why it cannot be compared: half written, spoilt
-  std::string source;        ///< what was run: path of the source, or sequence of a benchmark
-  std::string report;        ///< path of its own page; empty if there is none
-  std::string ground_truth;  ///< path of a trajectory file; empty if none is known, or it is there no more
-  int frames = 0;            ///< put in
-  int lost = 0;              ///< of them, without a pose after the first that has one
-  int keyframes = 0;         ///< that are frames of the run
-  int segments = 0;          ///< with a pose
-  double cpu_ms = 0;         ///< of the odometry, mean over the frames
-  Trajectory trajectory;     ///< final poses; none where no frame has one
+  /// Folder of the run.
+  std::string folder;
+  /// Reason, in one line, why the run cannot be compared (incomplete, corrupt); empty: it can.
+  std::string problem;
+  /// Input of the run: path of the source, or sequence of a benchmark.
+  std::string source;
+  /// Path of the run's report.html; empty if there is none.
+  std::string report;
+  /// Path of a trajectory file; empty if none is known or it no longer exists.
+  std::string ground_truth;
+  /// Number of frames processed.
+  int frames = 0;
+  /// Number of frames without a pose after the first frame with one.
+  int lost = 0;
+  /// Number of keyframes that belong to a frame of the run.
+  int keyframes = 0;
+  /// Number of trajectory segments with a pose.
+  int segments = 0;
+  /// CPU time of the odometry, milliseconds, mean over the frames.
+  double cpu_ms = 0;
+  /// Final poses; empty if no frame has one.
+  Trajectory trajectory;
 };
 
-/// The folders at or below `path` that a run has begun to write (they hold a trajectory_tum.txt or a
-/// frames.csv), in the order of their names. Nothing is looked for within a run. Throws InputError: `path` is
-/// no folder, or none is there.
+/// Folders of runs at or below `path`, sorted by name: those that hold a trajectory_tum.txt or a frames.csv.
+/// Folders within a run are not searched. Throws InputError: `path` is not a folder, or holds no run.
 std::vector<std::string> find_runs(const std::string& path);
 
-/// Never throws for what is wrong with the folder: `problem` says it. Cost: linear in the frames.
+/// Reads the results in `folder`. Errors do not throw: they are described in FinishedRun::problem. Cost:
+/// linear in the frames.
 FinishedRun read_finished_run(const std::string& folder);
 
 }  // namespace edgevo

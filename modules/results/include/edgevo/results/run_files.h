@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The files that a run leaves in its folder: names and what they are. Who writes each:
+// The files that a run leaves in its folder: names and contents. The writer of each is listed in
 // src/exporters/exporters.cpp.
 #include <string>
 #include <vector>
@@ -8,11 +9,13 @@ namespace edgevo {
 
 /// A file of a run.
 struct RunFile {
-  std::string name;     ///< in the run's folder
-  std::string content;  ///< what it is, a line for people
+  /// File name within the run's folder.
+  std::string name;
+  /// Content of the file, one line for people.
+  std::string content;
 };
 
-/// All of them, in the order in which they are written; some only where the run has what they tell.
+/// All files of a run, in the order of writing. Some are written only if the run has data for them.
 std::vector<RunFile> run_files();
 
 }  // namespace edgevo

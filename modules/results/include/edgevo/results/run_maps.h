@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The maps of a run for planners: octree and grid. RunOutputs writes them at the end of a run, `edgevo map`
-// again at any resolution.
+// Maps of a run for planners: octree and grid. RunOutputs writes them at the end of a run; `edgevo map`
+// writes them again at any resolution.
 #include <string>
 
 #include "edgevo/core/records.h"
@@ -13,10 +14,12 @@ namespace edgevo {
 
 /// Parameters of the maps for planners.
 struct MapParams {
-  OccupancyParams occupancy;  ///< of the octree
-  GridParams grid;            ///< of the 2D grid
+  /// Parameters of the octree.
+  OccupancyParams occupancy;
+  /// Parameters of the 2D grid.
+  GridParams grid;
 
-  /// Names, ranges and texts of the fields (core/params.h).
+  /// Declares names, ranges and help texts of the fields (core/params.h).
   void visit(ParamVisitor& v) {
     {
       const auto g = v.group("occupancy");
@@ -27,17 +30,18 @@ struct MapParams {
       grid.visit(v);
     }
   }
-  void check() const { occupancy.check(), grid.check(); }  ///< throws InputError
+  /// Throws InputError if parameters contradict each other.
+  void check() const { occupancy.check(), grid.check(); }
 };
 
-/// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz into `folder`, which is made if need
-/// be. One that cannot be written does not keep the others from being tried; the first failure is thrown
-/// (InputError). An octree that the free memory does not hold is not begun.
+/// Writes edges.ot, edges.bt, grid.yaml, grid.pgm and grid.gridmap.gz into `folder`, which is made if
+/// necessary. A file that fails does not keep the others from being written; the first failure is thrown at
+/// the end (InputError). An octree that does not fit into the free memory is not begun.
 MapReport write_map_files(const Run& run, const MapParams& params, const std::string& folder,
                           const OnKeyframeMapped& on_keyframe_mapped = {});
 
-/// How high the camera is over the ground, unit of the run: as given, as --scale gave it, as the edges of the
-/// ground show it, as the mount says; 0 if none of them tells.
+/// Height of the camera over the ground, unit of the run. Taken from the first of these that is known: the
+/// parameter, --scale, the edges of the ground, the mount; 0: none is.
 double camera_height_of(const Run& run, const GridParams& params);
 
 }  // namespace edgevo

@@ -1,22 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run leaves in its output folder, written by `edgevo run` and by any program that drives the odometry
-// itself. Which files those are, and what they hold: run_files() and src/exporters/exporters.cpp.
+// The output folder of a run, written by `edgevo run` and by any program that runs the odometry itself. Its
+// files and their contents are listed in run_files() and src/exporters/exporters.cpp.
 //
-// A folder holds one run. An earlier one stays until the new one has something to keep: its files are put
-// aside at the first frame and go at the first pose. With keep_journal() a program that is killed loses
-// nothing that it had: cut_off_run.h.
+// A folder holds one run. An earlier run stays until the new one has results of its own: its files are set
+// aside at the first frame and removed at the first pose. With keep_recovery_log() the results of a killed
+// program can be recovered (recover_run.h).
 //
-// Room for the text files is held from the start, so that they are written even when images fill the disk.
-// The text files but summary.yaml and the CPU times in frames.csv and report.html depend on the run alone:
-// the same run gives the same bytes.
+// Space for the text files is reserved at the start, so that they are written even if images fill the disk.
+// The files depend on the run alone (the same run gives the same bytes), except summary.yaml and the CPU
+// times in frames.csv and report.html.
 //
 // Usage:
-//   RunOutputs outputs(out, camera, map_params);  // throws: no folder, somebody else's, or a full disk
+//   RunOutputs outputs(out, camera, map_params);  // throws: not a folder, not a run's folder, or a full disk
 //   while (auto frame = source.next()) {
 //     ...
 //     if (!outputs.add_frame(*frame)) break;      // an image could not be written: end the run
 //   }
-//   outputs.finish(run, info);                    // writes all, as far as it can be written
+//   outputs.finish(run, info);                    // writes all files that can be written
 #include <memory>
 #include <string>
 
@@ -25,51 +26,52 @@
 #include "edgevo/core/records.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/report/run_info.h"
-#include "edgevo/results/run_journal.h"
+#include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_maps.h"
 
 namespace edgevo {
 
-/// What may be chosen about the output folder.
+/// Options of the output folder.
 struct OutputOptions {
-  bool force = false;        ///< write into a folder that holds something else, or a run that was cut off
-  bool copy_images = false;  ///< images that are on disk already are copied, not linked to
+  /// Write into a folder that holds other files, or an interrupted run.
+  bool force = false;
+  /// Copy images that are on disk already, instead of linking to them.
+  bool copy_images = false;
 };
 
-/// The files of one run. One thread.
+/// Writes the files of one run. For use by one thread.
 class RunOutputs {
  public:
-  /// Makes the folder and begins to count time. Throws InputError: not a folder, not writable, no room, the
-  /// folder holds something else than a run or is being written, occupancy parameters.
+  /// Makes the folder and starts the clock. Throws InputError: not a folder, not writable, not enough space,
+  /// a folder that holds something other than a run or that another run writes to, or invalid map parameters.
   RunOutputs(const std::string& folder, const Camera& camera, const MapParams& map,
              const OutputOptions& options = {});
-  /// Takes the folder away again if it was made here and nothing came into it.
+  /// Removes the folder if it was made here and is still empty.
   ~RunOutputs();
 
-  /// From the first frame on, what add_record() is given is on disk at once. Before the first frame.
-  void keep_journal(const JournalHeader& header);
+  /// Keeps a recovery log: whatever add_record() is given is on disk at once. Call before the first frame.
+  void keep_recovery_log(const RecoveryHeader& header);
 
-  /// Writes the frame's image for playback.rawlog; or, if the image is on disk at `image_path` already, links
-  /// to it. A frame without an image (one that was left out) has none there. False once an image could not be
-  /// written, and ever after: there is no point in going on, and finish() will tell why.
+  /// Writes the frame's image for playback.rawlog, or links to `image_path` if the image is on disk already.
+  /// A frame without an image (a skipped one) gets none. Returns false from the first image on that cannot be
+  /// written: end the run, finish() throws the reason.
   [[nodiscard]] bool add_frame(const Frame& frame, const std::string& image_path = {});
 
-  /// What the odometry found for the frame, and all that has settled by then: into the journal, if there is
-  /// one, and into trajectory_live_tum.txt and frames.csv as far as they are known. `record` must stay where
-  /// it is until finish(), as the odometry's do. After add_frame().
+  /// Appends the record of the frame to trajectory_live_tum.txt, frames.csv and, if there is one, to the
+  /// recovery log, which also gets the keyframes marginalised by then. `record` must stay valid until
+  /// finish(), as the odometry's records do. Call after add_frame().
   void add_record(const FrameRecord& record, const Odometry& odometry);
 
-  /// Writes everything else. When something could not be written, the rest is still tried, summary.yaml names
-  /// what is missing, and then the first failure is thrown (InputError).
+  /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
+  /// missing, and the first failure is thrown at the end (InputError).
   void finish(const Run& run, const RunInfo& info);
 
-  /// Where the files of an earlier run lie, which this one, without any pose, does not replace; empty:
-  /// nowhere.
+  /// Folder with the files of an earlier run, which are kept because this run has no pose; empty: none.
   std::string earlier_run() const;
 
  private:
-  friend Run finish_cut_off_run(const std::string& folder);
-  /// The folder is that of a run that was cut off, with images of the frames up to `last_frame`.
+  friend Run recover_run(const std::string& folder);
+  /// Takes over the folder of an interrupted run, with images of the frames up to `last_frame`.
   void adopt(int last_frame);
 
   struct Impl;

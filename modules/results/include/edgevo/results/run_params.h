@@ -1,18 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// All that --params and --set of `edgevo run` can name; `edgevo help parameters --all` lists it.
+// All parameters that --params and --set of `edgevo run` accept; `edgevo help parameters --all` lists them.
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/results/run_maps.h"
 #include "edgevo/scale/scale_params.h"
 
 namespace edgevo {
 
-/// The groups of parameters.
+/// Parameters of a run, by group.
 struct RunParams {
-  OdometryParams odometry;  ///< camera to edge_map
-  ScaleParams scale;        ///< the metre
-  MapParams map;            ///< occupancy and grid
+  /// Parameters of the odometry: groups camera to edge_map.
+  OdometryParams odometry;
+  /// Parameters of the metric scale.
+  ScaleParams scale;
+  /// Parameters of the maps for planners: groups occupancy and grid.
+  MapParams map;
 
-  /// Names, ranges and texts of the fields (core/params.h).
+  /// Declares names, ranges and help texts of the fields (core/params.h).
   void visit(ParamVisitor& v) {
     odometry.visit(v);
     {

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A run in metres, once somebody knows how long its unit is.
+// Scales a run to metres by a known factor.
 #include <string>
 
 #include "edgevo/core/records.h"

@@ -1,17 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The height of the camera over the ground that it drives over, seen in edges: lane marks, kerbs, cracks,
+// The height of the camera over the ground, measured from edges on the ground: lane marks, kerbs, cracks,
 // shadows.
 //
-// Each edge point is looked at when the camera passes it. There, the ground under the camera's way lies one
-// camera height below it, whatever the pitch of the camera: the normal of the ground is the camera's y axis
-// made perpendicular to the way, and a point right below the camera has its height as its distance along this
-// normal. Points far to the side are left out (parked cars, kerbs, a cambered road). What remains of things
-// that are no ground lies above it and at many heights; the ground is the height at which most points lie
-// (the mode). Ahead of the end of the path, points up to a few heights away are taken with the last direction
-// of the way.
+// Each edge point is evaluated at the moment the camera passes it. There, the ground under the camera's path
+// lies one camera height below it, whatever the pitch of the camera: the ground normal is the camera's y axis
+// made perpendicular to the direction of travel, and the camera height over a point is the distance to it
+// along this normal. Points far to the side are skipped (parked cars, kerbs, a cambered road). The remaining
+// points that are not on the ground lie above it, at many heights; the ground is the height at which most
+// points lie (the mode). Beyond the end of the path, points up to a few camera heights away are evaluated
+// with the last direction of travel.
 //
-// Source: the idea of a ground plane of known distance is old (Song and Chandraker 2014; Zhou et al. 2016 for
-// edges and dense roads); looking at points where they are passed is what sparse edges allow.
+// Source: scale from a ground plane of known distance follows Song and Chandraker (2014) and Zhou et al.
+// (2016, for edges and dense roads); evaluating points where they are passed is what sparse edges allow.
 #include <optional>
 #include <vector>
 
@@ -22,26 +23,29 @@
 
 namespace edgevo {
 
-/// The height over one point of the ground.
+/// The height of the camera over one point on the ground.
 struct HeightSample {
-  double way = 0;     ///< of the path where the point is passed, units of the run
-  double height = 0;  ///< of the camera over the point, units of the run, > 0
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();  ///< the point, units of the run
+  /// Travelled distance at which the camera passes the point, units of the run.
+  double distance = 0;
+  /// Height of the camera over the point, units of the run, > 0.
+  double height = 0;
+  /// Position of the point in the world, units of the run.
+  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
 };
 
-/// The points of `keyframe`, whose frame stands in `path`, that are passed within reach of the way. Those the
-/// path has not passed yet are not in it, unless `is_path_ended`. Cost: points x frames until they are
-/// passed.
+/// Samples from the points of `keyframe`, whose frame must be in `path`, that the camera passes within the
+/// driven corridor (`ground_width`). Points not yet passed are skipped unless `is_path_ended`. Cost: points x
+/// frames until they are passed.
 std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeRecord& keyframe,
                                          const Path& path, bool is_path_ended, const ScaleParams& params);
 
-/// The scale that puts the mode of the heights at `camera_height` (metres). nullopt for too few points or
-/// where no height stands out.
+/// The scale that puts the mode of the heights at `camera_height` (metres). nullopt for too few points, or
+/// when no height stands out.
 std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height,
                                         const ScaleParams& params);
 
-/// The height of the camera over the ground along the whole run, unit of the run, from the keyframes alone;
-/// nullopt where no ground stands out.
+/// Height of the camera over the ground along the whole run, units of the run, from the keyframes alone;
+/// nullopt when no ground stands out.
 std::optional<double> seen_camera_height(const Run& run, const ScaleParams& params);
 
 }  // namespace edgevo

@@ -1,9 +1,10 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The metric scale while a run is going on: what is known when a frame comes, from the stretch behind it
-// alone.
+// The metric scale during a run: what is known when a frame arrives, estimated over the most recent interval
+// of the path alone.
 //
-// Feed it with each frame as the odometry hands it out and with each keyframe as it leaves the window. One
-// thread. Memory: the last three stretches of the present segment, and an estimate for each frame. Cost: a
+// Feed it with each frame as the odometry delivers it and with each keyframe as it is marginalised. One
+// thread. Memory: the last three intervals of the current segment, and an estimate for each frame. Cost: a
 // fit for each keyframe (camera_height) or for each fifth frame (others), under a millisecond.
 #include <optional>
 #include <vector>
@@ -17,22 +18,22 @@
 
 namespace edgevo {
 
-/// The scale as it becomes known.
+/// The scale estimate of a running odometry.
 class LiveScale {
  public:
-  /// `source` may be any; only estimated ones ever know a scale. `T_vehicle_cam`: the camera's mount, if it
-  /// is known.
+  /// `source` may be any; only an estimated one ever yields a scale. `T_vehicle_cam`: mount of the camera, if
+  /// known.
   LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track,
             std::optional<SE3> T_vehicle_cam, const ScaleParams& params);
 
-  /// A frame with its live pose, in the order of time.
+  /// Adds a frame with its live pose. Call in time order.
   void add_frame(const FrameRecord& frame);
-  /// A keyframe that has left the window, in the world of the live poses.
+  /// Adds a marginalised keyframe, in the world of the live poses.
   void add_keyframe(const KeyframeRecord& keyframe);
 
-  /// The newest estimate of the present segment; nullopt while there is none.
+  /// The latest estimate for the current segment; nullopt while there is none.
   const std::optional<ScaleEstimate>& newest() const { return newest_; }
-  /// What newest() was after each frame.
+  /// The value of newest() after each frame.
   const std::vector<std::optional<ScaleEstimate>>& history() const { return history_; }
 
  private:
@@ -40,7 +41,7 @@ class LiveScale {
   void forget_what_lies_behind();
   void estimate_from_track();
   void estimate_from_ground();
-  double stretch_units() const;
+  double interval_units() const;
 
   const Pinhole pinhole_;
   const ScaleSource source_;
@@ -49,14 +50,16 @@ class LiveScale {
   const ScaleParams params_;
 
   int segment_ = -1;
-  Path path_;                          ///< live, of the present segment
-  std::vector<HeightSample> heights_;  ///< of keyframes that have settled
+  /// Live poses of the current segment.
+  Path path_;
+  /// Heights from marginalised keyframes, by travelled distance.
+  std::vector<HeightSample> heights_;
   std::optional<ScaleEstimate> newest_;
   std::vector<std::optional<ScaleEstimate>> history_;
   int frames_since_fit_ = 0;
 };
 
-/// Where the sensor of a track sits in the camera's axes, metres; zero where the mount is not known.
+/// Position of a track's sensor in the camera's axes, metres; zero if the mount is not known.
 Eigen::Vector3d sensor_in_camera(const VehicleTrack& track, const std::optional<SE3>& T_vehicle_cam);
 
 }  // namespace edgevo

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The way of the camera through one segment, as the scale estimators read it.
+// The path of the camera through one segment, as the scale estimators use it.
 #include <vector>
 
 #include "edgevo/core/records.h"
@@ -8,19 +9,23 @@ namespace edgevo {
 
 /// One frame of the path.
 struct PathPose {
-  int frame_index = 0;  ///< in the source
-  Timestamp time;       ///< of the frame
-  SE3 T_world_cam;      ///< units of the run
-  double way = 0;       ///< length of the path up to here, units of the run
+  /// Index of the frame in the source.
+  int frame_index = 0;
+  /// Time of the frame.
+  Timestamp time;
+  /// Pose of the camera, units of the run.
+  SE3 T_world_cam;
+  /// Travelled distance along the path up to this pose, units of the run.
+  double distance = 0;
 };
 
-/// In time order; `way` never falls.
+/// Poses in time order; `distance` never decreases.
 using Path = std::vector<PathPose>;
 
-/// Appends a pose, its way included.
+/// Appends a pose and computes its travelled distance.
 void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path);
 
-/// The final poses of each segment's frames, by segment number; a segment without poses has an empty path.
+/// Final poses of each segment's frames, by segment number; the path of a segment without poses is empty.
 std::vector<Path> paths_of(const Run& run);
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The metric scale of a run, as --scale asks for it: what is to be fed with each frame, and what is done with
-// the finished run.
+// The metric scale of a run, as --scale requests it: feed it with each frame, then apply it to the finished
+// run.
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,22 +15,22 @@ namespace edgevo {
 /// The scale of one run, from its first frame to its end.
 class RunScaling {
  public:
-  /// `option` as --scale gives it, checked before `source` is asked for its tracks. Throws InputError: not a
-  /// scale source; the source of images recorded no such sensor, or not while its images were taken.
+  /// `requested` as --scale gives it; the tracks are read from `source`. Throws InputError: the source of
+  /// images recorded no such sensor, or not while its images were taken.
   RunScaling(const ScaleSource& requested, const ImageSource& source, const ScaleParams& params);
 
-  /// The same for a run whose source is gone: what it recorded is given.
+  /// As above, for a run whose source is no longer open: `track` is what it recorded.
   RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
              const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params);
 
-  /// The scale is measured, and wants each frame and keyframe while the run goes on.
+  /// True if the scale is measured, which needs each frame and keyframe during the run.
   bool is_estimated() const { return requested_.is_estimated(); }
-  /// After each frame, with the keyframes that have settled since the frame before. Nothing unless
+  /// Call after each frame, with the keyframes marginalised since the frame before. Does nothing unless
   /// is_estimated().
-  void add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& settled);
-  /// What the sensor recorded that the scale is measured by; empty where it needs none.
+  void add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& marginalised);
+  /// The sensor's track that the scale is measured from; empty if none is needed.
   const VehicleTrack& track() const { return track_; }
-  /// Makes the finished run metric, if that was requested and is possible; else Run::scale.problem says
+  /// Converts the finished run to metres if that was requested and is possible; else Run::scale.problem says
   /// why not.
   void apply(Run* run) const;
 

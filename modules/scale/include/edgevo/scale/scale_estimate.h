@@ -1,17 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <vector>
 
 namespace edgevo {
 
-/// How long a unit of the run is, near some place of its way.
+/// Length of a unit of the run near one position on its path.
 struct ScaleEstimate {
-  double factor = 1;  ///< metres per unit, > 0
-  double sigma = 0;   ///< relative, one standard deviation
-  int samples = 0;    ///< that it rests on
+  /// Metres per unit, > 0.
+  double factor = 1;
+  /// Standard deviation of the factor, relative to it.
+  double sigma = 0;
+  /// Number of measurements the estimate rests on.
+  int samples = 0;
 };
 
-/// How many independent values a series of residuals is worth: n (1 - rho) / (1 + rho), rho its correlation
-/// from one value to the next, not below 0. At least 1.
+/// Number of independent values that a series of residuals is worth: n (1 - rho) / (1 + rho), where rho >= 0
+/// is the correlation of successive values. At least 1.
 double effective_count(const std::vector<double>& residuals);
 
 }  // namespace edgevo

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgevo/core/params.h"
 
@@ -5,19 +6,19 @@ namespace edgevo {
 
 /// Parameters of the scale.
 struct ScaleParams {
-  /// m
-  double stretch = 40;
-  /// relative
+  /// Metres.
+  double interval = 40;
+  /// Relative.
   double max_sigma = 0.1;
-  /// camera heights
+  /// Camera heights.
   double ground_width = 0.8;
-  /// relative
+  /// Relative.
   double ground_sigma = 0.01;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v) {
-    v.number(kBasic, "stretch", stretch, 0.1, 10000,
-             "metres of the way over which the scale is estimated; it slides along the run");
+    v.number(kBasic, "stretch", interval, 0.1, 10000,
+             "metres of the path over which the scale is estimated; the interval slides along the run");
     v.number(kBasic, "max_sigma", max_sigma, 0.001, 1,
              "a relative standard deviation of the scale beyond this is no estimate");
     v.number(kAdvanced, "ground_width", ground_width, 0.1, 10,

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The scale along a path: an estimate every tenth of a stretch, each from the stretch around it, straight
-// lines between them. What drifts slowly is followed; what jitters is averaged.
+// The scale along a path: an estimate every tenth of an interval, each from the interval around it, with
+// linear interpolation between them. Slow drift is followed; jitter is averaged.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -10,13 +11,14 @@
 
 namespace edgevo {
 
-/// The scale from what lies between two places of the way; nullopt if that tells none.
-using FitStretch = std::function<std::optional<ScaleEstimate>(double way_begin, double way_end)>;
+/// Fits the scale between two travelled distances (units of the run); nullopt if that interval determines
+/// none.
+using FitInterval = std::function<std::optional<ScaleEstimate>(double begin_distance, double end_distance)>;
 
-/// An estimate for each pose of `path`. The stretch, `stretch` metres long, lies around the pose; at both
-/// ends of the path it stays inside. A pose whose stretch tells nothing takes the value between its
-/// neighbours. Empty if no stretch tells anything. Cost: ten fits for each stretch of the path, and one of
-/// the whole.
-std::vector<ScaleEstimate> slide(const Path& path, double stretch, const FitStretch& fit);
+/// One estimate for each pose of `path`. The interval, `interval` metres long, is centred on the pose and
+/// kept inside the path at both ends. A pose whose interval has no estimate takes the value interpolated
+/// between its neighbours. Empty if no interval has an estimate. Cost: ten fits for each interval of the
+/// path, and one of the whole path.
+std::vector<ScaleEstimate> slide(const Path& path, double interval, const FitInterval& fit);
 
 }  // namespace edgevo

@@ -1,14 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A camera in a rendered scene, steered by ViSP's control laws with the odometry as its only sensor.
 //
-// Time is the simulation's, in steps of one image: the image is taken at the camera's true pose, goes through
-// the odometry, and its result reaches the servo loop as much later as the odometry took (measured on this
-// machine, or a given latency); while the odometry is busy a newer image waits and takes the place of an
-// older one. The loop asks the feed at its own rate and its command holds until the next. With a given
-// latency a run is bit-identical.
+// Time is simulated, in steps of one image. Each image is taken at the camera's true pose and goes through
+// the odometry; its result reaches the servo loop after the time that the odometry took (measured on this
+// machine, or a given latency). While the odometry is busy, one image waits and is replaced by newer ones.
+// The loop reads the feed once per image, and each command holds until the next. With a given latency, runs
+// are bit-identical.
 //
-// Ground truth is used to judge, and once for the scale: what a length of the map is in metres is taken at
-// the taught pose, times `scale_error`. A loop that is taught by its own feed does not need it to be right.
+// Ground truth is used to evaluate the result, and once for the scale: metres per unit of the map at the
+// taught pose, times `scale_error`. A goal taught by the loop's own feed is reached even with a wrong scale.
 #include <functional>
 
 #include "edgevo/odometry/odometry.h"
@@ -17,8 +18,8 @@
 
 namespace edgevo {
 
-/// Runs it. `on_step(seconds)` is called after each image; false ends it early. Throws InputError for
-/// parameters that cannot be.
+/// Runs the loop. `on_step(seconds)` is called after each image; if it returns false, the loop ends early.
+/// Throws InputError for invalid parameters.
 ServoResult run_closed_loop(const ServoParams& params, const OdometryParams& odometry,
                             const std::function<bool(double)>& on_step);
 

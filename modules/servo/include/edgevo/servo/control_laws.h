@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // ViSP's control laws around a ServoFeed: position-based (PBVS) and image-based (IBVS), eye in hand.
 #include <visp3/vs/vpServo.h>
@@ -9,29 +10,34 @@
 
 namespace edgevo {
 
-/// What a law wants, and how far it believes to be from its goal.
+/// Command of a control law, and the distance to its goal as estimated from the feed.
 struct Command {
-  /// Of the camera in its own axes, [v, w]; metres and radians a second; zero when `stop` says why.
+  /// Velocity [v, w] of the camera in its own axes, metres and radians per second; zero if `stop` is set.
   vpColVector velocity = vpColVector(6);
-  std::string stop;                            ///< why the robot must stop; empty: it may move
-  double translation_m = 0, rotation_deg = 0;  ///< PBVS: left to go
-  double image_px = 0;   ///< IBVS: rms distance of the points from where they are wanted
-  bool at_goal = false;  ///< within the law's tolerance
+  /// Reason why the robot must stop; empty: it may move.
+  std::string stop;
+  /// PBVS: remaining translation, metres, and rotation, degrees.
+  double translation_m = 0, rotation_deg = 0;
+  /// IBVS: rms distance of the points from their desired positions, pixels.
+  double image_px = 0;
+  /// Whether the distance is within the law's tolerance.
+  bool at_goal = false;
 };
 
 /// One control law with its goal.
 class ControlLaw {
  public:
   virtual ~ControlLaw() = default;
-  /// Makes the present view the goal. False (with `*why`) if it cannot be: no usable pose, too few points.
+  /// Makes the current view the goal. Returns false, with the reason in `*why`, without a usable pose or with
+  /// too few points.
   [[nodiscard]] virtual bool teach(const ServoPose& pose, std::string* why) = 0;
-  /// The command for the newest pose. Stops when that is not usable or belongs to another map than the goal.
+  /// The command for a pose. Stops if the pose is not usable or belongs to another map than the goal.
   virtual Command command(const ServoPose& pose) = 0;
-  /// The points that are fed, at `pose`; empty for a law without points.
+  /// The points of the feed at `pose`; empty for a law without points.
   virtual std::vector<ServoPoint> points(const ServoPose& pose) = 0;
 };
 
-/// `law` is "pbvs" or "ibvs"; both show `points` points.
+/// Makes a control law. `law` is "pbvs" or "ibvs"; both choose `points` points. `gain`: lambda, 1/s.
 std::unique_ptr<ControlLaw> make_control_law(const std::string& law, const Pinhole& pinhole, double gain,
                                              int points);
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run of the servo loop in the simulator is given.
+// Parameters of the servo loop in the simulator.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,19 +9,30 @@ namespace edgevo {
 
 /// Parameters of the loop.
 struct ServoParams {
-  std::string law = "pbvs";         ///< or "ibvs"
-  double rate_hz = 20;              ///< of images and commands
-  std::optional<double> latency_s;  ///< of the odometry for an image; none: measured
-  bool cpu_latency = false;  ///< measured as CPU time, as on a machine that has nothing else to do; else by
-                             ///< the clock on the wall
-  double scale_error = 1;    ///< the feed's metres over true metres
-  std::string light;  ///< kind of lighting change (simulation/relight.h) once the pose is taught; empty: none
-  double blackout_s = 0;       ///< the images are black for so long
-  double blackout_at_s = 1.5;  ///< after the servo loop has begun
-  int points = 20;             ///< fed, and steered by in IBVS
-  double gain = 1;             ///< lambda, 1/s
-  double limit_s = 25;         ///< the servo loop ends after so long even if it has not converged
-  uint64_t seed = 1;           ///< of start, noise and light
+  /// Control law: "pbvs" or "ibvs".
+  std::string law = "pbvs";
+  /// Rate of images and commands, hertz.
+  double rate_hz = 20;
+  /// Latency of the odometry, seconds; nullopt: measured.
+  std::optional<double> latency_s;
+  /// Whether the latency is measured as CPU time, as on an otherwise idle machine, or as wall-clock time.
+  bool cpu_latency = false;
+  /// Metres of the feed over true metres.
+  double scale_error = 1;
+  /// Kind of lighting change (simulation/relight.h) after teaching; empty: none.
+  std::string light;
+  /// Duration of a blackout, in which images are black, seconds.
+  double blackout_s = 0;
+  /// Begin of the blackout after the begin of the servo loop, seconds.
+  double blackout_at_s = 1.5;
+  /// Number of points; IBVS steers by them.
+  int points = 20;
+  /// Gain lambda, 1/s.
+  double gain = 1;
+  /// Time limit of the servo loop, seconds.
+  double limit_s = 25;
+  /// Seed of start pose, noise and light.
+  uint64_t seed = 1;
 };
 
 }  // namespace edgevo

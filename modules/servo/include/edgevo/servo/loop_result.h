@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run of the servo loop in the simulator has led to.
+// Result of a run of the servo loop in the simulator.
 #include <string>
 #include <vector>
 
@@ -14,37 +15,58 @@ namespace edgevo {
 
 /// One image and one command.
 struct ServoRow {
-  double time_s = 0;                                    ///< since the first image
-  Phase phase = Phase::kTeach;                          ///< who moves the camera
-  TrackingState state = TrackingState::kBootstrapping;  ///< as the feed tells it
-  double age_s = 0;                                     ///< of the pose that the command rests on
-  double latency_s = 0;              ///< of this image through the odometry; 0: it was replaced
-  Command command;                   ///< of the servo phase
-  SE3 T_scene_cam;                   ///< true
-  double true_mm = 0, true_deg = 0;  ///< of the camera from the taught pose
+  /// Time since the first image.
+  double time_s = 0;
+  /// Phase of the loop: what moves the camera.
+  Phase phase = Phase::kTeach;
+  /// Tracking state reported by the feed.
+  TrackingState state = TrackingState::kBootstrapping;
+  /// Age of the pose that the command is based on.
+  double age_s = 0;
+  /// Latency of the odometry for this image; 0: the image was replaced.
+  double latency_s = 0;
+  /// Command; set in the servo phase only.
+  Command command;
+  /// True pose of the camera.
+  SE3 T_scene_cam;
+  /// True distance of the camera from the taught pose, millimetres and degrees.
+  double true_mm = 0, true_deg = 0;
 };
 
-/// The whole loop.
+/// Result of the whole loop.
 struct ServoResult {
-  std::string failure;                               ///< why the loop never began; empty: it ran
-  bool converged = false;                            ///< by the loop's own measure, for a second on end
-  std::vector<ServoRow> rows;                        ///< in time order
-  double metres_per_unit = 0;                        ///< that the feed was given
-  double final_mm = 0, final_deg = 0, final_px = 0;  ///< true errors; px: rms over the fed points
-  /// true errors as the servo loop begins; px: rms over the fed points
+  /// Reason why the loop never began; empty: it did.
+  std::string failure;
+  /// Whether the loop was at its goal, by its own estimate, for a second without interruption.
+  bool converged = false;
+  /// One row for each image, in time order.
+  std::vector<ServoRow> rows;
+  /// Scale given to the feed.
+  double metres_per_unit = 0;
+  /// True errors at the end; px: rms over the points of the feed.
+  double final_mm = 0, final_deg = 0, final_px = 0;
+  /// True errors at the beginning of the servo loop; px: rms over the points of the feed.
   double start_mm = 0, start_deg = 0, start_px = 0;
-  int stops = 0;                   ///< times that the robot was stopped while steered
-  double stopped_s = 0;            ///< how long, all together
-  int replaced = 0;                ///< images that a newer one replaced
-  Camera camera;                   ///< of the rendered images
-  GrayImage taught, start, final;  ///< as the camera takes them, distortion included
-  /// true pixels of the fed points at the taught pose, at the start and at the end, undistorted
-  std::vector<Eigen::Vector2d> points_taught;  ///< true pixels of the fed points, undistorted
-  std::vector<Eigen::Vector2d> points_start;   ///< the same at the start
-  std::vector<Eigen::Vector2d> points_final;   ///< and at the end
+  /// Number of times that the robot was stopped in the servo phase.
+  int stops = 0;
+  /// Total time that it was stopped.
+  double stopped_s = 0;
+  /// Number of waiting images that were replaced by newer ones.
+  int replaced = 0;
+  /// Camera of the rendered images.
+  Camera camera;
+  /// Images at the taught pose, at the start and at the end, with distortion.
+  GrayImage taught, start, final;
+  /// True pixels of the feed's points at the taught pose, undistorted.
+  std::vector<Eigen::Vector2d> points_taught;
+  /// True pixels of the feed's points at the start, undistorted.
+  std::vector<Eigen::Vector2d> points_start;
+  /// True pixels of the feed's points at the end, undistorted.
+  std::vector<Eigen::Vector2d> points_final;
 };
 
-/// Of the images that went through the odometry while the loop steered, milliseconds; zeros where none did.
+/// Latency of the images that the odometry processed in the servo phase, milliseconds; zeros if there are
+/// none.
 LatencyFigures latency_figures(const ServoResult& result);
 
 }  // namespace edgevo

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run of the servo loop leaves in its folder:
+// Files of a run of the servo loop:
 //   servo.csv         one row for each image and command: errors, age, latency, command, true pose
-//   start.png, taught.png, final.png   the three views with the fed points: where they are (crosses)
-//                     and where they are wanted (circles)
-//   convergence.svg   true and believed error over time
-//   report.html       all of it on one page
+//   start.png, taught.png, final.png   three views with the points of the feed: true (crosses) and desired
+//                     positions (circles)
+//   convergence.svg   true and estimated error over time
+//   report.html       the results on one page
 //   summary.yaml      the figures
 #include <string>
 #include <vector>
@@ -15,18 +16,23 @@
 
 namespace edgevo {
 
-/// What is told of a run besides its result.
+/// Description of a run besides its result.
 struct ServoRunInfo {
-  ServoParams params;                     ///< of the loop
-  std::string params_yaml;                ///< of the odometry
-  std::vector<std::string> command_line;  ///< program and arguments
+  /// Parameters of the loop.
+  ServoParams params;
+  /// Parameters of the odometry, YAML.
+  std::string params_yaml;
+  /// Program and arguments.
+  std::vector<std::string> command_line;
 };
 
-/// When something could not be written, the rest is still tried, and then the first failure is thrown
+/// Writes all files. If one cannot be written, the rest still are, and the first failure is thrown at the end
 /// (InputError).
 void write_servo_outputs(const ServoResult& result, const ServoRunInfo& info, RunFolder* folder);
 
-std::string servo_csv(const ServoResult& result);                                ///< Text of servo.csv.
-std::string servo_summary(const ServoResult& result, const ServoRunInfo& info);  ///< Text of summary.yaml.
+/// Text of servo.csv.
+std::string servo_csv(const ServoResult& result);
+/// Text of summary.yaml.
+std::string servo_summary(const ServoResult& result, const ServoRunInfo& info);
 
 }  // namespace edgevo

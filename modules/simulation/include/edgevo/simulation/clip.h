@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A source held in memory, to be played many times: rendering a frame costs more than tracking it.
+// A source held in memory for repeated playback: rendering a frame costs more than tracking it.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,28 +10,33 @@
 
 namespace edgevo {
 
-/// The frames of a source.
+/// The frames of a source in memory.
 struct Clip {
-  Camera camera;              ///< of the source
-  std::string kind;           ///< of the source
-  std::vector<Frame> frames;  ///< in time order
+  /// Camera of the source.
+  Camera camera;
+  /// Kind of the source.
+  std::string kind;
+  /// Frames in time order.
+  std::vector<Frame> frames;
 };
 
-/// Reads a source to its end, calling `on_frame` with the number of frames so far; false from it ends the
-/// clip there. Memory: the images.
+/// Reads a source to its end, calling `on_frame` with the number of frames so far; if it returns false, the
+/// clip ends there. Memory: the images.
 std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame);
 
-/// The same frames, the last first; index and time are mirrored (first + last - own), so that both grow.
+/// The same frames in reverse order; index and time are mirrored (first + last - own), so that both still
+/// increase.
 std::shared_ptr<const Clip> played_backward(const Clip& clip);
 
-/// What a busy recorder leaves of it: nearly a third of the frames is missing, drawn by `seed`, and from the
-/// 50th on four in a row every 60. The others keep index and time.
+/// The clip as recorded by an overloaded recorder: nearly a third of the frames is missing, drawn by `seed`,
+/// and from the 50th on four in a row every 60. The others keep index and time.
 std::shared_ptr<const Clip> with_gaps(const Clip& clip, uint64_t seed);
 
 /// Plays a clip.
 class ClipSource : public ImageSource {
  public:
-  explicit ClipSource(std::shared_ptr<const Clip> clip) : clip_(std::move(clip)) {}  ///< not null; shared
+  /// `clip` is shared and not null.
+  explicit ClipSource(std::shared_ptr<const Clip> clip) : clip_(std::move(clip)) {}
 
   const Camera& camera() const override { return clip_->camera; }
   std::optional<int> size() const override { return int(clip_->frames.size()); }

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Exact edge correspondences of rendered frames as text files, for whoever develops a matcher:
+// Exact edge correspondences of rendered frames as text files, for developing matchers:
 //
 //   correspondences/000000.csv ..   x,y,x_next,y_next,visible: each edge pixel of the frame, and where it is
 //                                   seen in the next one
@@ -14,13 +15,12 @@
 
 namespace edgevo {
 
-/// The edge pixels of an image as the camera took it, in the undistorted image.
+/// Finds the edge pixels of an image as taken by the camera; positions are in the undistorted image.
 using EdgePixelFinder = std::function<std::vector<Eigen::Vector2d>(const GrayImage&)>;
 
-/// Frames begin <= index < end into `folder`/correspondences. `find_edges` is asked for the edges of each
-/// frame but the last, in their order. Throws InputError for fewer than two frames, for a rolling shutter
-/// (rows have poses of their own) and where something cannot be written. `on_pair_done` is told how many
-/// pairs are done.
+/// Writes frames begin <= index < end to `folder`/correspondences. `find_edges` is called for each frame but
+/// the last, in order. `on_pair_done` receives the number of pairs done. Throws InputError for fewer than two
+/// frames, for a rolling shutter (each row has its own pose) and when something cannot be written.
 void export_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end,
                             const EdgePixelFinder& find_edges,
                             const std::function<void(int)>& on_pair_done = {});

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Writes rendered frames as a folder in the `edgevo` layout, which every reader of this project knows:
 //
@@ -17,26 +18,29 @@
 
 namespace edgevo {
 
-/// What is written.
+/// Options of export_folder().
 struct FolderExport {
-  int begin = 0, end = -1;  ///< frames begin <= index < end; end -1: to the last
-  bool depth = false;       ///< the depth of each frame, too
-  bool edges = false;       ///< true edges as label images (true_edge_labels.h)
-  int threads = 2;          ///< the bytes do not depend on it
+  /// Range of frames, begin <= index < end; end -1: to the last.
+  int begin = 0, end = -1;
+  /// True: also write the depth of each frame.
+  bool depth = false;
+  /// True: also write true edges as label images (true_edge_labels.h).
+  bool edges = false;
+  /// Number of threads; does not affect the bytes written.
+  int threads = 2;
 };
 
-/// Takes away what an earlier call wrote into the folder: images of two sequences in one would be none.
-/// Folders that do not hold such a sequence (its SOURCE.md) are left alone.
+/// Removes what an earlier call wrote to the folder, so that it never holds images of two sequences. Folders
+/// without such a sequence (its SOURCE.md) are left alone.
 void clear_sequence(const std::string& folder);
 
-/// The same layout from any source, frame by frame. Depth and poses are not known here; see finish().
+/// Writes any source in the same layout, frame by frame. Depth and poses are not known here; see finish().
 class FolderWriter {
  public:
-  /// Makes the folders. Throws InputError.
+  /// Creates the folders. Throws InputError.
   FolderWriter(std::string folder, const Camera& camera);
-  /// Writes the image under its name in its source, or the frame's number if it has none. Throws InputError,
-  /// also when the names of the source are not in the order of its frames: the folder would play in another
-  /// order.
+  /// Writes the image under its name in the source, or the frame's number if it has none. Throws InputError,
+  /// also if the names are not in the order of the frames: the folder would play in a different order.
   void add(const Frame& frame);
   /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note`
   /// that of SOURCE.md. Throws InputError.
@@ -47,14 +51,14 @@ class FolderWriter {
   Camera camera_;
 };
 
-/// Text of groundtruth_tum.txt for frames begin <= index < end, which exist.
+/// Text of groundtruth_tum.txt for the frames begin <= index < end, which must exist.
 std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end);
 
 /// Called with the number of frames done, one call at a time.
 using OnFrameDone = std::function<void(int)>;
 
-/// Throws InputError: no frame in the range, something cannot be written. Existing files of these names are
-/// overwritten.
+/// Writes the frames. Existing files of these names are overwritten. Throws InputError: no frame in the
+/// range, something cannot be written.
 void export_folder(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
                    const OnFrameDone& on_frame_done = {});
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Lighting and camera effects on any image sequence, to see what an odometry does when brightness misbehaves.
+// Lighting and camera effects on any image sequence, to test an odometry under changing brightness.
 //
 // Kinds, all driven by the seed and the time of the frame:
 //   drift     gain and bias wander slowly (gain 0.6 to 1.7, bias +-25 gray levels)
@@ -8,7 +9,7 @@
 //   gamma     the response curve bends, exponent 0.6 to 1.6
 //   vignette  the corners keep 35 % of their brightness
 //   glare     a saturated blob moves over the image, with a veil around it
-//   eaten     over-exposed sky eats up to six pixels into what stands before it
+//   blooming  over-exposed sky blooms up to six pixels into the foreground
 //   shadows   bands of 40 % brightness with soft rims sweep across
 //   blur      a box of up to nine pixels along a wandering direction
 //   noise     normal, standard deviation 8 gray levels
@@ -29,17 +30,17 @@ namespace edgevo {
 /// The kinds above, in that order.
 const std::vector<std::string>& relight_kinds();
 
-/// One kind of changed light. Stateless; any thread.
+/// One kind of lighting change. Stateless; any thread.
 class Relight {
  public:
   /// Throws InputError for an unknown kind.
   Relight(const std::string& kind, uint64_t seed);
 
-  /// `seconds` since the first frame of the sequence.
+  /// The image under changed light; `seconds` since the first frame of the sequence.
   GrayImage apply(const GrayImage& image, int index, double seconds) const;
-  /// The frame is to be left out.
+  /// True if the frame is to be skipped.
   bool drops(int index) const;
-  /// drops() is true for some frames.
+  /// True if drops() is true for some frames.
   bool may_drop() const { return has("dropped"); }
 
  private:

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Rendered frames as an image source, so that the odometry can be fed without a file.
+// Rendered frames as an image source, which feeds the odometry without files.
 #include <memory>
 
 #include "edgevo/core/image_source.h"
@@ -7,11 +8,11 @@
 
 namespace edgevo {
 
-/// Renders each frame when it is wanted.
+/// Renders each frame on demand.
 class RenderedSource : public ImageSource {
  public:
   /// Frames begin <= index < end of the scene; end -1: to its last. Frame::index counts from the scene's
-  /// first frame. Throws InputError when that range holds no frame.
+  /// first frame. Throws InputError if the range has no frame.
   explicit RenderedSource(std::shared_ptr<const SceneRenderer> renderer, int begin = 0, int end = -1);
 
   const Camera& camera() const override { return renderer_->camera(); }
@@ -22,7 +23,8 @@ class RenderedSource : public ImageSource {
   std::optional<Frame> next() override;
   bool skip() override;
 
-  const SceneRenderer& renderer() const { return *renderer_; }  ///< that renders the frames
+  /// Renderer of the frames.
+  const SceneRenderer& renderer() const { return *renderer_; }
 
  private:
   std::shared_ptr<const SceneRenderer> renderer_;

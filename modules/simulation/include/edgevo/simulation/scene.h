@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A scene: a world, a camera and its motion through it, read from a YAML file such as
 // datasets/scenes/street.yaml.
@@ -19,14 +20,15 @@
 
 namespace edgevo {
 
-/// When the rows of an image gather light. The time of a frame, its pose and its depth are those of the
-/// middle of the exposure of the image's middle: what is true of the image as a whole, whatever the shutter.
+/// When the rows of an image are exposed. Time, pose and depth of a frame are those of the middle of the
+/// exposure of the middle row, whatever the shutter.
 struct Shutter {
-  double rolling_s =
-      0;  ///< the last row is exposed this much later than the first (0.01 to 0.03 s in common cameras)
-  double exposure_s = 0;  ///< each row gathers light for this long
+  /// Delay of the last row's exposure after the first's, seconds (0.01 to 0.03 in common cameras).
+  double rolling_s = 0;
+  /// Exposure time of each row, seconds.
+  double exposure_s = 0;
 
-  /// Middle of the exposure of row v of `height`, in seconds from the time of the frame.
+  /// Middle of the exposure of row v of `height`, in seconds relative to the time of the frame.
   double row_time(int v, int height) const {
     return rolling_s > 0 && height > 1 ? rolling_s * (double(v) / (height - 1) - 0.5) : 0;
   }
@@ -34,30 +36,39 @@ struct Shutter {
 
 /// A world with a camera that moves through it.
 struct Scene {
-  std::string name;              ///< of the file without its suffix
-  uint64_t seed = 0;             ///< of world, textures and noise
-  Camera camera;                 ///< lens included
-  std::vector<SE3> T_scene_cam;  ///< pose of the camera at each frame; scene axes as in world.h, metres
-  std::vector<Timestamp> times;  ///< of each frame, from 0 s on
-  std::function<SE3(double)>
-      T_scene_cam_at;      ///< the same motion at any time, seconds; for a shutter that is open for a while
-  Shutter shutter;         ///< global and instantaneous by default
-  double noise_sigma = 0;  ///< standard deviation of the sensor's noise, gray levels
-  std::shared_ptr<const World> world;  ///< shared, since it may hold tens of megabytes
+  /// File name without its suffix.
+  std::string name;
+  /// Seed of world, textures and noise.
+  uint64_t seed = 0;
+  /// Camera with its lens.
+  Camera camera;
+  /// Pose of the camera at each frame; scene axes as in world.h, metres.
+  std::vector<SE3> T_scene_cam;
+  /// Time of each frame, from 0 s.
+  std::vector<Timestamp> times;
+  /// Pose at any time in seconds, for exposures of finite duration.
+  std::function<SE3(double)> T_scene_cam_at;
+  /// Shutter, by default global and instantaneous.
+  Shutter shutter;
+  /// Standard deviation of the sensor noise, gray levels.
+  double noise_sigma = 0;
+  /// World; shared, since it may take tens of megabytes.
+  std::shared_ptr<const World> world;
 
-  int size() const { return int(T_scene_cam.size()); }  ///< number of frames
+  /// Number of frames.
+  int size() const { return int(T_scene_cam.size()); }
 };
 
-/// Reads a scene: the name of one that ships with the program ("street"), or the path of a YAML file. `seed`
-/// overrides the file's own. Throws InputError: no such scene (the known ones are named), unknown key,
+/// Loads a scene: the name of one that ships with the program ("street"), or the path of a YAML file. `seed`
+/// overrides that of the file. Throws InputError: no such scene (the known ones are named), unknown key,
 /// unknown kind of texture, value out of range, no frames, a trajectory through a wall. Cost: about a second,
-/// for the textures and the shadows.
+/// for textures and shadows.
 Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed = std::nullopt);
 
-/// Names that load_scene knows without a path, sorted.
+/// Names that load_scene accepts without a path, sorted.
 std::vector<std::string> scene_names();
 
-/// Throws InputError naming `where` when the camera passes through a solid surface between two frames.
+/// Throws InputError naming `where` if the camera passes through a solid surface between two frames.
 void check_trajectory(const Scene& scene, const std::string& where);
 
 }  // namespace edgevo

@@ -1,17 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Renders the frames of a scene, with exact depth and pose.
 //
 // A software renderer of its own, measured against MRPT's off-screen OpenGL (see
-// share/lab/archive/2026-11-21_own_renderer.md): it filters textures, gives
-// the same bytes on every machine, samples through the lens distortion itself instead of warping an image,
-// and is as fast.
+// share/lab/archive/2026-11-21_own_renderer.md): it filters textures, gives the same bytes on every machine,
+// samples directly through the lens distortion instead of warping an image, and is as fast.
 //
 // How: for each surface, 1/z and the texture coordinates over z are linear functions of the viewing ray (x,
-// y, 1). Every pixel is looked through at nine points on a lattice; a depth buffer of one row finds the
-// nearest surface at each; a pixel whose nine points meet one surface is shaded once, others once for each
-// surface. Textures are filtered along the longer axis of the pixel's footprint. A shutter that is open for a
-// while looks at several instants along the true motion, a rolling shutter at each row from its own pose.
-// Pixel (0,0) is the centre of the top-left pixel, as everywhere here.
+// y, 1). Every pixel is sampled at nine points on a lattice; a depth buffer of one row finds the nearest
+// surface at each; a pixel whose nine points meet one surface is shaded once, others once for each surface.
+// Textures are filtered along the longer axis of the pixel's footprint. A finite exposure is sampled at
+// several instants along the true motion, and a rolling shutter renders each row from its own pose. Pixel
+// (0,0) is the centre of the top-left pixel, as everywhere here.
 #include <vector>
 
 #include "edgevo/core/image.h"
@@ -22,13 +22,17 @@ namespace edgevo {
 
 /// A frame with its ground truth.
 struct RenderedFrame {
-  int index = 0;    ///< in the scene
-  Timestamp time;   ///< from 0 s on
-  GrayImage image;  ///< as the camera takes it: distorted if its lens is, with its shutter and noise
-  std::vector<float>
-      depth;        ///< z in metres at the pixel centres of the UNDISTORTED image, row by row; 0: sky
-  SE3 T_world_cam;  ///< world: the axes and origin of the scene's first camera. Pose and depth are those at
-                    ///< `time`, the middle of the exposure of the middle of the image
+  /// Index in the scene.
+  int index = 0;
+  /// Time, from 0 s.
+  Timestamp time;
+  /// Image as taken by the camera: with its lens distortion, shutter and noise.
+  GrayImage image;
+  /// Depth z in metres at the pixel centres of the UNDISTORTED image, row by row; 0: sky.
+  std::vector<float> depth;
+  /// Pose; the world has the axes and origin of the scene's first camera. Pose and depth are those at `time`,
+  /// the middle of the exposure of the middle of the image.
+  SE3 T_world_cam;
 };
 
 /// Renders one scene. Any number of threads.
@@ -37,27 +41,30 @@ class SceneRenderer {
   /// Throws InputError for a shutter that does not fit the times of the frames.
   explicit SceneRenderer(Scene scene);
 
-  const Camera& camera() const { return scene_.camera; }  ///< of the scene
-  int size() const { return scene_.size(); }              ///< number of frames
-  const Scene& scene() const { return scene_; }           ///< as given
+  /// Camera of the scene.
+  const Camera& camera() const { return scene_.camera; }
+  /// Number of frames.
+  int size() const { return scene_.size(); }
+  /// The scene.
+  const Scene& scene() const { return scene_; }
 
-  /// Frame `index`, 0 <= index < size(). The frames do not depend on each other; any order, any thread.
+  /// Frame `index`, 0 <= index < size(). Frames are independent; any order, any thread.
   RenderedFrame render(int index) const;
-  /// Only the image.
+  /// Image of frame `index`.
   GrayImage render_image(int index) const;
-  /// Only the depth.
+  /// Depth of frame `index`.
   std::vector<float> render_depth(int index) const;
-  /// The same from any pose, for a camera that is steered: a shutter of no duration; `index` is the number
-  /// that the noise follows.
+  /// Image from any pose, with an instantaneous shutter, for a controlled camera; `index` selects the noise.
   GrayImage render_image_from(const SE3& T_scene_cam, int index) const;
-  std::vector<float> render_depth_from(const SE3& T_scene_cam) const;  ///< as render_depth()
+  /// Depth from any pose, as in render_depth().
+  std::vector<float> render_depth_from(const SE3& T_scene_cam) const;
   /// Ground truth of a frame in the first camera's axes.
   SE3 T_world_cam(int index) const;
 
  private:
   Scene scene_;
-  std::vector<Eigen::Vector2f>
-      rays_;  ///< of every sample point through a distorting lens; empty for a pinhole
+  /// Rays of all sample points through a distorting lens; empty for a pinhole.
+  std::vector<Eigen::Vector2f> rays_;
 };
 
 }  // namespace edgevo

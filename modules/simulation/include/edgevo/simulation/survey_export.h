@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A rendered scene as a survey in the layout of Symphony Lake.
 #include <functional>
@@ -8,11 +9,11 @@
 
 namespace edgevo {
 
-/// The date that a rendered survey has where the user names none: the middle of its scene's season.
+/// Default date of a rendered survey: the middle of its scene's season.
 std::string usual_survey_name(const std::string& season);
 
-/// Frames begin <= index < end, from noon (UTC) of the survey's date on. Throws InputError. `on_frame_done`
-/// is told how many are done, one call at a time.
+/// Writes frames begin <= index < end, from noon (UTC) of the survey's date on. `on_frame_done` receives the
+/// number of frames done, one call at a time. Throws InputError.
 void write_survey(const SceneRenderer& renderer, const SurveyLocation& location, int begin, int end,
                   const std::function<void(int)>& on_frame_done);
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How far matches lie from the exact correspondences.
+// Distance of matches from the exact correspondences.
 #include <vector>
 
 #include "edgevo/association/associate.h"
@@ -7,30 +8,42 @@
 
 namespace edgevo {
 
-constexpr double kWrongMatchPx = 2.0;  ///< a match further from the truth is wrong
+/// End-point error above which a match is wrong, pixels.
+constexpr double kWrongMatchPx = 2.0;
 
-/// One match.
+/// Error of one match.
 struct MatchError {
-  MatchKind kind = MatchKind::kNone;     ///< how it was found
-  double normal_px = 0, tangent_px = 0;  ///< match minus truth along the axes of the edge in the target
-  double match_confidence = 0;           ///< C_m
-  double depth_confidence = 0;           ///< C_d, 1/px
-  double depth_error_px = 0;  ///< of the inverse depth that the edge match gives, as motion of the projection
-  double norm() const { return std::hypot(normal_px, tangent_px); }  ///< end-point error, pixels
+  /// Kind of the match.
+  MatchKind kind = MatchKind::kNone;
+  /// Match minus truth along the normal and the tangent of the edge in the target, pixels.
+  double normal_px = 0, tangent_px = 0;
+  /// Confidence C_m of the match.
+  double match_confidence = 0;
+  /// Confidence C_d of the depth, 1/px.
+  double depth_confidence = 0;
+  /// Error of the inverse depth from the edge match, as motion of the projection, pixels.
+  double depth_error_px = 0;
+  /// End-point error, pixels.
+  double norm() const { return std::hypot(normal_px, tangent_px); }
 };
 
-/// Of all matches whose point is visible in the target.
+/// Errors of all matches whose point is visible in the target.
 std::vector<MatchError> match_errors(const HostView& host, const TargetView& target,
                                      const std::vector<Match>& matches);
 
-/// Many matches.
+/// Statistics of the errors of many matches.
 struct ErrorSummary {
-  int count = 0;                                       ///< matches
-  double median_px = 0, mean_px = 0;                   ///< end-point error
-  double median_normal_px = 0, median_tangent_px = 0;  ///< of the absolute values
-  double wrong_share = 0;                              ///< end-point error above kWrongMatchPx
+  /// Number of matches.
+  int count = 0;
+  /// Median and mean end-point error, pixels.
+  double median_px = 0, mean_px = 0;
+  /// Medians of the absolute errors along normal and tangent, pixels.
+  double median_normal_px = 0, median_tangent_px = 0;
+  /// Share of matches with an end-point error above kWrongMatchPx.
+  double wrong_share = 0;
 };
-ErrorSummary summarise(const std::vector<MatchError>& errors);  ///< of all `errors`; zeros for none
+/// Statistics of all `errors`; zeros for none.
+ErrorSummary summarise(const std::vector<MatchError>& errors);
 
 /// Inverse depth at which the point projects onto the tangent of its edge match, for the pose T_target_host:
 /// g^T (p(rho) - m) = 0 is linear in rho. NaN where the tangent is parallel to the epipolar line.

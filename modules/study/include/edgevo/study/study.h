@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The paper's study of data association (section V-A, Fig. paramstudy), from frames with exact depth and pose
 // to numbers.
 //
 // For each host frame and each distance: 800 edge points get noisy depths; the front-end tracks the target
-// against them; each method finds them in the target; a two-view adjustment solves pose and depths; its
-// translation is compared with the truth. Everything is done on the frames as they are and once more with the
+// against them; each method finds them in the target; a two-view adjustment solves for pose and depths; its
+// translation is compared with the truth. Everything is run on the original frames and once more with the
 // target under changed light.
 #include <cstdint>
 #include <functional>
@@ -17,59 +18,82 @@
 
 namespace edgevo {
 
-/// What is measured; the defaults are those of the published tables.
+/// Options of a study; the defaults are those of the published tables.
 struct StudyOptions {
-  int points = 800;             ///< of each host frame
-  double noise = 0.05;          ///< of the inverse depth, relative (study_points.h)
-  int pairs = 40;               ///< host frames, spread over the sequence
-  int distance = 2;             ///< frames between host and target, curves 1 and 2
-  int max_distance = 8;         ///< curve 3
-  int begin = 0, end = -1;      ///< frames begin <= index < end are used; -1: to the last
-  std::string light = "mixed";  ///< kind of simulation/relight.h
-  uint64_t seed = 1;            ///< of points, noise and light
-  int threads = 2;              ///< the numbers do not depend on it, times excluded
+  /// Number of points in each host frame.
+  int points = 800;
+  /// Standard deviation of the inverse depth, relative (study_points.h).
+  double noise = 0.05;
+  /// Number of host frames, spread over the sequence.
+  int pairs = 40;
+  /// Number of frames between host and target in curves 1 and 2.
+  int distance = 2;
+  /// Largest number of frames between host and target in curve 3.
+  int max_distance = 8;
+  /// Range of frames used, begin <= index < end; -1: to the last.
+  int begin = 0, end = -1;
+  /// Kind of lighting change (simulation/relight.h).
+  std::string light = "mixed";
+  /// Seed of points, noise and light.
+  uint64_t seed = 1;
+  /// Number of threads; affects nothing but times.
+  int threads = 2;
 };
 
-/// One method on one pair.
+/// Result of one method on one pair.
 struct StudySample {
-  double drift_percent = 100;  ///< |t - t_true| / |t_true|, at most 100, which is also what a failure counts
-  double rotation_deg = 0;     ///< angle between the solved and the true rotation
-  double direction_deg =
-      0;  ///< angle between t and t_true: what the scale, hence the noise of the depths, has no part in
-  bool failed = true;                               ///< tracking lost, or too few matches
-  int matches = 0, photometric = 0;                 ///< that were found; those of them with a 2-D residual
-  double wrong_share = 0, median_px = 0;            ///< of the photometric matches (of all, for flow methods)
-  double match_ms = 0, solve_ms = 0, track_ms = 0;  ///< CPU
+  /// Drift |t - t_true| / |t_true| in per cent, at most 100, which also stands for a failure.
+  double drift_percent = 100;
+  /// Angle between the solved and the true rotation, degrees.
+  double rotation_deg = 0;
+  /// Angle between t and t_true, degrees; independent of the scale and hence of the depth noise.
+  double direction_deg = 0;
+  /// True if tracking was lost or there were too few matches.
+  bool failed = true;
+  /// Number of matches found, and of those with a 2-D residual.
+  int matches = 0, photometric = 0;
+  /// Wrong share and median error in pixels of the photometric matches (of all matches for flow methods).
+  double wrong_share = 0, median_px = 0;
+  /// CPU time of matching, adjustment and tracking, milliseconds.
+  double match_ms = 0, solve_ms = 0, track_ms = 0;
 };
 
 /// One point of a curve: all pairs of one method with one setting.
 struct StudyCell {
-  std::string
-      curve;  ///< "search_length", "patch_size", "frame_distance", "residuals", "variants" or "confidence"
-  std::string light;    ///< "normal" or "changed"
-  std::string method;   ///< "gradient", "intensity", "census", "lucas_kanade", "epipolar_flow", ...
-  std::string setting;  ///< "0.25", "max", "adaptive", ...
-  int position = 0;     ///< of the setting on the axis
-  std::vector<StudySample> samples;  ///< one a host, in order
+  /// Curve: "search_length", "patch_size", "frame_distance", "residuals", "variants" or "confidence".
+  std::string curve;
+  /// Light: "normal" or "changed".
+  std::string light;
+  /// Method: "gradient", "intensity", "census", "lucas_kanade", "epipolar_flow", ...
+  std::string method;
+  /// Setting: "0.25", "max", "adaptive", ...
+  std::string setting;
+  /// Position of the setting on the axis.
+  int position = 0;
+  /// One sample for each host, in order.
+  std::vector<StudySample> samples;
 
-  /// Errors of the single matches of all pairs; filled for the curves "residuals" and "confidence" only.
+  /// Errors of the individual matches of all pairs; only for the curves "residuals" and "confidence".
   std::vector<MatchError> errors;
 };
 
 /// All curves of a study.
 struct StudyResult {
-  StudyOptions options;                 ///< as given
-  std::string source;                   ///< ExactFrames::name()
-  double median_flow_px_per_frame = 0;  ///< of the points that are visible one frame later
-  std::vector<StudyCell> cells;         ///< curve by curve
+  /// Options of the study.
+  StudyOptions options;
+  /// Name of the frames, ExactFrames::name().
+  std::string source;
+  /// Median flow of the points visible one frame later, pixels.
+  double median_flow_px_per_frame = 0;
+  /// Cells, curve by curve.
+  std::vector<StudyCell> cells;
 };
 
-/// Throws InputError where run_study() cannot begin: too few frames for the distances, a kind of light that
-/// is not known.
+/// Throws InputError if run_study() cannot start: too few frames for the distances, an unknown kind of light.
 void check_study(const ExactFrames& frames, const StudyOptions& options);
 
-/// Throws InputError as check_study(), and for depth and poses that do not belong together. `on_host_done` is
-/// told how many hosts are done, one call at a time.
+/// Runs the study. Throws InputError as check_study() does, and for depth and poses that are inconsistent.
+/// `on_host_done` receives the number of hosts done, one call at a time.
 StudyResult run_study(const ExactFrames& frames, const StudyOptions& options,
                       const std::function<void(int)>& on_host_done = {});
 

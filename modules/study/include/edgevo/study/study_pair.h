@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A host frame with its points, and a target frame as the front-end delivers it: pose and covariance from
 // edge alignment.
@@ -12,27 +13,36 @@ namespace edgevo {
 
 /// A host frame with its points.
 struct HostView {
-  std::shared_ptr<const FramePyramid> pyramid;  ///< of the host image
-  std::vector<StudyPoint> points;               ///< to be found
-  ReferenceCloud cloud;                         ///< of the points with their noise
+  /// Pyramid of the host image.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Points to be found in the target.
+  std::vector<StudyPoint> points;
+  /// Cloud of the points with noisy depths.
+  ReferenceCloud cloud;
 };
 
 /// A target frame as the front-end delivers it.
 struct TargetView {
-  std::shared_ptr<const FramePyramid> pyramid;  ///< of the target image
-  SE3 T_target_host;                            ///< exact
-  TrackResult track;                            ///< of the front-end
-  double track_ms = 0;                          ///< CPU time of the front-end
-  SE3 T_start;  ///< where adjustments start: the tracked pose, the predicted one where tracking is lost
-  std::vector<Correspondence> truth;  ///< of each point of the host
+  /// Pyramid of the target image.
+  std::shared_ptr<const FramePyramid> pyramid;
+  /// Exact motion.
+  SE3 T_target_host;
+  /// Result of the front-end.
+  TrackResult track;
+  /// CPU time of the front-end, milliseconds.
+  double track_ms = 0;
+  /// Initial pose of adjustments: the tracked pose, or the predicted one if tracking is lost.
+  SE3 T_start;
+  /// Exact correspondence of each point of the host.
+  std::vector<Correspondence> truth;
 };
 
-/// With the cloud of its points.
+/// Host view with the cloud of its points.
 HostView make_host(std::shared_ptr<const FramePyramid> pyramid, std::vector<StudyPoint> points);
 
-/// Tracks the target as the odometry does. `T_step` is the exact motion of the step before, from which the
-/// front-end, running at this frame distance, would predict: constant velocity first, its usual alternatives
-/// after it.
+/// Tracks the target as the odometry does. `T_step` is the exact motion of the previous step, from which the
+/// front-end, running at this frame distance, would predict: constant velocity first, then its usual
+/// alternatives.
 TargetView make_target(const HostView& host, std::shared_ptr<const FramePyramid> pyramid,
                        const ViewPair& views, const SE3& T_step);
 

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a study leaves behind: tables, a text that draws the conclusions, and a gnuplot script with its plots.
+// Output of a study: tables, a text with the conclusions, and a gnuplot script with its plots.
 //
 //   search_length.csv, patch_size.csv, frame_distance.csv, residuals.csv, variants.csv
 //                           one row for each curve, light, method and setting
@@ -7,18 +8,17 @@
 //   confidence.csv          curves of C_m and C_d; confidence_areas.csv: their areas
 //   study.md                the four observations of the paper, held against these numbers
 //   plots.gnuplot           makes the plots (PNG and SVG) from the tables
-// Times stand in the last columns, whose names end in _ms; everything else is the same for the same seed.
+// Times are in the last columns, whose names end in _ms; everything else depends on the seed alone.
 #include <string>
 
 #include "edgevo/study/study.h"
 
 namespace edgevo {
 
-/// Throws InputError.
+/// Writes the tables, the text and the script. Throws InputError.
 void write_study(const StudyResult& result, const std::string& folder);
 
-/// Runs gnuplot on the script. False where there is no gnuplot or it fails; the tables and the script are
-/// then all there is.
+/// Runs gnuplot on the script. False if there is no gnuplot or it fails; tables and script then remain.
 [[nodiscard]] bool draw_plots(const std::string& folder);
 
 }  // namespace edgevo

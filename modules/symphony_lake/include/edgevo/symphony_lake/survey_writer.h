@@ -1,6 +1,6 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Writes a survey in the layout of Symphony Lake, as it stands in an archive, from images whose poses are
-// known:
+// Writes a survey in the layout of a Symphony Lake archive, from images with known poses:
 //
 //   ARCHIVE/VBags/SURVEY/image_auxilliary.csv, 0000/0012.jpg ..      older copies, or
 //   ARCHIVE/Dataset/20YY/SURVEY/image_auxilliary.csv, 0000/00012.jpg ..  newer ones
@@ -8,8 +8,8 @@
 //   ARCHIVE/Maps/SURVEY/optposes.csv
 //
 // The layout knows the boat in the plane and one pan and tilt of the camera: height, pitch and roll of a pose
-// are lost, the rest is kept to a micrometre and a nanoradian. GPS and compass are exact here, as no survey's
-// are.
+// are lost, the rest is kept to a micrometre and a nanoradian. GPS and compass are exact here, unlike in a
+// real survey.
 #include <string>
 #include <vector>
 
@@ -19,33 +19,41 @@
 
 namespace edgevo {
 
-/// Where a survey stands in an archive.
+/// Location of a survey in an archive.
 struct SurveyLocation {
-  std::string archive;       ///< folder of the archive
-  std::string name;          ///< YYMMDD, perhaps with a letter behind
-  bool newer_names = false;  ///< of folders and images
+  /// Folder of the archive.
+  std::string archive;
+  /// Name of the survey: YYMMDD, optionally followed by a letter.
+  std::string name;
+  /// True: newer scheme for names of folders and images.
+  bool newer_names = false;
 
-  std::string folder() const;      ///< of list and images
-  std::string map_folder() const;  ///< of optposes.csv
+  /// Folder of list and images.
+  std::string folder() const;
+  /// Folder of optposes.csv.
+  std::string map_folder() const;
 };
 
-/// An image with its pose.
+/// Number, time and pose of an image.
 struct SurveyFrame {
-  int number = 0;   ///< of the image
-  Timestamp time;   ///< from 1970, as the archive has it
-  SE3 T_world_cam;  ///< world: x east, y north, z up, metres
+  /// Number of the image.
+  int number = 0;
+  /// Time since 1970, as in the archive.
+  Timestamp time;
+  /// Pose in the world (x east, y north, z up), metres.
+  SE3 T_world_cam;
 };
 
 /// Writes one survey.
 class SurveyWriter {
  public:
-  /// Takes away what an earlier writer left under that name, and makes the folders. Throws InputError: a name
-  /// that is none, a lens that the layout cannot tell, something that cannot be written.
+  /// Removes what an earlier writer left under that name, and creates the folders. Throws InputError: an
+  /// invalid name, a lens that the layout cannot represent, something that cannot be written.
   SurveyWriter(SurveyLocation location, const Camera& camera);
-  /// A colour JPEG of quality 95. From any thread. Throws InputError.
+  /// Writes a colour JPEG of quality 95. Any thread. Throws InputError.
   void write_image(int number, const GrayImage& image) const;
-  /// The lists. The boat's bow is where it goes on the whole, the view is held by pan and tilt against it.
-  /// Throws InputError.
+  /// Writes the lists. The boat's bow points along its mean motion, and pan and tilt hold the view relative
+  /// to it. Throws InputError.
   void finish(const std::vector<SurveyFrame>& frames, const std::string& source_note) const;
 
  private:

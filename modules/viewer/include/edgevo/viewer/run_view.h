@@ -1,29 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // A window on a run (`edgevo run --view`): the newest frame, its edges coloured by depth or
 // residual, the map and the path.
 //
-//   space  pause and go on        s  one frame, then pause       c  colour by depth or by residual
+//   space  pause or resume        s  one frame, then pause       c  colour by depth or by residual
 //   f      follow the camera      q  end the run (all results are written)
-// Closing the window leaves the run going. The mouse turns, moves and zooms the map.
+// The run continues if the window is closed. The mouse rotates, moves and zooms the map.
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "edgevo/drive/drive.h"
+#include "edgevo/run_loop/run_odometry.h"
 
 namespace edgevo {
 
-/// The window. One thread calls.
+/// The window. For use by one thread.
 class RunView {
  public:
-  /// Opens the window. Null where there is no display; `*why` then says so.
+  /// Opens the window. Returns null if that fails, for example without a display; `*why` is then the reason.
   static std::unique_ptr<RunView> open(const std::optional<SE3>& T_vehicle_cam, std::string* why);
   ~RunView();
 
-  /// Shows a frame and waits while the view is paused, unless `stop()`. False: the user wants the run to end.
-  /// Cost: some milliseconds a frame in this thread; drawing has its own.
-  [[nodiscard]] bool show(const DrivenFrame& driven, const std::function<bool()>& stop);
+  /// Shows a frame and waits while the view is paused, until `stop()` returns true. Returns false if the user
+  /// wants the run to end. Cost: some milliseconds a frame in this thread; drawing has its own thread.
+  [[nodiscard]] bool show(const ProcessedFrame& processed, const std::function<bool()>& stop);
 
  private:
   struct Impl;

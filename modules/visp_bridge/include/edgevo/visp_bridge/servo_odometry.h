@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The odometry in a thread of its own, between a camera and a ServoFeed.
 //
@@ -5,8 +6,7 @@
 //   ServoOdometry odometry(camera, params, options, &feed);
 //   camera thread:  odometry.push(vp_image, time);      servo loop:  feed.pose(now)
 //
-// Neither thread waits for the odometry. An image that comes while the one before is still being worked on
-// waits; a third one takes its place: what is newest counts in a loop.
+// Neither thread waits for the odometry. While it is busy, one image waits and is replaced by newer ones.
 //
 // Distributed under the GPL when linked, as ViSP is (see LICENSE).
 #include <visp3/core/vpImage.h>
@@ -22,27 +22,27 @@
 
 namespace edgevo {
 
-/// The odometry, fed by a grabber.
+/// The odometry in its own thread, fed by a frame grabber.
 class ServoOdometry {
  public:
-  /// `feed` must outlive this. Throws InputError for an unusable camera or detector.
+  /// `feed` must outlive this object. Throws InputError for an unusable camera or detector.
   ServoOdometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
                 ServoFeed* feed);
   ~ServoOdometry();
   ServoOdometry(const ServoOdometry&) = delete;
   ServoOdometry& operator=(const ServoOdometry&) = delete;
 
-  /// An image that is handed over, not copied: let the grabber write into share_with_visp(image), then move
-  /// `image` here.
+  /// Adds an image without a copy: let the grabber write into share_with_visp(image), then move `image` here.
   void push(GrayImage image, Timestamp time);
-  /// An image that stays with the caller: copied, or turned gray, once.
+  /// Adds a copy of a gray image.
   void push(const vpImage<unsigned char>& image, Timestamp time);
-  void push(const vpImage<vpRGBa>& image, Timestamp time);  ///< likewise
+  /// Adds a gray copy of a colour image.
+  void push(const vpImage<vpRGBa>& image, Timestamp time);
 
-  /// Images whose place a newer one took.
+  /// Number of waiting images that were replaced by newer ones.
   int replaced() const;
-  /// Waits for the images that were pushed, ends the thread and returns the run. Call once. After a failure
-  /// (told by the feed, too) it is the part up to there.
+  /// Waits for the pushed images, ends the thread and returns the run. Call once. After a failure, which the
+  /// feed reports too, the run is the part up to there.
   Run finish();
 
  private:
@@ -50,7 +50,8 @@ class ServoOdometry {
   void stop();
 
   ServoFeed* feed_;
-  Odometry odometry_;  ///< the thread's, until it has ended
+  /// Used by the thread only, until it has ended.
+  Odometry odometry_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::optional<Frame> waiting_;

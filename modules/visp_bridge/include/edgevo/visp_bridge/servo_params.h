@@ -1,11 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The parameters of the odometry that a servo loop wants, the same as params/servo.yaml over the defaults.
+// Parameters of the odometry for a servo loop, equal to params/servo.yaml over the defaults.
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
 
-/// The lens is left alone (a correction in the middle of a motion would move what was taught), and a lost map
-/// is tried for ten seconds at 20 Hz: the robot stands still meanwhile, and what was taught is in that map.
+/// Parameters for a servo loop. The lens is not corrected, since a correction during a motion would move
+/// taught goals. Relocalisation in a lost map, which holds the goals, is tried for ten seconds at 20 Hz while
+/// the robot is stopped.
 inline OdometryParams servo_odometry_params() {
   OdometryParams params;
   params.camera.refine = "none";

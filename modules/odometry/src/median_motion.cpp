@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "median_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/order_statistics.h"
+#include "motion_model.h"
+#include "view_change.h"
+
+namespace edgevo {
+
+namespace {
+
+// Sigmas of a step: a longer translation is that of a moving camera.
+constexpr double kMovingSigmas = 3;
+// Sigmas on any axis: a larger difference from the median is not by chance.
+constexpr double kUnusualSigmas = 5;
+// Pixels at kReferenceWidth: the image cannot distinguish two poses that are less apart.
+constexpr double kLeastFlowPx = 2;
+// Sigmas around the median step in which the pose is searched.
+constexpr double kNearSigmas = 3;
+// Likelihood of an unusual step relative to the median step: if the image shows the unusual one, the median
+// step has less than 0.82 of its support (driving, and by hand).
+constexpr double kUnusualLikelihood = 0.85;
+
+bool is_moving(const MedianMotion::Step& step) {
+  return step.translation.norm() > kMovingSigmas * step.sigma.norm();
+}
+
+}  // namespace
+
+Eigen::Vector3d MedianMotion::median() const {
+  Eigen::Vector3d median;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> along;
+    for (const Eigen::Vector3d& step : steps_) along.push_back(step[axis]);
+    median[axis] = edgevo::median(std::move(along));
+  }
+  return median;
+}
+
+std::optional<MedianMotion::Step> MedianMotion::median_step() const {
+  if (steps_.size() < kSteps || seen_ < kFrames) return std::nullopt;
+  return Step{median(), square_.cwiseSqrt()};
+}
+
+void MedianMotion::follow(const Eigen::Vector3d& translation, bool held) {
+  if (steps_.size() == kSteps && !held) {
+    const Eigen::Vector3d square = (translation - median()).cwiseAbs2();
+    square_ += (square - square_) / std::min(++seen_, kFrames);
+  }
+  steps_.push_back(translation);
+  if (steps_.size() > kSteps) steps_.pop_front();
+}
+
+std::optional<MedianMotionPrior> MedianMotionPrior::of(const MotionModel& motion) {
+  const std::optional<MedianMotion::Step> step = motion.median_motion().median_step();
+  if (!step || motion.frames_since() > 1 || !is_moving(*step)) return std::nullopt;
+  MedianMotionPrior prior;
+  prior.step_ = *step;
+  prior.T_last_ref_ = motion.T_last_ref();
+  Vector6d xi = motion.velocity();  // its rotation is kept
+  xi.head<3>() = step->translation;
+  prior.T_expected_ref_ = SE3::exp(xi) * prior.T_last_ref_;
+  return prior;
+}
+
+double MedianMotionPrior::likelihood(const SE3& T_cur_ref) const {
+  return is_unusual(T_cur_ref) ? kUnusualLikelihood : 1.0;
+}
+
+bool MedianMotionPrior::is_unusual(const SE3& T_cur_ref) const {
+  const Eigen::Vector3d translation = (T_cur_ref * T_last_ref_.inverse()).log().head<3>();
+  return ((translation - step_.translation).array().abs() > kUnusualSigmas * step_.sigma.array()).any();
+}
+
+bool MedianMotionPrior::is_apart(const Pinhole& pinhole, const ReferenceCloud& cloud,
+                                 const SE3& T_cur_ref) const {
+  return at_reference_width(pinhole, rms_flow_px(pinhole, cloud.points, T_expected_ref_, T_cur_ref)) >
+         kLeastFlowPx;
+}
+
+PoseHypothesis MedianMotionPrior::hypothesis() const {
+  return {T_expected_ref_, PoseHypothesis::Refinement::kEdges, kNearSigmas * step_.sigma};
+}
+
+}  // namespace edgevo

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/run_loop/run_odometry.h"
+
+#include <ctime>
+#include <opencv2/core.hpp>
+
+#include "edgevo/datasets/live_feed.h"
+#include "edgevo/run_loop/latency_stats.h"
+#include "lenient_source.h"
+
+namespace edgevo {
+namespace {
+
+// CPU seconds that the process spends in `work`.
+template <class Work>
+double cpu_seconds(Work&& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+using OnFrame = std::function<bool(const ProcessedFrame&)>;
+using Stop = std::function<bool()>;
+
+// What the loop works with, from the first frame to the last.
+struct RunLoop {
+  LenientSource& source;
+  Odometry& odometry;
+  const OdometryOptions& options;
+  const Stop& stop;
+  const OnFrame& on_frame;
+  RunResult* result;
+};
+
+void log(const RunLoop& loop, const Frame& frame, const std::string& what) {
+  if (loop.options.log) loop.options.log("frame " + std::to_string(frame.index) + ": " + what);
+}
+
+const FrameRecord& skip_bad_frame(const RunLoop& loop, const Frame& frame) {
+  const std::string reason = loop.source.take_reason(frame.index);
+  if (loop.result->skipped++ == 0) loop.result->first_skipped = reason;
+  const std::string note = "left out: " + reason;
+  log(loop, frame, note);
+  return loop.odometry.skip(frame, note);
+}
+
+const FrameRecord& process(const RunLoop& loop, const Frame& frame) {
+  if (frame.image.empty()) return skip_bad_frame(loop, frame);
+  const FrameRecord* record = nullptr;
+  loop.result->cpu_s += cpu_seconds([&] { record = &loop.odometry.process(frame); });
+  return *record;
+}
+
+void feed(const RunLoop& loop, ImageSource& source) {
+  while (!loop.stop()) {
+    const std::optional<Frame> frame = source.next();
+    if (!frame || !loop.on_frame({*frame, process(loop, *frame), loop.odometry})) break;
+  }
+}
+
+void skip_dropped(const RunLoop& loop, const FedFrame& fed, LatencyStats* latency) {
+  for (const Frame& dropped : fed.dropped) {
+    loop.odometry.skip(dropped, "dropped: the odometry was behind the camera");
+    latency->note_dropped();
+  }
+  if (!fed.dropped.empty())
+    log(loop, fed.frame,
+        std::to_string(fed.dropped.size()) +
+            " frame(s) before it dropped, the odometry is behind the camera");
+}
+
+void feed_realtime(const RunLoop& loop, LiveFeed& feed, LatencyStats* latency) {
+  while (!loop.stop()) {
+    const std::optional<FedFrame> fed = feed.next(loop.stop);
+    if (!fed) break;
+    skip_dropped(loop, *fed, latency);
+    const FrameRecord& record = process(loop, fed->frame);
+    if (fed->frame.image.empty())
+      latency->note_skipped();
+    else
+      latency->note_done(fed->due_s, fed->delivered_s, feed.now_s());
+    if (!loop.on_frame({fed->frame, record, loop.odometry})) break;
+  }
+}
+
+// What `work`, which takes frames from the source, throws; nothing once the caller has stopped the run.
+template <class Work>
+std::exception_ptr exception_of(const Stop& stop, Work&& work) {
+  try {
+    work();
+  } catch (const std::exception&) {
+    if (!stop()) return std::current_exception();
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+RunResult run_odometry(ImageSource& source, const OdometryParams& params, const RunLoopOptions& requested,
+                       const OnFrame& on_frame) {
+  cv::setNumThreads(1);  // tracking and mapping have threads of their own
+  OdometryOptions options = requested.odometry;
+  // Frames that arrive on their own schedule do not wait for the mapping: better an older map than a late
+  // pose.
+  if (source.is_live() || requested.pace.kind != Pace::Kind::kAtOnce) options.max_frames_ahead = 3;
+  const Stop stop = requested.stop ? requested.stop : [] { return false; };
+  Odometry odometry(source.camera(), params, options);
+  LenientSource lenient(source);
+  ImageSource& frames =
+      requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
+  RunResult result;
+  const RunLoop loop{lenient, odometry, options, stop, on_frame, &result};
+  const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
+  if (options.realtime) {
+    LiveFeed live_feed(frames, requested.pace);
+    LatencyStats latency(source.is_live() ? "that of the camera" : describe(requested.pace));
+    result.broken = exception_of(stop, [&] { feed_realtime(loop, live_feed, &latency); });
+    finish();
+    latency.write_to(&result.run);
+  } else {
+    result.broken = exception_of(stop, [&] { feed(loop, frames); });
+    finish();
+  }
+  result.run.T_vehicle_cam = source.T_vehicle_cam();
+  return result;
+}
+
+}  // namespace edgevo
