@@ -192,8 +192,12 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
                    "has a pose")
       ->required()
       ->check(path_given());
-  command->add_option("--params", args->params_file, "YAML file of parameters; others keep their defaults");
-  command->add_option("--set", args->settings, "set a parameter, GROUP.KEY=VALUE; repeatable")->take_all();
+  command->add_option("--params", args->params_file,
+                      "YAML file of parameters (edgevo help parameters); others keep their defaults");
+  command
+      ->add_option("--set", args->settings,
+                   "set a parameter (edgevo help parameters), GROUP.KEY=VALUE; repeatable")
+      ->take_all();
   command->add_option("--detector", args->detector,
                       "edge detector: " + edge_detector_help(all_edge_detectors()));
   command

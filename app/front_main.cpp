@@ -41,15 +41,17 @@ fs::path commands_program() {
 std::optional<std::string> requested_help(const Words& words) {
   const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
   if (words.size() == 2 && (words[1] == "help" || is_help(words[1]))) return "";
+  if (words.size() == 4 && words[1] == "help" && words[2] == "parameters" && words[3] == "--all")
+    return "parameters-all";
   if (words.size() != 3) return std::nullopt;
   if (words[1] == "help") return words[2];
-  return is_help(words[2]) ? std::optional(words[1]) : std::nullopt;
+  return is_help(words[2]) && words[1] != "parameters" ? std::optional(words[1]) : std::nullopt;
 }
 
 // Prints the text that edgevo-commands wrote during the build. Returns false if there is none, for example
 // for an unknown sub-command; edgevo-commands then reports the error.
 bool print_help(const std::string& command) {
-  if (command.find_first_not_of("abcdefghijklmnopqrstuvwxyz") != std::string::npos) return false;
+  if (command.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") != std::string::npos) return false;
   std::ifstream file(data_folder() / "help" / help_file_name(command));
   std::stringstream text;
   if (!(text << file.rdbuf())) return false;

@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/results/run_params.h"
+#include "help.h"
 
 namespace edgevo::app {
 namespace {
@@ -68,6 +70,12 @@ bool print_parameters_help(int argc, const char* const* argv) {
                        "give --all or nothing");
   std::fputs(parameters_text(parameters_of_run(), words.size() > 2).c_str(), stdout);
   return true;
+}
+
+void write_parameters_help(const std::string& folder) {
+  const std::vector<ParamDescription> params = parameters_of_run();
+  write_file(folder + "/" + help_file_name("parameters"), parameters_text(params, false));
+  write_file(folder + "/" + help_file_name("parameters-all"), parameters_text(params, true));
 }
 
 }  // namespace edgevo::app

@@ -16,4 +16,8 @@ std::string parameters_text(const std::vector<ParamDescription>& params, bool al
 /// any other command line. Throws InputError for an unknown word after `parameters`.
 bool print_parameters_help(int argc, const char* const* argv);
 
+/// Writes both texts into `folder`, where front_main.cpp finds them: help_file_name("parameters") and
+/// help_file_name("parameters-all").
+void write_parameters_help(const std::string& folder);
+
 }  // namespace edgevo::app

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   try {
     if (argc == 3 && std::string(argv[1]) == "--write-help") {  // for the build
       edgevo::app::write_help(app, argv[2]);
+      edgevo::app::write_parameters_help(argv[2]);
       return 0;
     }
     if (edgevo::app::print_parameters_help(argc, argv)) return 0;

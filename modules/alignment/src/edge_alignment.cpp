@@ -233,8 +233,9 @@ void AlignmentParams::visit(ParamVisitor& v) {
   v.boolean(kAdvanced, "photometric", photometric,
             "add the image-gradient cost of the paper to the finest level (slower)");
   v.number(kAdvanced, "degraded_share", degraded_share, 0, 1,
-           "share of the weighed points below which a frame is DEGRADED");
-  v.number(kBasic, "lost_share", lost_share, 0, 1, "share of the weighed points below which a frame is LOST");
+           "share of the weighted points below which a frame is DEGRADED");
+  v.number(kBasic, "lost_share", lost_share, 0, 1,
+           "share of the weighted points below which a frame is LOST");
   v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
   v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
            "a direction with a larger standard deviation (share of depth, rad) is weak");

@@ -29,7 +29,7 @@ void DepthFilterParams::visit(ParamVisitor& v) {
   v.number(kAdvanced, "smoothing_weight", smoothing_weight, 0, 1,
            "weight of the neighbours along the edge in an inverse depth");
   v.boolean(kExperimental, "use_neighbour_depths", use_neighbour_depths,
-            "search a new point around the depths known nearby; false: around the median");
+            "search the depth of a new point around known depths nearby; false: around the median");
 }
 
 void WindowParams::visit(ParamVisitor& v) {

@@ -168,8 +168,7 @@ void GridParams::visit(ParamVisitor& v) {
   v.number(kBasic, "band_high", band_high, -10, 100,
            "upper end of the band of heights shown in the grid, in camera heights above the ground");
   v.number(kAdvanced, "driven_width", driven_width, 0, 10,
-           "where the vehicle was nothing stands: its way is free, so wide, in camera heights; 0: as the map "
-           "says");
+           "width of the travelled corridor that is marked free, in camera heights; 0: as the map shows it");
 }
 
 double GridParams::given_camera_height() const { return auto_or_length("grid.camera_height", camera_height); }
