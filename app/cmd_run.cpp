@@ -67,60 +67,46 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
-// Feeds each frame to the scale estimator, with the keyframes that were marginalised since the previous one.
-class ScaleFeed {
- public:
-  explicit ScaleFeed(RunScaling& scaling) : scaling_(scaling) {}
-
-  void add(const ProcessedFrame& frame) {
-    if (!scaling_.is_estimated()) return;
-    const MarginalisedKeyframes marginalised = frame.odometry.marginalised_keyframes(fed_);
-    fed_ += marginalised.keyframes.size();
-    scaling_.add_frame(frame.record, marginalised.keyframes);
-  }
-
- private:
-  RunScaling& scaling_;
-  size_t fed_ = 0;  // keyframes
-};
-
 // Work after each frame: store its image for the playback and its record on disk, update the scale, the
 // window and the progress line.
 std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
-                                                            RunView* view,
+                                                            MapCursor& scale_events, RunView* view,
                                                             std::optional<Progress>& progress) {
-  return [&outputs, scale_feed = ScaleFeed(scaling), view, &progress,
-          done = 0](const ProcessedFrame& frame) mutable {
+  return [&, view, done = 0](const ProcessedFrame& frame) mutable {
     if (!outputs.add_frame(frame.frame, frame.frame.image_path)) return false;
-    outputs.add_record(frame.record, frame.odometry);
-    scale_feed.add(frame);
+    outputs.add_record(frame.record);
+    for (const auto& event : scale_events.read()) scaling.apply(*event);
     if (progress) progress->update(++done);
     return !view || view->show(frame, interrupted);
   };
 }
 
-std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& source) {
+std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& source,
+                                   const std::shared_ptr<MapLog>& log) {
   if (!args.view) return nullptr;
   std::string why;
-  auto view = RunView::open(source.T_vehicle_cam(), &why);
+  auto view = RunView::open(source.T_vehicle_cam(), log, &why);
   if (!view) std::fprintf(stderr, "edgevo: --view: %s; the run continues without a window\n", why.c_str());
   return view;
 }
 
 RunResult run_over(const RunArguments& args, ImageSource& source, const OdometryParams& params,
-                   RunScaling& scaling, RunOutputs& outputs) {
+                   const std::shared_ptr<MapLog>& log, RunScaling& scaling, RunOutputs& outputs) {
   RunLoopOptions options;
   options.odometry.seed = args.seed;
   options.odometry.detectors = all_edge_detectors();
   options.odometry.realtime = args.realtime;
+  options.odometry.map_log = log;
   options.pace = args.pace;
   options.on_bad_frame = args.on_bad_frame;
   options.stop = interrupted;
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
-  const auto view = view_from(args, source);
-  return run_odometry(source, params, options, after_each_frame(outputs, scaling, view.get(), progress));
+  const auto view = view_from(args, source, log);
+  MapCursor scale_events(log);
+  return run_odometry(source, params, options,
+                      after_each_frame(outputs, scaling, scale_events, view.get(), progress));
 }
 
 // A run without a frame writes nothing and leaves the folder as it was.
@@ -160,12 +146,13 @@ int run(const RunArguments& args) {
   RunScaling scaling(scale, *source, params.scale);
   RunInfo info = describe(args, *source, params);
   RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
-  outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()});
+  const auto log = std::make_shared<MapLog>();
+  outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()}, log);
   listen_to_signals();
-  RunResult result = run_over(args, *source, params.odometry, scaling, outputs);
+  RunResult result = run_over(args, *source, params.odometry, log, scaling, outputs);
   Run& tracked = result.run;
   if (tracked.frames.empty()) throw_without_frames(args, result);
-  scaling.apply(&tracked);
+  scaling.convert(&tracked);
   note_end(result, &info);
   outputs.finish(tracked, info);
   if (!args.quiet) print_end(result);

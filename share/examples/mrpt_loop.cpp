@@ -44,7 +44,7 @@ class VehicleOdometry {
     frame.index = frames_++;
     frame.time = edgevo::from_mrpt(image.timestamp);
     frame.image = edgevo::from_mrpt(image.image, where);
-    const edgevo::FrameRecord& record = odometry_->process(frame);
+    const edgevo::FrameRecord record = odometry_->process(frame);
     if (outputs_ && !outputs_->add_frame(frame)) finish();  // reports why it could not be written
     if (!record.T_world_cam_live) return;  // bootstrapping or lost: no pose, and the path has a gap
     const mrpt::poses::CPose3D T_first_cam = edgevo::to_mrpt(*record.T_world_cam_live);

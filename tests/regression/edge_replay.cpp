@@ -68,16 +68,24 @@ EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const Odome
   const double begin = cpu_seconds();
   while (!waiting.empty()) {
     const int segment = run.keyframes[size_t(waiting.front().id)].segment;
-    EdgeMapper mapper(run.pinhole, params.edge_map, false, &replay.trace);
-    while (!waiting.empty() && run.keyframes[size_t(waiting.front().id)].segment == segment) {
-      const Keyframe keyframe = std::move(waiting.front());
-      waiting.pop_front();
-      std::deque<Keyframe> younger;
-      for (size_t i = 0; i < waiting.size() && i < size_t(params.mapping.window.keyframes) - 1; ++i)
-        if (run.keyframes[size_t(waiting[i].id)].segment == segment) younger.push_back(waiting[i]);
-      mapper.add(keyframe, younger);
+    const auto is_next = [&] {
+      return !waiting.empty() && run.keyframes[size_t(waiting.front().id)].segment == segment;
+    };
+    const auto log = std::make_shared<MapLog>();
+    MapCursor cursor(log);
+    Map map(run.pinhole, log);
+    EdgeMapper mapper(run.pinhole, params.edge_map, false, log, &replay.trace);
+    while (is_next() || !map.active().empty()) {
+      for (; is_next() && map.active().size() < size_t(params.mapping.window.keyframes); waiting.pop_front())
+        map.add(std::move(waiting.front()));
+      map.marginalise_oldest({});
+      mapper.add(map);
+      map.evict_matches(mapper.keyframes_needed());
     }
-    for (HostedLines& h : mapper.close()) replay.run.keyframes[size_t(h.keyframe_id)].lines = h.lines;
+    mapper.close();
+    for (const auto& event : cursor.read())
+      if (const auto* e = std::get_if<LinesFinished>(event.get()))
+        replay.run.keyframes[size_t(e->keyframe_id)].lines = e->lines;
   }
   replay.cpu_ms = 1e3 * (cpu_seconds() - begin);
   return replay;

@@ -9,9 +9,9 @@
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/map/keyframe.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/depth_filter.h"
-#include "edgevo/mapping/keyframe.h"
 #include "support/hollow_scene.h"
 
 namespace edgevo::test {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Marginalisation of a keyframe into a prior on the remaining poses.
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "edgevo/core/error.h"
 #include "normal_equations.h"
@@ -143,6 +145,41 @@ BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const Pr
   return prior;
 }
 
+// Whether a quadratic constrains a free pose at all.
+bool has_information(const BaProblem& problem, const Quadratic& q, int pose) {
+  return !problem.poses[pose].fixed && !q.H.middleRows<6>(6 * pose).isZero(0.0);
+}
+
+// Covariance of xi of the last `wanted` of `poses`, 6 rows a pose; nothing if the information has no finite
+// inverse. With H = L L^T, the last block of H^-1 is that of (L_ww L_ww^T)^-1. Scaled to a unit diagonal,
+// since translations and rotations differ in unit.
+std::optional<Eigen::MatrixXd> covariance_of_last(const std::vector<int>& poses, Eigen::Index wanted,
+                                                  const Quadratic& q) {
+  const auto n = static_cast<Eigen::Index>(poses.size());
+  Eigen::MatrixXd H(6 * n, 6 * n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      H.block<6, 6>(6 * i, 6 * j) = q.H.block<6, 6>(6 * poses[i], 6 * poses[j]);
+  const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+  H = scale.asDiagonal() * H * scale.asDiagonal();
+  const Eigen::LLT<Eigen::MatrixXd> llt(H);
+  if (llt.info() != Eigen::Success) return std::nullopt;
+  Eigen::MatrixXd root = Eigen::MatrixXd::Identity(6 * wanted, 6 * wanted);
+  llt.matrixLLT().bottomRightCorner(6 * wanted, 6 * wanted).triangularView<Eigen::Lower>().solveInPlace(root);
+  root = root * scale.tail(6 * wanted).asDiagonal();
+  const Eigen::MatrixXd covariance = root.transpose() * root;
+  if (!covariance.allFinite()) return std::nullopt;
+  return covariance;
+}
+
+// d xi / d delta, inverted: perturbations of the current pose from xi = log(T linearization^-1), as in
+// move_linearization().
+Matrix6d perturbation_of_xi(const PriorTerm& old, const Eigen::VectorXd& xi_prior, int pose) {
+  const auto found = std::find(old.pose_index().begin(), old.pose_index().end(), pose);
+  if (found == old.pose_index().end()) return Matrix6d::Identity();
+  return left_jacobian(xi_prior.segment<6>(6 * (found - old.pose_index().begin())));
+}
+
 int find_pose(const BaProblem& problem, int pose_id) {
   const auto found = std::find(problem.pose_ids.begin(), problem.pose_ids.end(), pose_id);
   if (found == problem.pose_ids.end())
@@ -151,10 +188,51 @@ int find_pose(const BaProblem& problem, int pose_id) {
   return static_cast<int>(found - problem.pose_ids.begin());
 }
 
+// Poses with information: first those of no interest, then `wanted`, whose number is returned.
+Eigen::Index order_poses(const BaProblem& problem, const Quadratic& q, const std::vector<int>& wanted,
+                         std::vector<int>* poses) {
+  const auto is_wanted = [&](int i) { return std::find(wanted.begin(), wanted.end(), i) != wanted.end(); };
+  for (int i = 0; i < static_cast<int>(problem.poses.size()); ++i)
+    if (!is_wanted(i) && has_information(problem, q, i)) poses->push_back(i);
+  const auto others = static_cast<Eigen::Index>(poses->size());
+  for (const int i : wanted)
+    if (has_information(problem, q, i)) poses->push_back(i);
+  return static_cast<Eigen::Index>(poses->size()) - others;
+}
+
+// Fills the covariances. T_leaving_other moves by delta_leaving - Ad(T_leaving_other) delta_other, and a
+// fixed pose by nothing.
+void fill(const BaProblem& problem, int leaving, const PriorTerm& old, const Eigen::VectorXd& xi_prior,
+          const Quadratic& q, std::vector<RelativeCovariance>* relative) {
+  std::vector<int> wanted{leaving}, poses;
+  for (const RelativeCovariance& r : *relative) wanted.push_back(find_pose(problem, r.pose_id));
+  const Eigen::Index known = order_poses(problem, q, wanted, &poses);
+  if (known == 0) return;
+  const std::optional<Eigen::MatrixXd> covariance = covariance_of_last(poses, known, q);
+  if (!covariance) return;
+  for (RelativeCovariance& r : *relative) {
+    const int other = find_pose(problem, r.pose_id);
+    const Matrix6d Ad =
+        (problem.poses[leaving].T_cam_world * problem.poses[other].T_cam_world.inverse()).adjoint();
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, 6 * known);
+    bool is_known = true;
+    for (const int pose : {leaving, other}) {
+      if (problem.poses[pose].fixed) continue;
+      const auto at = std::find(poses.end() - known, poses.end(), pose);
+      is_known &= at != poses.end();
+      if (!is_known) break;
+      const Matrix6d to_delta = perturbation_of_xi(old, xi_prior, pose);
+      J.middleCols<6>(6 * (at - (poses.end() - known))) =
+          pose == leaving ? to_delta : Matrix6d(-Ad * to_delta);
+    }
+    if (is_known) r.covariance = J * *covariance * J.transpose();
+  }
+}
+
 }  // namespace
 
 BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options,
-                    std::vector<bool>* drop_points) {
+                    std::vector<bool>* drop_points, std::vector<RelativeCovariance>* relative) {
   check_problem(problem);
   const int leaving = find_pose(problem, pose_id);
   *drop_points = points_to_drop(problem, leaving);
@@ -174,6 +252,7 @@ BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& opti
     if (problem.poses[old.pose_index()[i]].fixed)
       condition(xi_prior.segment<6>(6 * i), 6 * old.pose_index()[i], &q);
 
+  if (relative) fill(problem, leaving, old, xi_prior, q, relative);
   const std::vector<int> keep = poses_to_keep(problem, leaving, q);
   if (!problem.poses[leaving].fixed) eliminate_pose(6 * leaving, &q);
   return extract(problem, keep, old, q);

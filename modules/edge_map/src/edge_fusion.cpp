@@ -7,6 +7,7 @@
 
 #include "depth_evidence.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/map/run_builder.h"
 #include "straight_line.h"
 
 namespace edgevo {
@@ -243,10 +244,9 @@ void EdgeFusion::add_pixels_between(const EdgeHost& host, Line* line) const {
 }
 
 void EdgeFusion::finalise(const OpenHost& host) {
-  HostedLines hosted{host.id, {}};
-  for (const Line& line : host.lines) finalise_line(host.id, line, &hosted.lines);
-  final_lines_.push_back(std::move(hosted));
-  motions_.push_back(host.motion);
+  LinesFinished finished{host.id, {}};
+  for (const Line& line : host.lines) finalise_line(host.id, line, &finished.lines);
+  log_->append(std::move(finished));
 }
 
 EdgeStage EdgeFusion::stage_of(const Vertex& v) const {
@@ -308,36 +308,24 @@ void EdgeFusion::finalise_line(int host, const Line& line, std::vector<EdgeLine>
   flush();
 }
 
-void EdgeFusion::apply(const MapRevision& revision) {
-  const auto move = [&](const ImageMotion& motion, double length_ratio, EdgeVertex* v) {
-    v->px =
-        correct_pixel(pinhole_, revision.before, revision.now, motion, v->px.cast<double>()).cast<float>();
-    v->idepth /= float(length_ratio);
-    v->idepth_sigma /= float(length_ratio);
-  };
-  for (const RevisedKeyframe& r : revision.keyframes) {
-    for (OpenHost& host : open_) {
-      if (host.id != r.id) continue;
-      host.T_cam_world = r.T_cam_world;
-      for (Line& line : host.lines)
-        for (Vertex& v : line) {
-          move(host.motion, r.length_ratio, &v.vertex);
-          for (EdgeVertex& between : v.after) move(host.motion, r.length_ratio, &between);
-        }
-    }
-    for (size_t i = 0; i < final_lines_.size(); ++i) {
-      if (final_lines_[i].keyframe_id != r.id) continue;
-      for (EdgeLine& line : final_lines_[i].lines)
-        for (EdgeVertex& v : line.vertices) move(motions_[i], r.length_ratio, &v);
-    }
+// Lines that are final have left as events: whoever holds them moves them.
+void EdgeFusion::apply(const MapMoved& moved) {
+  for (OpenHost& host : open_) {
+    const KeyframeMove* m = moved.find(host.id);
+    if (!m) continue;
+    host.T_cam_world = moved.T_cam_map(*m);
+    const auto move = [&](EdgeVertex* v) { apply_move(pinhole_, moved, *m, v); };
+    for (Line& line : host.lines)
+      for (Vertex& v : line) {
+        move(&v.vertex);
+        for (EdgeVertex& between : v.after) move(&between);
+      }
   }
 }
 
-std::vector<HostedLines> EdgeFusion::close() {
+void EdgeFusion::close() {
   for (const OpenHost& host : open_) finalise(host);
   open_.clear();
-  motions_.clear();
-  return std::exchange(final_lines_, {});
 }
 
 }  // namespace edgevo

@@ -2,7 +2,9 @@
 #pragma once
 // Fusion of the lines of a segment: each 3D edge is hosted once.
 #include <deque>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "edgevo/edge_map/edge_depth.h"
@@ -28,13 +30,14 @@ struct EdgeHost {
 /// Fuses the lines of the keyframes of one segment.
 class EdgeFusion {
  public:
-  /// `trace` may be null.
-  EdgeFusion(const Pinhole& pinhole, const EdgeMapParams& params, EdgeTrace* trace)
-      : pinhole_(pinhole), params_(params), trace_(trace) {}
+  /// `log` receives final lines; `trace` may be null.
+  EdgeFusion(const Pinhole& pinhole, const EdgeMapParams& params, std::shared_ptr<MapLog> log,
+             EdgeTrace* trace)
+      : pinhole_(pinhole), params_(params), log_(std::move(log)), trace_(trace) {}
 
   void add(const EdgeHost& host, const std::vector<EdgeView>& views);
-  void apply(const MapRevision& revision);
-  std::vector<HostedLines> close();
+  void apply(const MapMoved& moved);
+  void close();
 
  private:
   struct Vertex {
@@ -79,10 +82,9 @@ class EdgeFusion {
 
   Pinhole pinhole_;
   EdgeMapParams params_;
+  std::shared_ptr<MapLog> log_;
   EdgeTrace* trace_;
-  std::deque<OpenHost> open_;             // ascending id
-  std::vector<HostedLines> final_lines_;  // ascending id
-  std::vector<ImageMotion> motions_;  // of the final lines: their pixels move when the camera is corrected
+  std::deque<OpenHost> open_;  // ascending id
 };
 
 }  // namespace edgevo

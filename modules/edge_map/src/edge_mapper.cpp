@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-// Keyframes kept beyond the window: only they see what leaves the view.
+// Keyframes used beyond the window: only they see what leaves the view.
 constexpr size_t kOlder = 8;
 // Nothing is nearer than a fifth of the depth of the nearest points.
 constexpr double kNearestShare = 0.95, kNearestTimes = 5;
@@ -24,6 +24,14 @@ constexpr size_t kMaxWaiting = 4;  // keyframes; a thread further behind would n
 // Offsets of keyframes after (negative: before) the host, nearest first: short baselines find an edge, long
 // ones constrain its depth.
 constexpr int kOffsets[] = {1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 11, 4, -4, 6, -6, 7, -7, 9, 10};
+
+// The keyframes that were marginalised before the last one and still have images, nearest first.
+std::vector<const Keyframe*> older_than_last(const std::deque<Keyframe>& marginalised) {
+  std::vector<const Keyframe*> older;
+  for (size_t i = marginalised.size() - 1; i-- > 0 && older.size() < kOlder && marginalised[i].pyramid;)
+    older.push_back(&marginalised[i]);
+  return older;
+}
 
 float gray_at(const Keyframe& k, const Eigen::Vector2d& px) {
   const Plane<uint8_t>& gray = k.pyramid->finest().gray;
@@ -58,8 +66,9 @@ double max_idepth_of(const Keyframe& host, const std::deque<Keyframe>& younger) 
 }  // namespace
 
 struct EdgeMapper::Impl {
-  Impl(const Pinhole& pinhole, const EdgeMapParams& p, bool own_thread, EdgeTrace* trace)
-      : params(p), fusion(pinhole, p, trace), worker(own_thread, kMaxWaiting) {}
+  Impl(const Pinhole& pinhole, const EdgeMapParams& p, bool own_thread, std::shared_ptr<MapLog> log,
+       EdgeTrace* trace)
+      : params(p), fusion(pinhole, p, std::move(log), trace), worker(own_thread, kMaxWaiting) {}
 
   std::shared_ptr<const std::vector<EdgeSides>> sides_of(const Keyframe& k) {
     auto& known = sides[k.id];
@@ -67,60 +76,58 @@ struct EdgeMapper::Impl {
     return known;
   }
 
-  std::vector<EdgeView> views_of(const Keyframe& host, const std::deque<Keyframe>& younger) {
+  std::vector<EdgeView> views_of(const Keyframe& host, const std::vector<const Keyframe*>& older,
+                                 const std::deque<Keyframe>& younger) {
     std::vector<EdgeView> views;
     for (const int offset : kOffsets) {
       const size_t rank = size_t(std::abs(offset)) - 1;
-      const std::deque<Keyframe>& side = offset > 0 ? younger : older;
-      if (rank >= side.size() || int(views.size()) >= kMaxViews) continue;
-      const Keyframe& k = offset > 0 ? side[rank] : side[side.size() - 1 - rank];
+      if (rank >= (offset > 0 ? younger.size() : older.size()) || int(views.size()) >= kMaxViews) continue;
+      const Keyframe& k = offset > 0 ? younger[rank] : *older[rank];
       views.push_back({k.pyramid, sides_of(k), k.T_cam_world * host.T_cam_world.inverse(), gain_of(host, k)});
     }
     return views;
   }
 
-  void remember(const Keyframe& keyframe) {
-    older.push_back(keyframe);
-    older.back().immature.clear();
-    if (older.size() > kOlder) older.pop_front();
-    sides.erase(sides.begin(), sides.lower_bound(older.front().id));
-  }
-
   EdgeMapParams params;
   EdgeFusion fusion;  // owned by the worker's thread while it works
   Worker worker;
-  std::deque<Keyframe> older;                                          // ascending id
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
 };
 
-EdgeMapper::EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread, EdgeTrace* trace)
-    : impl_(std::make_unique<Impl>(pinhole, params, own_thread, trace)) {}
+EdgeMapper::EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread,
+                       std::shared_ptr<MapLog> log, EdgeTrace* trace)
+    : impl_(std::make_unique<Impl>(pinhole, params, own_thread, std::move(log), trace)) {}
 EdgeMapper::~EdgeMapper() = default;
 
-void EdgeMapper::add(const Keyframe& keyframe, const std::deque<Keyframe>& younger) {
+void EdgeMapper::add(const Map& map) {
   if (!impl_->params.is_on()) return;
+  const Keyframe& keyframe = map.marginalised().back();
+  const std::vector<const Keyframe*> older = older_than_last(map.marginalised());
+  // Keyframes whose images are gone are no views any more.
+  impl_->sides.erase(impl_->sides.begin(),
+                     impl_->sides.lower_bound(older.empty() ? keyframe.id : older.back()->id));
   const EdgeHost host{keyframe.id,          keyframe.pyramid, impl_->sides_of(keyframe),
-                      keyframe.T_cam_world, keyframe.motion,  max_idepth_of(keyframe, younger)};
-  std::vector<EdgeView> views = impl_->views_of(keyframe, younger);
-  impl_->remember(keyframe);
+                      keyframe.T_cam_world, keyframe.motion,  max_idepth_of(keyframe, map.active())};
+  std::vector<EdgeView> views = impl_->views_of(keyframe, older, map.active());
   EdgeFusion* fusion = &impl_->fusion;
   impl_->worker.submit([fusion, host, views = std::move(views)] { fusion->add(host, views); });
 }
 
-// The images of keyframes that have left the window are not corrected, so they are no longer used.
-void EdgeMapper::apply(const MapRevision& revision) {
+size_t EdgeMapper::keyframes_needed() const { return impl_->params.is_on() ? kOlder : 0; }
+
+void EdgeMapper::wait_idle() { impl_->worker.wait_idle(); }
+
+void EdgeMapper::apply(const MapMoved& moved) {
   if (!impl_->params.is_on()) return;
-  impl_->older.clear();
-  impl_->sides.clear();
+  if (moved.lens) impl_->sides.clear();
   impl_->worker.wait_idle();
-  impl_->fusion.apply(revision);
+  impl_->fusion.apply(moved);
 }
 
-std::vector<HostedLines> EdgeMapper::close() {
-  impl_->older.clear();
+void EdgeMapper::close() {
   impl_->sides.clear();
   impl_->worker.wait_idle();
-  return impl_->fusion.close();
+  impl_->fusion.close();
 }
 
 int EdgeMapper::skipped() const { return impl_->worker.skipped(); }

@@ -2,6 +2,8 @@
 #include "edgevo/mapping/window.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "edgevo/bundle_adjustment/gauge.h"
 #include "edgevo/bundle_adjustment/problem_index.h"
@@ -14,23 +16,28 @@ namespace {
 // standard deviation of 1e-4, small compared with that of tracking.
 Matrix6d adjusted_covariance() { return 1e-8 * Matrix6d::Identity(); }
 
+// Keyframes of the window that a leaving one is related to: those that constrain it best.
+constexpr size_t kMaxNeighbours = 4;
+
 }  // namespace
 
-Window::Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association)
-    : pinhole_(pinhole),
+Window::Window(Map* map, const Pinhole& pinhole, const WindowParams& params,
+               const AssociationParams& association)
+    : map_(map),
+      pinhole_(pinhole),
       params_(params),
       association_(association),
       adjuster_(make_bundle_adjuster(params.solver)) {}
 
 int Window::active_points() const {
   int n = 0;
-  for (const Keyframe& k : keyframes_) n += int(k.points.size());
+  for (const Keyframe& k : keyframes()) n += int(k.points.size());
   return n;
 }
 
 std::vector<Window::View> Window::views_from(const Keyframe& host) const {
   std::vector<View> views;
-  for (const Keyframe& target : keyframes_)
+  for (const Keyframe& target : keyframes())
     if (target.id != host.id) views.push_back({&target, relative_pose(target, host)});
   return views;
 }
@@ -51,7 +58,7 @@ AssociationQuery Window::query(const Keyframe& host, const MapPoint& point, cons
 int Window::associate_newest(const Matrix6d& pose_covariance) {
   int matches = 0;
   const Keyframe& target = newest();
-  for (Keyframe& host : keyframes_) {
+  for (Keyframe& host : keyframes()) {
     if (host.id == target.id) continue;
     const View view{&target, relative_pose(target, host)};
     for (MapPoint& point : host.points) {
@@ -72,30 +79,62 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
 }
 
 void Window::fix_bootstrap_scale() {
-  if (keyframes_.size() < 2) return;
-  prior_ = ba::fix_baseline(keyframes_.front().T_cam_world, newest().T_cam_world, newest().id);
+  if (keyframes().size() < 2) return;
+  prior_ = ba::fix_baseline(keyframes().front().T_cam_world, newest().T_cam_world, newest().id);
   bootstrap_gauge_ = true;
 }
 
-Keyframe Window::remove_oldest() {
-  prior_ = marginalise_oldest();
+const Keyframe& Window::remove_oldest() {
+  std::vector<NeighbourPose> neighbours = neighbours_of_oldest();
+  prior_ = marginalise_oldest(&neighbours);
   bootstrap_gauge_ = false;
-  Keyframe oldest = std::move(keyframes_.front());
-  keyframes_.pop_front();
-  for (Keyframe& host : keyframes_) drop_matches_in(oldest.id, &host);
+  const Keyframe& oldest = map_->marginalise_oldest(std::move(neighbours));
+  for (Keyframe& host : keyframes()) drop_matches_in(oldest.id, &host);
   return oldest;
+}
+
+const Keyframe& Window::release_oldest() { return map_->marginalise_oldest(neighbours_of_oldest()); }
+
+void Window::take_prior(const BaPrior& prior) {
+  if (prior.pose_ids.empty()) return;
+  prior_ = prior;
+  bootstrap_gauge_ = false;
+}
+
+// The keyframes that share most matches with the oldest one.
+std::vector<NeighbourPose> Window::neighbours_of_oldest() const {
+  const Keyframe& oldest = keyframes().front();
+  std::map<int, int> matches;  // by keyframe
+  for (const MapPoint& p : oldest.points)
+    for (const Observation& o : p.observations) ++matches[o.keyframe_id];
+  for (const Keyframe& k : keyframes())
+    for (const MapPoint& p : k.points) matches[k.id] += p.find(oldest.id) != nullptr;
+  std::vector<std::pair<int, int>> ranked;  // negative number of matches, id
+  for (const Keyframe& k : keyframes())
+    if (k.id != oldest.id && matches[k.id] > 0) ranked.emplace_back(-matches[k.id], k.id);
+  std::sort(ranked.begin(), ranked.end());
+  if (ranked.size() > kMaxNeighbours) ranked.resize(kMaxNeighbours);
+  std::vector<NeighbourPose> neighbours;
+  for (const Keyframe& k : keyframes())
+    if (std::any_of(ranked.begin(), ranked.end(), [&](const auto& r) { return r.second == k.id; }))
+      neighbours.push_back({k.id, relative_pose(oldest, k), Matrix6d::Zero()});
+  return neighbours;
 }
 
 // Only the points hosted by the oldest keyframe go into the prior. Points of other hosts lose their
 // observation there and live on: their other observations stay in the window and must not be counted twice.
-BaPrior Window::marginalise_oldest() {
+BaPrior Window::marginalise_oldest(std::vector<NeighbourPose>* neighbours) {
   const BaProblem all = build_adjustment().problem;
   BaProblem leaving = ba::problem_of_host(all, ba::index_problem(all), 0, int(all.poses.size()));
   leaving.prior = prior_;
   BaOptions options;
   options.huber_width = params_.ba_huber;
   std::vector<bool> drop;
-  return marginalize(leaving, keyframes_.front().id, options, &drop);
+  std::vector<RelativeCovariance> relative;
+  for (const NeighbourPose& n : *neighbours) relative.push_back({n.id, n.covariance});
+  BaPrior prior = marginalize(leaving, keyframes().front().id, options, &drop, &relative);
+  for (size_t i = 0; i < neighbours->size(); ++i) (*neighbours)[i].covariance = relative[i].covariance;
+  return prior;
 }
 
 // Removes matches in a keyframe, and points that were matched nowhere else.

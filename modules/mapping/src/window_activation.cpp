@@ -36,7 +36,7 @@ std::vector<Window::Sight> Window::in_sight(const ImmaturePoint& candidate,
 std::vector<int> Window::count_active(const CellGrid& grid) const {
   std::vector<int> count(grid.size(), 0);
   Eigen::Vector2d px;
-  for (const Keyframe& host : keyframes_) {
+  for (const Keyframe& host : keyframes()) {
     const SE3 T_newest_host = relative_pose(newest(), host);
     for (const MapPoint& p : host.points) {
       if (host.id == newest().id)
@@ -103,11 +103,11 @@ bool Window::try_activate(const ActivationPolicy& policy, const Candidate& c) {
 
 int Window::activate(const ActivationPolicy& policy) {
   const int budget = std::min(policy.budget, params_.max_points - active_points());
-  if (budget <= 0 || keyframes_.size() < 2) return 0;
+  if (budget <= 0 || keyframes().size() < 2) return 0;
   const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
   // The newest hosts first: their points will be seen longest.
   std::vector<CandidateHost> hosts;
-  for (auto k = keyframes_.rbegin(); k != keyframes_.rend(); ++k) hosts.push_back({&*k, views_from(*k)});
+  for (auto k = keyframes().rbegin(); k != keyframes().rend(); ++k) hosts.push_back({&*k, views_from(*k)});
   std::vector<Candidate> candidates;
   for (CandidateHost& host : hosts) add_candidates(policy, grid, &host, &candidates);
 
@@ -126,7 +126,7 @@ int Window::activate(const ActivationPolicy& policy) {
 
 // A tentative point that no longer exists did not fit: its immature point is removed, too.
 void Window::demote_unconfirmed() {
-  for (Keyframe& host : keyframes_) {
+  for (Keyframe& host : keyframes()) {
     std::set<int> unconfirmed;
     for (MapPoint& p : host.points) {
       p.tentative &= p.observations.size() < kConfirmingMatches;

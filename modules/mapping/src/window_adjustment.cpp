@@ -24,7 +24,7 @@ Window::Adjustment Window::build_adjustment() {
   Adjustment a;
   a.problem.pinhole = pinhole_;
   size_t matches = 0;
-  for (const Keyframe& k : keyframes_) {
+  for (const Keyframe& k : keyframes()) {
     a.problem.poses.push_back({k.T_cam_world, false});
     a.problem.pose_ids.push_back(k.id);
     for (const MapPoint& p : k.points) matches += p.observations.size();
@@ -33,8 +33,8 @@ Window::Adjustment Window::build_adjustment() {
   a.match_index.reserve(matches);
   a.problem.points.reserve(active_points());
   a.points.reserve(active_points());
-  for (size_t host = 0; host < keyframes_.size(); ++host)
-    for (MapPoint& p : keyframes_[host].points)
+  for (size_t host = 0; host < keyframes().size(); ++host)
+    for (MapPoint& p : keyframes()[host].points)
       if (!p.observations.empty()) add_point(int(host), &p, &a);
   add_corners(&a.problem);
   apply_gauge(&a.problem);
@@ -57,12 +57,12 @@ void Window::add_point(int host, MapPoint* point, Adjustment* a) const {
 
 void Window::add_corners(BaProblem* problem) const {
   if (!params_.adjust_corners) return;
-  for (size_t to = 0; to < keyframes_.size(); ++to) {
+  for (size_t to = 0; to < keyframes().size(); ++to) {
     const auto from =
-        std::find(problem->pose_ids.begin(), problem->pose_ids.end(), keyframes_[to].corners_from);
+        std::find(problem->pose_ids.begin(), problem->pose_ids.end(), keyframes()[to].corners_from);
     // That keyframe has left the window, and the information of its corners is in the prior.
     if (from == problem->pose_ids.end()) continue;
-    for (const CornerPair& c : keyframes_[to].corners)
+    for (const CornerPair& c : keyframes()[to].corners)
       problem->corners.push_back(
           {int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / kCornerSigmaPx});
   }
@@ -78,7 +78,7 @@ void Window::apply_gauge(BaProblem* problem) const {
 }
 
 void Window::take_result(const BaResult& result, const Adjustment& a) {
-  for (size_t i = 0; i < keyframes_.size(); ++i) keyframes_[i].T_cam_world = a.problem.poses[i].T_cam_world;
+  for (size_t i = 0; i < keyframes().size(); ++i) keyframes()[i].T_cam_world = a.problem.poses[i].T_cam_world;
   for (size_t i = 0; i < a.points.size(); ++i) {
     a.points[i]->idepth = a.problem.points[i].idepth;
     if (result.idepth_sigma[i] > 0) a.points[i]->idepth_sigma = result.idepth_sigma[i];
@@ -87,7 +87,7 @@ void Window::take_result(const BaResult& result, const Adjustment& a) {
 
 void Window::update_matches(const BaResult& result, const Adjustment& adjustment) {
   std::vector<std::vector<View>> views;
-  for (const Keyframe& host : keyframes_) views.push_back(views_from(host));
+  for (const Keyframe& host : keyframes()) views.push_back(views_from(host));
   size_t k = 0;  // matches are in the order of build_adjustment
   for (size_t i = 0; i < adjustment.points.size(); ++i) {
     MapPoint& p = *adjustment.points[i];
@@ -97,7 +97,7 @@ void Window::update_matches(const BaResult& result, const Adjustment& adjustment
       const int index = adjustment.match_index[k++];
       if (needs_update(o.match, result.residual_normal_px[index], result.residual_tangent_px[index],
                        association_))
-        o.match = match_again(keyframes_[host], p, o.keyframe_id, views[host]);
+        o.match = match_again(keyframes()[host], p, o.keyframe_id, views[host]);
       if (o.match.kind != MatchKind::kNone) p.observations[kept++] = o;
     }
     p.observations.resize(kept);
@@ -126,7 +126,7 @@ void Window::drop_unfit(const BaResult& result, const Adjustment& adjustment) {
     }
     p->observations.resize(kept);
   }
-  for (Keyframe& host : keyframes_) {
+  for (Keyframe& host : keyframes()) {
     auto gone = std::remove_if(host.points.begin(), host.points.end(), [&](const MapPoint& p) {
       const bool is_missed = params_.drop_missed_points && p.misses > kMaxMisses;
       return p.observations.empty() || is_missed || !(p.idepth > 0);
@@ -159,7 +159,7 @@ WindowStats Window::adjust() {
   stats.cost_per_observation = result.final_cost / std::max(1, stats.observations);
   for (const BaObservation& o : problem.observations) {
     stats.photometric += o.inv_sigma_tangent > 0;
-    stats.matched_in_newest += o.target + 1 == int(keyframes_.size());
+    stats.matched_in_newest += o.target + 1 == int(keyframes().size());
   }
   drop_unfit(result, adjustment);
   return stats;

@@ -60,7 +60,7 @@ std::vector<CloudPoint> Window::tracking_cloud(const Keyframe& reference) const 
 
 std::vector<CloudPoint> Window::cloud(const Keyframe& reference) const {
   std::vector<CloudPoint> cloud;
-  for (const Keyframe& host : keyframes_) {
+  for (const Keyframe& host : keyframes()) {
     const SE3 T_reference_host = relative_pose(reference, host);
     for (const MapPoint& p : host.points) {
       std::optional<CloudPoint> c =
@@ -97,7 +97,7 @@ std::optional<CloudPoint> Window::seen_point(const Keyframe& reference, const SE
 
 double Window::view_share(const Keyframe& keyframe) const {
   int all = 0, in_view = 0;
-  for (const Keyframe& host : keyframes_) {
+  for (const Keyframe& host : keyframes()) {
     const SE3 T = relative_pose(keyframe, host);
     const Eigen::Matrix3d R = T.R();
     all += int(host.points.size());

@@ -102,7 +102,7 @@ void CEdgeVoSensor::doProcess() {
 }
 
 void CEdgeVoSensor::process(const Grab& grab) {
-  const FrameRecord& record = odometry_->process(grab.frame);
+  const FrameRecord record = odometry_->process(grab.frame);
   const auto observations = observations_->make(grab, record, odometry_->frame_view());
   for (const auto& object : observations)
     if (const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bootstrap_placement.h"
 
+#include <utility>
+
 #include "edgevo/alignment/tracker.h"
 
 namespace edgevo {
@@ -22,9 +24,9 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 }  // namespace
 
 void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
-                            const AlignmentParams& params, RunRecords* records) {
+                            const AlignmentParams& params, FrameLog* frames) {
   for (const BootstrapView& view : bootstrap.views) {
-    FrameRecord* record = records->find(view.frame_index);
+    std::optional<FrameRecord> record = frames->find(view.frame_index);
     if (!record || !view.placed) continue;
     SE3 T_cam_ref = pose_in_map(view, bootstrap, reference);
     record->state = TrackingState::kTracking;
@@ -37,7 +39,7 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& r
       record->residual_px = r.stats.residual_px;
     }
     record->note.clear();
-    records->place(record, segment, reference.keyframe_id, T_cam_ref, reference.T_ref_world);
+    frames->place(std::move(*record), segment, reference, T_cam_ref);
   }
 }
 

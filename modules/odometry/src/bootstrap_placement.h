@@ -4,13 +4,13 @@
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/reference.h"
-#include "run_records.h"
+#include "frame_log.h"
 
 namespace edgevo {
 
 /// Tracks the frames between the two views against the finished map. Frames whose image is gone, or that the
 /// map does not explain, keep the pose of PnP; the latter are DEGRADED. Cost: one alignment per frame.
 void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
-                            const AlignmentParams& params, RunRecords* records);
+                            const AlignmentParams& params, FrameLog* frames);
 
 }  // namespace edgevo

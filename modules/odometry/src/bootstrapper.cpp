@@ -7,11 +7,11 @@
 namespace edgevo {
 
 Bootstrapper::Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
-                           RunRecords* records)
+                           FrameLog* frames)
     : bootstrap_(pinhole, params.mapping.bootstrap, seed),
       alignment_(params.alignment),
       map_(map),
-      records_(records) {}
+      frames_(frames) {}
 
 BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid);
@@ -26,13 +26,13 @@ std::string Bootstrapper::make_map(const BootstrapResult& views) {
 NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,
                                        std::optional<double> scale) {
   const std::vector<TimedPose> previous =
-      records_->last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
-  records_->begin_segment(segment, join_segment(previous, views, scale).T_world_map);
+      frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
+  frames_->begin_segment(join_segment(segment, previous, views, scale));
   map_->begin_segment(segment);
   NewSegment begun;
   begun.reference = map_->reference();
-  place_bootstrap_frames(views, *begun.reference, segment, alignment_, records_);
-  const std::optional<SE3> before = records_->pose_before(views.views.back().frame_index, segment);
+  place_bootstrap_frames(views, *begun.reference, segment, alignment_, frames_);
+  const std::optional<SE3> before = frames_->run().pose_before(views.views.back().frame_index, segment);
   if (before) begun.motion = begun.reference->T_ref_world * before->inverse();
   return begun;
 }

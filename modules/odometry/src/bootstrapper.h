@@ -8,9 +8,9 @@
 
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "frame_log.h"
 #include "front_end.h"
 #include "map_link.h"
-#include "run_records.h"
 
 namespace edgevo {
 
@@ -25,9 +25,9 @@ struct NewSegment {
 /// Runs bootstraps and begins segments; for the tracking thread.
 class Bootstrapper {
  public:
-  /// `map` and `records` must outlive this object.
+  /// `map` and `frames` must outlive this object.
   Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
-               RunRecords* records);
+               FrameLog* frames);
 
   /// Forgets the first view.
   void reset() { bootstrap_.reset(); }
@@ -44,7 +44,7 @@ class Bootstrapper {
   Bootstrap bootstrap_;
   AlignmentParams alignment_;
   MapLink* map_;
-  RunRecords* records_;
+  FrameLog* frames_;
 };
 
 }  // namespace edgevo

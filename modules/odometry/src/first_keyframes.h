@@ -3,9 +3,9 @@
 // How the views of a bootstrap become the first keyframes of a map.
 #include <vector>
 
+#include "edgevo/map/keyframe.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/depth_filter.h"
-#include "edgevo/mapping/keyframe.h"
 
 namespace edgevo {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The tracking side's end of mapping: submits frames, and receives keyframes and references. All that the
-// mapping thread touches is in here and in MapRecords.
+// The tracking side's end of mapping: submits frames, and receives references. All that the mapping thread
+// touches is in here; what crosses between the threads is in the types: a TrackedFrame goes in, an immutable
+// Reference and the events of the map (MapLog) come out.
 #include <memory>
 #include <string>
 
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/odometry/mapper.h"
 #include "edgevo/odometry/odometry.h"
-#include "map_records.h"
 #include "mapping_thread.h"
 
 namespace edgevo {
@@ -16,9 +16,9 @@ namespace edgevo {
 /// Connects tracking to mapping; for the tracking thread.
 class MapLink {
  public:
-  /// `records` must outlive this object.
+  /// `log`, not null, receives the events of the map.
   MapLink(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
-          MapRecords* records);
+          std::shared_ptr<MapLog> log);
 
   /// The newest reference; null without a map.
   std::shared_ptr<const Reference> reference() const { return thread_.reference(); }
@@ -32,32 +32,21 @@ class MapLink {
   /// Closes the present map, if any, and builds a new one from two views. Returns an empty string, or why
   /// they make no map. Waits until all submitted frames are processed.
   [[nodiscard]] std::string make_map(const BootstrapResult& views);
-  /// Makes the newest map that of `segment`.
+  /// Makes the newest map that of `segment`, whose pose has been announced.
   void begin_segment(int segment);
 
   /// Camera knowledge before the first frame.
   const CameraRefinement& initial_camera() const { return mapper_.camera(); }
 
-  /// Results of mapping at the end of a run.
-  struct Rest {
-    /// Self-calibration.
-    CameraRefinement camera;
-    /// Frames that mapping has skipped.
-    int skipped = 0;
-  };
-  /// Closes the map. Waits as make_map() does.
-  Rest finish();
+  /// Closes the map. Waits as make_map() does. Returns the number of frames that mapping has skipped.
+  int finish();
 
  private:
   void close_segment();
-  void take_update(const TrackedFrame& frame, const MapUpdate& update);
-  void record_marginalised();
-  void note_window();
 
-  MapRecords* records_;
+  std::shared_ptr<MapLog> log_;
   PyramidBuilder rebuilder_;
   Mapper mapper_;
-  int segment_ = -1;
   MappingThread thread_;
 };
 

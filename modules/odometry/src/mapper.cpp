@@ -25,14 +25,16 @@ Mapper::Mapper(const Pinhole& pinhole, const OdometryParams& params, const Mappe
       gradient_patches_(params.alignment.photometric),
       options_(options),
       random_(Random::derive(options.seed, 2)),
-      window_(pinhole, params.mapping.window, params.association),
+      log_(options.log ? options.log : std::make_shared<MapLog>()),
+      map_(std::make_unique<Map>(pinhole, log_)),
+      window_(map_.get(), pinhole, params.mapping.window, params.association),
       calibration_(pinhole, params.camera),
-      edge_mapper_(pinhole, params.edge_map, options.own_threads) {}
+      edge_mapper_(pinhole, params.edge_map, options.own_threads, log_) {}
 
 // ---- the first window ----
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
-  window_ = Window(pinhole_, params_.window, association_);
+  window_ = Window(map_.get(), pinhole_, params_.window, association_);
   tracking_check_ = {};
   add_first_keyframes(bootstrap);
   filter_first_depths(bootstrap);
@@ -41,8 +43,10 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   window_.activate({1, 1});
   window_.adjust();
   const WindowStats stats = window_.adjust();
-  if (stats.points < kMinFirstPoints)
+  if (stats.points < kMinFirstPoints) {
+    map_->discard();
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
+  }
   next_id_ += int(window_.keyframes().size());
   publish(window_.newest());
   return {};
@@ -150,7 +154,10 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
     map_edges(times);
   }
   calibrate_if_due(times);
+  move_if_proposed();
+  evict();
   seed_and_publish(times);
+  map_->announce_window();
 }
 
 void Mapper::add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world) {
@@ -197,21 +204,33 @@ void Mapper::check_tracking(const TrackedFrame& frame) {
 
 void Mapper::remove_oldest(StageTimes* times) {
   const StageTimer timer(Stage::kWindow, times);
-  marginalised_.push_back(window_.remove_oldest());
-  calibration_.remember(marginalised_.back());
+  window_.remove_oldest();
 }
 
 // Maps the lines of the keyframe that has just left the window.
 void Mapper::map_edges(StageTimes* times) {
   const StageTimer timer(Stage::kEdgeMap, times);
-  edge_mapper_.add(marginalised_.back(), window_.keyframes());
+  edge_mapper_.add(*map_);
 }
 
 // Due at a few checkpoints only.
 void Mapper::calibrate_if_due(StageTimes* times) {
-  if (!calibration_.is_running() && !calibration_.is_due(int(window_.keyframes().size()))) return;
+  if (!calibration_.is_running() && !calibration_.is_due(*map_)) return;
   const StageTimer timer(Stage::kSelfCalibration, times);
   calibrate_during_run();
+}
+
+// Another producer of moves than self-calibration; a recognition of places plugs in here.
+void Mapper::move_if_proposed() {
+  if (!options_.move_map) return;
+  if (std::optional<MapMoved> moved = options_.move_map(*map_)) move_map(std::move(*moved));
+}
+
+// Drops what no later step needs of marginalised keyframes.
+void Mapper::evict() {
+  const size_t needed = edge_mapper_.keyframes_needed();
+  map_->evict_images(needed);
+  if (!calibration_.needs_matches()) map_->evict_matches(needed);
 }
 
 void Mapper::seed_and_publish(StageTimes* times) {
@@ -225,15 +244,9 @@ void Mapper::seed_and_publish(StageTimes* times) {
 
 void Mapper::calibrate_during_run() {
   if (options_.own_threads && !calibration_.is_running())
-    calibration_.begin(window_pointers(), calibration_options());
+    calibration_.begin(*map_, calibration_options());
   else if (!calibration_.is_running() || calibration_.is_ready())
     calibrate(false);
-}
-
-std::vector<const Keyframe*> Mapper::window_pointers() const {
-  std::vector<const Keyframe*> window;
-  for (const Keyframe& k : window_.keyframes()) window.push_back(&k);
-  return window;
 }
 
 BaOptions Mapper::calibration_options() const {
@@ -243,13 +256,18 @@ BaOptions Mapper::calibration_options() const {
 }
 
 void Mapper::calibrate(bool at_end) {
-  std::optional<MapRevision> revision =
-      calibration_.estimate(window_pointers(), calibration_options(), at_end);
-  if (!revision) return;
-  window_.apply(*revision,
-                [&](const Keyframe& k) { return options_.rebuild(*k.pyramid, k.motion, revision->now); });
-  edge_mapper_.apply(*revision);
-  for (RevisedKeyframe& k : revision->keyframes) revised_.push_back(std::move(k));
+  std::optional<MapMoved> moved = calibration_.estimate(*map_, calibration_options(), at_end);
+  log_->append(CameraEstimated{calibration_.state()});
+  if (moved) move_map(std::move(*moved));
+}
+
+void Mapper::move_map(MapMoved moved) {
+  edge_mapper_.wait_idle();
+  const std::optional<LensChange> lens = moved.lens;
+  const MapMoved applied = map_->move(
+      std::move(moved), [&](const Keyframe& k) { return options_.rebuild(*k.pyramid, k.motion, lens->now); });
+  if (applied.prior) window_.take_prior(*applied.prior);
+  edge_mapper_.apply(applied);
 }
 
 // ---- new points, and the reference for tracking ----
@@ -291,6 +309,7 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->keyframe_id = keyframe.id;
   reference->T_ref_world = keyframe.T_cam_world;
   reference->camera = calibration_.state();
+  reference->moves = map_->moves();
   reference->cloud =
       make_reference_cloud(keyframe.pyramid, window_.tracking_cloud(keyframe), gradient_patches_);
   reference->known_points = int(window_.cloud(keyframe).size());
@@ -303,13 +322,14 @@ void Mapper::publish(const Keyframe& keyframe) {
 
 void Mapper::close() {
   calibrate(true);
-  calibration_.forget();
+  calibration_.cancel();
   while (!window_.keyframes().empty()) {
-    marginalised_.push_back(std::move(window_.keyframes().front()));
-    window_.keyframes().pop_front();
-    edge_mapper_.add(marginalised_.back(), window_.keyframes());
+    window_.release_oldest();
+    edge_mapper_.add(*map_);
+    evict();
   }
-  for (HostedLines& lines : edge_mapper_.close()) lines_.push_back(std::move(lines));
+  edge_mapper_.close();
+  map_->end_segment();
   reference_.reset();
 }
 

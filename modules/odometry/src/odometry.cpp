@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/odometry.h"
 
+#include <utility>
+
 #include "bootstrapper.h"
 #include "camera_log.h"
 #include "edgevo/core/thread_clock.h"
+#include "frame_log.h"
 #include "front_end.h"
 #include "map_link.h"
-#include "run_records.h"
 #include "stage_timer.h"
 #include "state_machine.h"
 
@@ -17,32 +19,39 @@ struct Odometry::Impl {
       : params(p),
         options(o),
         state(p.recovery.max_frames),
-        records(camera.pinhole),
+        log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
+        frames(camera.pinhole, log),
         front_end(camera, p, o),
-        map(camera, p, o, &records.map()),
-        bootstrapper(camera.pinhole, p, o.seed, &map, &records) {
+        map(camera, p, o, log),
+        bootstrapper(camera.pinhole, p, o.seed, &map, &frames) {
     front_end.set_correction(map.initial_camera().correction());
   }
 
   // ---- one frame ----
 
-  const FrameRecord& process(const Frame& frame) {
+  FrameRecord process(const Frame& frame) {
+    announce_camera();
     if (front_end.postponed_keyframes() >= options.max_frames_ahead) map.wait_keyframe();
     if (state.has_map()) change_reference(frame);
     front_end.begin_frame(frame.time);
     const ArrivedFrame arrived = find_edges(frame);
     if (state.tracks(arrived.record->edges)) follow_map(arrived);
     if (state.bootstraps()) bootstrap_map(arrived);
+    if (!frame_announced) frames.announce();
     note_pose(*arrived.record);
+    frames.run();
     return *arrived.record;
   }
 
   // The motion model bridges the gap, as after lost frames.
-  const FrameRecord& skip(const Frame& frame, const std::string& why) {
-    FrameRecord& record = records.begin_frame(frame);
+  FrameRecord skip(const Frame& frame, const std::string& why) {
+    announce_camera();
+    FrameRecord& record = frames.begin_frame(frame);
     record.state = state.when_skipped();
     record.note = why;
+    frames.announce();
     front_end.begin_frame(frame.time);
+    frames.run();
     return record;
   }
 
@@ -64,7 +73,8 @@ struct Odometry::Impl {
     if (arrived.pyramid->border_mask && !had_mask)
       say(frame, describe_border_mask(arrived.pyramid->masked_share()));
     newest_pose = {};
-    arrived.record = &records.begin_frame(frame);
+    arrived.record = &frames.begin_frame(frame);
+    frame_announced = false;
     arrived.record->stage_ms.emplace_back(name_of(Stage::kEdges), thread_cpu_ms() - start);
     arrived.record->edges = int(arrived.pyramid->finest().edges.pixels.size());
     return arrived;
@@ -82,14 +92,18 @@ struct Odometry::Impl {
     if (const std::optional<Event> seen = front_end.look(track.result))
       act(now.frame, state.after(*seen, now.frame.index));
     record_pose(track.result, now.record);
-    map.submit(front_end.accept_pose(now, std::move(track), map.is_keyframe_pending()));
+    TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
+    // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
+    frames.announce();
+    frame_announced = true;
+    map.submit(std::move(tracked));
   }
 
   void record_pose(const TrackResult& tracked, FrameRecord* record) {
     const Reference& reference = *front_end.reference();
     record->state = tracked.status;
     record->covariance = reference.error_factor * tracked.covariance;
-    records.place(record, state.segment(), reference.keyframe_id, tracked.T_cur_ref, reference.T_ref_world);
+    frames.place(state.segment(), reference, tracked.T_cur_ref);
     newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
   }
 
@@ -97,6 +111,7 @@ struct Odometry::Impl {
 
   void bootstrap_map(const ArrivedFrame& now) {
     FrameRecord& record = *now.record;
+    frame_announced = false;  // times and note change
     BootstrapStatus status;
     {
       const StageTimer timer(Stage::kBootstrap, &record.stage_ms);
@@ -135,6 +150,11 @@ struct Odometry::Impl {
 
   // ---- state and records ----
 
+  // Before the first frame, and not earlier: consumers may begin until then.
+  void announce_camera() {
+    if (!std::exchange(camera_announced, true)) log->append(CameraEstimated{map.initial_camera()});
+  }
+
   void act(const Frame& frame, Action action, const std::string& reason = {}) {
     if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
       bootstrapper.reset();
@@ -153,18 +173,18 @@ struct Odometry::Impl {
   }
 
   Run finish() {
-    const MapLink::Rest rest = map.finish();
+    announce_camera();
+    const int skipped = map.finish();
     front_end.drop_map();
-    Run run = records.finish();
-    run.camera = rest.camera;
-    if (options.realtime) run.realtime.emplace().left_out_of_mapping = rest.skipped;
+    Run run = frames.run().finish();
+    if (options.realtime) run.realtime.emplace().left_out_of_mapping = skipped;
     return run;
   }
 
   FrameView frame_view() const {
     if (!state.has_pose() || !front_end.reference()) return {front_end.newest_pyramid(), {}, -1};
     // From the segment's map to the world lengths are multiplied by the scale.
-    return front_end.view(1.0 / records.scale_of(state.segment()));
+    return front_end.view(1.0 / frames.T_world_map(state.segment()).scale);
   }
 
   void say(const Frame& frame, const std::string& what) const {
@@ -174,29 +194,24 @@ struct Odometry::Impl {
   OdometryParams params;
   OdometryOptions options;
   OdometryState state;
-  RunRecords records;
+  std::shared_ptr<MapLog> log;
+  FrameLog frames;
   FrontEnd front_end;
   MapLink map;
   Bootstrapper bootstrapper;
   NewestPose newest_pose;
+  bool camera_announced = false;
+  bool frame_announced = false;  // the record of the newest frame as it is now
 };
 
 Odometry::Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
     : impl_(std::make_unique<Impl>(camera, params, options)) {}
 Odometry::~Odometry() = default;
 
-const FrameRecord& Odometry::process(const Frame& frame) { return impl_->process(frame); }
+FrameRecord Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
-MarginalisedKeyframes Odometry::marginalised_keyframes(size_t first) const {
-  return impl_->records.marginalised(first);
-}
-std::optional<ActiveKeyframes> Odometry::active_keyframes(int version) const {
-  return impl_->records.active(version);
-}
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
-const FrameRecord& Odometry::skip(const Frame& frame, const std::string& why) {
-  return impl_->skip(frame, why);
-}
+FrameRecord Odometry::skip(const Frame& frame, const std::string& why) { return impl_->skip(frame, why); }
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

@@ -16,10 +16,11 @@ double speed_of(const BootstrapResult& bootstrap) {
 
 }  // namespace
 
-SegmentJoin join_segment(const std::vector<TimedPose>& previous, const BootstrapResult& bootstrap,
-                         std::optional<double> scale) {
-  using Method = SegmentJoin::Method;
-  SegmentJoin join;
+SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
+                           const BootstrapResult& bootstrap, std::optional<double> scale) {
+  using Method = SegmentPlaced::Method;
+  SegmentPlaced join;
+  join.segment = segment;
   if (previous.size() < 2) return join;
   const TimedPose &oldest = previous.front(), &newest = previous.back();
   const Eigen::Vector3d here = newest.T_world_cam.translation();

@@ -2,6 +2,7 @@
 #include "live_files.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "edgevo/results/run_text.h"
 
@@ -23,29 +24,23 @@ void extend(GrowingFile* file, const std::string& line) {
 
 }  // namespace
 
-LiveFiles::LiveFiles(const std::string& folder, const RecoveryHeader& header)
-    : recovery_log_(folder, header) {
+LiveFiles::LiveFiles(const std::string& folder, const RecoveryHeader& header, MapCursor events)
+    : recovery_log_(folder, header), events_(std::move(events)) {
   const Run nothing;
   begin(&trajectory_, in(folder, "trajectory_live_tum.txt"), trajectory_tum(nothing, PoseKind::kLive));
   begin(&frames_, in(folder, "frames.csv"), frames_csv(nothing));
 }
 
-void LiveFiles::add(const FrameRecord& frame, const Odometry& odometry) {
-  recovery_log_.add_frame(frame);
-  add_marginalised(odometry);
+void LiveFiles::add(const FrameRecord& frame) {
   extend(&frames_, frames_csv_row(frame, {}));
   if (frame.T_world_cam_live && frame.T_world_cam_live->is_finite())
     extend(&trajectory_, tum_line(frame.time, *frame.T_world_cam_live));
 }
 
-void LiveFiles::add_marginalised(const Odometry& odometry) {
-  if (recovery_log_.is_broken()) return;
-  MarginalisedKeyframes marginalised = odometry.marginalised_keyframes(recovery_log_.marginalised());
-  if (marginalised.revision != recovery_log_.revision()) marginalised = odometry.marginalised_keyframes();
-  recovery_log_.add_keyframes(marginalised);
-  if (const auto window = odometry.active_keyframes(recovery_log_.window()))
-    recovery_log_.add_window(*window);
-  if (const auto& reference = odometry.newest_pose().reference) recovery_log_.add_camera(reference->camera);
+// Without a recovery log, too: an event is kept in memory until it has been read.
+void LiveFiles::write_events() {
+  const auto events = events_.read();
+  if (!recovery_log_.is_broken()) recovery_log_.add(events);
 }
 
 }  // namespace edgevo

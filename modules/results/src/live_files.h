@@ -4,7 +4,7 @@
 // written again, completely, at the end of the run.
 #include <string>
 
-#include "edgevo/odometry/odometry.h"
+#include "edgevo/map/map_log.h"
 #include "edgevo/results/recovery_log.h"
 #include "growing_file.h"
 
@@ -13,19 +13,21 @@ namespace edgevo {
 /// Writes the files that grow during a run.
 class LiveFiles {
  public:
-  /// Throws InputError if the recovery log cannot be made.
-  LiveFiles(const std::string& folder, const RecoveryHeader& header);
+  /// `events`: those of the run from its first frame on. Throws InputError if the recovery log cannot be
+  /// made.
+  LiveFiles(const std::string& folder, const RecoveryHeader& header, MapCursor events);
 
-  /// Appends a frame, the keyframes marginalised by then and those of the window.
-  void add(const FrameRecord& frame, const Odometry& odometry);
+  /// Appends a frame to the two text files.
+  void add(const FrameRecord& frame);
+  /// Appends the events so far to the recovery log.
+  void write_events();
 
   /// Whether the recovery log has ended for lack of space.
   bool is_broken() const { return recovery_log_.is_broken(); }
 
  private:
-  void add_marginalised(const Odometry& odometry);
-
   RecoveryLog recovery_log_;
+  MapCursor events_;
   GrowingFile trajectory_, frames_;
 };
 

@@ -11,29 +11,16 @@
 namespace edgevo {
 
 /// First line of the file. Its number is the version of the layout.
-constexpr std::string_view kRecoveryFirstLine = "edgevo run journal 1\n";
+constexpr std::string_view kRecoveryFirstLine = "edgevo recovery log 2\n";
 /// Name of the window file while it is being written, before it replaces kRunWindow.
 constexpr const char* kNextRunWindow = "unfinished_window.bin.new";
 
-/// Kinds of records.
-enum class RecoveryKind : uint8_t {
-  /// The header: the first record, once.
-  kHeader,
-  /// A frame as it was tracked.
-  kFrame,
-  /// A frame again, with the pose found for it later.
-  kLatePose,
-  /// The result of self-calibration from here on.
-  kCamera,
-  /// A keyframe that has left the window.
-  kKeyframe,
-  /// A keyframe again after a correction of the camera; all keyframes so far follow in their order.
-  kRevisedKeyframe,
-  /// End of the revised keyframes, which now replace those before.
-  kRevised,
-  /// Number of revisions so far and the keyframes of the window; in the window file only.
-  kWindow
-};
+/// Kind of a record: the header, which is the first record, or an event.
+using RecoveryKind = uint8_t;
+/// The header.
+constexpr RecoveryKind kHeaderRecord = 0;
+/// The first kind of event; the others follow in the order of MapEvent.
+constexpr RecoveryKind kFirstEventRecord = 1;
 
 /// Checksum of `bytes`, continued from the checksum `sum` of the bytes before (0: none).
 uint32_t recovery_checksum(uint32_t sum, std::string_view bytes);

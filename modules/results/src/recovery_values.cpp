@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recovery_values.h"
 
-// The fields of each type are listed once, in visit_*(); writing and reading share that list.
+#include <memory>
+#include <utility>
+
+#include "bytes.h"
+
+// The fields of each type are listed once, in visit() and visit_*(); writing and reading share that list.
 namespace edgevo {
 namespace {
 
 struct Writing {
+  template <class T>
+  using Value = const T;
+
   ByteWriter* out;
   template <class T>
   void plain(const T& v) {
@@ -27,9 +35,16 @@ struct Writing {
     out->value(value.has_value());
     if (value) each(*value);
   }
+  template <class T, class Each>
+  void shared(const std::shared_ptr<const T>& value, const Each& each) {
+    each(value ? *value : T());
+  }
 };
 
 struct Reading {
+  template <class T>
+  using Value = T;
+
   ByteReader* in;
   template <class T>
   void plain(T& v) {
@@ -40,8 +55,9 @@ struct Reading {
   void pose(SE3& T) {
     double v[7];
     for (double& x : v) x = in->value<double>();
-    const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
-    if (q.norm() > 0) T = SE3(q, Eigen::Vector3d(v[0], v[1], v[2]));
+    T = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(v[0], v[1], v[2]));
+    // The bits that were written: the constructor would normalise them again.
+    const_cast<Eigen::Quaterniond&>(T.rotation()) = Eigen::Quaterniond(v[6], v[3], v[4], v[5]);
   }
   template <class T, class Each>
   void list(std::vector<T>& values, const Each& each) {
@@ -50,6 +66,12 @@ struct Reading {
   template <class T, class Each>
   void maybe(std::optional<T>& value, const Each& each) {
     if (in->value<bool>()) each(value.emplace());
+  }
+  template <class T, class Each>
+  void shared(std::shared_ptr<const T>& value, const Each& each) {
+    auto read = std::make_shared<T>();
+    each(*read);
+    value = std::move(read);
   }
 };
 
@@ -89,12 +111,17 @@ void visit_header(Visit& v, Header& header) {
   visit_pose(v, header.T_vehicle_cam);
 }
 
+template <class Visit, class Times>
+void visit_times(Visit& v, Times& times) {
+  v.list(times, [&](auto& stage) { v.text(stage.first), v.plain(stage.second); });
+}
+
 template <class Visit, class Frame>
 void visit_frame(Visit& v, Frame& f) {
   v.plain(f.index), v.plain(f.time), v.plain(f.state), v.plain(f.segment), v.plain(f.is_keyframe);
   v.reason(f.keyframe_reason);
   v.plain(f.inlier_share), v.plain(f.residual_px), v.plain(f.edges);
-  v.list(f.stage_ms, [&](auto& stage) { v.text(stage.first), v.plain(stage.second); });
+  visit_times(v, f.stage_ms);
   visit_pose(v, f.T_world_cam_live);
   visit_numbers(v, f.covariance);
   v.text(f.note);
@@ -127,48 +154,120 @@ void visit_refinement(Visit& v, Refinement& c) {
   v.plain(s.state), v.plain(s.readout_s), v.plain(s.estimate), v.plain(s.sigma), v.plain(s.keyframes);
 }
 
+template <class Visit, class Correction>
+void visit_correction(Visit& v, Correction& c) {
+  v.plain(c.k1), v.plain(c.readout_s);
+}
+
+template <class Visit, class Move>
+void visit_move(Visit& v, Move& m) {
+  v.plain(m.id), v.pose(m.T_cam_newest), v.plain(m.length_ratio);
+  v.list(m.points, [&](auto& p) { visit_numbers(v, p.px), v.plain(p.idepth); });
+  visit_numbers(v, m.motion.velocity), visit_numbers(v, m.motion.idepth);
+}
+
+// ---- the events ----
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<SegmentPlaced>& e) {
+  v.plain(e.segment), v.plain(e.T_world_map.scale), v.pose(e.T_world_map.rigid), v.plain(e.method);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<KeyframeAdded>& e) {
+  v.plain(e.id), v.plain(e.frame_index), v.plain(e.segment);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<KeyframeMarginalised>& e) {
+  v.plain(e.id);
+  v.shared(e.keyframe, [&](auto& k) { visit_keyframe(v, k); });
+  v.list(e.neighbours,
+         [&](auto& n) { v.plain(n.id), v.pose(n.T_leaving_neighbour), visit_numbers(v, n.covariance); });
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<MapMoved>& e) {
+  v.plain(e.reason), v.plain(e.segment), v.pose(e.T_newest_map);
+  v.list(e.keyframes, [&](auto& move) { visit_move(v, move); });
+  v.maybe(e.lens, [&](auto& lens) { visit_correction(v, lens.before), visit_correction(v, lens.now); });
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<WindowAdjusted>& e) {
+  v.plain(e.moves);
+  v.shared(e.keyframes, [&](auto& active) {
+    v.list(active, [&](auto& a) { v.plain(a.id), visit_keyframe(v, a.keyframe); });
+  });
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<LinesFinished>& e) {
+  v.plain(e.keyframe_id);
+  v.list(e.lines, [&](auto& line) { visit_line(v, line); });
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<CameraEstimated>& e) {
+  visit_refinement(v, e.camera);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<FrameMapped>& e) {
+  v.plain(e.frame_index), visit_times(v, e.times);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<FrameAnchored>& e) {
+  visit_frame(v, e.frame);
+  v.maybe(e.anchor, [&](auto& a) {
+    v.plain(a.keyframe_id), v.pose(a.T_cam_ref), v.pose(a.T_cam_map), v.plain(a.moves);
+  });
+}
+
+// An event of the alternative `index` of MapEvent, with its default values.
+template <size_t... I>
+MapEvent blank_event(size_t index, std::index_sequence<I...>) {
+  MapEvent event;
+  (void)((I == index && (event.emplace<I>(), true)) || ...);
+  return event;
+}
+
+constexpr size_t kEvents = std::variant_size_v<MapEvent>;
+
 }  // namespace
 
-void write_value(const RecoveryHeader& header, ByteWriter* out) {
-  Writing v{out};
+RecoveryKind kind_of(const MapEvent& event) { return RecoveryKind(kFirstEventRecord + event.index()); }
+
+std::string bytes_of(const RecoveryHeader& header) {
+  ByteWriter out;
+  Writing v{&out};
   visit_header(v, header);
-}
-void write_value(const FrameRecord& frame, ByteWriter* out) {
-  Writing v{out};
-  visit_frame(v, frame);
-}
-void write_value(const KeyframeRecord& keyframe, ByteWriter* out) {
-  Writing v{out};
-  visit_keyframe(v, keyframe);
-}
-void write_value(const CameraRefinement& camera, ByteWriter* out) {
-  Writing v{out};
-  visit_refinement(v, camera);
-}
-void write_value(const std::vector<KeyframeRecord>& keyframes, ByteWriter* out) {
-  Writing v{out};
-  v.list(keyframes, [&](const KeyframeRecord& k) { visit_keyframe(v, k); });
+  return out.bytes();
 }
 
-void read_value(ByteReader* in, RecoveryHeader* header) {
-  Reading v{in};
-  visit_header(v, *header);
+std::string bytes_of(const MapEvent& event) {
+  ByteWriter out;
+  Writing v{&out};
+  std::visit([&](const auto& e) { visit(v, e); }, event);
+  return out.bytes();
 }
-void read_value(ByteReader* in, FrameRecord* frame) {
-  Reading v{in};
-  visit_frame(v, *frame);
+
+std::optional<RecoveryHeader> read_header(const std::string& content) {
+  ByteReader in(content);
+  Reading v{&in};
+  RecoveryHeader header;
+  visit_header(v, header);
+  return in.ok() ? std::make_optional(std::move(header)) : std::nullopt;
 }
-void read_value(ByteReader* in, KeyframeRecord* keyframe) {
-  Reading v{in};
-  visit_keyframe(v, *keyframe);
-}
-void read_value(ByteReader* in, CameraRefinement* camera) {
-  Reading v{in};
-  visit_refinement(v, *camera);
-}
-void read_value(ByteReader* in, std::vector<KeyframeRecord>* keyframes) {
-  Reading v{in};
-  v.list(*keyframes, [&](KeyframeRecord& k) { visit_keyframe(v, k); });
+
+std::optional<MapEvent> read_event(RecoveryKind kind, const std::string& content) {
+  if (kind < kFirstEventRecord || kind >= kFirstEventRecord + kEvents) return std::nullopt;
+  ByteReader in(content);
+  Reading v{&in};
+  MapEvent event = blank_event(size_t(kind - kFirstEventRecord), std::make_index_sequence<kEvents>());
+  std::visit([&](auto& e) { visit(v, e); }, event);
+  return in.ok() ? std::make_optional(std::move(event)) : std::nullopt;
 }
 
 }  // namespace edgevo

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Records of a run as bytes and back. A value read is complete only if the reader is still ok().
-#include "bytes.h"
+// Header and events of a recovery log as the contents of its records and back.
+#include <optional>
+#include <string>
+
 #include "edgevo/results/recovery_log.h"
+#include "recovery_format.h"
 
 namespace edgevo {
 
-void write_value(const RecoveryHeader& header, ByteWriter* out);
-void write_value(const FrameRecord& frame, ByteWriter* out);
-void write_value(const KeyframeRecord& keyframe, ByteWriter* out);
-void write_value(const CameraRefinement& camera, ByteWriter* out);
-void write_value(const std::vector<KeyframeRecord>& keyframes, ByteWriter* out);
+/// The kind of record that an event is written as.
+RecoveryKind kind_of(const MapEvent& event);
+/// The content of the record.
+std::string bytes_of(const RecoveryHeader& header);
+/// As above. MapMoved::prior is omitted.
+std::string bytes_of(const MapEvent& event);
 
-void read_value(ByteReader* in, RecoveryHeader* header);
-void read_value(ByteReader* in, FrameRecord* frame);
-void read_value(ByteReader* in, KeyframeRecord* keyframe);
-void read_value(ByteReader* in, CameraRefinement* camera);
-void read_value(ByteReader* in, std::vector<KeyframeRecord>* keyframes);
+/// The header back; nothing if it is incomplete.
+std::optional<RecoveryHeader> read_header(const std::string& content);
+/// The event back; nothing if it is incomplete or `kind` is not that of an event.
+std::optional<MapEvent> read_event(RecoveryKind kind, const std::string& content);
 
 }  // namespace edgevo

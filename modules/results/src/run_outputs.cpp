@@ -42,7 +42,7 @@ void RunOutputs::Impl::begin() {
   if (playback) return;
   earlier.set_aside();
   playback.emplace(folder.path(), camera);
-  if (recovery_header) live.emplace(folder.path(), *recovery_header);
+  if (recovery_header) live.emplace(folder.path(), *recovery_header, std::move(*events));
 }
 
 void RunOutputs::Impl::write_image(const Frame& frame, const std::string& image_path) {
@@ -66,7 +66,10 @@ RunOutputs::RunOutputs(const std::string& folder, const Camera& camera, const Ma
 
 RunOutputs::~RunOutputs() { impl_->remove_if_unused(); }
 
-void RunOutputs::keep_recovery_log(const RecoveryHeader& header) { impl_->recovery_header = header; }
+void RunOutputs::keep_recovery_log(const RecoveryHeader& header, const std::shared_ptr<MapLog>& log) {
+  impl_->recovery_header = header;
+  impl_->events.emplace(log);
+}
 
 void RunOutputs::adopt(int last_frame) {
   impl_->playback.emplace(impl_->folder.path(), impl_->camera);
@@ -85,14 +88,18 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
   return !impl_->images_failed;
 }
 
-void RunOutputs::add_record(const FrameRecord& record, const Odometry& odometry) {
+void RunOutputs::add_record(const FrameRecord& record) {
   impl_->begin();
   if (record.T_world_cam_live && impl_->earlier.is_set_aside()) impl_->earlier.remove();
-  if (impl_->live) impl_->live->add(record, odometry);
+  if (!impl_->live) return;
+  impl_->live->write_events();
+  impl_->live->add(record);
 }
 
 void RunOutputs::finish(const Run& run, const RunInfo& info) {
   impl_->begin();
+  // Writing takes seconds, and the program may be killed before the end.
+  if (impl_->live) impl_->live->write_events();
   if (count(run).with_pose > 0) impl_->earlier.remove();
   ExportContext context{run, impl_->params, &info, &impl_->camera, &*impl_->playback, &impl_->meter};
   context.use_of_run = impl_->meter.so_far();

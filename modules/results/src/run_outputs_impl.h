@@ -31,6 +31,8 @@ struct RunOutputs::Impl {
   RunFolder folder;
   SpaceReserve text_reserve, summary_reserve;
   std::optional<RecoveryHeader> recovery_header;
+  /// For `live`, which begin() makes.
+  std::optional<MapCursor> events;
   /// Writer of the images; set by begin().
   std::optional<PlaybackWriter> playback;
   std::optional<LiveFiles> live;

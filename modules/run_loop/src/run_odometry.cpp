@@ -29,6 +29,7 @@ struct RunLoop {
   const OdometryOptions& options;
   const Stop& stop;
   const OnFrame& on_frame;
+  const std::function<FrameView()> view;
   RunResult* result;
 };
 
@@ -36,7 +37,7 @@ void log(const RunLoop& loop, const Frame& frame, const std::string& what) {
   if (loop.options.log) loop.options.log("frame " + std::to_string(frame.index) + ": " + what);
 }
 
-const FrameRecord& skip_bad_frame(const RunLoop& loop, const Frame& frame) {
+FrameRecord skip_bad_frame(const RunLoop& loop, const Frame& frame) {
   const std::string reason = loop.source.take_reason(frame.index);
   if (loop.result->skipped++ == 0) loop.result->first_skipped = reason;
   const std::string note = "left out: " + reason;
@@ -44,17 +45,17 @@ const FrameRecord& skip_bad_frame(const RunLoop& loop, const Frame& frame) {
   return loop.odometry.skip(frame, note);
 }
 
-const FrameRecord& process(const RunLoop& loop, const Frame& frame) {
+FrameRecord process(const RunLoop& loop, const Frame& frame) {
   if (frame.image.empty()) return skip_bad_frame(loop, frame);
-  const FrameRecord* record = nullptr;
-  loop.result->cpu_s += cpu_seconds([&] { record = &loop.odometry.process(frame); });
-  return *record;
+  FrameRecord record;
+  loop.result->cpu_s += cpu_seconds([&] { record = loop.odometry.process(frame); });
+  return record;
 }
 
 void feed(const RunLoop& loop, ImageSource& source) {
   while (!loop.stop()) {
     const std::optional<Frame> frame = source.next();
-    if (!frame || !loop.on_frame({*frame, process(loop, *frame), loop.odometry})) break;
+    if (!frame || !loop.on_frame({*frame, process(loop, *frame), loop.view})) break;
   }
 }
 
@@ -74,12 +75,12 @@ void feed_realtime(const RunLoop& loop, LiveFeed& feed, LatencyStats* latency) {
     const std::optional<FedFrame> fed = feed.next(loop.stop);
     if (!fed) break;
     skip_dropped(loop, *fed, latency);
-    const FrameRecord& record = process(loop, fed->frame);
+    const FrameRecord record = process(loop, fed->frame);
     if (fed->frame.image.empty())
       latency->note_skipped();
     else
       latency->note_done(fed->due_s, fed->delivered_s, feed.now_s());
-    if (!loop.on_frame({fed->frame, record, loop.odometry})) break;
+    if (!loop.on_frame({fed->frame, record, loop.view})) break;
   }
 }
 
@@ -109,7 +110,8 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   ImageSource& frames =
       requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   RunResult result;
-  const RunLoop loop{lenient, odometry, options, stop, on_frame, &result};
+  const RunLoop loop{lenient, odometry, options, stop, on_frame, [&] { return odometry.frame_view(); },
+                     &result};
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
   if (options.realtime) {
     LiveFeed live_feed(frames, requested.pace);

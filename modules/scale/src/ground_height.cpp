@@ -74,7 +74,7 @@ std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::
   const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
   if (!(height > 0) || aside > params.ground_width * height || d.dot(axes->forward) > kMaxAhead * height)
     return std::nullopt;
-  return HeightSample{path[*j].distance, height, p_world};
+  return HeightSample{path[*j].distance, height};
 }
 
 // ---- the mode of the heights: a histogram of their logarithms, smoothed, then the weighted mean around its

@@ -26,19 +26,37 @@ LiveScale::LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleT
       params_(params) {}
 
 void LiveScale::add_frame(const FrameRecord& frame) {
-  if (frame.T_world_cam_live) {
-    if (frame.segment != segment_) begin_segment(frame.segment);
-    extend(frame.index, frame.time, *frame.T_world_cam_live, &path_);
-    if (source_.sensor() && ++frames_since_fit_ >= kFramesBetweenFits) estimate_from_track();
-    forget_what_lies_behind();
-  }
-  history_.push_back(newest_);
+  const bool is_next = history_.empty() || frame.index > newest_frame_;
+  const bool changes_segment =
+      frame.index == newest_frame_ && has_pose_ && frame.T_world_cam_live && frame.segment != segment_;
+  if (!is_next && !changes_segment) return;
+  if (is_next) history_.emplace_back();
+  newest_frame_ = frame.index;
+  has_pose_ = frame.T_world_cam_live.has_value();
+  if (has_pose_) extend_path(frame);
+  history_.back() = newest_;
 }
 
-void LiveScale::add_keyframe(const KeyframeRecord& keyframe) {
+void LiveScale::extend_path(const FrameRecord& frame) {
+  if (frame.segment != segment_) begin_segment(frame.segment);
+  extend(frame.index, frame.time, *frame.T_world_cam_live, &path_);
+  if (source_.sensor() && ++frames_since_fit_ >= kFramesBetweenFits) estimate_from_track();
+  forget_what_lies_behind();
+}
+
+void LiveScale::add_keyframe(int id, const KeyframeRecord& keyframe) {
   if (source_.kind != ScaleSource::Kind::kCameraHeight || keyframe.segment != segment_) return;
-  const std::vector<HeightSample> heights = ground_heights(pinhole_, keyframe, path_, false, params_);
-  heights_.insert(heights_.end(), heights.begin(), heights.end());
+  for (HeightSample& height : ground_heights(pinhole_, keyframe, path_, false, params_)) {
+    height.keyframe_id = id;
+    heights_.push_back(height);
+  }
+  estimate_from_ground();
+}
+
+void LiveScale::apply(const MapMoved& moved) {
+  if (moved.segment != segment_) return;
+  for (HeightSample& height : heights_)
+    if (const KeyframeMove* move = moved.find(height.keyframe_id)) height.height *= move->length_ratio;
   estimate_from_ground();
 }
 

@@ -2,6 +2,7 @@
 #include "edgevo/scale/run_scaling.h"
 
 #include "edgevo/core/error.h"
+#include "edgevo/map/run_builder.h"
 #include "edgevo/scale/given_scale.h"
 #include "edgevo/scale/run_scale.h"
 #include "edgevo/scale/track_scale.h"
@@ -58,13 +59,34 @@ RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const P
       track_(std::move(track)),
       live_(pinhole, requested, track_, T_vehicle_cam, params) {}
 
-void RunScaling::add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& marginalised) {
+void RunScaling::apply(const MapEvent& event) {
   if (!requested_.is_estimated()) return;
-  live_.add_frame(frame);
-  for (const KeyframeRecord& keyframe : marginalised) live_.add_keyframe(keyframe);
+  if (const auto* placed = std::get_if<SegmentPlaced>(&event)) {
+    T_world_map_[placed->segment] = placed->T_world_map;
+    waiting_.clear();
+  } else if (const auto* frame = std::get_if<FrameAnchored>(&event)) {
+    add_waiting();
+    live_.add_frame(frame->frame);
+  } else if (const auto* marginalised = std::get_if<KeyframeMarginalised>(&event)) {
+    waiting_.push_back(*marginalised);
+  } else if (const auto* moved = std::get_if<MapMoved>(&event)) {
+    add_waiting();
+    live_.apply(*moved);
+  }
 }
 
-void RunScaling::apply(Run* run) const {
+void RunScaling::add_waiting() {
+  for (const KeyframeMarginalised& marginalised : waiting_) {
+    KeyframeRecord keyframe = *marginalised.keyframe;
+    const auto T_world_map = T_world_map_.find(keyframe.segment);
+    if (T_world_map == T_world_map_.end()) continue;  // in a damaged recovery log only
+    move_to_world(T_world_map->second, &keyframe);
+    live_.add_keyframe(marginalised.id, keyframe);
+  }
+  waiting_.clear();
+}
+
+void RunScaling::convert(Run* run) const {
   if (requested_.kind == ScaleSource::Kind::kFactor) scale_run(requested_.value, requested_.text, run);
   if (!requested_.is_estimated()) return;
   const RunScale scale = estimate_run_scale(*run, requested_, track_, params_);

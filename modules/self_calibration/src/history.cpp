@@ -7,7 +7,7 @@
 
 #include "edgevo/bundle_adjustment/gauge.h"
 #include "edgevo/core/order_statistics.h"
-#include "edgevo/mapping/map_revision.h"
+#include "edgevo/map/corrected_pixel.h"
 
 namespace edgevo {
 namespace {

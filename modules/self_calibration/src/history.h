@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "camera_problem.h"
-#include "edgevo/mapping/keyframe.h"
+#include "edgevo/map/keyframe.h"
 
 namespace edgevo {
 

@@ -10,7 +10,7 @@
 
 #include "camera_finder.h"
 #include "history.h"
-#include "revision.h"
+#include "map_move.h"
 
 namespace edgevo {
 namespace {
@@ -30,10 +30,19 @@ int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
                                      : 2 * keyframes;
 }
 
+// The keyframes of the map that have matches, by id.
+std::vector<const Keyframe*> all_keyframes(const Map& map) {
+  std::vector<const Keyframe*> keyframes;
+  for (const Keyframe& k : map.marginalised()) keyframes.push_back(&k);
+  for (const Keyframe& k : map.active()) keyframes.push_back(&k);
+  return keyframes;
+}
+
 }  // namespace
 
 // An estimate in a thread of its own, on a copy of the data at its beginning.
 struct SelfCalibration::Job {
+  int moves = 0;  // of the map at its beginning
   CalibrationHistory history;
   std::future<CameraFinding> finding;  // last member: it waits for its thread before the history is destroyed
 };
@@ -67,46 +76,24 @@ SelfCalibration::SelfCalibration(SelfCalibration&&) noexcept = default;
 SelfCalibration& SelfCalibration::operator=(SelfCalibration&&) noexcept = default;
 SelfCalibration::~SelfCalibration() = default;
 
-void SelfCalibration::remember(const Keyframe& keyframe) {
-  if (finished_ || params_.refine == "none") return;
-  history_.push_back(keyframe);
-  history_.back().pyramid.reset();
-  history_.back().immature.clear();
-  history_.back().corners.clear();
+bool SelfCalibration::is_due(const Map& map) const {
+  return !job_ && needs_matches() && int(map.marginalised().size() + map.active().size()) >= next_checkpoint_;
 }
 
-bool SelfCalibration::is_due(int window_keyframes) const {
-  return !job_ && !finished_ && params_.refine != "none" &&
-         int(history_.size()) + window_keyframes >= next_checkpoint_;
-}
+void SelfCalibration::cancel() { job_.reset(); }
 
-void SelfCalibration::forget() {
-  job_.reset();
-  history_.clear();
-}
-
-// Advances to the next checkpoint; after the last one nothing is remembered any more.
+// Advances to the next checkpoint; after the last one no matches are needed any more.
 void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
   const int last = params_.min_keyframes << (kCheckpoints - 1);
   while (keyframes >= next_checkpoint_ && next_checkpoint_ < last)
     next_checkpoint_ = checkpoint_after(next_checkpoint_, params_);
-  if (keyframes < last || at_end) return;
-  finished_ = true;
-  history_.clear();
-  history_.shrink_to_fit();
+  if (keyframes >= last && !at_end) finished_ = true;
 }
 
-std::vector<const Keyframe*> SelfCalibration::all_keyframes(
-    const std::vector<const Keyframe*>& window) const {
-  std::vector<const Keyframe*> keyframes;
-  for (const Keyframe& k : history_) keyframes.push_back(&k);
-  keyframes.insert(keyframes.end(), window.begin(), window.end());
-  return keyframes;
-}
-
-void SelfCalibration::begin(const std::vector<const Keyframe*>& window, const BaOptions& options) {
+void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
-  job_->history = make_history(pinhole_, state_.correction(), all_keyframes(window));
+  job_->moves = map.moves();
+  job_->history = make_history(pinhole_, state_.correction(), all_keyframes(map));
   job_->finding =
       std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_,
                                       options] { return find_camera(problem, known, params, options); });
@@ -116,15 +103,20 @@ bool SelfCalibration::is_ready() const {
   return job_ && job_->finding.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Keyframe*>& window,
-                                                     const BaOptions& options, bool at_end) {
-  if (finished_ || params_.refine == "none" || window.empty()) return std::nullopt;
-  const std::vector<const Keyframe*> keyframes = all_keyframes(window);
+std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOptions& options, bool at_end) {
+  if (!needs_matches() || map.active().empty()) return std::nullopt;
+  const std::vector<const Keyframe*> keyframes = all_keyframes(map);
   if (int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
   const CalibrationHistory history = make_history(pinhole_, state_.correction(), keyframes);
   int known = int(keyframes.size());
   CameraFinding found;
-  if (const std::unique_ptr<Job> job = std::move(job_)) {
+  std::unique_ptr<Job> job = std::move(job_);
+  if (job && job->moves != map.moves()) {
+    // Others have moved the map meanwhile: the estimate would move it back.
+    if (!at_end) return std::nullopt;
+    job.reset();
+  }
+  if (job) {
     known = int(job->history.point_index.size());
     found = job->finding.get();
     if (found.estimate) found.estimate->solution = carry_over(job->history, *found.estimate, history);
@@ -132,15 +124,15 @@ std::optional<MapRevision> SelfCalibration::estimate(const std::vector<const Key
     found = find_camera(history.problem, state_, params_, options);
   }
   const ImageCorrection before = state_.correction();
-  std::optional<MapRevision> revision;
+  std::optional<MapMoved> moved;
   state_ = found.state;
   if (found.estimate) {
-    revision =
-        make_revision(pinhole_, before, keyframes, history_.size(), history, options, &*found.estimate);
-    apply_to_history(pinhole_, *revision, &history_);
+    moved =
+        make_move(pinhole_, before, keyframes, map.marginalised().size(), history, options, &*found.estimate);
+    moved->segment = map.segment();
   }
   pass_checkpoint(known, at_end);
-  return revision;
+  return moved;
 }
 
 }  // namespace edgevo

@@ -24,25 +24,26 @@ constexpr const char* kHelp = "space pause   s step   c colour   f follow   q qu
 }  // namespace
 
 struct RunView::Impl {
-  explicit Impl(const std::optional<SE3>& T_vehicle_cam) : window("edgevo", kWidth, kHeight) {
+  Impl(const std::optional<SE3>& T_vehicle_cam, std::shared_ptr<MapLog> log)
+      : window("edgevo", kWidth, kHeight) {
     mrpt::opengl::COpenGLScene::Ptr& scene = window.get3DSceneAndLock();
     scene->createViewport(kImageViewport);
     const auto main = scene->getViewport();
     main->setCustomBackgroundColor({0.08f, 0.09f, 0.1f});
-    map.emplace(T_vehicle_cam, main.get());
+    map.emplace(T_vehicle_cam, std::move(log), main.get());
     window.unlockAccess3DScene();
     window.setCameraElevationDeg(35);
     window.setCameraAzimuthDeg(200);  // from behind: x is forward at the first image
   }
 
   void draw(const ProcessedFrame& processed) {
-    const FrameView view = processed.odometry.frame_view();
+    const FrameView view = processed.view();
     if (!view.pyramid) return;
     mrpt::img::CImage picture(draw_frame(view, colour), mrpt::img::DEEP_COPY);
     const double share = std::min(kLargestImageShare, double(kWidth) / kHeight * double(picture.getHeight()) /
                                                           double(picture.getWidth()));
     mrpt::opengl::COpenGLScene::Ptr& scene = window.get3DSceneAndLock();
-    map->update(processed.record, processed.odometry, view);
+    map->update(processed.record, view);
     const auto image = scene->getViewport(kImageViewport);
     image->setViewportPosition(0, 0, 1, share);
     image->setImageView(std::move(picture));
@@ -90,14 +91,15 @@ struct RunView::Impl {
   bool paused = false, step = false, follow = true, zoomed = false, end = false;
 };
 
-std::unique_ptr<RunView> RunView::open(const std::optional<SE3>& T_vehicle_cam, std::string* why) {
+std::unique_ptr<RunView> RunView::open(const std::optional<SE3>& T_vehicle_cam, std::shared_ptr<MapLog> log,
+                                       std::string* why) {
   if (!has_display()) {
     const char* name = std::getenv("DISPLAY");
     *why = name ? std::string("the display ") + name + " does not answer"
                 : "there is no display (DISPLAY is not set)";
     return nullptr;
   }
-  auto impl = std::make_unique<Impl>(T_vehicle_cam);
+  auto impl = std::make_unique<Impl>(T_vehicle_cam, std::move(log));
   if (!impl->window.isOpen()) {
     *why = "the window does not open";
     return nullptr;

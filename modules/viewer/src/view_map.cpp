@@ -4,6 +4,7 @@
 #include <mrpt/opengl/CGridPlaneXY.h>
 
 #include <array>
+#include <utility>
 
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/point_filter.h"
@@ -46,7 +47,9 @@ double median_depth_of(const std::vector<SeenPoint>& points) {
 
 }  // namespace
 
-ViewMap::ViewMap(const std::optional<SE3>& T_vehicle_cam, mrpt::opengl::COpenGLViewport* viewport) {
+ViewMap::ViewMap(const std::optional<SE3>& T_vehicle_cam, std::shared_ptr<MapLog> log,
+                 mrpt::opengl::COpenGLViewport* viewport)
+    : events_(std::move(log)) {
   Run run;
   run.T_vehicle_cam = T_vehicle_cam;
   T_map_world_ = T_map_world(run);
@@ -56,16 +59,9 @@ ViewMap::ViewMap(const std::optional<SE3>& T_vehicle_cam, mrpt::opengl::COpenGLV
   frustum_ = insert_lines(viewport, mrpt::img::TColor(250, 210, 60), 2);
 }
 
-void ViewMap::update(const FrameRecord& record, const Odometry& odometry, const FrameView& view) {
+void ViewMap::update(const FrameRecord& record, const FrameView& view) {
   const Pinhole& pinhole = view.pyramid->finest().pinhole;
-  MarginalisedKeyframes marginalised = odometry.marginalised_keyframes(marginalised_keyframes_);
-  if (marginalised.revision != revision_) {
-    revision_ = marginalised.revision;
-    map_points_->clear();
-    marginalised_keyframes_ = 0;
-    marginalised = odometry.marginalised_keyframes(0);
-  }
-  add_marginalised(marginalised, pinhole);
+  follow_map(pinhole);
   seen_points_->clear();
   if (!record.T_world_cam_live) return;
   const SE3 T_map_cam = T_map_world_ * *record.T_world_cam_live;
@@ -77,18 +73,25 @@ void ViewMap::update(const FrameRecord& record, const Odometry& odometry, const 
   segment_ = record.segment;
 }
 
+void ViewMap::follow_map(const Pinhole& pinhole) {
+  for (const auto& event : events_.read()) keyframes_.apply(pinhole, *event);
+  if (keyframes_.moves() != moves_) {
+    moves_ = keyframes_.moves();
+    map_points_->clear();
+    drawn_ = 0;
+  }
+  for (; drawn_ < keyframes_.size(); ++drawn_) draw_keyframe(keyframes_.in_world(drawn_), pinhole);
+}
+
 // Points have the gray of their images, a little brighter on the dark background.
-void ViewMap::add_marginalised(const MarginalisedKeyframes& marginalised, const Pinhole& pinhole) {
+void ViewMap::draw_keyframe(const KeyframeRecord& keyframe, const Pinhole& pinhole) {
   const PointFilter filter;
-  for (const KeyframeRecord& keyframe : marginalised.keyframes) {
-    ++marginalised_keyframes_;
-    const SE3 T_map_cam = T_map_world_ * keyframe.T_world_cam;
-    for (const EdgePoint& p : keyframe.points) {
-      if (!filter.keeps(p) || map_points_->size() >= kMaxPoints) continue;
-      const Eigen::Vector3f q = (T_map_cam * point_in_camera(pinhole, p)).cast<float>();
-      const float gray = 0.35f + 0.65f * float(p.gray) / 255;
-      map_points_->push_back(q.x(), q.y(), q.z(), 0.8f * gray, gray, gray);
-    }
+  const SE3 T_map_cam = T_map_world_ * keyframe.T_world_cam;
+  for (const EdgePoint& p : keyframe.points) {
+    if (!filter.keeps(p) || map_points_->size() >= kMaxPoints) continue;
+    const Eigen::Vector3f q = (T_map_cam * point_in_camera(pinhole, p)).cast<float>();
+    const float gray = 0.35f + 0.65f * float(p.gray) / 255;
+    map_points_->push_back(q.x(), q.y(), q.z(), 0.8f * gray, gray, gray);
   }
 }
 

@@ -256,5 +256,124 @@ TEST(BundleAdjustmentMarginalize, MarginalisingAnUnobservedPoseChangesNothing) {
   EXPECT_EQ(std::count(drop.begin(), drop.end(), true), 0);
 }
 
+// ---- covariance relative to poses that stay ----
+
+// A scene at its true values whose points are all hosted by pose 2, with matches known to a tenth of a pixel.
+BaProblem points_of_one_host() {
+  SceneOptions o;
+  o.poses = 5;
+  o.points = 400;
+  const BaProblem p = make_scene(o);
+  BaProblem q = p;
+  q.points.clear();
+  q.observations.clear();
+  int last = -1;
+  for (BaObservation m : p.observations) {
+    if (p.points[m.point].host != 2) continue;
+    if (m.point != last) q.points.push_back(p.points[m.point]);
+    last = m.point;
+    m.point = int(q.points.size()) - 1;
+    m.inv_sigma_normal *= 10, m.inv_sigma_tangent *= 10;
+    q.observations.push_back(m);
+  }
+  return q;
+}
+
+// Errors as large as the matches claim.
+BaProblem with_noise(BaProblem p, Random* random) {
+  for (BaObservation& m : p.observations) {
+    m.px += random->normal() / m.inv_sigma_normal * m.normal;
+    if (m.inv_sigma_tangent > 0)
+      m.px += random->normal() / m.inv_sigma_tangent * Eigen::Vector2d(-m.normal.y(), m.normal.x());
+  }
+  return p;
+}
+
+SE3 relative(const BaProblem& p, int a, int b) {
+  return p.poses[a].T_cam_world * p.poses[b].T_cam_world.inverse();
+}
+
+// Solved again and again with other errors, relative poses scatter as much as their covariance says: to fixed
+// poses and to free ones.
+TEST(BundleAdjustmentMarginalize, RelativeCovarianceIsThatOfRepeatedSolves) {
+  constexpr int kTrials = 400;
+  const BaProblem truth = points_of_one_host();
+  BaOptions options = to_the_end();
+  options.huber_width = 1e3;
+  std::vector<bool> drop;
+  std::vector<RelativeCovariance> relatives{{101}, {103}, {104}};
+  marginalize(truth, 102, options, &drop, &relatives);
+  std::vector<double> squares(relatives.size());
+  Random random(3);
+  for (int n = 0; n < kTrials; ++n) {
+    BaProblem p = with_noise(truth, &random);
+    ASSERT_TRUE(make_bundle_adjuster("schur")->solve(&p, options).usable);
+    for (std::size_t i = 0; i < relatives.size(); ++i) {
+      const int other = relatives[i].pose_id - 100;
+      const Vector6d xi = (relative(p, 2, other) * relative(truth, 2, other).inverse()).log();
+      squares[i] += xi.dot(relatives[i].covariance.ldlt().solve(xi)) / kTrials;
+    }
+  }
+  // The mean of a chi-squared variable with 6 degrees of freedom, standard deviation 0.17.
+  for (std::size_t i = 0; i < squares.size(); ++i) EXPECT_NEAR(squares[i], 6, 0.7) << relatives[i].pose_id;
+}
+
+// Away from the prior's linearisation point, too: all information is in the prior, expressed there.
+TEST(BundleAdjustmentMarginalize, RelativeCovarianceUsesThePrior) {
+  BaProblem whole = make_scene(small_noise());
+  solve(&whole);
+  BaProblem rest = marginalized(marginalized(whole, 100), 101);
+  rest.points.clear();
+  rest.observations.clear();
+  rest = perturb(rest, 0.3, 0.1, 0, 4);
+  std::vector<bool> drop;
+  std::vector<RelativeCovariance> relatives{{104}};
+  marginalize(rest, 102, to_the_end(), &drop, &relatives);
+  // d T_rel / d xi, by differences, of poses exp(xi) linearization.
+  const auto& prior = *rest.prior;
+  const Eigen::Index n = prior.H.rows();
+  Eigen::MatrixXd J(6, n);
+  const int a = index_of(rest, 102), b = index_of(rest, 104);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto moved = [&](double step) {
+      BaProblem p = rest;
+      for (std::size_t i = 0; i < prior.pose_ids.size(); ++i) {
+        SE3& T = p.poses[index_of(p, prior.pose_ids[i])].T_cam_world;
+        Vector6d xi = (T * prior.linearization[i].inverse()).log();
+        if (k / 6 == Eigen::Index(i)) xi[k % 6] += step;
+        T = SE3::exp(xi) * prior.linearization[i];
+      }
+      return (relative(p, a, b) * relative(rest, a, b).inverse()).log();
+    };
+    J.col(k) = (moved(1e-6) - moved(-1e-6)) / 2e-6;
+  }
+  const Matrix6d expected = J * prior.H.inverse() * J.transpose();
+  EXPECT_LT((relatives[0].covariance - expected).norm(), 1e-5 * expected.norm());
+}
+
+TEST(BundleAdjustmentMarginalize, CovariancesChangeNoBitOfThePrior) {
+  BaProblem p = make_scene(small_noise());
+  solve(&p);
+  const BaProblem window = marginalized(p, 100);
+  std::vector<bool> drop;
+  std::vector<RelativeCovariance> relatives{{102}, {104}};
+  const BaPrior without = marginalize(window, 101, to_the_end(), &drop);
+  const BaPrior with = marginalize(window, 101, to_the_end(), &drop, &relatives);
+  EXPECT_EQ(with.H, without.H);
+  EXPECT_EQ(with.b, without.b);
+  EXPECT_EQ(with.constant, without.constant);
+}
+
+TEST(BundleAdjustmentMarginalize, WithoutMatchesTheCovarianceIsUnknown) {
+  SceneOptions o = small_noise();
+  o.poses = 3;
+  o.points = 0;
+  const BaProblem p = make_scene(o);
+  std::vector<bool> drop;
+  std::vector<RelativeCovariance> relatives{{102}};
+  marginalize(p, 101, to_the_end(), &drop, &relatives);
+  EXPECT_TRUE(relatives[0].covariance.isZero(0));
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines over many keyframes: each edge is mapped once, corrections of the camera move lines, and a thread
-// gives the same result.
+// Lines over many keyframes: each edge is mapped once, lines move with the map, and a thread gives the same
+// result.
 #include "edgevo/edge_map/edge_mapper.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "edgevo/map/run_builder.h"
 #include "support/sweep_scene.h"
 
 namespace edgevo {
@@ -32,23 +33,45 @@ std::deque<Keyframe> keyframes() {
   return made;
 }
 
-std::vector<HostedLines> lines_of(const EdgeMapParams& params, bool own_thread,
-                                  const MapRevision* revision = nullptr, EdgeTrace* trace = nullptr) {
-  std::deque<Keyframe> window = keyframes();
-  EdgeMapper mapper(Sweep::pinhole(), params, own_thread, trace);
-  while (!window.empty()) {
-    const Keyframe oldest = window.front();
-    window.pop_front();
-    mapper.add(oldest, window);
+// The lines as a consumer of the events holds them, by keyframe.
+using HostedLines = std::map<int, KeyframeRecord>;
+
+void follow(const std::vector<std::shared_ptr<const MapEvent>>& events, HostedLines* lines) {
+  for (const auto& event : events) {
+    if (const auto* e = std::get_if<LinesFinished>(event.get())) (*lines)[e->keyframe_id].lines = e->lines;
+    if (const auto* e = std::get_if<MapMoved>(event.get()))
+      for (auto& [id, record] : *lines)
+        if (const KeyframeMove* m = e->find(id)) apply_move(Sweep::pinhole(), *e, *m, &record);
   }
-  if (revision) mapper.apply(*revision);
-  EXPECT_EQ(mapper.skipped(), own_thread ? mapper.skipped() : 0);
-  return mapper.close();
 }
 
-size_t vertices_in(const std::vector<HostedLines>& hosted) {
+// `move` comes when the last keyframe of the window is left.
+HostedLines lines_of(const EdgeMapParams& params, bool own_thread, const MapMoved* move = nullptr,
+                     EdgeTrace* trace = nullptr) {
+  const auto log = std::make_shared<MapLog>();
+  MapCursor cursor(log);
+  Map map(Sweep::pinhole(), log);
+  EdgeMapper mapper(Sweep::pinhole(), params, own_thread, log, trace);
+  for (const Keyframe& k : keyframes()) map.add(k);
+  while (!map.active().empty()) {
+    if (move && map.active().size() == 1) {
+      mapper.wait_idle();
+      mapper.apply(map.move(*move, [](const Keyframe& k) { return k.pyramid; }));
+    }
+    map.marginalise_oldest({});
+    mapper.add(map);
+    map.evict_images(mapper.keyframes_needed());
+  }
+  EXPECT_EQ(mapper.skipped(), own_thread ? mapper.skipped() : 0);
+  mapper.close();
+  HostedLines lines;
+  follow(cursor.read(), &lines);
+  return lines;
+}
+
+size_t vertices_in(const HostedLines& hosted) {
   size_t count = 0;
-  for (const HostedLines& h : hosted)
+  for (const auto& [id, h] : hosted)
     for (const EdgeLine& line : h.lines) count += line.vertices.size();
   return count;
 }
@@ -57,7 +80,7 @@ TEST(EdgeMapper, MapsEachEdgeOnce) {
   EdgeMapParams full, each;
   full.max_relative_sigma = each.max_relative_sigma = 0.02;
   each.mode = "keyframes";
-  const std::vector<HostedLines> fused = lines_of(full, false), apart = lines_of(each, false);
+  const HostedLines fused = lines_of(full, false), apart = lines_of(each, false);
   EXPECT_EQ(fused.size(), keyframes().size());
   EXPECT_EQ(apart.size(), keyframes().size());
   std::cout << "[ figures  ] " << vertices_in(fused) << " vertices fused, " << vertices_in(apart) << " apart"
@@ -67,12 +90,11 @@ TEST(EdgeMapper, MapsEachEdgeOnce) {
 }
 
 // By keyframe and position in its image.
-std::map<std::tuple<int, float, float>, double> idepths_in(const std::vector<HostedLines>& hosted) {
+std::map<std::tuple<int, float, float>, double> idepths_in(const HostedLines& hosted) {
   std::map<std::tuple<int, float, float>, double> idepths;
-  for (const HostedLines& h : hosted)
+  for (const auto& [id, h] : hosted)
     for (const EdgeLine& line : h.lines)
-      for (const EdgeVertex& v : line.vertices)
-        idepths[{h.keyframe_id, v.px.x(), v.px.y()}] = double(v.idepth);
+      for (const EdgeVertex& v : line.vertices) idepths[{id, v.px.x(), v.px.y()}] = double(v.idepth);
   return idepths;
 }
 
@@ -99,7 +121,7 @@ TEST(EdgeMapper, AVertexHasTheMeanDepthOfItsKeyframes) {
 
 TEST(EdgeMapper, TheTraceShowsWhichPixelsBecameVertices) {
   EdgeTrace trace;
-  const std::vector<HostedLines> lines = lines_of(EdgeMapParams(), false, nullptr, &trace);
+  const HostedLines lines = lines_of(EdgeMapParams(), false, nullptr, &trace);
   EXPECT_EQ(trace.size(), keyframes().size());
   std::map<EdgeStage, int> counts;
   std::set<std::tuple<int, float, float>> kept;
@@ -112,18 +134,18 @@ TEST(EdgeMapper, TheTraceShowsWhichPixelsBecameVertices) {
       if (pixels[i].stage == EdgeStage::kKept) kept.insert({id, edges.pixels[i].x, edges.pixels[i].y});
     }
   }
-  for (const HostedLines& h : lines)
+  for (const auto& [id, h] : lines)
     for (const EdgeLine& line : h.lines)
       for (const EdgeVertex* end : {&line.vertices.front(), &line.vertices.back()})
-        EXPECT_EQ(kept.count({h.keyframe_id, end->px.x(), end->px.y()}), 1u);
+        EXPECT_EQ(kept.count({id, end->px.x(), end->px.y()}), 1u);
   for (const EdgeStage gate :
        {EdgeStage::kFewViews, EdgeStage::kAlongMotion, EdgeStage::kExplained, EdgeStage::kUnconfirmed})
     EXPECT_GT(counts[gate], 0) << to_string(gate);
 }
 
 TEST(EdgeMapper, ALineHasAVertexForEachEdgePixel) {
-  for (const HostedLines& h : lines_of(EdgeMapParams(), false)) {
-    const ImageEdges& edges = keyframes()[size_t(h.keyframe_id)].pyramid->finest().edges;
+  for (const auto& [id, h] : lines_of(EdgeMapParams(), false)) {
+    const ImageEdges& edges = keyframes()[size_t(id)].pyramid->finest().edges;
     std::map<std::pair<float, float>, int> pixel_at;
     for (size_t i = 0; i < edges.pixels.size(); ++i)
       pixel_at[{edges.pixels[i].x, edges.pixels[i].y}] = int(i);
@@ -141,13 +163,13 @@ TEST(EdgeMapper, LinesLieOnTheTrueSurface) {
   EdgeMapParams params;
   params.max_relative_sigma = 0.02;
   int count = 0, good = 0;
-  for (const HostedLines& h : lines_of(params, false))
+  for (const auto& [id, h] : lines_of(params, false))
     for (const EdgeLine& line : h.lines) {
       ASSERT_GE(line.vertices.size(), 2u);
       EXPECT_GE(line.keyframes, 1);
       for (const EdgeVertex& v : line.vertices) {
         EXPECT_LE(v.gray_dark, v.gray_bright + 10);
-        good += std::abs(double(v.idepth) / Sweep::idepth(4 * h.keyframe_id, v.px.cast<double>()) - 1) < 0.03;
+        good += std::abs(double(v.idepth) / Sweep::idepth(4 * id, v.px.cast<double>()) - 1) < 0.03;
         ++count;
       }
     }
@@ -160,47 +182,82 @@ TEST(EdgeMapper, OffGivesNothing) {
   EXPECT_TRUE(lines_of(params, false).empty());
 }
 
-// A map that has shrunk to half its size: twice the inverse depths.
-TEST(EdgeMapper, ARevisionMovesTheLines) {
-  MapRevision revision;
+// Poses and lengths half as large, about the newest keyframe: twice the inverse depths.
+MapMoved half_the_size() {
+  MapMoved moved;
+  moved.segment = -1;
+  moved.prior.emplace();
+  const SE3& T_newest_map = keyframes().back().T_cam_world;
   for (const Keyframe& k : keyframes()) {
-    RevisedKeyframe r;
-    r.id = k.id;
-    r.T_cam_world = k.T_cam_world;
-    r.length_ratio = 0.5;
-    revision.keyframes.push_back(r);
+    const SE3 T_cam_newest = k.T_cam_world * T_newest_map.inverse();
+    KeyframeMove m;
+    m.id = k.id;
+    m.T_cam_newest = SE3(T_cam_newest.rotation(), 0.5 * T_cam_newest.translation());
+    m.length_ratio = 0.5;
+    moved.keyframes.push_back(m);
   }
-  const std::vector<HostedLines> before = lines_of({}, false), after = lines_of({}, false, &revision);
+  return moved;
+}
+
+void expect_half_the_size(const HostedLines& before, const HostedLines& after) {
   ASSERT_EQ(before.size(), after.size());
   ASSERT_GT(vertices_in(before), 100u);
-  for (size_t i = 0; i < before.size(); ++i) {
-    ASSERT_EQ(before[i].lines.size(), after[i].lines.size());
-    for (size_t l = 0; l < before[i].lines.size(); ++l) {
-      const EdgeVertex &a = before[i].lines[l].vertices[0], &b = after[i].lines[l].vertices[0];
-      EXPECT_FLOAT_EQ(b.idepth, 2 * a.idepth);
-      EXPECT_FLOAT_EQ(b.idepth_sigma, 2 * a.idepth_sigma);
-      EXPECT_NEAR((a.px - b.px).norm(), 0, 1e-3);
+  for (const auto& [id, b] : before) {
+    const auto& lines = after.at(id).lines;
+    ASSERT_EQ(b.lines.size(), lines.size()) << id;
+    for (size_t l = 0; l < lines.size(); ++l) {
+      ASSERT_EQ(b.lines[l].vertices.size(), lines[l].vertices.size());
+      for (size_t v = 0; v < lines[l].vertices.size(); ++v) {
+        const EdgeVertex &from = b.lines[l].vertices[v], &to = lines[l].vertices[v];
+        EXPECT_NEAR(to.idepth, 2 * from.idepth, 2e-5 * from.idepth);
+        EXPECT_NEAR(to.idepth_sigma, 2 * from.idepth_sigma, 1e-3 * from.idepth_sigma);
+        EXPECT_EQ(from.px, to.px);
+      }
     }
   }
 }
 
-TEST(EdgeMapper, IsDeterministic) {
-  const std::vector<HostedLines> a = lines_of({}, false), b = lines_of({}, false);
-  ASSERT_EQ(a.size(), b.size());
-  for (size_t i = 0; i < a.size(); ++i) {
-    ASSERT_EQ(a[i].lines.size(), b[i].lines.size());
-    for (size_t l = 0; l < a[i].lines.size(); ++l)
-      for (size_t v = 0; v < a[i].lines[l].vertices.size(); ++v)
-        ASSERT_EQ(a[i].lines[l].vertices[v].idepth, b[i].lines[l].vertices[v].idepth);
+// Lines that are final move at their consumer's, the others here: the result is the same map.
+TEST(EdgeMapper, AMoveMovesFinalAndOpenLinesAlike) {
+  const MapMoved moved = half_the_size();
+  for (const char* mode : {"keyframes", "full"}) {
+    EdgeMapParams params;
+    params.mode = mode;
+    expect_half_the_size(lines_of(params, false), lines_of(params, false, &moved));
   }
 }
 
-// The lines of the keyframes that the thread does not skip are the same.
-TEST(EdgeMapper, AThreadOfItsOwnGivesTheSameLines) {
-  const std::vector<HostedLines> hosted = lines_of({}, true);
-  EXPECT_GT(vertices_in(hosted), 100u);
-  for (size_t i = 1; i < hosted.size(); ++i) EXPECT_LT(hosted[i - 1].keyframe_id, hosted[i].keyframe_id);
+TEST(EdgeMapper, AnIdenticalLensLeavesPixelsWhereTheyAre) {
+  MapMoved moved;
+  moved.segment = -1;
+  moved.prior.emplace();
+  moved.lens = LensChange{};
+  for (const Keyframe& k : keyframes()) {
+    KeyframeMove m;
+    m.id = k.id;
+    m.T_cam_newest = k.T_cam_world * keyframes().back().T_cam_world.inverse();
+    for (const MapPoint& p : k.points) m.points.push_back({p.px, p.idepth});
+    moved.keyframes.push_back(m);
+  }
+  const HostedLines before = lines_of({}, false), after = lines_of({}, false, &moved);
+  ASSERT_EQ(before.size(), after.size());
+  // The last keyframe has no older views any more.
+  for (const auto& [id, h] : before) {
+    if (id == keyframes().back().id) continue;
+    ASSERT_EQ(h.lines.size(), after.at(id).lines.size());
+    for (size_t l = 0; l < h.lines.size(); ++l)
+      EXPECT_NEAR((h.lines[l].vertices[0].px - after.at(id).lines[l].vertices[0].px).norm(), 0, 1e-3);
+  }
 }
+
+TEST(EdgeMapper, IsDeterministic) {
+  const auto a = idepths_in(lines_of({}, false)), b = idepths_in(lines_of({}, false));
+  EXPECT_GT(a.size(), 100u);
+  EXPECT_EQ(a, b);
+}
+
+// The lines of the keyframes that the thread does not skip are the same.
+TEST(EdgeMapper, AThreadOfItsOwnGivesTheSameLines) { EXPECT_GT(vertices_in(lines_of({}, true)), 100u); }
 
 }  // namespace
 }  // namespace edgevo

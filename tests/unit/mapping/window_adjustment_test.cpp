@@ -12,13 +12,14 @@ namespace edgevo {
 namespace {
 
 using test::idepth_error;
+using test::OwnWindow;
 using test::pose_error;
 using test::seven_keyframes;
 using test::Sweep;
 using test::true_window;
 
 TEST(Window, RecoversDepths) {
-  Window window = true_window(5, 0.04);
+  OwnWindow window = true_window(5, 0.04);
   window.activate({2, 2});
   const double before = idepth_error(window);
   const WindowStats stats = window.adjust();
@@ -29,7 +30,7 @@ TEST(Window, RecoversDepths) {
 }
 
 TEST(Window, RecoversPosesAndDepths) {
-  Window window = true_window(6, 0.02);
+  OwnWindow window = true_window(6, 0.02);
   window.activate({2, 2});
   Random random(8);
   // Keyframes 0 and 1 fix the gauge. A hundredth of the depth is about 0.3 px at this focal length.
@@ -50,8 +51,8 @@ TEST(Window, RecoversPosesAndDepths) {
 
 // The newest keyframe as after a turn in which none of its matches is right: only its corners constrain its
 // rotation.
-Window window_that_lost_its_newest(bool with_corners, const WindowParams& params = seven_keyframes()) {
-  Window window = true_window(4, 0.02, params);
+OwnWindow window_that_lost_its_newest(bool with_corners, const WindowParams& params = seven_keyframes()) {
+  OwnWindow window = true_window(4, 0.02, params);
   window.activate({2, 2});
   Keyframe& newest = window.newest();
   for (Keyframe& k : window.keyframes())
@@ -89,7 +90,7 @@ TEST(Window, CornersConstrainAKeyframeThatItsEdgesDoNot) {
 
 TEST(Window, AdjustingTwiceFromTheSameStartGivesTheSame) {
   const auto run = [] {
-    Window window = true_window(5, 0.04);
+    OwnWindow window = true_window(5, 0.04);
     window.activate({2, 2});
     window.adjust();
     std::vector<double> values;
@@ -114,7 +115,7 @@ MapPoint& best_point(const Window& window) {
 // Corrupts one match by 30 pixels and adjusts. Returns whether it is still there.
 bool keeps_spoiled_match(WindowParams params) {
   params.ba_update_iterations = 0;  // no match is updated
-  Window window = true_window(5, 0.0, params);
+  OwnWindow window = true_window(5, 0.0, params);
   window.activate({2, 2});
   MapPoint& point = best_point(window);
   EXPECT_GE(point.observations.size(), 3u);
@@ -142,7 +143,7 @@ TEST(Window, AMatchFarBeyondItsSigmaIsDropped) {
 
 TEST(Window, APointMissedByManyKeyframesIsDropped) {
   const auto dropped = [](const WindowParams& params) {
-    Window window = true_window(5, 0.0, params);
+    OwnWindow window = true_window(5, 0.0, params);
     const int points = window.activate({2, 2});
     best_point(window).misses = 4;
     window.adjust();
@@ -156,7 +157,7 @@ TEST(Window, APointMissedByManyKeyframesIsDropped) {
 
 // Two views show no scale: if all depths started too near, the baseline would follow them.
 TEST(Window, TheBootstrapKeepsItsScale) {
-  Window window = true_window(2, 0.04);
+  OwnWindow window = true_window(2, 0.04);
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.idepth *= 1.08;
   const double before = relative_pose(window.keyframes()[1], window.keyframes()[0]).translation().norm();
@@ -169,7 +170,7 @@ TEST(Window, TheBootstrapKeepsItsScale) {
 }
 
 TEST(Window, AnEmptyWindowDoesNothing) {
-  Window window = true_window(3, 0.0);
+  OwnWindow window = true_window(3, 0.0);
   const WindowStats stats = window.adjust();  // no point is active
   EXPECT_EQ(stats.points, 0);
   EXPECT_EQ(stats.observations, 0);

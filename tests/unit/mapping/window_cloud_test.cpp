@@ -9,12 +9,13 @@
 namespace edgevo {
 namespace {
 
+using test::OwnWindow;
 using test::seven_keyframes;
 using test::Sweep;
 using test::true_window;
 
 TEST(Window, TheCloudLiesInTheNewestFrame) {
-  Window window = true_window(5, 0.0);
+  OwnWindow window = true_window(5, 0.0);
   window.activate({2, 2});
   const auto cloud = window.cloud(window.newest());
   ASSERT_GT(cloud.size(), 150u);
@@ -41,13 +42,13 @@ TEST(Window, TheCloudLiesInTheNewestFrame) {
 TEST(Window, TheCloudHoldsAtMostItsLimit) {
   WindowParams params = seven_keyframes();
   params.max_cloud_points = 90;
-  Window window = true_window(5, 0.0, params);
+  OwnWindow window = true_window(5, 0.0, params);
   window.activate({2, 2});
   EXPECT_EQ(window.cloud(window.newest()).size(), 90u);
 }
 
 TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
-  Window window = true_window(3, 0.0);  // no point is active
+  OwnWindow window = true_window(3, 0.0);  // no point is active
   const Keyframe& newest = window.newest();
   EXPECT_TRUE(window.cloud(newest).empty());
   const std::vector<CloudPoint> cloud = window.tracking_cloud(newest);
@@ -62,12 +63,12 @@ TEST(Window, WhereTheMapIsOutOfViewTheTrackerGetsPointsOfUnknownDepth) {
 TEST(Window, WithoutImmaturePointsTheTrackerGetsOnlyThoseOfKnownDepth) {
   WindowParams params = seven_keyframes();
   params.track_immature_points = false;
-  Window window = true_window(3, 0.0, params);  // no point is active
+  OwnWindow window = true_window(3, 0.0, params);  // no point is active
   EXPECT_TRUE(window.tracking_cloud(window.newest()).empty());
 }
 
 TEST(Window, TheCloudOfAnOlderKeyframeIsWhatThatOneSees) {
-  Window window = true_window(5, 0.0);
+  OwnWindow window = true_window(5, 0.0);
   window.activate({2, 2});
   const Keyframe& older = window.keyframes()[1];
   const std::vector<CloudPoint> cloud = window.cloud(older);

@@ -2,6 +2,7 @@
 #pragma once
 // A window of keyframes of the sweep, for the tests of the window.
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "edgevo/mapping/window.h"
@@ -19,9 +20,23 @@ inline WindowParams seven_keyframes() {
 
 inline Matrix6d tracking_covariance() { return 1e-5 * Matrix6d::Identity(); }
 
+/// A map in its first segment, for a window on it.
+struct OwnMap {
+  std::shared_ptr<MapLog> log = std::make_shared<MapLog>();
+  std::shared_ptr<Map> map = std::make_shared<Map>(Sweep::pinhole(), log);
+};
+
+/// A window with a map of its own.
+struct OwnWindow : OwnMap, Window {
+  explicit OwnWindow(const WindowParams& params)
+      : Window(map.get(), Sweep::pinhole(), params, AssociationParams()) {
+    map->begin_segment(0);
+  }
+};
+
 /// `n` keyframes at their true poses, points not yet activated.
-inline Window true_window(int n, double depth_noise, const WindowParams& params = seven_keyframes()) {
-  Window window(Sweep::pinhole(), params, AssociationParams());
+inline OwnWindow true_window(int n, double depth_noise, const WindowParams& params = seven_keyframes()) {
+  OwnWindow window(params);
   Random random(17);
   for (int k = 0; k < n; ++k) window.add(true_keyframe(k, kFramesApart * k, depth_noise, &random));
   return window;

@@ -14,6 +14,7 @@ namespace {
 
 using test::idepth_error;
 using test::kFramesApart;
+using test::OwnWindow;
 using test::seven_keyframes;
 using test::Sweep;
 using test::sweep_pose;
@@ -23,7 +24,7 @@ using test::true_window;
 // ---- activation ----
 
 TEST(Window, ActivatesPointsThatKeyframesMatch) {
-  Window window = true_window(4, 0.02);
+  OwnWindow window = true_window(4, 0.02);
   const int n = window.activate({2, 2});
   EXPECT_GT(n, 200);
   EXPECT_EQ(n, window.active_points());
@@ -39,7 +40,7 @@ TEST(Window, ActivatesPointsThatKeyframesMatch) {
 
 TEST(Window, ActivationIsSpreadOverTheNewestImage) {
   const WindowParams params = seven_keyframes();
-  Window window = true_window(4, 0.0, params);
+  OwnWindow window = true_window(4, 0.0, params);
   ASSERT_GT(window.activate({2, 2}), 200);
   const CellGrid grid(320, 240, kActivationCellPx);
   std::vector<int> count(size_t(grid.size()), 0);
@@ -55,7 +56,7 @@ TEST(Window, ActivationIsSpreadOverTheNewestImage) {
 }
 
 TEST(Window, ActivationRequiresEnoughMeasurementsAndCertainty) {
-  Window window = true_window(4, 0.02);
+  OwnWindow window = true_window(4, 0.02);
   EXPECT_EQ(window.activate({4, 2}), 0);  // three good measurements each
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.idepth_sigma = p.idepth;
@@ -65,7 +66,7 @@ TEST(Window, ActivationRequiresEnoughMeasurementsAndCertainty) {
 // Two keyframes show each point in one other view: it is not lost for lack of a second view that has not been
 // taken yet.
 TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
-  Window window = true_window(2, 0.02);
+  OwnWindow window = true_window(2, 0.02);
   EXPECT_EQ(window.activate({2, 2}), 0);
   for (const Keyframe& k : window.keyframes())
     EXPECT_TRUE(
@@ -79,7 +80,7 @@ TEST(Window, APointWaitsUntilEnoughKeyframesSeeIt) {
 TEST(Window, ActivationStopsAtTheLimit) {
   WindowParams params = seven_keyframes();
   params.max_points = 120;
-  Window window = true_window(4, 0.02, params);
+  OwnWindow window = true_window(4, 0.02, params);
   EXPECT_EQ(window.activate({2, 2}), 120);
   EXPECT_EQ(window.activate({2, 2}), 0);
 }
@@ -89,8 +90,8 @@ TEST(Window, ActivationStopsAtTheLimit) {
 constexpr int kBudget = 100;
 
 // With two keyframes each point has one match at most.
-Window window_of_two() {
-  Window window = true_window(2, 0.02);
+OwnWindow window_of_two() {
+  OwnWindow window = true_window(2, 0.02);
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.good = 1;
   return window;
@@ -112,7 +113,7 @@ int count_immature(const Window& window, const Test& test) {
 
 // At 320x240 a quarter of the cells of 14 pixels is less than 500.
 TEST(Window, ActivatesAsManyTentativePointsAsTrackingLacks) {
-  Window window = window_of_two();
+  OwnWindow window = window_of_two();
   const int cells = CellGrid(320, 240, kActivationCellPx).size();
   EXPECT_EQ(window.points_lacking(), cells / 4) << "there is none";
   EXPECT_EQ(window.activate({1, 1, window.points_lacking()}), cells / 4);
@@ -122,7 +123,7 @@ TEST(Window, ActivatesAsManyTentativePointsAsTrackingLacks) {
 }
 
 TEST(Window, ATentativePointStaysWhereTheNextKeyframeMatchesIt) {
-  Window window = window_of_two();
+  OwnWindow window = window_of_two();
   const int tentative = window.activate({1, 1, kBudget});
   add_third(&window);
   window.associate_newest(tracking_covariance());
@@ -138,7 +139,7 @@ TEST(Window, ATentativePointStaysWhereTheNextKeyframeMatchesIt) {
 }
 
 TEST(Window, AnUnconfirmedTentativePointBecomesImmature) {
-  Window window = window_of_two(), untouched = window_of_two();
+  OwnWindow window = window_of_two(), untouched = window_of_two();
   ASSERT_GT(window.activate({1, 1, kBudget}), 50);
   add_third(&window);
   add_third(&untouched);
@@ -149,7 +150,7 @@ TEST(Window, AnUnconfirmedTentativePointBecomesImmature) {
 }
 
 TEST(Window, APointOfTwoDepthsIsNotTentative) {
-  Window window = true_window(2, 0.02);
+  OwnWindow window = true_window(2, 0.02);
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.good = 2;
   ASSERT_EQ(window.activate({1, 1, kBudget}), kBudget);
@@ -159,7 +160,7 @@ TEST(Window, APointOfTwoDepthsIsNotTentative) {
 }
 
 TEST(Window, AnImmaturePointGivenUpWhileItsPointWasTentativeStaysGivenUp) {
-  Window window = window_of_two();
+  OwnWindow window = window_of_two();
   const int tentative = window.activate({1, 1, kBudget});
   for (Keyframe& k : window.keyframes())
     for (ImmaturePoint& p : k.immature) p.dead = p.tentative;  // as the depth filter does
@@ -170,7 +171,7 @@ TEST(Window, AnImmaturePointGivenUpWhileItsPointWasTentativeStaysGivenUp) {
 }
 
 TEST(Window, ATentativePointThatTheAdjustmentDroppedIsGone) {
-  Window window = window_of_two();
+  OwnWindow window = window_of_two();
   const int tentative = window.activate({1, 1, kBudget});
   for (Keyframe& k : window.keyframes()) k.points.clear();
   window.demote_unconfirmed();
@@ -181,7 +182,7 @@ TEST(Window, ATentativePointThatTheAdjustmentDroppedIsGone) {
 // ---- association ----
 
 TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
-  Window window = true_window(4, 0.0);
+  OwnWindow window = true_window(4, 0.0);
   window.activate({2, 2});
   const int points = window.active_points();
   Random random(3);
@@ -203,7 +204,7 @@ TEST(Window, MatchesMostPointsWithTheNewestKeyframe) {
 }
 
 TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
-  Window window = true_window(4, 0.0);
+  OwnWindow window = true_window(4, 0.0);
   window.activate({2, 2});
   Random random(3);
   Keyframe blank = test::true_keyframe(9, 4 * kFramesApart, 0.0, &random);
@@ -222,7 +223,7 @@ TEST(Window, CountsMissesWhereTheNewestKeyframeIsBlank) {
 // ---- leaving ----
 
 TEST(Window, TheOldestLeavesNoTrace) {
-  Window window = true_window(6, 0.02);
+  OwnWindow window = true_window(6, 0.02);
   window.activate({2, 2});
   window.adjust();
   const size_t hosted = window.keyframes().front().points.size();
@@ -238,7 +239,7 @@ TEST(Window, TheOldestLeavesNoTrace) {
 }
 
 TEST(Window, AdjustingAfterARemovalKeepsPosesAndDepths) {
-  Window window = true_window(6, 0.02);
+  OwnWindow window = true_window(6, 0.02);
   window.activate({2, 2});
   window.adjust();
   window.remove_oldest();

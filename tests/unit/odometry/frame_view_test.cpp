@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What displays and live recorders see while a run goes on.
+// What displays and live recorders see while a run goes on: the frame, and the events of the map.
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <set>
 
 #include "unit/odometry/rendered_runs.h"
@@ -24,14 +26,13 @@ TEST(FrameView, IsEmptyBeforeTheFirstFrameAndWithoutAMap) {
   ASSERT_TRUE(view.pyramid);
   EXPECT_TRUE(view.points.empty());
   EXPECT_EQ(view.reference_keyframe, -1);
-  EXPECT_TRUE(odometry.marginalised_keyframes().keyframes.empty());
 }
 
 TEST(FrameView, HoldsPointsThatLieOnTheEdgesOfTheFrame) {
   Odometry odometry(sweep_camera(), {}, {});
-  const FrameRecord* record = nullptr;
-  for (int k = 0; k < kFrames; ++k) record = &odometry.process(sweep_frame(k));
-  ASSERT_EQ(record->state, TrackingState::kTracking);
+  FrameRecord record;
+  for (int k = 0; k < kFrames; ++k) record = odometry.process(sweep_frame(k));
+  ASSERT_EQ(record.state, TrackingState::kTracking);
   const FrameView view = odometry.frame_view();
   EXPECT_GE(view.reference_keyframe, 0);
   ASSERT_GT(view.points.size(), 200u);
@@ -45,68 +46,86 @@ TEST(FrameView, HoldsPointsThatLieOnTheEdgesOfTheFrame) {
   EXPECT_GT(on_an_edge, 0.7 * double(view.points.size()));
 }
 
-// They equal those of the finished run unless a correction of the camera has moved them.
-TEST(FrameView, MarginalisedKeyframesAreThoseOfTheFinishedRun) {
-  OdometryParams params;
-  params.camera.refine = "none";
-  Odometry odometry(sweep_camera(), params, {});
-  std::vector<KeyframeRecord> marginalised;
-  for (int k = 0; k < 110; ++k) {
-    odometry.process(sweep_frame(k));
-    for (KeyframeRecord& keyframe : odometry.marginalised_keyframes(marginalised.size()).keyframes)
-      marginalised.push_back(std::move(keyframe));
+// A consumer's copy of the map: the marginalised keyframes, and those of the window.
+struct Copy {
+  std::map<int, std::shared_ptr<const KeyframeRecord>> marginalised;
+  WindowAdjusted window;
+
+  void apply(const MapEvent& event) {
+    if (const auto* e = std::get_if<KeyframeMarginalised>(&event)) marginalised[e->id] = e->keyframe;
+    if (const auto* e = std::get_if<WindowAdjusted>(&event)) window = *e;
   }
-  EXPECT_EQ(odometry.marginalised_keyframes(marginalised.size()).keyframes.size(), 0u);
-  EXPECT_EQ(odometry.marginalised_keyframes().keyframes.size(), marginalised.size());
-  const edgevo::Run run = odometry.finish();
-  ASSERT_FALSE(marginalised.empty());
-  for (const KeyframeRecord& keyframe : marginalised) {
-    const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(), [&](const KeyframeRecord& k) {
-      return k.frame_index == keyframe.frame_index;
-    });
-    ASSERT_NE(same, run.keyframes.end());
-    EXPECT_LT((same->T_world_cam.inverse() * keyframe.T_world_cam).log().norm(), 1e-9);
-    EXPECT_EQ(same->points.size(), keyframe.points.size());
+  std::set<int> frames() const {
+    std::set<int> indices;
+    for (const auto& [id, keyframe] : marginalised) indices.insert(keyframe->frame_index);
+    for (const WindowAdjusted::Active& a : *window.keyframes) indices.insert(a.keyframe.frame_index);
+    return indices;
   }
+};
+
+void expect_in(const edgevo::Run& run, const KeyframeRecord& keyframe) {
+  const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(), [&](const KeyframeRecord& k) {
+    return k.frame_index == keyframe.frame_index;
+  });
+  ASSERT_NE(same, run.keyframes.end());
+  EXPECT_LT((same->T_world_cam.inverse() * keyframe.T_world_cam).log().norm(), 1e-9);
+  EXPECT_EQ(same->points.size(), keyframe.points.size());
 }
 
 // What would be left of the map if the program ended now: every keyframe so far, marginalised or in the
-// window.
-TEST(FrameView, MarginalisedAndActiveKeyframesAreAllKeyframes) {
+// window. Without a move of the map they equal those of the finished run.
+TEST(MapEvents, MarginalisedAndActiveKeyframesAreAllKeyframes) {
   OdometryParams params;
   params.camera.refine = "none";
-  Odometry odometry(sweep_camera(), params, {});
-  EXPECT_FALSE(odometry.active_keyframes());
+  OdometryOptions options;
+  options.map_log = std::make_shared<MapLog>();
+  MapCursor cursor(options.map_log);
+  Odometry odometry(sweep_camera(), params, options);
   std::set<int> called;
-  ActiveKeyframes window;
+  Copy copy;
   for (int k = 0; k < 110; ++k) {
-    const FrameRecord& record = odometry.process(sweep_frame(k));
-    if (auto changed = odometry.active_keyframes(window.version)) window = std::move(*changed);
-    EXPECT_FALSE(odometry.active_keyframes(window.version)) << "nothing has changed since";
+    const FrameRecord record = odometry.process(sweep_frame(k));
+    for (const auto& event : cursor.read()) copy.apply(*event);
     if (record.T_world_cam_live && record.keyframe_reason != KeyframeReason::kNone &&
         record.keyframe_reason != KeyframeReason::kReturn)
       called.insert(record.index);
-    std::set<int> there;
-    for (const KeyframeRecord& kf : odometry.marginalised_keyframes().keyframes) there.insert(kf.frame_index);
-    for (const KeyframeRecord& kf : window.keyframes)
-      EXPECT_TRUE(there.insert(kf.frame_index).second) << "both marginalised and not: " << kf.frame_index;
+    if (!copy.window.keyframes) continue;
+    const std::set<int> there = copy.frames();
+    EXPECT_EQ(there.size(), copy.marginalised.size() + copy.window.keyframes->size());
     for (const int index : called) ASSERT_TRUE(there.count(index)) << index << " at frame " << k;
   }
   ASSERT_GT(called.size(), 8u);
-  EXPECT_EQ(window.keyframes.size(), size_t(params.mapping.window.keyframes));
-  // Near the poses of the finished run, and with most of their points.
+  ASSERT_FALSE(copy.marginalised.empty());
+  EXPECT_EQ(copy.window.keyframes->size(), size_t(params.mapping.window.keyframes));
+  const Copy at_end = copy;
   const edgevo::Run run = odometry.finish();
-  size_t points = 0, final_points = 0;
-  for (const KeyframeRecord& kf : window.keyframes) {
-    const auto same = std::find_if(run.keyframes.begin(), run.keyframes.end(),
-                                   [&](const KeyframeRecord& k) { return k.frame_index == kf.frame_index; });
-    ASSERT_NE(same, run.keyframes.end());
-    EXPECT_LT((same->T_world_cam.inverse() * kf.T_world_cam).log().norm(), 1e-9);
-    points += kf.points.size(), final_points += same->points.size();
+  for (const auto& [id, keyframe] : at_end.marginalised) expect_in(run, *keyframe);
+  for (const WindowAdjusted::Active& a : *at_end.window.keyframes) expect_in(run, a.keyframe);
+  for (const auto& event : cursor.read()) copy.apply(*event);
+  EXPECT_TRUE(copy.window.keyframes->empty()) << "the map is closed";
+}
+
+// The live scale, e.g., knows the frame before the keyframe that mapping makes of it.
+TEST(MapEvents, AFrameComesBeforeTheKeyframeMadeOfIt) {
+  OdometryOptions options;
+  options.map_log = std::make_shared<MapLog>();
+  MapCursor cursor(options.map_log);
+  Odometry odometry(sweep_camera(), {}, options);
+  for (int k = 0; k < kFrames; ++k) odometry.process(sweep_frame(k));
+  std::set<int> frames, segments;
+  int keyframes = 0;
+  for (const auto& event : cursor.read()) {
+    if (const auto* e = std::get_if<FrameAnchored>(event.get())) frames.insert(e->frame.index);
+    if (const auto* e = std::get_if<SegmentPlaced>(event.get())) segments.insert(e->segment);
+    if (const auto* e = std::get_if<KeyframeAdded>(event.get())) {
+      ++keyframes;
+      EXPECT_TRUE(segments.count(e->segment));
+      // The newest view of a bootstrap is announced with the poses that it found.
+      EXPECT_TRUE(keyframes <= 5 || frames.count(e->frame_index)) << e->frame_index;
+    }
   }
-  EXPECT_GT(points, 300u);
-  EXPECT_EQ(points, final_points) << "the last window is closed as it stands";
-  EXPECT_TRUE(odometry.active_keyframes(window.version)->keyframes.empty());
+  EXPECT_GT(keyframes, 8);
+  EXPECT_EQ(frames.size(), size_t(kFrames));
 }
 
 }  // namespace

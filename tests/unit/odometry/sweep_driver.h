@@ -2,6 +2,7 @@
 #pragma once
 // A mapper that runs along the sweep of the hollow scene.
 #include <map>
+#include <memory>
 #include <string>
 
 #include "edgevo/alignment/tracker.h"
@@ -23,11 +24,15 @@ inline OdometryParams window_only(const MappingParams& mapping) {
 class SweepDriver {
  public:
   SweepDriver(const MappingParams& params, uint64_t seed = 1)
-      : mapper(Sweep::pinhole(), window_only(params), {seed, false, {}}) {}
+      : log(std::make_shared<MapLog>()),
+        events(log),
+        mapper(Sweep::pinhole(), window_only(params), {seed, false, {}, log, {}}) {}
 
   std::string start(int first = 0, int last = 8, double unit = 1.0) {
     unit_ = unit;
-    return mapper.initialise(true_bootstrap(first, last, unit));
+    const std::string problem = mapper.initialise(true_bootstrap(first, last, unit));
+    if (problem.empty()) mapper.begin_segment(segments_++);
+    return problem;
   }
 
   /// Aligns frame `f`, starting from the true motion between it and the reference.
@@ -56,12 +61,15 @@ class SweepDriver {
     for (const Keyframe& k : mapper.window().keyframes()) frame_of[k.id] = k.frame_index;
   }
 
+  std::shared_ptr<MapLog> log;
+  MapCursor events;
   Mapper mapper;
   /// Frame index by keyframe id.
   std::map<int, int> frame_of;
 
  private:
   double unit_ = 1;
+  int segments_ = 0;
 };
 
 }  // namespace edgevo::test

@@ -59,6 +59,21 @@ TEST(RunOdometry, ProcessesAllFramesOfTheSource) {
   EXPECT_EQ(result.run.T_vehicle_cam->translation().z(), 1.5);
 }
 
+TEST(RunOdometry, TheEventOfAFrameIsInTheLogWhenTheFrameIsShown) {
+  BlankSource source;
+  RunLoopOptions options;
+  options.odometry.map_log = std::make_shared<MapLog>();
+  MapCursor events(options.odometry.map_log);
+  run_odometry(source, {}, options, [&](const ProcessedFrame& f) {
+    int announced = -1;
+    for (const auto& event : events.read())
+      if (const auto* frame = std::get_if<FrameAnchored>(event.get())) announced = frame->frame.index;
+    EXPECT_EQ(announced, f.frame.index);
+    EXPECT_TRUE(f.view().pyramid);
+    return f.frame.index < 5;
+  });
+}
+
 TEST(RunOdometry, EndsWhenOnFrameReturnsFalse) {
   BlankSource source;
   EXPECT_EQ(run_odometry(source, {}, {}, [](const ProcessedFrame& f) { return f.frame.index < 9; })

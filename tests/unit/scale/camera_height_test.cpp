@@ -105,8 +105,8 @@ TEST(CameraHeight, LiveScaleConverges) {
   size_t marginalised = 0;
   for (const FrameRecord& f : made.run.frames) {
     live.add_frame(f);
-    while (marginalised + kWindow < size_t(f.index) / 2)
-      live.add_keyframe(made.run.keyframes[marginalised++]);
+    for (; marginalised + kWindow < size_t(f.index) / 2; ++marginalised)
+      live.add_keyframe(int(marginalised), made.run.keyframes[marginalised]);
   }
   ASSERT_EQ(live.history().size(), made.run.frames.size());
   EXPECT_FALSE(live.history().front());

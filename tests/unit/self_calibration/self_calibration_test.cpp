@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "edgevo/map/corrected_pixel.h"
 #include "support/bundle_adjustment_scene.h"
 
 namespace edgevo {
@@ -79,10 +80,20 @@ std::vector<Keyframe> make_drive(const SyntheticDrive& o) {
   return drive;
 }
 
-// Feeds a trajectory through as the mapper does; the last 12 keyframes are the window.
+constexpr size_t kWindow = 12;
+
+// The first `count` keyframes of a trajectory as a map whose last `active` ones are the window.
+Map map_of(const std::vector<Keyframe>& drive, size_t count, size_t active = kWindow) {
+  Map map(test::pinhole(), std::make_shared<MapLog>());
+  for (size_t i = 0; i < count; ++i) map.add(drive[i]);
+  while (map.active().size() > active) map.marginalise_oldest({});
+  return map;
+}
+
+// The move of a trajectory, as the map applies it.
 struct Outcome {
   CameraRefinement state;
-  std::optional<MapRevision> revision;
+  std::optional<MapMoved> moved;
   std::vector<Keyframe> drive;
 };
 
@@ -90,19 +101,11 @@ Outcome calibrate(const SyntheticDrive& o, const SelfCalibrationParams& params =
   Outcome out;
   out.drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), params);
-  const size_t first_of_window = out.drive.size() - 12;
-  for (size_t i = 0; i < first_of_window; ++i) calibration.remember(out.drive[i]);
-  std::vector<const Keyframe*> window;
-  for (size_t i = first_of_window; i < out.drive.size(); ++i) window.push_back(&out.drive[i]);
-  out.revision = calibration.estimate(window, BaOptions(), true);
+  Map map = map_of(out.drive, out.drive.size());
+  out.moved = calibration.estimate(map, BaOptions(), true);
+  if (out.moved) out.moved = map.move(*out.moved, [](const Keyframe& k) { return k.pyramid; });
   out.state = calibration.state();
   return out;
-}
-
-std::vector<const Keyframe*> range(const std::vector<Keyframe>& drive, size_t begin, size_t end) {
-  std::vector<const Keyframe*> keyframes;
-  for (size_t i = begin; i < end; ++i) keyframes.push_back(&drive[i]);
-  return keyframes;
 }
 
 TEST(SelfCalibration, FindsTheDistortion) {
@@ -113,8 +116,8 @@ TEST(SelfCalibration, FindsTheDistortion) {
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.state, CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.k1, k1, 0.001);
-      ASSERT_TRUE(out.revision);
-      EXPECT_EQ(out.revision->now.k1, out.state.k1);
+      ASSERT_TRUE(out.moved);
+      EXPECT_EQ(out.moved->lens->now.k1, out.state.k1);
       EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kInsignificant);
       EXPECT_EQ(out.state.shutter.readout_s, 0);
     }
@@ -133,8 +136,8 @@ TEST(SelfCalibration, FindsARollingShutter) {
       EXPECT_EQ(out.state.state,
                 k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.estimate, k1, 0.002);
-      ASSERT_TRUE(out.revision);
-      EXPECT_EQ(out.revision->now, out.state.correction());
+      ASSERT_TRUE(out.moved);
+      EXPECT_EQ(out.moved->lens->now, out.state.correction());
     }
 }
 
@@ -184,10 +187,10 @@ TEST(SelfCalibration, AFalseShutterIsGivenUp) {
   still.keyframes = 60;
   const std::vector<Keyframe> mistaken = make_drive(rolling);
   SelfCalibration calibration(test::pinhole(), {});
-  ASSERT_TRUE(calibration.estimate(range(mistaken, 0, mistaken.size()), BaOptions(), true));
+  ASSERT_TRUE(calibration.estimate(map_of(mistaken, mistaken.size()), BaOptions(), true));
   const ImageCorrection mistake = calibration.state().correction();
   ASSERT_GT(mistake.readout_s, 0.015);
-  calibration.forget();
+  calibration.cancel();
   std::vector<Keyframe> drive = make_drive(still);
   for (Keyframe& k : drive)
     for (MapPoint& p : k.points) {
@@ -196,12 +199,12 @@ TEST(SelfCalibration, AFalseShutterIsGivenUp) {
         seen.match.px = correct_pixel(test::pinhole(), {}, mistake,
                                       drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
     }
-  const auto revision = calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
+  const auto moved = calibration.estimate(map_of(drive, drive.size()), BaOptions(), true);
   EXPECT_EQ(calibration.state().shutter.state, CameraRefinement::State::kInsignificant);
   EXPECT_EQ(calibration.state().shutter.readout_s, 0);
-  ASSERT_TRUE(revision);
-  EXPECT_EQ(revision->before, mistake);
-  EXPECT_EQ(revision->now, ImageCorrection());
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->lens->before, mistake);
+  EXPECT_EQ(moved->lens->now, ImageCorrection());
 }
 
 // Images that are corrected already: the estimate is of the whole read-out time, not of the rest.
@@ -220,7 +223,7 @@ TEST(SelfCalibration, AKnownShutterIsConfirmed) {
                                       drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
     }
   SelfCalibration calibration(test::pinhole(), params);
-  calibration.estimate(range(drive, 0, drive.size()), BaOptions(), true);
+  calibration.estimate(map_of(drive, drive.size()), BaOptions(), true);
   EXPECT_NEAR(calibration.state().shutter.estimate, 0.02, 0.001);
 }
 
@@ -232,7 +235,7 @@ TEST(SelfCalibration, LeavesAGoodCameraAlone) {
     EXPECT_EQ(out.state.state, CameraRefinement::State::kInsignificant);
     EXPECT_LT(std::abs(out.state.estimate), 0.001);
     EXPECT_EQ(out.state.k1, 0);
-    EXPECT_FALSE(out.revision);
+    EXPECT_FALSE(out.moved);
   }
 }
 
@@ -242,7 +245,7 @@ TEST(SelfCalibration, ReportsWhenNothingIsObservable) {
   still.k1 = 0.01;
   const Outcome out = calibrate(still);
   EXPECT_EQ(out.state.state, CameraRefinement::State::kNotObservable);
-  EXPECT_FALSE(out.revision);
+  EXPECT_FALSE(out.moved);
 
   SyntheticDrive brief;
   brief.keyframes = 20;
@@ -257,41 +260,41 @@ TEST(SelfCalibration, DoesNothingWhenOff) {
   params.refine = "none";
   const Outcome out = calibrate(o, params);
   EXPECT_EQ(out.state.state, CameraRefinement::State::kOff);
-  EXPECT_FALSE(out.revision);
+  EXPECT_FALSE(out.moved);
 }
 
 TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
   SyntheticDrive o;
   o.k1 = 0.015;
   const Outcome out = calibrate(o);
-  ASSERT_TRUE(out.revision);
-  const RevisedKeyframe& newest = out.revision->keyframes.back();
-  EXPECT_LT((newest.T_cam_world * out.drive.back().T_cam_world.inverse()).log().norm(), 1e-12);
+  ASSERT_TRUE(out.moved);
+  const KeyframeMove& newest = out.moved->keyframes.back();
+  EXPECT_LT((out.moved->T_cam_map(newest) * out.drive.back().T_cam_world.inverse()).log().norm(), 1e-12);
   EXPECT_NEAR(newest.length_ratio, 1.0, 0.05);
-  ASSERT_EQ(out.revision->keyframes.size(), out.drive.size());
+  ASSERT_EQ(out.moved->keyframes.size(), out.drive.size());
   for (size_t i = 0; i < out.drive.size(); ++i) {
-    EXPECT_EQ(out.revision->keyframes[i].id, out.drive[i].id);
-    EXPECT_EQ(out.revision->keyframes[i].points.size(), out.drive[i].points.size());
+    EXPECT_EQ(out.moved->keyframes[i].id, out.drive[i].id);
+    EXPECT_EQ(out.moved->keyframes[i].points.size(), out.drive[i].points.size());
   }
 }
 
 // The trajectory is the truth: after a correction the shape of the path is the true one again.
-void expect_true_shape(const MapRevision& revision, const std::vector<Keyframe>& drive) {
-  ASSERT_EQ(revision.keyframes.size(), drive.size());
+void expect_true_shape(const MapMoved& moved, const std::vector<Keyframe>& drive) {
+  ASSERT_EQ(moved.keyframes.size(), drive.size());
   const auto step = [](const SE3& a, const SE3& b) { return (b * a.inverse()).translation().norm(); };
   const auto ratio = [&](size_t i) {
-    return step(revision.keyframes[i - 1].T_cam_world, revision.keyframes[i].T_cam_world) /
+    return step(moved.T_cam_map(moved.keyframes[i - 1]), moved.T_cam_map(moved.keyframes[i])) /
            step(drive[i - 1].T_cam_world, drive[i].T_cam_world);
   };
   for (size_t i = 1; i < drive.size(); ++i) EXPECT_NEAR(ratio(i) / ratio(drive.size() - 1), 1.0, 0.02) << i;
 }
 
-TEST(SelfCalibration, TheRevisedTrajectoryHasTheTrueShape) {
+TEST(SelfCalibration, TheMovedTrajectoryHasTheTrueShape) {
   SyntheticDrive o;
   o.k1 = 0.015;
   const Outcome out = calibrate(o);
-  ASSERT_TRUE(out.revision);
-  expect_true_shape(*out.revision, out.drive);
+  ASSERT_TRUE(out.moved);
+  expect_true_shape(*out.moved, out.drive);
 }
 
 // In a thread of its own: keyframes are added and points removed while the estimate runs.
@@ -299,34 +302,51 @@ TEST(SelfCalibration, ChangesDuringAnEstimateAreCarriedOver) {
   SyntheticDrive o;
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
-  constexpr size_t kKnown = 45, kWindow = 12;
+  constexpr size_t kKnown = 45;
   SelfCalibration concurrent(test::pinhole(), {}), at_once(test::pinhole(), {});
-  for (size_t i = 0; i < kKnown - kWindow; ++i) concurrent.remember(drive[i]), at_once.remember(drive[i]);
-  ASSERT_TRUE(at_once.estimate(range(drive, kKnown - kWindow, kKnown), BaOptions(), true));
+  ASSERT_TRUE(at_once.estimate(map_of(drive, kKnown), BaOptions(), true));
 
-  std::vector<Keyframe> now = drive;
-  concurrent.begin(range(now, kKnown - kWindow, kKnown), BaOptions());
+  concurrent.begin(map_of(drive, kKnown), BaOptions());  // it works on a copy of its own
   EXPECT_TRUE(concurrent.is_running());
-  EXPECT_FALSE(concurrent.is_due(int(kWindow))) << "one at a time";
-  std::vector<Keyframe>(now).swap(now);  // it works on a copy of its own
+  EXPECT_FALSE(concurrent.is_due(map_of(drive, kKnown))) << "one at a time";
+  std::vector<Keyframe> now = drive;
   now[kKnown - 1].points.erase(now[kKnown - 1].points.begin(), now[kKnown - 1].points.begin() + 20);
-  for (size_t i = kKnown - kWindow; i < now.size() - kWindow; ++i) concurrent.remember(now[i]);
-  const auto revision = concurrent.estimate(range(now, now.size() - kWindow, now.size()), BaOptions(), false);
+  Map map = map_of(now, now.size());
+  std::optional<MapMoved> moved = concurrent.estimate(map, BaOptions(), false);
   EXPECT_FALSE(concurrent.is_running());
-  ASSERT_TRUE(revision);
-  EXPECT_EQ(revision->now, at_once.state().correction()) << "the same estimate";
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->lens->now, at_once.state().correction()) << "the same estimate";
   EXPECT_EQ(concurrent.state().keyframes, int(kKnown));
-  expect_true_shape(*revision, now);
-  const RevisedKeyframe& newest = revision->keyframes.back();
-  EXPECT_LT((newest.T_cam_world * now.back().T_cam_world.inverse()).log().norm(), 1e-12);
-  ASSERT_EQ(revision->keyframes[kKnown - 1].points.size(), now[kKnown - 1].points.size());
+  moved = map.move(*moved, [](const Keyframe& k) { return k.pyramid; });
+  expect_true_shape(*moved, now);
+  const KeyframeMove& newest = moved->keyframes.back();
+  EXPECT_LT((moved->T_cam_map(newest) * now.back().T_cam_world.inverse()).log().norm(), 1e-12);
+  ASSERT_EQ(moved->keyframes[kKnown - 1].points.size(), now[kKnown - 1].points.size());
   // Depths, too: new and old points alike have the true depth in the unit of the newest keyframe.
   for (const size_t k : {kKnown - 1, kKnown + 4})
     for (size_t i = 0; i < now[k].points.size(); ++i)
-      EXPECT_NEAR(revision->keyframes[k].points[i].idepth * revision->keyframes[k].length_ratio /
-                      now[k].points[i].idepth,
-                  1.0, 0.25)
+      EXPECT_NEAR(
+          moved->keyframes[k].points[i].idepth * moved->keyframes[k].length_ratio / now[k].points[i].idepth,
+          1.0, 0.25)
           << k;
+}
+
+// Another producer has moved the map while the estimate ran: applied, it would move keyframes back.
+TEST(SelfCalibration, AnEstimateOfAMapThatHasMovedIsDropped) {
+  SyntheticDrive o;
+  o.k1 = 0.015;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(test::pinhole(), {});
+  Map map = map_of(drive, drive.size());
+  calibration.begin(map, BaOptions());
+  MapMoved past;
+  past.segment = map.segment();
+  past.keyframes.emplace_back();
+  past.keyframes.back().id = drive.front().id;
+  map.move(past, {});
+  EXPECT_FALSE(calibration.estimate(map, BaOptions(), false));
+  EXPECT_EQ(calibration.state().k1, 0);
+  EXPECT_TRUE(calibration.is_due(map)) << "it begins again";
 }
 
 TEST(SelfCalibration, AnUnusedEstimateDoesNoHarm) {
@@ -334,26 +354,26 @@ TEST(SelfCalibration, AnUnusedEstimateDoesNoHarm) {
   o.keyframes = 30;
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), {});
-  calibration.begin(range(drive, 0, 30), BaOptions());
-  calibration.forget();
+  calibration.begin(map_of(drive, 30), BaOptions());
+  calibration.cancel();
   EXPECT_FALSE(calibration.is_running());
   EXPECT_EQ(calibration.state().state, CameraRefinement::State::kTooEarly);
-  calibration.begin(range(drive, 0, 30), BaOptions());  // and is destroyed
+  calibration.begin(map_of(drive, 30), BaOptions());  // and is destroyed
 }
 
-// A window adjusted with the revision's prior stays where the whole adjustment put it.
+// A window adjusted with the move's prior stays where the whole adjustment put it.
 TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
   SyntheticDrive o;
   o.k1 = 0.01;
   const Outcome out = calibrate(o);
-  ASSERT_TRUE(out.revision);
-  const MapRevision& r = *out.revision;
+  ASSERT_TRUE(out.moved);
+  const MapMoved& r = *out.moved;
   BaProblem window;
   window.pinhole = test::pinhole();
   window.prior = r.prior;
   const int first = int(out.drive.size()) - 12;
   for (size_t i = first; i < out.drive.size(); ++i) {
-    window.poses.push_back({r.keyframes[i].T_cam_world, false});
+    window.poses.push_back({r.T_cam_map(r.keyframes[i]), false});
     window.pose_ids.push_back(r.keyframes[i].id);
   }
   for (size_t h = first; h < out.drive.size(); ++h)
@@ -364,8 +384,8 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
         const int target = seen.keyframe_id - 10 - first;
         if (target < 0) continue;
         window.observations.push_back(
-            {index, target, correct_pixel(window.pinhole, {}, r.now, {}, seen.match.px),
-             correct_normal(window.pinhole, {}, r.now, {}, seen.match.px, seen.match.normal),
+            {index, target, correct_pixel(window.pinhole, {}, r.lens->now, {}, seen.match.px),
+             correct_normal(window.pinhole, {}, r.lens->now, {}, seen.match.px, seen.match.normal),
              seen.match.inv_sigma_normal, 0.0});
       }
       if (!window.observations.empty() && window.observations.back().point == index)
@@ -378,7 +398,7 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
   EXPECT_LT(test::pose_difference(before, window), 0.01);  // of steps of one metre
 }
 
-TEST(SelfCalibration, RemembersNothingAfterTheLastCheckpoint) {
+TEST(SelfCalibration, NeedsNoMatchesAfterTheLastCheckpoint) {
   SelfCalibrationParams params;
   params.refine = "k1";
   params.min_keyframes = 15;  // checkpoints at 15, 30 and 60
@@ -387,13 +407,12 @@ TEST(SelfCalibration, RemembersNothingAfterTheLastCheckpoint) {
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), params);
   int estimates = 0;
-  for (size_t i = 0; i + 12 < drive.size(); ++i) {
-    calibration.remember(drive[i]);
-    std::vector<const Keyframe*> window;
-    for (size_t k = i + 1; k <= i + 12; ++k) window.push_back(&drive[k]);
-    if (!calibration.is_due(12)) continue;
+  for (size_t count = kWindow + 1; count <= drive.size(); ++count) {
+    const Map map = map_of(drive, count);
+    EXPECT_EQ(calibration.needs_matches(), estimates < 3);
+    if (!calibration.is_due(map)) continue;
     ++estimates;
-    calibration.estimate(window, BaOptions(), false);
+    calibration.estimate(map, BaOptions(), false);
   }
   EXPECT_EQ(estimates, 3);
   EXPECT_EQ(calibration.state().keyframes, 60);
@@ -404,10 +423,10 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
   o.k1 = 0.015;
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), {});
-  ASSERT_TRUE(calibration.estimate(range(drive, 0, 60), BaOptions(), true));
+  ASSERT_TRUE(calibration.estimate(map_of(drive, 60), BaOptions(), true));
   const CameraRefinement found = calibration.state();
-  calibration.forget();
-  EXPECT_FALSE(calibration.estimate(range(drive, 0, 35), BaOptions(), true));
+  calibration.cancel();
+  EXPECT_FALSE(calibration.estimate(map_of(drive, 35), BaOptions(), true));
   EXPECT_EQ(calibration.state().k1, found.k1);
   EXPECT_EQ(calibration.state().keyframes, found.keyframes);
 }

@@ -168,6 +168,15 @@ class BundleAdjuster {
 /// Throws InputError for any other name.
 std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 
+/// Covariance of the pose that is marginalised relative to one that stays.
+struct RelativeCovariance {
+  /// Id of the pose that stays.
+  int pose_id = 0;
+  /// Covariance of xi in T_leaving_other <- exp(xi) T_leaving_other, tangent [v, w], at the current values.
+  /// Zero: unknown.
+  Matrix6d covariance = Matrix6d::Zero();
+};
+
 /// Marginalises pose `pose_id` (and the problem's prior) out of `problem`: the points that it hosts or sees
 /// are eliminated with their observations at the current values (robust weights frozen), its corners with
 /// other poses are linearised there, and the result is a prior on the other poses. Poses linearised by the
@@ -181,7 +190,11 @@ std::unique_ptr<BundleAdjuster> make_bundle_adjuster(const std::string& name);
 /// Throws as solve() does, and for an unknown `pose_id`. A problem with non-finite values gives a prior
 /// without poses. Cost: one linearisation of the dropped points. `huber_width` and `min_idepth` of the
 /// options are used.
+///
+/// `relative`, unless null, names poses of the problem; their covariances are filled from the information
+/// that goes into the prior, before the pose is eliminated. It does not change the result. Cost: one
+/// inversion, 6n x 6n.
 BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& options,
-                    std::vector<bool>* drop_points);
+                    std::vector<bool>* drop_points, std::vector<RelativeCovariance>* relative = nullptr);
 
 }  // namespace edgevo

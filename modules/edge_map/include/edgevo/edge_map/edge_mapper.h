@@ -9,43 +9,37 @@
 // because it is nearer, its line replaces the old one. A line is final after twelve more keyframes: vertices
 // missed more often than seen are removed.
 //
-// Memory: the images of the few newest keyframes, and the lines. Call it from one thread. With `own_thread`
-// the work is done in a thread of its own, which skips keyframes when it is behind.
-#include <deque>
+// Keeps no keyframes: it reads those of the map, and its final lines are events (LinesFinished). Memory: the
+// lines that are not final. Call it from one thread. With `own_thread` the work is done in a thread of its
+// own, which skips keyframes when it is behind.
 #include <memory>
-#include <vector>
 
-#include "edgevo/core/records.h"
 #include "edgevo/edge_map/edge_map_params.h"
 #include "edgevo/edge_map/edge_trace.h"
-#include "edgevo/mapping/keyframe.h"
-#include "edgevo/mapping/map_revision.h"
+#include "edgevo/map/map.h"
 
 namespace edgevo {
-
-/// Lines hosted by a keyframe, in its frame.
-struct HostedLines {
-  /// Id of the host keyframe.
-  int keyframe_id = -1;
-  /// Lines whose vertices are pixels of the host's undistorted image.
-  std::vector<EdgeLine> lines;
-};
 
 /// Makes the lines of one segment after another.
 class EdgeMapper {
  public:
-  /// With `own_thread`, add() returns at once. `trace`, unless null, is filled until close().
+  /// `log`, not null, receives the lines of each keyframe once they are final, in ascending order of id. With
+  /// `own_thread`, add() returns at once. `trace`, unless null, is filled until close().
   EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread,
-             EdgeTrace* trace = nullptr);
+             std::shared_ptr<MapLog> log, EdgeTrace* trace = nullptr);
   ~EdgeMapper();
 
-  /// Adds a keyframe that has left the window, in order of id; `younger`: the keyframes after it. The images
-  /// are shared.
-  void add(const Keyframe& keyframe, const std::deque<Keyframe>& younger);
-  /// Moves lines and poses to a corrected camera.
-  void apply(const MapRevision& revision);
-  /// Ends the segment and returns all its lines, in ascending order of keyframe id.
-  std::vector<HostedLines> close();
+  /// Adds the keyframe that was marginalised last. Its edges are looked for in the images of the active
+  /// keyframes and of those marginalised before it.
+  void add(const Map& map);
+  /// Number of newest marginalised keyframes whose images and matches the next add() uses.
+  size_t keyframes_needed() const;
+  /// Waits until all keyframes added so far are processed: their events then precede what the caller appends.
+  void wait_idle();
+  /// Moves what is not final; call wait_idle() before the move is announced.
+  void apply(const MapMoved& moved);
+  /// Ends the segment: all lines become final.
+  void close();
 
   /// Number of keyframes skipped because the thread was behind.
   int skipped() const;

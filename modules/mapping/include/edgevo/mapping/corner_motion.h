@@ -14,15 +14,10 @@
 #include "edgevo/core/random.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/map/keyframe.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
-
-/// A corner in two images.
-struct CornerPair {
-  /// Rays (x, y, 1) in the two cameras.
-  Eigen::Vector3d from, to;
-};
 
 /// Camera motion estimated from corners.
 struct CornerMotion {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "edgevo/core/random.h"
+#include "edgevo/map/keyframe.h"
 #include "edgevo/mapping/epipolar_search.h"
-#include "edgevo/mapping/keyframe.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {

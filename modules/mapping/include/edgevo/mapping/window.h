@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The sliding window of keyframes: association with a new keyframe, activation of immature points, local
-// bundle adjustment with match updates, removal of the oldest keyframe.
+// The sliding window: the active keyframes of the map (map/map.h). Association with a new keyframe,
+// activation of immature points, local bundle adjustment with match updates, marginalisation of the oldest
+// keyframe.
 #include <deque>
-#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
-#include "edgevo/mapping/keyframe.h"
-#include "edgevo/mapping/map_revision.h"
+#include "edgevo/map/map.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
@@ -48,24 +49,24 @@ struct ActivationPolicy {
 /// The sliding window of one segment. Not thread-safe.
 class Window {
  public:
-  /// Throws InputError for an unknown solver.
-  Window(const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
+  /// Works on the active keyframes of `map`, which must outlive it. Throws InputError for an unknown solver.
+  Window(Map* map, const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
 
   /// Keyframes, oldest first.
-  std::deque<Keyframe>& keyframes() { return keyframes_; }
+  std::deque<Keyframe>& keyframes() { return map_->active(); }
   /// Keyframes, oldest first.
-  const std::deque<Keyframe>& keyframes() const { return keyframes_; }
+  const std::deque<Keyframe>& keyframes() const { return std::as_const(*map_).active(); }
   /// The newest keyframe; the window must not be empty.
-  Keyframe& newest() { return keyframes_.back(); }
+  Keyframe& newest() { return keyframes().back(); }
   /// The newest keyframe; the window must not be empty.
-  const Keyframe& newest() const { return keyframes_.back(); }
+  const Keyframe& newest() const { return keyframes().back(); }
   /// True if there are more keyframes than the window may hold: call remove_oldest().
-  bool full() const { return int(keyframes_.size()) > params_.keyframes; }
+  bool full() const { return int(keyframes().size()) > params_.keyframes; }
   /// Number of active points of all keyframes.
   int active_points() const;
 
   /// Appends the newest keyframe; ids ascend.
-  void add(Keyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
+  void add(Keyframe keyframe) { map_->add(std::move(keyframe)); }
 
   /// Matches all active points with the newest keyframe; `pose_covariance` is that of its tracking. Returns
   /// the number of matches.
@@ -90,8 +91,13 @@ class Window {
   /// leaves the window.
   void fix_bootstrap_scale();
 
-  /// Removes the oldest keyframe and returns it with its present points.
-  Keyframe remove_oldest();
+  /// Marginalises the oldest keyframe: its information becomes part of the prior, and the map announces it
+  /// with its pose relative to the four keyframes that share most matches with it. Returns it with its
+  /// present points.
+  const Keyframe& remove_oldest();
+  /// Gives the oldest keyframe to the marginalised ones at the end of a segment: the others stay as they are,
+  /// and the covariances relative to them are unknown.
+  const Keyframe& release_oldest();
 
   /// The points seen in a keyframe of the window, in its frame.
   std::vector<CloudPoint> cloud(const Keyframe& reference) const;
@@ -102,10 +108,9 @@ class Window {
   /// is a guess.
   std::vector<CloudPoint> tracking_cloud(const Keyframe& reference) const;
 
-  /// Rebuilds the pyramid of a keyframe for a new correction of the camera.
-  using Rebuild = std::function<std::shared_ptr<const FramePyramid>(const Keyframe&)>;
-  /// Applies a correction of the camera: moves poses, points and prior, and rebuilds the images.
-  void apply(const MapRevision& revision, const Rebuild& rebuild);
+  /// Replaces the prior after the keyframes of the window have moved (Map::move); one without poses changes
+  /// nothing.
+  void take_prior(const BaPrior& prior);
 
  private:
   /// Another keyframe as a host sees it.
@@ -156,18 +161,19 @@ class Window {
                     const std::vector<View>& views) const;
   void drop_unfit(const BaResult& result, const Adjustment& adjustment);
   void apply_gauge(BaProblem* problem) const;
-  BaPrior marginalise_oldest();
+  std::vector<NeighbourPose> neighbours_of_oldest() const;
+  BaPrior marginalise_oldest(std::vector<NeighbourPose>* neighbours);
   static void drop_matches_in(int keyframe_id, Keyframe* host);
   CloudPoint own_point(const MapPoint& point) const;
   std::optional<CloudPoint> seen_point(const Keyframe& reference, const SE3& T_reference_host,
                                        const MapPoint& point) const;
   void add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const;
 
+  Map* map_;
   Pinhole pinhole_;
   WindowParams params_;
   AssociationParams association_;
   std::unique_ptr<BundleAdjuster> adjuster_;
-  std::deque<Keyframe> keyframes_;
   std::optional<BaPrior> prior_;
   bool bootstrap_gauge_ = false;  // prior_ is that of fix_bootstrap_scale
 };

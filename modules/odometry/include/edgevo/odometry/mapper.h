@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames.
-// Publishes the reference that the next frames are tracked against. One thread at a time; reference() returns
-// immutable values.
+// Publishes the reference that the next frames are tracked against, and the events of the map. One thread at
+// a time; what other threads see are immutable values: reference() and the events.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "edgevo/core/random.h"
 #include "edgevo/edge_map/edge_mapper.h"
+#include "edgevo/map/map.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/window.h"
 #include "edgevo/odometry/odometry_params.h"
@@ -44,9 +46,6 @@ struct TrackedFrame {
   int return_to = -1;
 };
 
-/// CPU time in milliseconds by stage.
-using StageTimes = std::vector<std::pair<std::string, double>>;
-
 /// Result of mapping a frame.
 struct MapUpdate {
   /// Id of the keyframe made of this frame; -1: none.
@@ -61,6 +60,9 @@ struct MapUpdate {
 using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
     const FramePyramid&, const ImageMotion&, const ImageCorrection&)>;
 
+/// Proposes a move of the map; nothing to leave it as it is.
+using MoveMap = std::function<std::optional<MapMoved>(const Map&)>;
+
 /// How mapping works in a run; what it estimates is in OdometryParams.
 struct MapperOptions {
   /// Seed of the run.
@@ -70,9 +72,13 @@ struct MapperOptions {
   bool own_threads = false;
   /// Rebuilds pyramids; required with self-calibration.
   RebuildPyramid rebuild;
+  /// Receives the events of the map; null: nobody follows it.
+  std::shared_ptr<MapLog> log;
+  /// OdometryOptions::move_map; may be empty.
+  MoveMap move_map;
 };
 
-/// Window, self-calibration and edge map of a run.
+/// Map, window, self-calibration and edge lines of a run.
 class Mapper {
  public:
   /// Starts without a map. `pinhole` is that of the undistorted images. Throws InputError for a solver of
@@ -82,6 +88,8 @@ class Mapper {
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
   /// between them. Returns an empty string, or why they make no map.
   [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
+  /// Announces the first window as that of `segment`, whose pose has been announced.
+  void begin_segment(int segment) { map_->begin_segment(segment); }
   /// Processes one tracked frame: updates immature depths, and makes it a keyframe if requested.
   MapUpdate process(const TrackedFrame& frame);
   /// Closes the segment: marginalises all keyframes and empties the window.
@@ -91,16 +99,12 @@ class Mapper {
   std::shared_ptr<const Reference> reference() const { return reference_; }
   /// The window of keyframes; empty without a map.
   const Window& window() const { return window_; }
+  /// All keyframes.
+  const Map& map() const { return *map_; }
   /// Id of the next keyframe; ascends over the whole run.
   int next_id() const { return next_id_; }
-  /// Keyframes that have left the window since the last call, with final poses and points, in order of id.
-  std::vector<Keyframe> take_marginalised() { return std::exchange(marginalised_, {}); }
-  /// Keyframes, marginalised or in the window, that a correction of the camera moved since the last call.
-  std::vector<RevisedKeyframe> take_revised() { return std::exchange(revised_, {}); }
   /// Self-calibration so far.
   const CameraRefinement& camera() const { return calibration_.state(); }
-  /// Lines of the segments closed since the last call.
-  std::vector<HostedLines> take_lines() { return std::exchange(lines_, {}); }
 
  private:
   // The steps of a bootstrap.
@@ -122,6 +126,7 @@ class Mapper {
   void remove_oldest(StageTimes* times);
   void map_edges(StageTimes* times);
   void calibrate_if_due(StageTimes* times);
+  void move_if_proposed();
   void seed_and_publish(StageTimes* times);
 
   void smooth_depths();
@@ -130,7 +135,8 @@ class Mapper {
   void seed_points(Keyframe* keyframe);
   void calibrate_during_run();
   void calibrate(bool at_end);
-  std::vector<const Keyframe*> window_pointers() const;
+  void move_map(MapMoved moved);
+  void evict();
   BaOptions calibration_options() const;
   void publish(const Keyframe& keyframe);
 
@@ -140,13 +146,12 @@ class Mapper {
   bool gradient_patches_;
   MapperOptions options_;
   Random random_;
+  std::shared_ptr<MapLog> log_;
+  std::unique_ptr<Map> map_;  // the window keeps its address
   Window window_;
   std::shared_ptr<const Reference> reference_;
   SelfCalibration calibration_;
   EdgeMapper edge_mapper_;
-  std::vector<Keyframe> marginalised_;
-  std::vector<HostedLines> lines_;
-  std::vector<RevisedKeyframe> revised_;
   int next_id_ = 0;
   TrackingCheck tracking_check_;
   /// Median inverse depth of the points seen in the newest keyframe.

@@ -12,9 +12,9 @@
 #include <string>
 
 #include "edgevo/core/image.h"
-#include "edgevo/core/live_keyframes.h"
 #include "edgevo/core/records.h"
 #include "edgevo/edges/edge_detector.h"
+#include "edgevo/map/map.h"
 #include "edgevo/odometry/frame_view.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
@@ -34,11 +34,18 @@ struct OdometryOptions {
   int max_frames_ahead = 1;
   /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
+  /// The stream that consumers read (map/map_log.h); null: nobody follows the map.
+  std::shared_ptr<MapLog> map_log;
+  /// A producer of moves besides self-calibration, e.g. a recognition of places; may be empty. Called once
+  /// per keyframe, in the thread of mapping, after self-calibration; nothing returned leaves the map as it
+  /// is. Map::move() says which moves are refused, by an exception.
+  std::function<std::optional<MapMoved>(const Map&)> move_map;
   /// Called with one line at each change of state; may be empty.
   std::function<void(const std::string&)> log;
 };
 
-/// A run of one camera, in one thread.
+/// A run of one camera, in one thread. Keyframes, and poses that are found later, come as events
+/// (OdometryOptions::map_log).
 class Odometry {
  public:
   /// Throws InputError for an unusable camera, or a detector that is unusable or not in the table.
@@ -48,20 +55,14 @@ class Odometry {
   /// Processes the next frame, in time order. The record holds what is known now; poses found later
   /// (bootstrap) and final poses come with finish(). Throws InputError if the image does not have the
   /// camera's size.
-  const FrameRecord& process(const Frame& frame);
+  FrameRecord process(const Frame& frame);
   /// Records a frame that is not processed because the program is behind its camera: it gets a record without
   /// a pose, with `why` as its note, and the motion model counts it. The image is not used.
-  const FrameRecord& skip(const Frame& frame, const std::string& why);
+  FrameRecord skip(const Frame& frame, const std::string& why);
 
   /// View of the map from the newest frame. Call in the thread of process(). Cost: one projection per point,
   /// about 0.1 ms.
   FrameView frame_view() const;
-  /// The keyframes that have left the window so far, from index `first` on. Call in the thread of
-  /// process().
-  MarginalisedKeyframes marginalised_keyframes(size_t first = 0) const;
-  /// The keyframes of the window, if they have changed since `version`. Call in the thread of process().
-  /// Cost: a copy of their points, about 0.1 ms.
-  std::optional<ActiveKeyframes> active_keyframes(int version = 0) const;
   /// The result of the last process() call, with the map that it used. Call in the thread of process().
   const NewestPose& newest_pose() const;
 

@@ -3,8 +3,10 @@
 // Recovery of a run that was interrupted (killed, power failure): `edgevo finish` writes its results from the
 // recovery log.
 //
-// Frames keep their live poses, corrected by how far their keyframes have moved since. Edge lines are lost,
-// as are keyframes of the window that had not reached the disk. A requested scale is measured again.
+// The events on disk are replayed through the code that makes the results of any run (map/run_builder.h), and
+// through that of the scale: the results are those of a run that ended there, but for the self-calibration
+// that an end makes once more. A keyframe that had not reached the disk is missing, and its frames keep their
+// live poses; so are edge lines that were not finished.
 #include <string>
 
 #include "edgevo/core/records.h"

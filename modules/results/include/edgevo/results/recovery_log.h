@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The recovery log: what a run has found so far, on disk while it runs, so that a killed program loses none
-// of it.
+// The recovery log: the events of a run (map/map_event.h) on disk while it runs, so that a killed program
+// loses none of its results.
 //
-// `unfinished_run.bin` in the run's folder holds a header, each frame as it was tracked and each keyframe as
-// it left the window. Every record has a checksum, so the file may end anywhere. It is removed once the run's
-// files are written. The bytes are specific to this machine and this version of the program. Cost: about 500
-// bytes a frame and 40 bytes a map point; all keyframes again whenever the camera is corrected. Keyframes
-// that are still in the window are in `unfinished_window.bin`, which is replaced as a whole after each
-// keyframe. Neither file holds edge lines.
+// `unfinished_run.bin` in the run's folder holds a header and each event in its order. Every record has a
+// checksum, so the file may end anywhere. It is removed once the run's files are written. The bytes are
+// specific to this machine and this version of the program. Cost: about 700 bytes a frame and 40 bytes a map
+// point; 24 bytes a point again whenever the camera is corrected. The keyframes that are still in the window
+// are in `unfinished_window.bin`, which is replaced as a whole after each keyframe, once the events before it
+// are on disk.
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "edgevo/core/live_keyframes.h"
-#include "edgevo/core/records.h"
 #include "edgevo/core/vehicle_track.h"
+#include "edgevo/map/map_event.h"
 #include "edgevo/report/run_info.h"
 
 namespace edgevo {
@@ -45,25 +44,10 @@ class RecoveryLog {
   RecoveryLog(const std::string& folder, const RecoveryHeader& header);
   ~RecoveryLog();
 
-  /// Appends a frame as it was tracked. If it has no pose yet (a bootstrap may still find one), `frame` is
-  /// read again when a later frame has a pose, so it must outlive the log. On a full disk the log ends and is
-  /// removed; the run goes on.
-  void add_frame(const FrameRecord& frame);
-  /// Appends keyframes that have left the window: those after the first marginalised() of them, or all of
-  /// them after a correction of the camera (another revision).
-  void add_keyframes(const MarginalisedKeyframes& keyframes);
-  /// Replaces the stored keyframes of the window. Does nothing if their revision is not that of the
-  /// marginalised keyframes written so far.
-  void add_window(const ActiveKeyframes& window);
-  /// Appends the current result of self-calibration if it has changed.
-  void add_camera(const CameraRefinement& camera);
+  /// Appends events in their order; of those that describe the window, the newest replaces the stored window.
+  /// On a full disk the log ends and is removed; the run goes on.
+  void add(const std::vector<std::shared_ptr<const MapEvent>>& events);
 
-  /// Number of keyframes written since the last revision.
-  size_t marginalised() const;
-  /// MarginalisedKeyframes::revision of the keyframes written.
-  int revision() const;
-  /// ActiveKeyframes::version of the window written last; 0: none.
-  int window() const;
   /// Whether the log ended before the run, for lack of space.
   bool is_broken() const;
   /// Removes the log, once the run's files are written.
@@ -74,22 +58,22 @@ class RecoveryLog {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The state of an interrupted run, as far as its recovery log goes.
-struct InterruptedRun {
-  /// Header written before the first frame.
-  RecoveryHeader header;
-  /// Frames with live poses and keyframes in the same world; no final poses yet.
-  Run run;
-  /// Number of keyframes, the last ones of `run`, that were still in the window.
-  size_t active = 0;
-  /// For each keyframe, the number of frames written before it left the window.
-  std::vector<size_t> frames_before_keyframe;
-  /// Whether self-calibration has corrected the camera.
-  bool camera_was_corrected = false;
-};
+/// Reads the recovery log of an interrupted run, as far as it is whole.
+class RecoveryLogReader {
+ public:
+  /// Opens the log in `folder`. Throws InputError: no such file, its run is still in progress, or a header
+  /// that is incomplete or of another version.
+  explicit RecoveryLogReader(const std::string& folder);
+  ~RecoveryLogReader();
 
-/// Reads the recovery log in `folder` up to its first incomplete record. Throws InputError: no such file, or
-/// a header that is incomplete or of another version.
-InterruptedRun read_recovery_log(const std::string& folder);
+  /// Header written before the first frame.
+  const RecoveryHeader& header() const;
+  /// The next event; nothing after the last one that is complete. The stored window comes last.
+  std::optional<MapEvent> next();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace edgevo

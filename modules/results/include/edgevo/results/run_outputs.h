@@ -24,7 +24,7 @@
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
-#include "edgevo/odometry/odometry.h"
+#include "edgevo/map/map_log.h"
 #include "edgevo/report/run_info.h"
 #include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_maps.h"
@@ -49,18 +49,18 @@ class RunOutputs {
   /// Removes the folder if it was made here and is still empty.
   ~RunOutputs();
 
-  /// Keeps a recovery log: whatever add_record() is given is on disk at once. Call before the first frame.
-  void keep_recovery_log(const RecoveryHeader& header);
+  /// Keeps a recovery log of the events in `log` (OdometryOptions::map_log), from now on: call before the
+  /// first frame. It is up to date after each add_record().
+  void keep_recovery_log(const RecoveryHeader& header, const std::shared_ptr<MapLog>& log);
 
   /// Writes the frame's image for playback.rawlog, or links to `image_path` if the image is on disk already.
   /// A frame without an image (a skipped one) gets none. Returns false from the first image on that cannot be
   /// written: end the run, finish() throws the reason.
   [[nodiscard]] bool add_frame(const Frame& frame, const std::string& image_path = {});
 
-  /// Appends the record of the frame to trajectory_live_tum.txt, frames.csv and, if there is one, to the
-  /// recovery log, which also gets the keyframes marginalised by then. `record` must stay valid until
-  /// finish(), as the odometry's records do. Call after add_frame().
-  void add_record(const FrameRecord& record, const Odometry& odometry);
+  /// With a recovery log: appends the events so far to it, and the record of the frame to
+  /// trajectory_live_tum.txt and frames.csv. Call after add_frame().
+  void add_record(const FrameRecord& record);
 
   /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
   /// missing, and the first failure is thrown at the end (InputError).

@@ -37,20 +37,19 @@ struct RunResult {
   std::exception_ptr broken;
 };
 
-/// A frame that the odometry has processed, with the state right after it.
+/// A frame that the odometry has processed.
 struct ProcessedFrame {
   /// The frame; its image is empty if it was skipped.
   const Frame& frame;
-  /// Row of the frame. The reference stays valid until the run ends; the pose may be filled in later
-  /// (bootstrap).
+  /// Row of the frame as it is now; a pose that is found later (bootstrap) comes with the events and the run.
   const FrameRecord& record;
-  /// Odometry after this frame.
-  const Odometry& odometry;
+  /// Makes the view of the map from this frame (Odometry::frame_view()).
+  const std::function<FrameView()>& view;
 };
 
 /// Options of run_odometry().
 struct RunLoopOptions {
-  /// Seed, threads and log of the odometry.
+  /// Seed, threads, log and stream of events of the odometry.
   OdometryOptions odometry;
   /// Rate at which a realtime run receives its frames.
   Pace pace;

@@ -29,8 +29,8 @@ struct HeightSample {
   double distance = 0;
   /// Height of the camera over the point, units of the run, > 0.
   double height = 0;
-  /// Position of the point in the world, units of the run.
-  Eigen::Vector3d p_world = Eigen::Vector3d::Zero();
+  /// Id of the keyframe that hosts the point, if the caller sets it.
+  int keyframe_id = -1;
 };
 
 /// Samples from the points of `keyframe`, whose frame must be in `path`, that the camera passes within the

@@ -3,14 +3,16 @@
 // The metric scale during a run: what is known when a frame arrives, estimated over the most recent interval
 // of the path alone.
 //
-// Feed it with each frame as the odometry delivers it and with each keyframe as it is marginalised. One
-// thread. Memory: the last three intervals of the current segment, and an estimate for each frame. Cost: a
-// fit for each keyframe (camera_height) or for each fifth frame (others), under a millisecond.
+// Feed it with each frame as the odometry delivers it, with each keyframe as it is marginalised and with each
+// move of the map. One thread. Memory: the last three intervals of the current segment, and an estimate for
+// each frame. Cost: a fit for each keyframe (camera_height) or for each fifth frame (others), under a
+// millisecond.
 #include <optional>
 #include <vector>
 
 #include "edgevo/core/records.h"
 #include "edgevo/core/vehicle_track.h"
+#include "edgevo/map/map_event.h"
 #include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/scale_params.h"
 #include "edgevo/scale/scale_source.h"
@@ -26,10 +28,15 @@ class LiveScale {
   LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track,
             std::optional<SE3> T_vehicle_cam, const ScaleParams& params);
 
-  /// Adds a frame with its live pose. Call in time order.
+  /// Adds a frame with its live pose. Call in time order. The newest frame may come again in a new segment,
+  /// which it begins. Otherwise a frame that comes again is ignored, as is a pose found for it later.
   void add_frame(const FrameRecord& frame);
   /// Adds a marginalised keyframe, in the world of the live poses.
-  void add_keyframe(const KeyframeRecord& keyframe);
+  void add_keyframe(int id, const KeyframeRecord& keyframe);
+  /// Follows a move of the current segment's map. The path stays: its poses are live ones. Heights over the
+  /// points of a keyframe change with the lengths near it, to the unit of the newest keyframe, in which the
+  /// next frames come.
+  void apply(const MapMoved& moved);
 
   /// The latest estimate for the current segment; nullopt while there is none.
   const std::optional<ScaleEstimate>& newest() const { return newest_; }
@@ -37,6 +44,7 @@ class LiveScale {
   const std::vector<std::optional<ScaleEstimate>>& history() const { return history_; }
 
  private:
+  void extend_path(const FrameRecord& frame);
   void begin_segment(int segment);
   void forget_what_lies_behind();
   void estimate_from_track();
@@ -50,6 +58,9 @@ class LiveScale {
   const ScaleParams params_;
 
   int segment_ = -1;
+  /// Index of the newest frame, and whether it has a pose.
+  int newest_frame_ = -1;
+  bool has_pose_ = false;
   /// Live poses of the current segment.
   Path path_;
   /// Heights from marginalised keyframes, by travelled distance.

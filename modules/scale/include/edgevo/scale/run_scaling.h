@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The metric scale of a run, as --scale requests it: feed it with each frame, then apply it to the finished
-// run.
+// The metric scale of a run, as --scale requests it: feed it with the events of the run, then convert the
+// finished run.
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "edgevo/core/image_source.h"
+#include "edgevo/map/map_event.h"
 #include "edgevo/scale/live_scale.h"
 #include "edgevo/scale/run_scale.h"
 
@@ -23,22 +25,27 @@ class RunScaling {
   RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
              const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params);
 
-  /// True if the scale is measured, which needs each frame and keyframe during the run.
-  bool is_estimated() const { return requested_.is_estimated(); }
-  /// Call after each frame, with the keyframes marginalised since the frame before. Does nothing unless
-  /// is_estimated().
-  void add_frame(const FrameRecord& frame, const std::vector<KeyframeRecord>& marginalised);
+  /// Follows the run: all its events, in their order. Does nothing unless the scale is measured along the
+  /// run.
+  void apply(const MapEvent& event);
   /// The sensor's track that the scale is measured from; empty if none is needed.
   const VehicleTrack& track() const { return track_; }
   /// Converts the finished run to metres if that was requested and is possible; else Run::scale.problem says
   /// why not.
-  void apply(Run* run) const;
+  void convert(Run* run) const;
 
  private:
+  void add_waiting();
+
   ScaleSource requested_;
   ScaleParams params_;
   VehicleTrack track_;
   LiveScale live_;
+  /// By segment.
+  std::map<int, Sim3> T_world_map_;
+  /// Keyframes that count once the next frame has come, unless that begins a segment: until it has a scale of
+  /// its own, a segment has the one that the last frame before it had.
+  std::vector<KeyframeMarginalised> waiting_;
 };
 
 }  // namespace edgevo

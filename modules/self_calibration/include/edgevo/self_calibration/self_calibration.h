@@ -8,16 +8,14 @@
 // however good the matches: depth is learnt near the image centre and used further out. A rolling shutter
 // elongates the image of a camera that moves up or down, which looks like a step forward. Bundle adjustment
 // sees both: its cost is lowest where neither happens. How:
-//   1. Keyframes that leave the window are remembered with their matches, without images, up to the last
-//      checkpoint.
+//   1. The map keeps the matches of marginalised keyframes up to the last checkpoint (needs_matches()).
 //   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
 //      (Newton on the profile cost). Where one more step with both free indicates a rolling shutter, the
 //      read-out time is estimated, too.
-//   3. An estimate that is `significance` standard deviations from the value in use is applied: poses, depths
-//      and matches move to the adjusted ones, anchored at the newest keyframe, whose pose and scale do not
-//      change, and the window's prior is formed again.
+//   3. An estimate that is `significance` standard deviations from the value in use is to be applied: the
+//      result is a move of the map (MapMoved), with a new prior of the window. The owner of the map applies it.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
-// is applied. After the last checkpoint nothing is remembered any more: memory and time are bounded. A run
+// is applied. After the last checkpoint no matches are needed any more: memory and time are bounded. A run
 // that ends earlier is estimated at its end. A run that is too short, too straight or too still reports that
 // and does not change the camera.
 #include <memory>
@@ -28,8 +26,7 @@
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/core/params.h"
 #include "edgevo/core/records.h"
-#include "edgevo/mapping/keyframe.h"
-#include "edgevo/mapping/map_revision.h"
+#include "edgevo/map/map.h"
 
 namespace edgevo {
 
@@ -67,38 +64,33 @@ class SelfCalibration {
   /// Waits for an estimate that is running.
   ~SelfCalibration();
 
-  /// Remembers a keyframe that leaves the window, without its images.
-  void remember(const Keyframe& keyframe);
+  /// True if the matches of marginalised keyframes are needed for later estimates.
+  bool needs_matches() const { return !finished_ && params_.refine != "none"; }
   /// True if a checkpoint is reached and no estimate is running.
-  bool is_due(int window_keyframes) const;
-  /// Estimates the camera from all remembered keyframes and the window. Returns a revision if one is to be
-  /// applied; `at_end`: even if it changes little.
-  std::optional<MapRevision> estimate(const std::vector<const Keyframe*>& window, const BaOptions& options,
-                                      bool at_end);
+  bool is_due(const Map& map) const;
+  /// Estimates the camera from all keyframes of the map that have matches. Returns how the map is to move, if
+  /// it is; `at_end`: even if it changes little.
+  std::optional<MapMoved> estimate(const Map& map, const BaOptions& options, bool at_end);
   /// Begins an estimate in a thread of its own, on a copy of the matches. Once it is ready, estimate()
-  /// returns it for the window at that time (sooner: waits for it). Cost: the copy, some 20 ms at 120
-  /// keyframes.
-  void begin(const std::vector<const Keyframe*>& window, const BaOptions& options);
+  /// returns it for the map at that time (sooner: waits for it). Cost: the copy, some 20 ms at 120 keyframes.
+  void begin(const Map& map, const BaOptions& options);
   /// True from begin() until estimate() has returned the result.
   bool is_running() const { return job_ != nullptr; }
   /// True if an estimate that was begun has ended.
   bool is_ready() const;
-  /// Starts over after the end of a segment. What was found stays.
-  void forget();
+  /// Drops an estimate that is running, at the end of a segment. What was found stays.
+  void cancel();
 
   /// Results so far.
   const CameraRefinement& state() const { return state_; }
 
  private:
   struct Job;
-  std::vector<const Keyframe*> all_keyframes(const std::vector<const Keyframe*>& window) const;
   void pass_checkpoint(int keyframes, bool at_end);
 
   Pinhole pinhole_;
   SelfCalibrationParams params_;
   CameraRefinement state_;
-  /// Remembered keyframes, without images.
-  std::vector<Keyframe> history_;
   int next_checkpoint_;
   /// True if the last checkpoint has passed.
   bool finished_ = false;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "edgevo/map/map_log.h"
 #include "edgevo/run_loop/run_odometry.h"
 
 namespace edgevo {
@@ -18,8 +19,10 @@ namespace edgevo {
 /// The window. For use by one thread.
 class RunView {
  public:
-  /// Opens the window. Returns null if that fails, for example without a display; `*why` is then the reason.
-  static std::unique_ptr<RunView> open(const std::optional<SE3>& T_vehicle_cam, std::string* why);
+  /// Opens the window on the run whose events go to `log` (OdometryOptions::map_log), before its first frame.
+  /// Returns null if that fails, for example without a display; `*why` is then the reason.
+  static std::unique_ptr<RunView> open(const std::optional<SE3>& T_vehicle_cam, std::shared_ptr<MapLog> log,
+                                       std::string* why);
   ~RunView();
 
   /// Shows a frame and waits while the view is paused, until `stop()` returns true. Returns false if the user

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "revision.h"
+#include "map_move.h"
 
 #include <algorithm>
 
 #include "edgevo/bundle_adjustment/gauge.h"
 #include "edgevo/bundle_adjustment/problem_index.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/map/corrected_pixel.h"
 
 namespace edgevo {
 namespace {
@@ -25,14 +26,18 @@ double idepth_ratio(const std::vector<const Keyframe*>& keyframes, size_t from, 
   return ratios.empty() ? 1.0 : median(std::move(ratios));
 }
 
-// Moves a solution so that the newest keyframe keeps its pose, and lengths around it their unit.
-void anchor(const SE3& newest, double length, BaProblem* solution) {
+// Moves a solution so that the newest keyframe keeps its pose, and lengths around it their unit. Returns the
+// poses relative to the newest keyframe.
+std::vector<SE3> anchor(const SE3& newest, double length, BaProblem* solution) {
   const SE3 from = solution->poses.back().T_cam_world;
+  std::vector<SE3> T_cam_newest;
   for (BaPose& pose : solution->poses) {
     const SE3 T_i_newest = pose.T_cam_world * from.inverse();
-    pose.T_cam_world = SE3(T_i_newest.rotation(), length * T_i_newest.translation()) * newest;
+    T_cam_newest.emplace_back(T_i_newest.rotation(), length * T_i_newest.translation());
+    pose.T_cam_world = T_cam_newest.back() * newest;
   }
   for (BaPoint& p : solution->points) p.idepth /= length;
+  return T_cam_newest;
 }
 
 // Marginalises the first `count` poses one after another, as the window would have done.
@@ -57,57 +62,40 @@ BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions&
   return prior;
 }
 
-RevisedKeyframe revise(const Pinhole& c, const ImageCorrection& before, const ImageCorrection& now,
-                       const Keyframe& k, const SE3& T_cam_world, double ratio,
-                       const std::vector<int>& point_index, const BaProblem& solution) {
-  RevisedKeyframe r;
-  r.id = k.id;
-  r.motion = k.motion;
-  r.T_cam_world = T_cam_world;
-  r.length_ratio = 1.0 / ratio;
+KeyframeMove make_keyframe_move(const Pinhole& c, const LensChange& lens, const Keyframe& k,
+                                const SE3& T_cam_newest, double ratio, const std::vector<int>& point_index,
+                                const BaProblem& solution) {
+  KeyframeMove m;
+  m.id = k.id;
+  m.motion = k.motion;
+  m.T_cam_newest = T_cam_newest;
+  m.length_ratio = 1.0 / ratio;
   for (size_t i = 0; i < k.points.size(); ++i) {
     const double idepth =
         point_index[i] >= 0 ? solution.points[point_index[i]].idepth : k.points[i].idepth * ratio;
-    r.points.push_back({correct_pixel(c, before, now, k.motion, k.points[i].px), idepth});
+    m.points.push_back({correct_pixel(c, lens.before, lens.now, k.motion, k.points[i].px), idepth});
   }
-  return r;
+  return m;
 }
 
 }  // namespace
 
-MapRevision make_revision(const Pinhole& c, const ImageCorrection& before,
-                          const std::vector<const Keyframe*>& keyframes, size_t remembered,
-                          const CalibrationHistory& history, const BaOptions& options, CameraEstimate* e) {
+MapMoved make_move(const Pinhole& c, const ImageCorrection& before,
+                   const std::vector<const Keyframe*>& keyframes, size_t marginalised,
+                   const CalibrationHistory& history, const BaOptions& options, CameraEstimate* e) {
   const size_t n = keyframes.size();
-  const double length = idepth_ratio(keyframes, remembered, n, history, e->solution);
-  anchor(keyframes.back()->T_cam_world, length, &e->solution);
-  MapRevision r;
-  r.before = before;
-  r.now = e->value;
+  const double length = idepth_ratio(keyframes, marginalised, n, history, e->solution);
+  const std::vector<SE3> T_cam_newest = anchor(keyframes.back()->T_cam_world, length, &e->solution);
+  MapMoved moved;
+  moved.reason = MoveReason::kCamera;
+  moved.lens = LensChange{before, e->value};
   for (size_t k = 0; k < n; ++k) {
     const double ratio = idepth_ratio(keyframes, k, k + 1, history, e->solution);
-    r.keyframes.push_back(revise(c, before, e->value, *keyframes[k], e->solution.poses[k].T_cam_world, ratio,
-                                 history.point_index[k], e->solution));
+    moved.keyframes.push_back(make_keyframe_move(c, *moved.lens, *keyframes[k], T_cam_newest[k], ratio,
+                                                 history.point_index[k], e->solution));
   }
-  r.prior = marginalize_first(e->solution, int(remembered), options);
-  return r;
-}
-
-void apply_to_history(const Pinhole& c, const MapRevision& revision, std::vector<Keyframe>* history) {
-  for (size_t h = 0; h < history->size(); ++h) {
-    Keyframe& k = (*history)[h];
-    const RevisedKeyframe& r = revision.keyframes[h];
-    k.T_cam_world = r.T_cam_world;
-    for (size_t i = 0; i < k.points.size(); ++i) {
-      k.points[i].px = r.points[i].px;
-      k.points[i].idepth = r.points[i].idepth;
-      for (Observation& o : k.points[i].observations) {
-        const ImageMotion& motion = revision.motion_of(o.keyframe_id);
-        o.match.normal = correct_normal(c, revision.before, revision.now, motion, o.match.px, o.match.normal);
-        o.match.px = correct_pixel(c, revision.before, revision.now, motion, o.match.px);
-      }
-    }
-  }
+  moved.prior = marginalize_first(e->solution, int(marginalised), options);
+  return moved;
 }
 
 }  // namespace edgevo

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/mapping/map_revision.h"
+#include "edgevo/map/corrected_pixel.h"
 
 #include <Eigen/LU>
-#include <algorithm>
+
+#include "edgevo/edges/image_correction.h"
 
 namespace edgevo {
-
-const ImageMotion& MapRevision::motion_of(int keyframe_id) const {
-  static const ImageMotion unknown;
-  const auto k = std::lower_bound(keyframes.begin(), keyframes.end(), keyframe_id,
-                                  [](const RevisedKeyframe& r, int id) { return r.id < id; });
-  return k != keyframes.end() && k->id == keyframe_id ? k->motion : unknown;
-}
 
 Eigen::Vector2d correct_pixel(const Pinhole& c, const ImageCorrection& before, const ImageCorrection& now,
                               const ImageMotion& motion, const Eigen::Vector2d& px) {

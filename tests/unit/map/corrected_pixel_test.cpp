@@ -2,7 +2,7 @@
 // Pixels and normals of a map, converted to another correction of the images.
 #include <gtest/gtest.h>
 
-#include "edgevo/mapping/map_revision.h"
+#include "edgevo/map/corrected_pixel.h"
 #include "support/bundle_adjustment_scene.h"
 
 namespace edgevo {

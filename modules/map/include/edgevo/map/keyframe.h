@@ -10,7 +10,7 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/mapping/corner_motion.h"
+#include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
 
@@ -75,6 +75,12 @@ struct ImmaturePoint {
   bool tentative = false;
   /// True if the point was given up or made a MapPoint, and is to be removed.
   bool dead = false;
+};
+
+/// A corner in two images.
+struct CornerPair {
+  /// Rays (x, y, 1) in the two cameras.
+  Eigen::Vector3d from, to;
 };
 
 /// A keyframe with the points that it hosts.

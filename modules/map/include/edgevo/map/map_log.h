@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The stream of map events of one run, from the threads that change the map to those that follow it.
+//
+// Producers (tracking and mapping, each in its thread) append; each consumer reads through a cursor of its
+// own. The events of one thread keep their order; those of two threads are ordered by the log, so that all
+// consumers see the same order. An event is kept until every cursor has passed it.
+#include <memory>
+#include <vector>
+
+#include "edgevo/map/map_event.h"
+
+namespace edgevo {
+
+class MapCursor;
+
+/// The stream of events. Safe in any thread.
+class MapLog {
+ public:
+  MapLog();
+  ~MapLog();
+  MapLog(const MapLog&) = delete;
+  MapLog& operator=(const MapLog&) = delete;
+
+  /// Appends an event. Cost: a lock and a move; without cursors the event is dropped.
+  void append(MapEvent event);
+  /// Number of events that some cursor has not passed yet.
+  size_t kept() const;
+
+ private:
+  friend class MapCursor;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The place of one consumer in the stream; for use by one thread at a time.
+class MapCursor {
+ public:
+  /// Begins at the next event that is appended: a consumer that wants all events makes its cursor before the
+  /// first frame.
+  explicit MapCursor(std::shared_ptr<MapLog> log);
+  ~MapCursor();
+  MapCursor(MapCursor&&) noexcept;
+  MapCursor& operator=(MapCursor&&) = delete;
+
+  /// The events since the last call, oldest first.
+  [[nodiscard]] std::vector<std::shared_ptr<const MapEvent>> read();
+
+ private:
+  std::shared_ptr<MapLog> log_;
+  size_t id_ = 0;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The result of a run from its events: each frame is anchored to a keyframe and moves with it, whatever moves
+// the keyframe later. `edgevo run` builds its results from the events as they happen, `edgevo finish` from
+// those on disk, with this same code.
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "edgevo/core/records.h"
+#include "edgevo/map/map_event.h"
+
+namespace edgevo {
+
+/// Applies a move to the record of a keyframe that is in its segment's map: pose, points and lines.
+void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move,
+                KeyframeRecord* keyframe);
+/// Applies a move to a vertex of a line that the keyframe hosts.
+void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move, EdgeVertex* vertex);
+/// From a segment's map to the world: lengths grow by the scale, inverse depths shrink.
+void move_to_world(const Sim3& T_world_map, KeyframeRecord* keyframe);
+
+/// The live pose of a frame.
+struct TimedPose {
+  /// Timestamp of the frame.
+  Timestamp time;
+  /// Its pose when it was processed.
+  SE3 T_world_cam;
+};
+
+/// Collects frames, keyframes and segments of a run. For one thread.
+class RunBuilder {
+ public:
+  /// `pinhole`: that of the images which the method works on.
+  explicit RunBuilder(const Pinhole& pinhole);
+
+  /// Applies the next event. An event about a keyframe or segment that is not known is ignored: it can only
+  /// come from a log on disk that was cut off.
+  void apply(const MapEvent& event);
+
+  /// The newest record of a frame; null if there is none.
+  const FrameRecord* find(int frame_index) const;
+  /// Live poses of a segment up to `last_frame`: the last `at_most` of them, oldest first.
+  std::vector<TimedPose> last_poses(int segment, int last_frame, size_t at_most) const;
+  /// Pose in the segment's map of the last frame before `frame_index` that has one; nothing if that frame is
+  /// of another segment.
+  std::optional<SE3> pose_before(int frame_index, int segment) const;
+  /// From the map of a segment that has begun to the world.
+  const Sim3& T_world_map(int segment) const { return T_world_map_[size_t(segment)]; }
+  /// Number of frames so far.
+  size_t frames() const { return rows_.size(); }
+
+  /// Takes the keyframes of the newest WindowAdjusted as marginalised, except those that have been: the end
+  /// of a run that was killed. Does nothing if the map has moved since.
+  /// Returns their number.
+  size_t adopt_window();
+  /// Returns final poses and keyframes in the world. A frame whose keyframe is not known (one that a killed
+  /// run had not brought to the disk) keeps its live pose. Call once.
+  Run finish();
+
+ private:
+  struct Row {
+    FrameRecord frame;
+    std::optional<FrameAnchor> anchor;
+    StageTimes mapping;
+  };
+  struct Entry {
+    // Without lines; shared with other consumers until the keyframe moves.
+    std::shared_ptr<const KeyframeRecord> keyframe;
+    std::vector<EdgeLine> lines;
+  };
+
+  void take(const SegmentPlaced& e);
+  void take(const KeyframeAdded&) {}
+  void take(const KeyframeMarginalised& e);
+  void take(const MapMoved& e);
+  void take(const WindowAdjusted& e) { window_ = e; }
+  void take(const LinesFinished& e);
+  void take(const CameraEstimated& e) { camera_ = e.camera; }
+  void take(const FrameMapped& e);
+  void take(const FrameAnchored& e);
+
+  bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_world_map_.size(); }
+  void add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe);
+  double length_ratio_since(int keyframe_id, int moves) const;
+  void anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe);
+  void finish_row(const std::map<int, int>& position_of_keyframe,
+                  const std::vector<KeyframeRecord>& keyframes, Row* row) const;
+
+  Pinhole pinhole_;
+  CameraRefinement camera_;
+  std::deque<Row> rows_;
+  std::map<int, size_t> position_;  // frame index -> rows_
+  std::map<int, Entry> keyframes_;  // the marginalised ones, by id
+  // By keyframe id, also of keyframes of the window: number of the move, new over old length.
+  std::map<int, std::vector<std::pair<int, double>>> length_ratios_;
+  std::vector<Sim3> T_world_map_;  // by segment
+  WindowAdjusted window_;
+  int moves_ = 0;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/map/run_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "edgevo/core/record_units.h"
+#include "edgevo/map/corrected_pixel.h"
+
+namespace edgevo {
+namespace {
+
+void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
+  const float ratio = float(move.length_ratio);
+  for (size_t i = 0; i < points->size(); ++i) {
+    EdgePoint& p = (*points)[i];
+    // Not by the ratio of the two depths: a point that moves to infinity does not become more certain.
+    p.idepth_sigma /= ratio;
+    if (i < move.points.size()) {
+      p.px = move.points[i].px.cast<float>();
+      p.idepth = float(move.points[i].idepth);
+    } else {
+      p.idepth /= ratio;
+    }
+  }
+}
+
+}  // namespace
+
+void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move,
+                KeyframeRecord* keyframe) {
+  keyframe->T_world_cam = moved.T_cam_map(move).inverse();
+  move_points(move, &keyframe->points);
+  for (EdgeLine& line : keyframe->lines)
+    for (EdgeVertex& v : line.vertices) apply_move(pinhole, moved, move, &v);
+}
+
+void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move, EdgeVertex* v) {
+  if (const std::optional<LensChange>& lens = moved.lens)
+    v->px = correct_pixel(pinhole, lens->before, lens->now, move.motion, v->px.cast<double>()).cast<float>();
+  v->idepth /= float(move.length_ratio);
+  v->idepth_sigma /= float(move.length_ratio);
+}
+
+void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
+  k->T_world_cam = T_world_map.apply(k->T_world_cam);
+  multiply_depths(T_world_map.scale, k);
+}
+
+RunBuilder::RunBuilder(const Pinhole& pinhole) : pinhole_(pinhole) {}
+
+// ---- events ----
+
+void RunBuilder::apply(const MapEvent& event) {
+  std::visit([this](const auto& e) { take(e); }, event);
+}
+
+void RunBuilder::take(const SegmentPlaced& e) {
+  if (!is_known(e.segment)) T_world_map_.resize(size_t(e.segment) + 1);
+  T_world_map_[size_t(e.segment)] = e.T_world_map;
+}
+
+void RunBuilder::take(const KeyframeMarginalised& e) { add_keyframe(e.id, e.keyframe); }
+
+void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
+  if (is_known(keyframe->segment)) keyframes_[id].keyframe = std::move(keyframe);
+}
+
+void RunBuilder::take(const MapMoved& e) {
+  ++moves_;
+  for (const KeyframeMove& move : e.keyframes) {
+    length_ratios_[move.id].emplace_back(moves_, move.length_ratio);
+    const auto known = keyframes_.find(move.id);
+    // A keyframe that is still in the window is marginalised with its new values.
+    if (known == keyframes_.end()) continue;
+    Entry& entry = known->second;
+    auto keyframe = std::make_shared<KeyframeRecord>(*entry.keyframe);
+    keyframe->lines = std::move(entry.lines);
+    apply_move(pinhole_, e, move, keyframe.get());
+    entry.lines = std::exchange(keyframe->lines, {});
+    entry.keyframe = std::move(keyframe);
+  }
+}
+
+void RunBuilder::take(const LinesFinished& e) {
+  const auto known = keyframes_.find(e.keyframe_id);
+  if (known != keyframes_.end()) known->second.lines = e.lines;
+}
+
+void RunBuilder::take(const FrameMapped& e) {
+  const auto known = position_.find(e.frame_index);
+  if (known != position_.end()) rows_[known->second].mapping = e.times;
+}
+
+void RunBuilder::take(const FrameAnchored& e) {
+  const auto [known, is_new] = position_.emplace(e.frame.index, rows_.size());
+  if (is_new) rows_.emplace_back();
+  Row& row = rows_[known->second];
+  row.frame = e.frame;
+  row.anchor = e.anchor;
+}
+
+// ---- the run so far ----
+
+const FrameRecord* RunBuilder::find(int frame_index) const {
+  const auto known = position_.find(frame_index);
+  return known == position_.end() ? nullptr : &rows_[known->second].frame;
+}
+
+std::vector<TimedPose> RunBuilder::last_poses(int segment, int last_frame, size_t at_most) const {
+  std::vector<TimedPose> poses;
+  for (auto row = rows_.rbegin(); row != rows_.rend() && poses.size() < at_most; ++row) {
+    const FrameRecord& f = row->frame;
+    if (f.T_world_cam_live && f.segment == segment && f.index <= last_frame)
+      poses.push_back({f.time, *f.T_world_cam_live});
+  }
+  std::reverse(poses.begin(), poses.end());
+  return poses;
+}
+
+std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
+  auto next = position_.lower_bound(frame_index);
+  while (next != position_.begin()) {
+    const Row& row = rows_[(--next)->second];
+    if (!row.anchor) continue;
+    if (row.frame.segment != segment) return std::nullopt;
+    return row.anchor->T_cam_map;
+  }
+  return std::nullopt;
+}
+
+// ---- the end ----
+
+size_t RunBuilder::adopt_window() {
+  if (!window_.keyframes || window_.moves != moves_) return 0;
+  const size_t before = keyframes_.size();
+  for (const WindowAdjusted::Active& active : *window_.keyframes)
+    if (keyframes_.count(active.id) == 0)
+      add_keyframe(active.id, std::make_shared<const KeyframeRecord>(active.keyframe));
+  return keyframes_.size() - before;
+}
+
+// Factor by which the unit of length near a keyframe has changed since that many moves of the map.
+double RunBuilder::length_ratio_since(int keyframe_id, int moves) const {
+  const auto known = length_ratios_.find(keyframe_id);
+  double ratio = 1;
+  if (known != length_ratios_.end())
+    for (const auto& [number, value] : known->second)
+      if (number > moves) ratio *= value;
+  return ratio;
+}
+
+// A keyframe's frame takes the final pose of the keyframe: that was adjusted, unlike the pose from tracking.
+void RunBuilder::anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe) {
+  const auto known = position_.find(keyframe.frame_index);
+  if (known == position_.end()) return;
+  auto& [frame, anchor, times] = rows_[known->second];
+  frame.is_keyframe = true;
+  if (frame.keyframe_reason == KeyframeReason::kNone) frame.keyframe_reason = KeyframeReason::kBootstrap;
+  if (!anchor || frame.segment != keyframe.segment) return;
+  anchor->keyframe_id = keyframe_id;
+  anchor->T_cam_ref = SE3();
+}
+
+// Computes the final pose of a frame from that of its keyframe.
+void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
+                            const std::vector<KeyframeRecord>& keyframes, Row* row) const {
+  FrameRecord& frame = row->frame;
+  frame.stage_ms.insert(frame.stage_ms.end(), row->mapping.begin(), row->mapping.end());
+  if (!row->anchor || !is_known(frame.segment)) return;
+  const FrameAnchor& anchor = *row->anchor;
+  const double length =
+      T_world_map(frame.segment).scale * length_ratio_since(anchor.keyframe_id, anchor.moves);
+  Vector6d unit = Vector6d::Ones();
+  unit.head<3>().setConstant(length);
+  frame.covariance = unit.asDiagonal() * frame.covariance * unit.asDiagonal();
+  const auto keyframe = position_of_keyframe.find(anchor.keyframe_id);
+  if (keyframe == position_of_keyframe.end()) {
+    frame.T_world_cam = frame.T_world_cam_live;
+    return;
+  }
+  frame.reference_keyframe = keyframe->second;
+  const SE3 T_ref_cam = anchor.T_cam_ref.inverse();
+  const SE3 T_ref_cam_scaled(T_ref_cam.rotation(), length * T_ref_cam.translation());
+  frame.T_world_cam = keyframes[size_t(keyframe->second)].T_world_cam * T_ref_cam_scaled;
+}
+
+Run RunBuilder::finish() {
+  Run run;
+  run.pinhole = pinhole_;
+  run.camera = camera_;
+  std::map<int, int> position_of_keyframe;  // in run.keyframes
+  for (auto& [id, entry] : keyframes_) {
+    KeyframeRecord keyframe = *entry.keyframe;
+    keyframe.lines = std::move(entry.lines);
+    entry = {};
+    move_to_world(T_world_map(keyframe.segment), &keyframe);
+    position_of_keyframe[id] = int(run.keyframes.size());
+    anchor_to_own_keyframe(id, keyframe);
+    run.keyframes.push_back(std::move(keyframe));
+  }
+  for (Row& row : rows_) {
+    finish_row(position_of_keyframe, run.keyframes, &row);
+    run.frames.push_back(std::move(row.frame));
+  }
+  if (moves_ > 0) move_first_to_origin(&run);
+  return run;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_log.h"
+
+#include <utility>
+
+namespace edgevo {
+
+FrameLog::FrameLog(const Pinhole& pinhole, std::shared_ptr<MapLog> log)
+    : log_(std::move(log)), cursor_(log_), run_(pinhole) {
+  newest_.frame.index = -1;
+}
+
+FrameRecord& FrameLog::begin_frame(const Frame& frame) {
+  newest_ = {};
+  newest_.frame.index = frame.index;
+  newest_.frame.time = frame.time;
+  return newest_.frame;
+}
+
+void FrameLog::announce() { log_->append(newest_); }
+
+FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Reference& reference,
+                                 const SE3& T_cam_ref) {
+  const FrameAnchor anchor{reference.keyframe_id, T_cam_ref, T_cam_ref * reference.T_ref_world,
+                           reference.moves};
+  record.segment = segment;
+  record.T_world_cam_live = run_.T_world_map(segment).apply(anchor.T_cam_map.inverse());
+  return {std::move(record), anchor};
+}
+
+void FrameLog::place(int segment, const Reference& reference, const SE3& T_cam_ref) {
+  newest_ = anchored(std::move(newest_.frame), segment, reference, T_cam_ref);
+}
+
+void FrameLog::place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref) {
+  FrameAnchored placed = anchored(std::move(record), segment, reference, T_cam_ref);
+  if (placed.frame.index == newest_.frame.index)
+    newest_ = std::move(placed);
+  else
+    log_->append(std::move(placed));
+}
+
+std::optional<FrameRecord> FrameLog::find(int frame_index) {
+  if (frame_index == newest_.frame.index) return newest_.frame;
+  const FrameRecord* record = run().find(frame_index);
+  return record ? std::make_optional(*record) : std::nullopt;
+}
+
+void FrameLog::begin_segment(const SegmentPlaced& placed) {
+  log_->append(placed);
+  run();
+}
+
+RunBuilder& FrameLog::run() {
+  for (std::shared_ptr<const MapEvent>& event : cursor_.read()) {
+    run_.apply(*event);
+    event.reset();
+  }
+  return run_;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The tracking side's end of the stream of events: announces frames and segments, and reads back the run that
+// all events so far make.
+#include <memory>
+#include <optional>
+
+#include "edgevo/core/image.h"
+#include "edgevo/core/records.h"
+#include "edgevo/map/map_log.h"
+#include "edgevo/map/run_builder.h"
+#include "edgevo/odometry/reference.h"
+
+namespace edgevo {
+
+/// Frames and segments of a run; for the tracking thread.
+class FrameLog {
+ public:
+  FrameLog(const Pinhole& pinhole, std::shared_ptr<MapLog> log);
+
+  /// Begins the record of a frame, which becomes the newest one.
+  FrameRecord& begin_frame(const Frame& frame);
+  /// The record of the newest frame.
+  const FrameRecord& newest() const { return newest_.frame; }
+  /// Anchors the newest frame to the keyframe of `reference` and records its live pose.
+  void place(int segment, const Reference& reference, const SE3& T_cam_ref);
+  /// Announces the newest frame; again if its record has changed since.
+  void announce();
+
+  /// Anchors an earlier frame, or the newest one, with a record that replaces the present one; announces an
+  /// earlier one.
+  void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
+  /// The record of a frame; nothing if there is none.
+  std::optional<FrameRecord> find(int frame_index);
+  /// Announces the pose of a segment's map in the world.
+  void begin_segment(const SegmentPlaced& placed);
+
+  /// From the map of a segment that has begun to the world.
+  const Sim3& T_world_map(int segment) const { return run_.T_world_map(segment); }
+  /// The run so far. Cost: that of the events since the last call.
+  RunBuilder& run();
+
+ private:
+  FrameAnchored anchored(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
+
+  std::shared_ptr<MapLog> log_;
+  MapCursor cursor_;
+  RunBuilder run_;
+  FrameAnchored newest_;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_keyframes.h"
+
+#include "edgevo/map/run_builder.h"
+
+namespace edgevo {
+
+void ViewKeyframes::apply(const Pinhole& pinhole, const MapEvent& event) {
+  if (const auto* placed = std::get_if<SegmentPlaced>(&event)) {
+    T_world_map_[placed->segment] = placed->T_world_map;
+  } else if (const auto* marginalised = std::get_if<KeyframeMarginalised>(&event)) {
+    place_[marginalised->id] = keyframes_.size();
+    keyframes_.push_back(marginalised->keyframe);
+  } else if (const auto* moved = std::get_if<MapMoved>(&event)) {
+    move(pinhole, *moved);
+  }
+}
+
+void ViewKeyframes::move(const Pinhole& pinhole, const MapMoved& moved) {
+  for (const KeyframeMove& move : moved.keyframes) {
+    const auto place = place_.find(move.id);
+    if (place == place_.end()) continue;  // still in the window
+    auto keyframe = std::make_shared<KeyframeRecord>(*keyframes_[place->second]);
+    apply_move(pinhole, moved, move, keyframe.get());
+    keyframes_[place->second] = std::move(keyframe);
+  }
+  ++moves_;
+}
+
+KeyframeRecord ViewKeyframes::in_world(size_t i) const {
+  KeyframeRecord keyframe = *keyframes_[i];
+  const auto T_world_map = T_world_map_.find(keyframe.segment);
+  if (T_world_map != T_world_map_.end()) move_to_world(T_world_map->second, &keyframe);
+  return keyframe;
+}
+
+}  // namespace edgevo
