@@ -31,7 +31,7 @@ RunCalibration calibration_from(const CalibrateArguments& args) {
   RunCalibration run = read_run_calibration(args.source);
   if (args.camera_file.empty()) return run;
   const Camera camera = read_camera_file(args.camera_file);
-  if (camera.pinhole.width != run.camera.pinhole.width || camera.pinhole.height != run.camera.pinhole.height)
+  if (camera.width != run.camera.width || camera.height != run.camera.height)
     throw InputError(args.camera_file, "its image size is not that of the run",
                      "give the camera file that the run used");
   run.camera = camera;
@@ -42,8 +42,8 @@ std::string finding(const CameraRefinement& c) {
   if (c.state == CameraRefinement::State::kInsignificant)
     return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
            ", " + std::to_string(c.keyframes) + " keyframes): the camera stays as it was";
-  return "residual k1 " + fixed(c.k1, 4) + " +- " + fixed(c.sigma, 4) + " (one standard deviation), from " +
-         std::to_string(c.keyframes) + " keyframes";
+  return "residual k1 " + fixed(c.correction.k1, 4) + " +- " + fixed(c.sigma, 4) +
+         " (one standard deviation), from " + std::to_string(c.keyframes) + " keyframes";
 }
 
 void print_lens(const char* name, const Distortion& d) {
@@ -52,8 +52,8 @@ void print_lens(const char* name, const Distortion& d) {
 
 void print_change(const Camera& before, const FoldedCamera& after) {
   std::printf("  %-7s %11s %11s %11s %11s %11s\n", "", "k1", "k2", "p1", "p2", "k3");
-  print_lens("before", before.distortion);
-  print_lens("after", after.camera.distortion);
+  print_lens("before", before.distortion());
+  print_lens("after", after.camera.distortion());
   std::printf(
       "image points move by up to %.2f px; the new lens model fits both distortions within %.4f px, rms %.4f "
       "px\n",
@@ -70,12 +70,12 @@ int calibrate_from_run(const CalibrateArguments& args) {
   const std::string found = finding(run.refinement);
   write_file(args.out, camera_yaml(corrected.camera, "Self-calibration of edgevo: " + found));
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
-  if (run.refinement.k1 != 0) print_change(run.camera, corrected);
-  if (run.refinement.shutter.readout_s != 0)
+  if (run.refinement.correction.k1 != 0) print_change(run.camera, corrected);
+  if (run.refinement.correction.readout_s != 0)
     std::printf(
         "rolling shutter, read-out time %.4f s: camera files cannot hold it; pass it with --set "
         "camera.readout_s=%.4f\n",
-        run.refinement.shutter.readout_s, run.refinement.shutter.readout_s);
+        run.refinement.correction.readout_s, run.refinement.correction.readout_s);
   print_use(args.out);
   return 0;
 }
@@ -109,12 +109,12 @@ std::string picture_path(const std::string& camera_file) {
 }
 
 void print_calibration(const CameraCalibration& c, const BoardViews& views) {
-  const Pinhole& p = c.camera.pinhole;
+  const Pinhole p = c.camera.pinhole();
   std::printf("board found in %d of %d images; %zu distinct views used, %zu rejected for their residuals\n",
               views.seen, views.images, c.views.size(), c.skipped.size());
   std::printf("fx %.2f fy %.2f +- %.2f px, cx %.2f cy %.2f +- %.2f px (one standard deviation)\n", p.fx, p.fy,
               c.sigma_f_px, p.cx, p.cy, c.sigma_c_px);
-  const Distortion& d = c.camera.distortion;
+  const Distortion d = c.camera.distortion();
   std::printf("k1 %.5f k2 %.5f p1 %.5f p2 %.5f k3 %.5f; residuals %.3f px rms\n", d.k1, d.k2, d.p1, d.p2,
               d.k3, c.rms_px);
   for (const std::string& what : c.lacking) std::printf("missing: %s\n", what.c_str());

@@ -53,13 +53,23 @@ OnBadFrame parse_on_bad_frame(const std::string& text) {
   throw InputError("--on-bad-frame " + text, "is neither stop nor skip", "give one of them");
 }
 
-RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams params) {
+OdometryOptions odometry_options(const RunArguments& args) {
+  OdometryOptions options;
+  options.seed = args.seed;
+  options.detectors = all_edge_detectors();
+  options.realtime = args.realtime;
+  return options;
+}
+
+RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams params,
+                 const OdometryOptions& odometry) {
   RunInfo info;
   info.command_line = args.command_line;
   info.source_kind = source.kind();
   info.source_path = args.source.path;
   info.ground_truth_path = source.ground_truth_path();
   info.camera = source.camera();
+  info.working_pinhole = odometry.working_pinhole;
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
   info.notes = {{"seed", std::to_string(args.seed)},
                 {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
@@ -91,20 +101,17 @@ std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& 
 }
 
 RunResult run_over(const RunArguments& args, ImageSource& source, const OdometryParams& params,
-                   const std::shared_ptr<MapLog>& log, RunScaling& scaling, RunOutputs& outputs) {
+                   const OdometryOptions& odometry, RunScaling& scaling, RunOutputs& outputs) {
   RunLoopOptions options;
-  options.odometry.seed = args.seed;
-  options.odometry.detectors = all_edge_detectors();
-  options.odometry.realtime = args.realtime;
-  options.odometry.map_log = log;
+  options.odometry = odometry;
   options.pace = args.pace;
   options.on_bad_frame = args.on_bad_frame;
   options.stop = interrupted;
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
-  const auto view = view_from(args, source, log);
-  MapCursor scale_events(log);
+  const auto view = view_from(args, source, odometry.map_log);
+  MapCursor scale_events(odometry.map_log);
   return run_odometry(source, params, options,
                       after_each_frame(outputs, scaling, scale_events, view.get(), progress));
 }
@@ -143,13 +150,14 @@ int run(const RunArguments& args) {
   const ScaleSource scale = parse_scale_source(args.scale);
   check_apart(args.source.path, args.out);
   const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source);
-  RunScaling scaling(scale, *source, params.scale);
-  RunInfo info = describe(args, *source, params);
+  OdometryOptions odometry = odometry_options(args);
+  odometry.map_log = std::make_shared<MapLog>();
+  RunScaling scaling(scale, *source, rectification_of(source->camera(), odometry).target(), params.scale);
+  RunInfo info = describe(args, *source, params, odometry);
   RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
-  const auto log = std::make_shared<MapLog>();
-  outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()}, log);
+  outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()}, odometry.map_log);
   listen_to_signals();
-  RunResult result = run_over(args, *source, params.odometry, log, scaling, outputs);
+  RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs);
   Run& tracked = result.run;
   if (tracked.frames.empty()) throw_without_frames(args, result);
   scaling.convert(&tracked);

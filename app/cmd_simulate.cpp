@@ -81,7 +81,8 @@ void write_correspondences(const SceneRenderer& renderer, const std::string& fol
   PyramidBuilder builder(renderer.camera(), EdgeParams());
   const auto find_edges = [&](const GrayImage& image) {
     std::vector<Eigen::Vector2d> found;
-    for (const EdgePixel& edge : builder.build(image)->finest().edges.pixels)
+    const auto pyramid = builder.build(image);
+    for (const EdgePixel& edge : pyramid->finest().edges.pixels)
       found.push_back(edge.position().cast<double>());
     return found;
   };

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <opencv2/core/utility.hpp>
 
 #include "commands.h"
 #include "edgevo/core/error.h"
@@ -60,6 +61,7 @@ int main(int argc, char** argv) {
     }
     if (edgevo::app::print_parameters_help(argc, argv)) return 0;
     app.parse(int(words.size()), words.data());
+    cv::setNumThreads(1);  // tracking, mapping and several runs at a time have threads of their own
     return action();
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);

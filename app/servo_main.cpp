@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <opencv2/core/utility.hpp>
 
 #include "edgevo/core/error.h"
 #include "edgevo/files/output_folder.h"
@@ -151,6 +152,7 @@ int main(int argc, char** argv) {
   add_options(*command, &options);
   try {
     app.parse(argc, argv);
+    cv::setNumThreads(1);  // the latency is that of a single thread
     return servo(options);
   } catch (const CLI::CallForHelp& e) {
     return app.exit(e);

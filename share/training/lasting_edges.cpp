@@ -42,7 +42,7 @@ std::vector<LabelledFrame> lasting_edges(const Scene& scene, uint64_t seed) {
   options.odometry.seed = seed;
   const RunResult driven =
       run_odometry(source, params_of_labels(), options, [](const ProcessedFrame&) { return true; });
-  const Pinhole& image = scene.camera.pinhole;
+  const Pinhole image = scene.camera.pinhole();
   std::vector<LabelledFrame> all;
   for (const KeyframeRecord& k : driven.run.keyframes)
     all.push_back({k.frame_index, label_of(k, {image.width, image.height})});

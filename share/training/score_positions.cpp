@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// edgevo_score_positions [FRAMES] [SEED] [NETWORK.onnx FOREST.yml.gz]: tabulates, by light, the localisation and
-// the repeatability of the edges of detectors on rendered frames. It uses street and desk of a seed on which
-// no model was trained, and the models of edgevo by default.
+// edgevo_score_positions [FRAMES] [SEED] [NETWORK.onnx FOREST.yml.gz]: tabulates, by light, the localisation
+// and the repeatability of the edges of detectors on rendered frames. It uses street and desk of a seed on
+// which no model was trained, and the models of edgevo by default.
 //
 // Offset: from a detected edge pixel, along its normal (dark to bright), to the true line of a depth step or
 // crease within 1.5 px; the line is known to an eighth of a pixel from labels of four times the resolution.
@@ -33,14 +33,15 @@ constexpr int kFiner = 4;       // resolution of labels over that of the image
 double to_fine(double coarse) { return kFiner * coarse + 0.5 * (kFiner - 1); }
 
 Scene finer(Scene scene) {
-  Pinhole& p = scene.camera.pinhole;
-  p = {p.fx * kFiner, p.fy * kFiner, to_fine(p.cx), to_fine(p.cy), p.width * kFiner, p.height * kFiner};
+  const Pinhole p = scene.camera.pinhole();
+  scene.camera.set_pinhole(
+      {p.fx * kFiner, p.fy * kFiner, to_fine(p.cx), to_fine(p.cy), p.width * kFiner, p.height * kFiner});
   return scene;
 }
 
 Scene plain_scene(const char* name, uint64_t seed) {
   Scene scene = load_scene(name, seed);
-  scene.camera.distortion = {};
+  scene.camera.set_distortion({});
   return scene;
 }
 
@@ -148,7 +149,7 @@ void score_pair(const Pair& pair, const Camera& camera, const std::string& light
   PyramidBuilder builder(camera, params, all_edge_detectors());
   const auto from = builder.build(in_light(pair.image, light, pair.index, pair.seconds));
   const auto to = builder.build(in_light(pair.next, light, pair.index + 1, pair.seconds_next));
-  const int width = camera.pinhole.width, height = camera.pinhole.height;
+  const int width = camera.pinhole().width, height = camera.pinhole().height;
   const ViewPair views{builder.pinhole(),
                        {pair.depth.data(), width, height, width},
                        {pair.depth_next.data(), width, height, width},

@@ -26,7 +26,7 @@ GrayImage as_image(const cv::Mat& mat) {
 // A pinhole camera, so that labels and image coincide; noise is added later.
 Scene clean_scene(const World& world) {
   Scene scene = load_scene(world.scene, world.seed);
-  scene.camera.distortion = {};
+  scene.camera.set_distortion({});
   scene.noise_sigma = 0;
   return scene;
 }

@@ -4,6 +4,7 @@
 
 #include "bench/bench_scene.h"
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/odometry/frame_status.h"
 
 namespace {
 
@@ -14,7 +15,9 @@ void track_frame(benchmark::State& state) {
   const auto cloud = make_reference_cloud(test::pyramid(0), test::points(0, int(state.range(0))), false);
   const auto current = test::pyramid(2);
   TrackResult result;
-  for (auto _ : state) result = track(*current, cloud, motion_hypotheses(SE3(), SE3()), AlignmentParams());
+  const SupportScorer scorer{StatusParams()};
+  for (auto _ : state)
+    result = track(*current, cloud, motion_hypotheses(SE3(), SE3()), scorer, AlignmentParams());
   state.counters["inlier_share"] = result.evidence.inlier_share;
 }
 

@@ -7,6 +7,7 @@
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/association/associate.h"
 #include "edgevo/mapping/depth_filter.h"
+#include "edgevo/odometry/frame_status.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace {
@@ -86,7 +87,7 @@ void process_keyframe(benchmark::State& state) {
   const auto align = [&](bool make_keyframe) {
     const auto reference = mapper.reference();
     const TrackResult r = track(*test::pyramid(frame), reference->cloud, motion_hypotheses(T_last_ref, SE3()),
-                                AlignmentParams());
+                                SupportScorer(StatusParams()), AlignmentParams());
     TrackedFrame tracked;
     tracked.frame_index = frame;
     tracked.time = Timestamp::from_seconds(0.1 * frame);

@@ -14,7 +14,7 @@ inline const test::HollowScene& scene() {
   static const test::HollowScene the_scene(5, 1241, 376, 0.1, 0.6);
   return the_scene;
 }
-inline const Pinhole& pinhole() { return scene().camera.pinhole; }
+inline Pinhole pinhole() { return scene().camera.pinhole(); }
 
 /// Frame `k` of the sweep with sensor noise, rendered once.
 inline const GrayImage& image(int k) {

@@ -31,7 +31,7 @@ void use_source(const SourceOptions& options) {
   ground_truth_tum(options, *source);
   std::optional<Timestamp> previous;
   while (const auto frame = source->next()) {
-    EXPECT_EQ(frame->image.width, source->camera().pinhole.width);
+    EXPECT_EQ(frame->image.width, source->camera().pinhole().width);
     EXPECT_EQ(frame->image.pixels.size(), size_t(frame->image.width) * size_t(frame->image.height));
     EXPECT_TRUE(!previous || *previous < frame->time);
     previous = frame->time;
@@ -64,7 +64,7 @@ FuzzCounts fuzz_virtual_kitti(const std::string& sequence, const std::string& fi
     const VirtualKitti v = read_virtual_kitti(options);
     EXPECT_EQ(v.T_world_cam.size(), v.images.size());
     for (const std::string& depth : v.depths)
-      read_virtual_kitti_depth(depth, v.camera.pinhole.width, v.camera.pinhole.height);
+      read_virtual_kitti_depth(depth, v.camera.pinhole().width, v.camera.pinhole().height);
   });
   write_text(file, valid);
   return counts;

@@ -192,8 +192,10 @@ restore edges.ply && rm damaged/summary.yaml
 commands_on_results "no summary"
 mkdir cut && cp noise cut/unfinished_run.bin && cp noise cut/unfinished_window.bin
 bad "is incomplete" "$edgevo" finish cut
-printf 'edgevo run journal 1\n\000\377\377\377\377' >cut/unfinished_run.bin
+printf 'edgevo recovery log 2\n\000\377\377\377\377' >cut/unfinished_run.bin
 bad "is incomplete" "$edgevo" finish cut
+printf 'edgevo run journal 1\n\000\377\377\377\377' >cut/unfinished_run.bin
+bad "was written by another version" "$edgevo" finish cut
 
 # Models and edge folders.
 model() { bad "$1" "$edgevo" run "$desk" -o out --quiet --frames 0:2 --detector "$2" --edge-model "$3"; }

@@ -108,7 +108,7 @@ for resolution in nan 1e999; do bad "resolution.*number" "$edgevo" map "$result"
 bad "reach only .*; give a resolution of" "$edgevo" map "$result" -o out --resolution 0.0000001
 bad "empty: holds no interrupted run" "$edgevo" finish empty
 mkdir garbage && cp noise garbage/unfinished_run.bin
-bad "is incomplete, or was written by another version" "$edgevo" finish garbage
+bad "is incomplete or no recovery log" "$edgevo" finish garbage
 bad "pipe.yaml: cannot be read: it is a device or a pipe" "$edgevo" bench pipe.yaml -o out
 bad "zero" "$edgevo" simulate /dev/zero -o out
 bad "empty" "$edgevo" calibrate empty -o out

@@ -49,6 +49,14 @@ foreach(file IN ITEMS edges.ply edges.bt playback.rawlog report.html summary.yam
   endif()
 endforeach()
 
+# The facade: images in, poses out, the error at the end.
+run(COMMAND ${CMAKE_COMMAND} -S ${PREFIX}/share/edgevo/examples/poses -B ${WORK}/build_poses -G ${GENERATOR}
+  -DCMAKE_PREFIX_PATH=${PREFIX} "-DCMAKE_CXX_FLAGS=${FLAGS}")
+run(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build_poses)
+run(COMMAND ${WORK}/build_poses/poses ${SEQUENCE} OUTPUT said)
+expect("${said}" "\n[0-9]+ keyframes\n")
+expect("${said}" "ATE")
+
 # An invalid rawlog gives a one-line error.
 foreach(source IN ITEMS nothere path.txt)
   execute_process(COMMAND ${WORK}/build/mrpt_loop ${WORK}/${source} ${WORK}/x.txt RESULT_VARIABLE result ERROR_VARIABLE error)

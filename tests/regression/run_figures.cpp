@@ -63,10 +63,12 @@ Consistency pose_consistency(const Run& run, const Trajectory& truth, double met
   return c;
 }
 
-Run run_source(ImageSource& source, const OdometryParams& params, uint64_t seed) {
+Run run_source(ImageSource& source, const OdometryParams& params, uint64_t seed,
+               const std::optional<Pinhole>& working_pinhole) {
   cv::setNumThreads(1);
   OdometryOptions options;
   options.seed = seed;
+  options.working_pinhole = working_pinhole;
   Odometry odometry(source.camera(), params, options);
   for (std::optional<Frame> frame = source.next(); frame; frame = source.next()) odometry.process(*frame);
   return odometry.finish();
@@ -100,21 +102,14 @@ std::vector<uint64_t> test_seeds() {
 }
 
 void for_each_seed(const std::shared_ptr<const Clip>& clip, const Trajectory& truth,
-                   const std::function<void(const RunAccuracy&)>& check) {
+                   const std::function<void(const RunAccuracy&)>& check,
+                   const std::optional<Pinhole>& working_pinhole) {
   for (const uint64_t seed : test_seeds()) {
     ClipSource source(clip);
-    const RunAccuracy figures = measure(run_source(source, {}, seed), truth);
+    const RunAccuracy figures = measure(run_source(source, {}, seed, working_pinhole), truth);
     std::cout << "[ figures  ] seed " << seed << ": " << figures << std::endl;
     check(figures);
   }
-}
-
-Trajectory trajectory_of(const Run& run) {
-  Trajectory trajectory;
-  trajectory.path = "estimate";
-  for (const FrameRecord& frame : run.frames)
-    if (frame.T_world_cam) trajectory.poses.push_back({frame.time, *frame.T_world_cam});
-  return trajectory;
 }
 
 Trajectory truth_of(const Scene& scene, int begin, int end) {

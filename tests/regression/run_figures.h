@@ -46,8 +46,10 @@ struct RunAccuracy {
   double mean_cpu_ms = 0;
 };
 
-/// Runs the odometry over the whole source, synchronously. Throws InputError as the source does.
-Run run_source(ImageSource& source, const OdometryParams& params = {}, uint64_t seed = 1);
+/// Runs the odometry over the whole source, synchronously, in the given pinhole, if any. Throws InputError as
+/// the source does.
+Run run_source(ImageSource& source, const OdometryParams& params = {}, uint64_t seed = 1,
+               const std::optional<Pinhole>& working_pinhole = {});
 
 /// Evaluates a run against ground truth. Throws InputError where fewer than three frames have a pose.
 RunAccuracy measure(Run run, const Trajectory& truth);
@@ -61,10 +63,9 @@ std::vector<uint64_t> test_seeds();
 
 /// Runs over the clip with each of test_seeds(), writes the figures to stdout and passes them to `check`.
 void for_each_seed(const std::shared_ptr<const Clip>& clip, const Trajectory& truth,
-                   const std::function<void(const RunAccuracy&)>& check);
+                   const std::function<void(const RunAccuracy&)>& check,
+                   const std::optional<Pinhole>& working_pinhole = {});
 
-/// Final poses of the frames that have one.
-Trajectory trajectory_of(const Run& run);
 /// Ground truth of frames begin to end - 1 of a scene.
 Trajectory truth_of(const Scene& scene, int begin, int end);
 

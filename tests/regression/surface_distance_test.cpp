@@ -20,7 +20,7 @@ double distance_to_any(const World& world, const Eigen::Vector3d& p, double limi
 
 TEST(SurfaceDistance, VisibleSurfacesExist) {
   const SceneRenderer renderer(load_scene("street"));
-  const Pinhole& pinhole = renderer.camera().pinhole;
+  const Pinhole pinhole = renderer.camera().pinhole();
   constexpr int kEvery = 97;          // pixels: no divisor of a row
   constexpr double kNearby = 30;      // metres: a pixel is narrower than the squares that are tested
   constexpr double kTolerance = 0.1;  // metres: a square of 5 cm and its neighbour

@@ -88,7 +88,7 @@ TEST(TrackingStatus, AnotherSceneIsLostWithinThreeFrames) {
     if (f.index < kBegin) {
       EXPECT_EQ(f.segment, 0) << f.index;
     } else if (f.index >= kBegin + 3) {
-      EXPECT_NE(f.segment, 0) << f.index << " " << f.inlier_share;
+      EXPECT_NE(f.segment, 0) << f.index << " " << f.evidence.inlier_share;
     }
   }
 }

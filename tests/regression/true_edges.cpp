@@ -71,7 +71,7 @@ TrueEdges::Cell TrueEdges::cell_of(const Eigen::Vector3d& p) const {
 void TrueEdges::add_edges(int keyframe, int frame_index) {
   const RenderedFrame frame = renderer_->render(frame_index);
   PyramidBuilder builder(renderer_->camera(), EdgeParams());
-  const Pinhole& pinhole = renderer_->camera().pinhole;
+  const Pinhole pinhole = renderer_->camera().pinhole();
   const ImageView<float> depth{frame.depth.data(), pinhole.width, pinhole.height, pinhole.width};
   const SE3& T_scene_cam = renderer_->scene().T_scene_cam[size_t(frame_index)];
   const auto pyramid = builder.build(frame.image);

@@ -119,7 +119,7 @@ TrueScene::Nearest TrueScene::nearest(const std::vector<Eigen::Vector3d>& path) 
 }
 
 int TrueScene::keyframes_that_see(const Eigen::Vector3d& p_scene, double range, double tolerance) const {
-  const Pinhole& pinhole = renderer_->camera().pinhole;
+  const Pinhole pinhole = renderer_->camera().pinhole();
   int seen = 0;
   for (const View& view : views_) {
     const Eigen::Vector3d p = view.T_cam_scene * p_scene;
@@ -135,7 +135,7 @@ int TrueScene::keyframes_that_see(const Eigen::Vector3d& p_scene, double range, 
 
 // Whether some keyframe sees the point, with no surface nearer than it by more than the tolerance.
 bool TrueScene::is_seen_through(const Eigen::Vector3d& p_scene, double tolerance) const {
-  const Pinhole& pinhole = renderer_->camera().pinhole;
+  const Pinhole pinhole = renderer_->camera().pinhole();
   for (const View& view : views_) {
     const Eigen::Vector3d p = view.T_cam_scene * p_scene;
     if (p.z() < 0.1) {
@@ -228,7 +228,7 @@ void TrueScene::evaluate_edges(const octomap::OcTree& tree, const Run& run, cons
 
 void TrueScene::add_edges(const std::vector<EdgePixel>& edges, size_t k, double voxel, double range,
                           std::map<std::array<int, 3>, EdgeCell>* cells) const {
-  const Pinhole& pinhole = renderer_->camera().pinhole;
+  const Pinhole pinhole = renderer_->camera().pinhole();
   const SE3 T_map_cam = T_scene_map_.inverse() * views_[k].T_cam_scene.inverse();
   const size_t next = k + 1 < views_.size() ? k + 1 : k - 1;
   const Eigen::Vector2d epipole =

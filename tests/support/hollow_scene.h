@@ -56,7 +56,7 @@ class HollowScene {
                        double longest = 1.8)
       : texture_(seed, shortest, longest) {
     const double f = 0.8 * width;
-    camera.pinhole = {f, f, 0.5 * width - 0.5, 0.5 * height - 0.5, width, height};
+    camera.set_pinhole({f, f, 0.5 * width - 0.5, 0.5 * height - 0.5, width, height});
     add_wall({0.15, -0.1, 1}, 7);
     add_wall({-1, 0, 0.45}, 3.5);
     add_wall({1, 0, 0.35}, 3.5);
@@ -66,7 +66,7 @@ class HollowScene {
 
   /// Inverse depth 1/z of pixel `px` in a camera at T_world_cam: that of the nearest wall.
   double idepth(const SE3& T_world_cam, const Eigen::Vector2d& px) const {
-    const Eigen::Vector3d ray = T_world_cam.R() * camera.pinhole.ray(px);
+    const Eigen::Vector3d ray = T_world_cam.R() * camera.pinhole().ray(px);
     double nearest = 0;
     for (const Wall& w : walls_)
       nearest = std::max(nearest, w.normal.dot(ray) / (w.distance - w.normal.dot(T_world_cam.translation())));
@@ -77,8 +77,8 @@ class HollowScene {
                    uint64_t noise_seed = 1) const {
     Random random(noise_seed);
     const Eigen::Matrix3d R = T_world_cam.R();
-    return make_image(camera.pinhole.width, camera.pinhole.height, [&](double u, double v) {
-      const Eigen::Vector3d ray = camera.pinhole.ray({u, v});
+    return make_image(camera.pinhole().width, camera.pinhole().height, [&](double u, double v) {
+      const Eigen::Vector3d ray = camera.pinhole().ray({u, v});
       const Eigen::Vector3d p = R * ray / idepth(T_world_cam, {u, v}) + T_world_cam.translation();
       return gain * texture_.at(p) + offset + (noise > 0 ? noise * random.normal() : 0.0);
     });

@@ -15,17 +15,17 @@ class PlaneScene {
  public:
   explicit PlaneScene(uint64_t seed = 11, Eigen::Vector3d normal = {0.25, -0.15, 1.0}, double distance = 5.0)
       : normal_(normal.normalized()), distance_(distance), texture_(seed, 0.12, 1.0) {
-    camera.pinhole = {260, 260, 159.5, 119.5, 320, 240};
+    camera.set_pinhole({260, 260, 159.5, 119.5, 320, 240});
   }
 
   /// Inverse depth 1/z of pixel `px` in a camera at T_world_cam.
   double idepth(const SE3& T_world_cam, const Eigen::Vector2d& px) const {
-    const Eigen::Vector3d ray = T_world_cam.R() * camera.pinhole.ray(px);
+    const Eigen::Vector3d ray = T_world_cam.R() * camera.pinhole().ray(px);
     return normal_.dot(ray) / (distance_ - normal_.dot(T_world_cam.translation()));
   }
   GrayImage render(const SE3& T_world_cam, double gain = 1.0, double offset = 0.0) const {
-    return make_image(camera.pinhole.width, camera.pinhole.height, [&](double u, double v) {
-      const Eigen::Vector3d p = T_world_cam * (camera.pinhole.ray({u, v}) / idepth(T_world_cam, {u, v}));
+    return make_image(camera.pinhole().width, camera.pinhole().height, [&](double u, double v) {
+      const Eigen::Vector3d p = T_world_cam * (camera.pinhole().ray({u, v}) / idepth(T_world_cam, {u, v}));
       return gain * texture_.at(p.head<2>()) + offset;
     });
   }
@@ -42,7 +42,7 @@ class PlaneScene {
     for (size_t i = 0; i < pixels.size(); i += size_t(step)) {
       const Eigen::Vector2d px = pixels[i].position().cast<double>();
       CloudPoint p;
-      p.ray = camera.pinhole.ray(px);
+      p.ray = camera.pinhole().ray(px);
       p.idepth = idepth(T_world_cam, px);
       p.idepth_sigma = 0.01 * p.idepth;
       p.px = pixels[i].position();

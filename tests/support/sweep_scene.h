@@ -29,7 +29,7 @@ class Sweep {
     if (!p) p = scene().pyramid(sweep_pose(frame), 1.0, 0.0, 1.0, uint64_t(frame + 1));
     return p;
   }
-  static const Pinhole& pinhole() { return scene().camera.pinhole; }
+  static Pinhole pinhole() { return scene().camera.pinhole(); }
   static double idepth(int frame, const Eigen::Vector2d& px) { return scene().idepth(sweep_pose(frame), px); }
   static Timestamp time(int frame) { return Timestamp::from_seconds(0.1 * frame); }
 };

@@ -21,8 +21,8 @@ inline Frame synthetic_frame(const Camera& camera, const FrameRecord& record) {
   Frame frame;
   frame.index = record.index;
   frame.time = record.time;
-  frame.image.width = camera.pinhole.width;
-  frame.image.height = camera.pinhole.height;
+  frame.image.width = camera.pinhole().width;
+  frame.image.height = camera.pinhole().height;
   for (int y = 0; y < frame.image.height; ++y)
     for (int x = 0; x < frame.image.width; ++x)
       frame.image.pixels.push_back(uint8_t((x * x + 3 * y + 7 * record.index) >> 3));
@@ -55,7 +55,7 @@ inline std::vector<EdgePoint> corridor_points(const Pinhole& pinhole, const SE3&
 }
 
 /// `frames` frames, every third a keyframe with `points` points. Frames 20 to 24 are lost; the first four are
-/// filled in after the bootstrap and have no live pose.
+/// filled in after the bootstrap and have no live pose. The evidence is complete.
 inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
   SyntheticRun made;
   Run& run = made.run;
@@ -71,7 +71,9 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
                   : i < 4 ? TrackingState::kBootstrapping
                           : TrackingState::kTracking;
     frame.segment = lost ? -1 : i < 20 ? 0 : 1;
-    frame.edges = 1000 + i;
+    frame.evidence.edges = 1000 + i;
+    frame.evidence.saturated_share = 0.01;
+    frame.evidence.edge_blur = 0.9;
     frame.stage_ms = {{"edges", 4 + 0.1 * i}, {"alignment", 2.0}};
     if (lost) {
       frame.note = "lost: 3 of 400 points aligned, 120 needed";
@@ -80,8 +82,15 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
       frame.T_world_cam = SE3(turn, Eigen::Vector3d(0.3 * std::sin(0.1 * i), 0, 0.2 * i));
       if (i >= 4)
         frame.T_world_cam_live = SE3(turn, frame.T_world_cam->translation() + Eigen::Vector3d(0.001, 0, 0));
-      frame.inlier_share = 0.8;
-      frame.residual_px = 0.5;
+      frame.evidence.inlier_share = 0.8;
+      frame.evidence.residual_px = 0.5;
+      frame.evidence.visible_points = points - i;
+      frame.evidence.matched_points = points - 2 * i;
+      frame.evidence.pose_sigmas = {1e-4, 2e-4, 3e-4, 4e-4, 5e-4, 6e-4};
+      if (i > 30) frame.evidence.step_sigmas = 0.5;
+      frame.evidence.known_points = points;
+      frame.evidence.lacking_share = 0.2;
+      frame.evidence.view_share = 0.6;
       frame.covariance = 1e-5 * Matrix6d::Identity();
     }
     if (!lost && i % 3 == 0) {
@@ -95,6 +104,7 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
       frame.keyframe_reason = KeyframeReason::kViewLeaves;
       frame.reference_keyframe = int(run.keyframes.size());
       frame.stage_ms.emplace_back("ba", 20.0);
+      frame.evidence.adjustment = AdjustmentEvidence{1.25, 0.7, 2000, 700, 400};
       run.keyframes.push_back(keyframe);
     }
     run.frames.push_back(frame);

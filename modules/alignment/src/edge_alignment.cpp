@@ -224,7 +224,7 @@ class PatchCost {
 
 }  // namespace
 
-void AlignmentParams::visit(ParamVisitor& v) {
+void AlignmentParams::visit_costs(ParamVisitor& v) {
   v.number(kAdvanced, "huber_px", huber_px, 0.1, 10, "Huber width of edge residuals, pixels");
   v.number(kAdvanced, "truncation_normal_px", truncation_normal_px, 0.5, 15,
            "matches beyond this along the edge normal are misses, pixels");
@@ -232,13 +232,9 @@ void AlignmentParams::visit(ParamVisitor& v) {
            "matches beyond this along the edge are misses, pixels");
   v.boolean(kAdvanced, "photometric", photometric,
             "add the image-gradient cost of the paper to the finest level (slower)");
-  v.number(kAdvanced, "degraded_share", degraded_share, 0, 1,
-           "share of the weighted points below which a frame is DEGRADED");
-  v.number(kBasic, "lost_share", lost_share, 0, 1,
-           "share of the weighted points below which a frame is LOST");
-  v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
-  v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
-           "a direction with a larger standard deviation (share of depth, rad) is weak");
+}
+
+void AlignmentParams::visit_heuristics(ParamVisitor& v) {
   v.boolean(kExperimental, "verify_patch_start", verify_patch_start,
             "start the edge alignment from the predicted pose where it fits better than the patches' pose");
   v.boolean(kExperimental, "use_median_motion_prior", use_median_motion_prior,

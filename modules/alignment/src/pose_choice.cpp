@@ -74,29 +74,6 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, co
   return found;
 }
 
-TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params) {
-  if (!pose.T_cur_ref.is_finite()) return TrackingQuality::kDiverged;
-  if (pose.stats.visible < params.min_visible) return TrackingQuality::kFewPoints;
-  if (pose.evidence.inlier_share < params.lost_share) return TrackingQuality::kUnsupported;
-  if (pose.evidence.inlier_share < params.degraded_share) return TrackingQuality::kWeak;
-  return TrackingQuality::kGood;
-}
-
-bool PoseScorer::fits(const PoseCandidate& pose) const {
-  return classify(pose, params_) == TrackingQuality::kGood;
-}
-
-bool PoseScorer::is_lost(const PoseCandidate& pose) const { return edgevo::is_lost(classify(pose, params_)); }
-
-double PoseScorer::score(const PoseCandidate& pose) const {
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
-  if (!pose.T_cur_ref.is_finite()) return kNever;
-  const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
-  if (pose.has_prior && likelihood < 1) return kNever;
-  const double by_image = support(pose.evidence, params_);
-  return by_image > 0 ? likelihood * by_image : by_image;
-}
-
 PoseChoice choose(const std::vector<Proposer>& proposers, const FramePyramid& current,
                   const ReferenceCloud& cloud, const PoseScorer& scorer, const AlignmentParams& params) {
   PoseChoice best;

@@ -29,14 +29,15 @@ struct ClipFacts {
     visit_camera(v);
   }
   void visit_camera(KeyVisitor& v) {
-    Pinhole& p = camera.pinhole;
-    Distortion& d = camera.distortion;
+    Pinhole p = camera.pinhole();
+    Distortion d = camera.distortion();
     const std::pair<const char*, double*> numbers[] = {{"fx", &p.fx}, {"fy", &p.fy}, {"cx", &p.cx},
                                                        {"cy", &p.cy}, {"k1", &d.k1}, {"k2", &d.k2},
                                                        {"p1", &d.p1}, {"p2", &d.p2}, {"k3", &d.k3}};
     for (const auto& [name, value] : numbers) v.number(name, *value, -kAny, kAny, "");
     v.integer("width", p.width, 1, std::numeric_limits<int>::max(), "");
     v.integer("height", p.height, 1, std::numeric_limits<int>::max(), "");
+    camera = Camera(p, d);
   }
 };
 

@@ -62,8 +62,8 @@ Camera camera_of(const Solution& s, const BoardViews& all) {
   const auto K = [&](int row, int column) { return s.K.at<double>(row, column); };
   const auto k = [&](int i) { return s.lens.at<double>(i); };
   Camera camera;
-  camera.pinhole = {K(0, 0), K(1, 1), K(0, 2), K(1, 2), all.width, all.height};
-  camera.distortion = {k(0), k(1), k(2), k(3), k(4)};
+  camera.set_pinhole({K(0, 0), K(1, 1), K(0, 2), K(1, 2), all.width, all.height});
+  camera.set_distortion({k(0), k(1), k(2), k(3), k(4)});
   return camera;
 }
 
@@ -119,7 +119,7 @@ void check_count(const BoardViews& all, const std::string& where) {
 }
 
 void check_result(const CameraCalibration& c, const std::string& where) {
-  const Pinhole& p = c.camera.pinhole;
+  const Pinhole p = c.camera.pinhole();
   const double f = std::min(p.fx, p.fy);
   if (!(c.rms_px <= kMostRmsShare * p.width))
     throw InputError(

@@ -37,7 +37,7 @@ void draw_view(const ViewFit& view, const cv::Scalar& colour, double scale, doub
 }  // namespace
 
 std::string calibration_picture(const CameraCalibration& c) {
-  const Pinhole& p = c.camera.pinhole;
+  const Pinhole p = c.camera.pinhole();
   const double scale = double(kWidth) / p.width;
   const double magnification = kResidualShare * kWidth / std::max(c.rms_px, 1e-6);
   const int height = std::max(1, int(scale * p.height));

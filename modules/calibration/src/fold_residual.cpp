@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/calibration/fold_residual.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/radial.h"
+#include "edgevo/core/rectification.h"
 
 namespace edgevo {
 namespace {
@@ -24,17 +27,23 @@ std::vector<double> positions(int last, double step) {
   return all;
 }
 
-// True rays of a grid of pixels of the distorted image; pixels without a ray are skipped.
-Rays image_rays(const Camera& camera, const std::string& where) {
-  const Pinhole& p = camera.pinhole;
-  const double step = std::max(1.0, std::min(p.width, p.height) / kLines);
+// A lens with a residual distortion.
+struct Lens {
+  const Camera& camera;
+  double k1;
+};
+
+// True rays, normalised, of a grid of pixels of the distorted image; pixels without a ray are skipped.
+Rays image_rays(const Lens& lens, const std::string& where) {
+  const Camera& camera = lens.camera;
+  const double step = std::max(1.0, std::min(camera.width, camera.height) / kLines);
   Rays rays;
   size_t pixels = 0;
-  for (const double v : positions(p.height - 1, step))
-    for (const double u : positions(p.width - 1, step)) {
+  for (const double v : positions(camera.height - 1, step))
+    for (const double u : positions(camera.width - 1, step)) {
       ++pixels;
-      Eigen::Vector2d x;
-      if (camera.undistort(p.ray({u, v}).head<2>(), &x)) rays.push_back(x);
+      const std::optional<Eigen::Vector3d> ray = camera.unproject({u, v});
+      if (ray) rays.push_back(remove_radial(lens.k1, ray->hnormalized()));
     }
   if (2 * rays.size() < pixels)
     throw InputError(where, "the lens model cannot be inverted over most of the image",
@@ -50,52 +59,52 @@ void plumb_bob_rows(const Pinhole& c, const Eigen::Vector2d& x, Row* row_u, Row*
   *row_u *= c.fx, *row_v *= c.fy;
 }
 
-Eigen::Vector2d pixel_difference(const Camera& a, const Camera& b, const Eigen::Vector2d& x) {
-  const Eigen::Vector2d d = a.distort(x) - b.distort(x);
-  return {a.pinhole.fx * d.x(), a.pinhole.fy * d.y()};
+Eigen::Vector2d pixel(const Lens& lens, const Eigen::Vector2d& x) {
+  return Rectification(lens.camera).raw_pixel(add_radial(lens.k1, x));
 }
 
 // Distance between the two models at each ray, pixels.
-Eigen::ArrayXd differences(const Camera& a, const Camera& b, const Rays& rays) {
+Eigen::ArrayXd differences(const Lens& a, const Lens& b, const Rays& rays) {
   Eigen::ArrayXd d(rays.size());
-  for (size_t i = 0; i < rays.size(); ++i) d[Eigen::Index(i)] = pixel_difference(a, b, rays[i]).norm();
+  for (size_t i = 0; i < rays.size(); ++i)
+    d[Eigen::Index(i)] = (pixel(a, rays[i]) - pixel(b, rays[i])).norm();
   return d;
 }
 
 // Correction to the file's coefficients: the smallest one if a narrow lens leaves some of them undetermined.
-Eigen::Matrix<double, 5, 1> fit_change(const Camera& camera, const Camera& by_file, const Rays& rays) {
+Eigen::Matrix<double, 5, 1> fit_change(const Lens& lens, const Lens& by_file, const Rays& rays) {
   Eigen::Matrix<double, Eigen::Dynamic, 5> A(2 * rays.size(), 5);
   Eigen::VectorXd b(2 * rays.size());
   for (size_t i = 0; i < rays.size(); ++i) {
     Row row_u, row_v;
-    plumb_bob_rows(camera.pinhole, rays[i], &row_u, &row_v);
+    plumb_bob_rows(lens.camera.pinhole(), rays[i], &row_u, &row_v);
     A.row(2 * Eigen::Index(i)) = row_u;
     A.row(2 * Eigen::Index(i) + 1) = row_v;
-    b.segment<2>(2 * Eigen::Index(i)) = pixel_difference(camera, by_file, rays[i]);
+    b.segment<2>(2 * Eigen::Index(i)) = pixel(lens, rays[i]) - pixel(by_file, rays[i]);
   }
   return A.completeOrthogonalDecomposition().solve(b);
 }
 
 }  // namespace
 
-FoldedCamera fold_residual(const Camera& camera, const std::string& where) {
+FoldedCamera fold_residual(const Camera& camera, double k1, const std::string& where) {
   FoldedCamera folded;
   folded.camera = camera;
-  folded.camera.residual_k1 = 0;
-  if (camera.residual_k1 == 0) return folded;
-  const Camera by_file = folded.camera;
-  const Rays rays = image_rays(camera, where);
-  Distortion& d = folded.camera.distortion;
-  if (by_file.distortion.is_zero()) {
-    d.k1 = camera.residual_k1;
+  if (k1 == 0) return folded;
+  const Lens lens{camera, k1}, by_file{camera, 0};
+  const Rays rays = image_rays(lens, where);
+  Distortion d = camera.distortion();
+  if (d.is_zero()) {
+    d.k1 = k1;
   } else {
-    const Eigen::Matrix<double, 5, 1> change = fit_change(camera, by_file, rays);
+    const Eigen::Matrix<double, 5, 1> change = fit_change(lens, by_file, rays);
     d = {d.k1 + change[0], d.k2 + change[1], d.p1 + change[2], d.p2 + change[3], d.k3 + change[4]};
   }
-  const Eigen::ArrayXd errors = differences(camera, folded.camera, rays);
+  folded.camera.set_distortion(d);
+  const Eigen::ArrayXd errors = differences(lens, {folded.camera, 0}, rays);
   folded.rms_error_px = std::sqrt(errors.square().mean());
   folded.max_error_px = errors.maxCoeff();
-  folded.max_shift_px = differences(camera, by_file, rays).maxCoeff();
+  folded.max_shift_px = differences(lens, by_file, rays).maxCoeff();
   return folded;
 }
 

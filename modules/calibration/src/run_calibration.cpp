@@ -41,8 +41,8 @@ struct Numbers {
 
 void visit_camera(KeyVisitor& v, Camera* camera) {
   const auto g = v.group("camera");
-  Pinhole& p = camera->pinhole;
-  Distortion& d = camera->distortion;
+  Pinhole p = camera->pinhole();
+  Distortion d = camera->distortion();
   v.integer("width", p.width, 1, kLargestSide, "");
   v.integer("height", p.height, 1, kLargestSide, "");
   const Numbers any;
@@ -51,6 +51,7 @@ void visit_camera(KeyVisitor& v, Camera* camera) {
   for (const auto& [key, value] :
        {std::pair("k1", &d.k1), {"k2", &d.k2}, {"p1", &d.p1}, {"p2", &d.p2}, {"k3", &d.k3}})
     any.read(v, key, *value);
+  *camera = Camera(p, d);
 }
 
 State state_of(const std::string& name) {
@@ -65,14 +66,14 @@ void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
   v.text("state", *state, refinement_state_names(), "");
   v.text("result", result, {}, "");
   const Numbers any;
-  any.read(v, "residual_k1", c->k1);
+  any.read(v, "residual_k1", c->correction.k1);
   any.read(v, "estimate", c->estimate);
   any.read(v, "standard_deviation", c->sigma);
   v.integer("keyframes", c->keyframes, 0, std::numeric_limits<int>::max(), "");
   CameraRefinement::Shutter& s = c->shutter;
   v.text("shutter", shutter, refinement_state_names(), "");
   v.text("shutter_result", result, {}, "");
-  any.read(v, "readout_s", s.readout_s);
+  any.read(v, "readout_s", c->correction.readout_s);
   any.read(v, "readout_estimate", s.estimate);
   any.read(v, "readout_standard_deviation", s.sigma);
   v.integer("readout_keyframes", s.keyframes, 0, std::numeric_limits<int>::max(), "");
@@ -89,7 +90,7 @@ RunCalibration read_run_calibration(const std::string& run_folder) {
     visit_camera(v, &run.camera);
     visit_refinement(v, &state, &run.refinement);
   });
-  if (run.camera.pinhole.width == 0) throw InputError(run.path, "holds no camera", kRemedy);
+  if (run.camera.width == 0) throw InputError(run.path, "holds no camera", kRemedy);
   if (state.empty()) throw InputError(run.path, "lacks the state of self_calibration", kRemedy);
   run.camera.check(run.path);
   run.refinement.state = state_of(state);
@@ -116,9 +117,7 @@ FoldedCamera corrected_camera(const RunCalibration& run) {
     case State::kApplied:
       break;
   }
-  Camera camera = run.camera;
-  camera.residual_k1 = run.refinement.k1;
-  return fold_residual(camera, run.path);
+  return fold_residual(run.camera, run.refinement.correction.k1, run.path);
 }
 
 }  // namespace edgevo

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/camera.h"
 
-#include <Eigen/LU>
 #include <cmath>
 
 #include "edgevo/core/error.h"
-#include "edgevo/core/radial.h"
 
 namespace edgevo {
 namespace {
 
-// Newton's method on the lens model, normalised coordinates.
-constexpr int kMostSteps = 30;  // more than any point within the model's range needs
-// Step at which it has converged: the documented 1e-12, with a margin.
-constexpr double kErrorSquare = 1e-26;
-// Determinant of the derivative, 1 on the axis; below it the point is beyond the model's range.
-constexpr double kFoldedOver = 1e-6;
-// Tolerated error of the inverse: a millionth of a pixel at a focal length of 1000 px.
-constexpr double kInverseError = 1e-9;
 // Plausible focal lengths, pixels: 1 is a view of 180 degrees, a million a telescope.
 constexpr double kShortestFocal = 1, kLongestFocal = 1e6;
+
+Distortion coefficients(const PinholeModel& /*model*/) { return {}; }
+Distortion coefficients(const PlumbBobModel& model) { return model.distortion; }
+
+bool is_finite(const PinholeModel& /*model*/) { return true; }
+bool is_finite(const PlumbBobModel& model) {
+  const Distortion& d = model.distortion;
+  return std::isfinite(d.k1 + d.k2 + d.p1 + d.p2 + d.k3);
+}
 
 }  // namespace
 
@@ -34,41 +33,46 @@ Pinhole Pinhole::at_level(int level) const {
   return p;
 }
 
-Eigen::Vector2d Camera::distort(const Eigen::Vector2d& x_true) const {
-  const Eigen::Vector2d x = add_radial(residual_k1, x_true);
-  const Distortion& d = distortion;
-  const double r2 = x.squaredNorm();
-  const double radial = 1.0 + r2 * (d.k1 + r2 * (d.k2 + r2 * d.k3));
-  const double xy = x.x() * x.y();
-  return {x.x() * radial + 2.0 * d.p1 * xy + d.p2 * (r2 + 2.0 * x.x() * x.x()),
-          x.y() * radial + d.p1 * (r2 + 2.0 * x.y() * x.y()) + 2.0 * d.p2 * xy};
+Camera::Camera(const Pinhole& p, const Distortion& distortion) : width(p.width), height(p.height) {
+  const Intrinsics intrinsics{p.fx, p.fy, p.cx, p.cy};
+  if (distortion.is_zero())
+    model = PinholeModel{intrinsics};
+  else
+    model = PlumbBobModel{intrinsics, distortion};
 }
 
-bool Camera::undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) const {
-  const Distortion& d = distortion;
-  const Camera by_file{pinhole, distortion, 0.0};
-  Eigen::Vector2d p = x_distorted;
-  for (int iteration = 0; iteration < kMostSteps; ++iteration) {
-    const Eigen::Vector2d error = by_file.distort(p) - x_distorted;
-    if (error.squaredNorm() < kErrorSquare) break;
-    const double r2 = p.squaredNorm();
-    const double radial = 1.0 + r2 * (d.k1 + r2 * (d.k2 + r2 * d.k3));
-    const double dradial = 2.0 * (d.k1 + r2 * (2.0 * d.k2 + r2 * 3.0 * d.k3));  // d radial / d (r2/2)
-    Eigen::Matrix2d J;
-    J(0, 0) = radial + p.x() * p.x() * dradial + 2.0 * d.p1 * p.y() + 6.0 * d.p2 * p.x();
-    J(0, 1) = p.x() * p.y() * dradial + 2.0 * d.p1 * p.x() + 2.0 * d.p2 * p.y();
-    J(1, 0) = J(0, 1);
-    J(1, 1) = radial + p.y() * p.y() * dradial + 6.0 * d.p1 * p.y() + 2.0 * d.p2 * p.x();
-    const double det = J.determinant();
-    if (!(det > kFoldedOver)) return false;
-    p -= J.inverse() * error;
-  }
-  *x = remove_radial(residual_k1, p);
-  return (distort(*x) - x_distorted).norm() < kInverseError;
+Pinhole Camera::pinhole() const {
+  const Intrinsics i = std::visit([](const Intrinsics& m) { return m; }, model);
+  return {i.fx, i.fy, i.cx, i.cy, width, height};
+}
+
+void Camera::set_pinhole(const Pinhole& p) {
+  std::visit([&](Intrinsics& m) { m = {p.fx, p.fy, p.cx, p.cy}; }, model);
+  width = p.width, height = p.height;
+}
+
+Distortion Camera::distortion() const {
+  return std::visit([](const auto& m) { return coefficients(m); }, model);
+}
+
+std::optional<Eigen::Vector2d> Camera::project(const Eigen::Vector3d& ray) const {
+  return std::visit([&](const auto& m) { return m.project(ray); }, model);
+}
+
+std::optional<Eigen::Vector3d> Camera::unproject(const Eigen::Vector2d& px) const {
+  return std::visit([&](const auto& m) { return m.unproject(px); }, model);
+}
+
+PixelJacobian Camera::jacobian(const Eigen::Vector3d& ray) const {
+  return std::visit([&](const auto& m) { return m.jacobian(ray); }, model);
+}
+
+double Camera::max_angle() const {
+  return std::visit([](const auto& m) { return m.max_angle(); }, model);
 }
 
 void Camera::check(const std::string& where) const {
-  const Pinhole& p = pinhole;
+  const Pinhole p = pinhole();
   if (p.width <= 0 || p.height <= 0)
     throw InputError(
         where, "image size " + std::to_string(p.width) + "x" + std::to_string(p.height) + " is not positive",
@@ -81,24 +85,8 @@ void Camera::check(const std::string& where) const {
                        "give fx fy in pixels, not in millimetres or as shares of the width");
   if (!(p.cx > 0 && p.cx < p.width && p.cy > 0 && p.cy < p.height))
     throw InputError(where, "the principal point lies outside the image", "give cx cy in pixels");
-  const Distortion& d = distortion;
-  for (double k : {d.k1, d.k2, d.p1, d.p2, d.k3})
-    if (!std::isfinite(k))
-      throw InputError(where, "a distortion coefficient is not a number", "give k1 k2 p1 p2 k3");
-}
-
-UndistortionMaps make_undistortion_maps(const Camera& camera) {
-  const Pinhole& p = camera.pinhole;
-  UndistortionMaps maps{p.width, p.height, {}, {}};
-  maps.x.reserve(size_t(p.width) * p.height);
-  maps.y.reserve(size_t(p.width) * p.height);
-  for (int v = 0; v < p.height; ++v)
-    for (int u = 0; u < p.width; ++u) {
-      const Eigen::Vector2d d = camera.distort(p.ray({double(u), double(v)}).head<2>());
-      maps.x.push_back(float(p.fx * d.x() + p.cx));
-      maps.y.push_back(float(p.fy * d.y() + p.cy));
-    }
-  return maps;
+  if (!std::visit([](const auto& m) { return is_finite(m); }, model))
+    throw InputError(where, "a distortion coefficient is not a number", "give k1 k2 p1 p2 k3");
 }
 
 }  // namespace edgevo

@@ -24,7 +24,7 @@ struct Guess {
 
 Camera camera_of_focal_length(double f, int width, int height) {
   Camera camera;
-  camera.pinhole = {f, f, 0.5 * (width - 1), 0.5 * (height - 1), width, height};
+  camera.set_pinhole({f, f, 0.5 * (width - 1), 0.5 * (height - 1), width, height});
   return camera;
 }
 

@@ -21,9 +21,9 @@ Camera parse_camera_numbers(const std::string& text, const std::string& where) {
   const size_t count = split_fields(lines[0].text).size() == 11 ? 11 : 10;
   const auto v = parse_numbers(lines[0], count, kNumbersFormat);
   Camera camera;
-  camera.pinhole = {
-      v[0], v[1], v[2], v[3], image_side(v[8], lines[0].where), image_side(v[9], lines[0].where)};
-  camera.distortion = {v[4], v[5], v[6], v[7], count == 11 ? v[10] : 0.0};
+  camera.set_pinhole(
+      {v[0], v[1], v[2], v[3], image_side(v[8], lines[0].where), image_side(v[9], lines[0].where)});
+  camera.set_distortion({v[4], v[5], v[6], v[7], count == 11 ? v[10] : 0.0});
   camera.check(where);
   return camera;
 }

@@ -83,11 +83,13 @@ YamlValues without_camera_name(const YamlValues& values, const std::string& wher
 
 Camera parse_camera_yaml(const std::string& text, const std::string& where) {
   const YamlValues values = without_camera_name(parse_flat_yaml(text, where), where);
-  Camera camera;
-  read_size(values, where, &camera.pinhole);
-  read_matrix(values, where, &camera.pinhole);
+  Pinhole pinhole;
+  Distortion distortion;
+  read_size(values, where, &pinhole);
+  read_matrix(values, where, &pinhole);
   check_model(values, where);
-  read_distortion(values, where, &camera.distortion);
+  read_distortion(values, where, &distortion);
+  const Camera camera(pinhole, distortion);
   camera.check(where);
   return camera;
 }

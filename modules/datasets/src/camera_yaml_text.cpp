@@ -35,8 +35,8 @@ std::string commented(const std::string& comment) {
 }  // namespace
 
 std::string camera_yaml(const Camera& camera, const std::string& comment) {
-  const Pinhole& p = camera.pinhole;
-  const Distortion& d = camera.distortion;
+  const Pinhole p = camera.pinhole();
+  const Distortion d = camera.distortion();
   // OpenCV insists on the directive; libfyaml, under MRPT, on a version that it knows: 1.2 suits both, 1.0
   // does not.
   return "%YAML 1.2\n---\n" + commented(comment) + "image_width: " + std::to_string(p.width) +

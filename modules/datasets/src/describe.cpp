@@ -29,18 +29,16 @@ std::string describe_distortion(const Distortion& d) {
 
 // Angle between the optical axis and a pixel, radians.
 double angle_to_axis(const Camera& camera, const Eigen::Vector2d& px) {
-  const Eigen::Vector2d distorted = camera.pinhole.ray(px).head<2>();
-  Eigen::Vector2d x;
-  if (!camera.undistort(distorted, &x)) x = distorted;
-  return std::atan(x.norm());
+  const Eigen::Vector3d ray = camera.unproject(px).value_or(camera.pinhole().ray(px));
+  return std::atan2(ray.head<2>().norm(), ray.z());
 }
 
 void describe_camera(const Camera& camera, Lines* lines) {
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   lines->emplace_back("image size", std::to_string(p.width) + " x " + std::to_string(p.height));
   lines->emplace_back("camera", "fx " + number(p.fx) + ", fy " + number(p.fy) + ", cx " + number(p.cx) +
                                     ", cy " + number(p.cy) + " px");
-  lines->emplace_back("distortion", describe_distortion(camera.distortion));
+  lines->emplace_back("distortion", describe_distortion(camera.distortion()));
   const auto [horizontal, vertical] = field_of_view_deg(camera);
   lines->emplace_back("field of view", fixed(horizontal, 1) + " x " + fixed(vertical, 1) + " deg");
 }
@@ -92,7 +90,7 @@ std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {
 }  // namespace
 
 std::pair<double, double> field_of_view_deg(const Camera& camera) {
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   // The image reaches half a pixel beyond the centres of its border pixels.
   const double horizontal =
       angle_to_axis(camera, {-0.5, p.cy}) + angle_to_axis(camera, {p.width - 0.5, p.cy});

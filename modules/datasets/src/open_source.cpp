@@ -95,7 +95,7 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
                      "omit it, or give another calibration with --camera");
   const double scale =
-      options.image_scale == 0 ? usual_image_scale(source->camera().pinhole.width) : options.image_scale;
+      options.image_scale == 0 ? usual_image_scale(source->camera().pinhole().width) : options.image_scale;
   return scale_images(subsample(std::move(source), options), scale);
 }
 

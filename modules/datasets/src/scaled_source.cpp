@@ -16,10 +16,10 @@ constexpr int kLeastSide = 16;  // below this no pyramid level remains
 
 // Pixel centres are at whole numbers, so that the image border is at -0.5.
 Camera scaled(const Camera& camera, int width, int height) {
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   const double x = double(width) / p.width, y = double(height) / p.height;
   Camera small = camera;
-  small.pinhole = {p.fx * x, p.fy * y, (p.cx + 0.5) * x - 0.5, (p.cy + 0.5) * y - 0.5, width, height};
+  small.set_pinhole({p.fx * x, p.fy * y, (p.cx + 0.5) * x - 0.5, (p.cy + 0.5) * y - 0.5, width, height});
   return small;
 }
 
@@ -48,7 +48,7 @@ class ScaledSource : public ImageSource {
   std::vector<std::pair<std::string, std::string>> details() const override {
     auto all = inner_->details();
     all.emplace_back(kScaled,
-                     "from " + size_of(inner_->camera().pinhole) + " to " + size_of(camera_.pinhole));
+                     "from " + size_of(inner_->camera().pinhole()) + " to " + size_of(camera_.pinhole()));
     return all;
   }
   std::vector<Timestamp> times() const override { return inner_->times(); }
@@ -57,7 +57,7 @@ class ScaledSource : public ImageSource {
   std::optional<Frame> next() override {
     auto frame = inner_->next();
     if (!frame) return std::nullopt;
-    frame->image = scaled(frame->image, camera_.pinhole.width, camera_.pinhole.height);
+    frame->image = scaled(frame->image, camera_.pinhole().width, camera_.pinhole().height);
     frame->image_path.clear();
     return frame;
   }
@@ -76,7 +76,7 @@ double usual_image_scale(int width) {
 
 std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, double scale) {
   if (scale == 1) return inner;
-  const Pinhole& p = inner->camera().pinhole;
+  const Pinhole p = inner->camera().pinhole();
   if (!(scale >= 0.01 && scale < 1))
     throw InputError("--image-scale " + fixed(scale, 3), "is out of range", "give 0.01 to 1");
   const int width = int(std::lround(scale * p.width)), height = int(std::lround(scale * p.height));

@@ -45,7 +45,7 @@ class SequenceSource : public ImageSource {
     position_ = i + 1;  // a bad image does not end the sequence
     try {
       GrayImage image = read_gray_image(path);
-      check_image_size(image, sequence_.camera.pinhole, path);
+      check_image_size(image, sequence_.camera.pinhole(), path);
       return Frame{int(i), time, std::move(image), path};
     } catch (const InputError& e) {
       throw BadFrame(int(i), time, e);

@@ -82,7 +82,7 @@ class VideoSource : public ImageSource {
       if (!capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
         throw InputError(where, "the image does not decode", "convert the video again");
       Frame frame{index, rate_.time(index), to_gray(pixels)};
-      check_image_size(frame.image, camera_.pinhole, where);
+      check_image_size(frame.image, camera_.pinhole(), where);
       return frame;
     } catch (const InputError& e) {
       throw BadFrame(index, rate_.time(index), e);
@@ -140,7 +140,7 @@ class LiveCamera : public ImageSource {
                        "check its cable, and whether another program uses it");
     Frame frame{index_, now, to_gray(pixels)};
     if (index_ > 0) check_time_increases(previous_, frame.time, where);
-    check_image_size(frame.image, camera_.pinhole, where);
+    check_image_size(frame.image, camera_.pinhole(), where);
     previous_ = frame.time;
     ++index_;
     done_ = false;
@@ -189,8 +189,8 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
     throw InputError(options.path, "the camera does not open", "check that it is plugged in");
   Details details;
   const Camera camera = choose_or_assume_camera(options, "", size_of(*capture), &details);
-  capture->set(cv::CAP_PROP_FRAME_WIDTH, camera.pinhole.width);
-  capture->set(cv::CAP_PROP_FRAME_HEIGHT, camera.pinhole.height);
+  capture->set(cv::CAP_PROP_FRAME_WIDTH, camera.pinhole().width);
+  capture->set(cv::CAP_PROP_FRAME_HEIGHT, camera.pinhole().height);
   return play_live(
       options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); }, details);
 }

@@ -124,11 +124,11 @@ Camera read_intrinsics(const std::string& path, const std::string& camera_name, 
     const auto n = parse_numbers(line, 6, "frame, camera, fx, fy, cx, cy");
     if (count_from(n[1], line.where) != camera_name.back() - '0') continue;
     const Pinhole pinhole{n[2], n[3], n[4], n[5], image.width, image.height};
-    const Pinhole& before = camera.pinhole;
+    const Pinhole before = camera.pinhole();
     if (before.width > 0 && (before.fx != pinhole.fx || before.fy != pinhole.fy || before.cx != pinhole.cx ||
                              before.cy != pinhole.cy))
       throw InputError(line.where, "the calibration changes within the sequence", "restore the file");
-    camera.pinhole = pinhole;
+    camera.set_pinhole(pinhole);
   }
   camera.check(path);
   return camera;
@@ -159,7 +159,7 @@ VirtualKitti read_release_1(const fs::path& sequence) {
   result.release = "1.3.1";
   result.images = list_images(sequence.string());
   const GrayImage first = read_gray_image(result.images.front());
-  result.camera.pinhole = {725, 725, 620.5, 187, first.width, first.height};  // of the release's README
+  result.camera.set_pinhole({725, 725, 620.5, 187, first.width, first.height});  // of the release's README
   for (const std::string& image : result.images)
     result.depths.push_back(
         numbered(root / "vkitti_1.3.1_depthgt" / world / variation, "", frame_number(image)));

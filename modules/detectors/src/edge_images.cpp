@@ -132,10 +132,9 @@ void work_on(SharedWork& shared, EdgeImager& imager, const std::string& folder) 
 EdgeImageCounts write_edge_images(ImageSource& source, const EdgeImageOptions& options) {
   if (source.is_live())
     throw InputError(options.source_path, "is a live camera, whose images have no names", "record it first");
-  cv::setNumThreads(1);  // parallelism comes from our own threads
   std::vector<EdgeImager> imagers;
   for (int i = 0; i < std::max(1, options.threads); ++i) imagers.emplace_back(options.edges);
-  begin_folder(options, settings_text(options, imagers.front(), source.camera().pinhole));
+  begin_folder(options, settings_text(options, imagers.front(), source.camera().pinhole()));
   SharedWork shared(source, options);
   run_parallel(0, int(imagers.size()), int(imagers.size()),
                [&](int i) { work_on(shared, imagers[size_t(i)], options.folder); });

@@ -7,6 +7,7 @@
 
 #include "border_mask.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/radial.h"
 #include "edgevo/edges/edge_extraction.h"
 #include "edgevo/edges/opencv_view.h"
 #include "edgevo/files/image_names.h"
@@ -17,6 +18,8 @@ namespace {
 
 // Radius of the nearest-neighbour fields, pixels: larger than that of any search in them.
 constexpr int kFieldRadiusPx = 12;
+// Distance of edges to pixels without a source, pixels of their level: that to the border of the image.
+constexpr int kBorderPx = 2;
 
 // Clears the pixels of level l that lie in `border`, a mask of level 0.
 void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
@@ -43,28 +46,44 @@ Plane<uint8_t> halved(const Plane<uint8_t>& from, const Pinhole& size) {
 }  // namespace
 
 struct PyramidBuilder::Impl {
-  Camera camera;
-  double readout_s = 0;
+  Rectification rectification;
+  ImageCorrection correction;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
   // Null if the detector needs none, or for a builder that only rebuilds.
   std::unique_ptr<EdgeProbability> probability;
-  std::optional<Undistortion> undistortion;    // empty if the camera has no distortion
+  std::optional<Undistortion> undistortion;    // empty if raw images need no change
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
   BorderMask border;                           // of the raw images
+  Plane<uint8_t> missing;                      // of the rectified images: mask of pixels without a source
 
-  bool has_area() const { return camera.pinhole.width > 1 && camera.pinhole.height > 1; }
+  const Pinhole& target() const { return rectification.target(); }
+  bool has_area() const { return rectification.camera().width > 1 && rectification.camera().height > 1; }
 
   void make_maps() {
     undistortion.reset();
     rolling.reset();
-    if (camera.has_distortion() && has_area()) undistortion.emplace(make_undistortion_maps(camera));
+    missing = {};
+    if ((rectification.is_identity() && correction.k1 == 0) || !has_area()) return;
+    const RectificationMaps maps = rectification.maps(correction.k1);
+    undistortion.emplace(maps, rectification.camera().width, rectification.camera().height);
+    if (!maps.missing.empty()) missing = widened(maps);
+  }
+
+  // The mask with the pixels around it whose gradients, on the coarsest level with edges, it reaches.
+  Plane<uint8_t> widened(const RectificationMaps& maps) const {
+    const int margin = kBorderPx << (params.edge_levels - 1);
+    const cv::Mat mask(maps.height, maps.width, CV_8UC1, const_cast<uint8_t*>(maps.missing.data()));
+    Plane<uint8_t> wide(maps.width, maps.height);
+    cv::dilate(mask, as_mat(wide),
+               cv::getStructuringElement(cv::MORPH_RECT, {2 * margin + 1, 2 * margin + 1}));
+    return wide;
   }
 
   Plane<uint8_t> undistort(const ImageView<uint8_t>& image, const ImageMotion& motion) {
-    Plane<uint8_t> out(image.width, image.height);
-    if (readout_s != 0 && motion.is_known() && has_area()) {
-      if (!rolling) rolling.emplace(make_undistortion_maps(camera));
+    Plane<uint8_t> out(target().width, target().height);
+    if (correction.readout_s != 0 && motion.is_known() && has_area()) {
+      if (!rolling) rolling.emplace(rectification.maps(correction.k1));
       rolling->apply(rolling_shift(motion), image, &out);
     } else if (undistortion) {
       undistortion->apply(image, &out);
@@ -78,17 +97,21 @@ struct PyramidBuilder::Impl {
   // Shift of points of the undistorted image in the raw image due to the rolling shutter, at the nodes of a
   // grid.
   ShiftGrid rolling_shift(const ImageMotion& motion) const {
-    const Pinhole& p = camera.pinhole;
+    const Pinhole& p = target();
     ShiftGrid grid(p.width, p.height);
     for (int row = 0; row < grid.rows(); ++row)
       for (int column = 0; column < grid.columns(); ++column) {
         const Eigen::Vector2d x =
             p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
-        const Eigen::Vector2d moved =
-            camera.distort(add_rolling(p, readout_s, motion, x)) - camera.distort(x);
-        grid.set(column, row, float(p.fx * moved.x()), float(p.fy * moved.y()));
+        const Eigen::Vector2d shift =
+            raw_pixel(add_rolling(p, correction.readout_s, motion, x)) - raw_pixel(x);
+        grid.set(column, row, float(shift.x()), float(shift.y()));
       }
     return grid;
+  }
+
+  Eigen::Vector2d raw_pixel(const Eigen::Vector2d& x) const {
+    return rectification.raw_pixel(add_radial(correction.k1, x));
   }
 
   // `border`: border mask of the finest level, or empty; `likely`: probability on this level, or empty.
@@ -97,6 +120,7 @@ struct PyramidBuilder::Impl {
     Gradient gradient = compute_gradient(level->gray.view());
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
+    if (!missing.empty()) clear_masked(missing, l, &mask);
     level->edges = extract_edges(mask, gradient, params.min_chain);
     level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
@@ -115,38 +139,34 @@ double FramePyramid::masked_share() const {
          (double(border_mask->width()) * border_mask->height());
 }
 
-PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                                const EdgeDetectorTable& detectors)
-    : PyramidBuilder(camera, params, make_edge_detector(params, detectors),
+    : PyramidBuilder(rectification, params, make_edge_detector(params, detectors),
                      make_edge_probability(params, detectors)) {}
 
-PyramidBuilder PyramidBuilder::for_rebuilding(const Camera& camera, const EdgeParams& params,
+PyramidBuilder PyramidBuilder::for_rebuilding(const Rectification& rectification, const EdgeParams& params,
                                               const EdgeDetectorTable& detectors) {
-  return PyramidBuilder(camera, params, make_edge_detector(params, detectors), nullptr);
+  return PyramidBuilder(rectification, params, make_edge_detector(params, detectors), nullptr);
 }
 
-PyramidBuilder::PyramidBuilder(const Camera& camera, const EdgeParams& params,
+PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                                std::unique_ptr<EdgeDetector> detector,
                                std::unique_ptr<EdgeProbability> probability)
-    : impl_(new Impl) {
-  camera.check("camera");
-  impl_->camera = camera;
-  impl_->params = params;
-  impl_->detector = std::move(detector);
-  impl_->probability = std::move(probability);
+    : impl_(
+          new Impl{rectification, {}, params, std::move(detector), std::move(probability), {}, {}, {}, {}}) {
+  rectification.check("camera");
   impl_->make_maps();
 }
 PyramidBuilder::~PyramidBuilder() = default;
 PyramidBuilder::PyramidBuilder(PyramidBuilder&&) noexcept = default;
 
-const Pinhole& PyramidBuilder::pinhole() const { return impl_->camera.pinhole; }
-ImageCorrection PyramidBuilder::correction() const { return {impl_->camera.residual_k1, impl_->readout_s}; }
+const Pinhole& PyramidBuilder::pinhole() const { return impl_->target(); }
+ImageCorrection PyramidBuilder::correction() const { return impl_->correction; }
 
 void PyramidBuilder::set_correction(const ImageCorrection& correction) {
-  impl_->readout_s = correction.readout_s;
-  if (correction.k1 == impl_->camera.residual_k1) return;
-  impl_->camera.residual_k1 = correction.k1;
-  impl_->make_maps();
+  const bool is_other_lens = correction.k1 != impl_->correction.k1;
+  impl_->correction = correction;
+  if (is_other_lens) impl_->make_maps();
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image, const ImageMotion& motion) {
@@ -160,7 +180,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::build(const Frame& frame, co
 std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& image,
                                                                const std::string& name,
                                                                const ImageMotion& motion) {
-  const Pinhole& expected = camera.pinhole;
+  const Camera& expected = rectification.camera();
   if (image.width != expected.width || image.height != expected.height)
     throw InputError("image",
                      "is " + std::to_string(image.width) + "x" + std::to_string(image.height) +
@@ -185,7 +205,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(
   pyramid->source = image;
   pyramid->border_mask = std::move(border);
   pyramid->probability = std::move(likely);
-  pyramid->correction = {camera.residual_k1, readout_s};
+  pyramid->correction = correction;
   pyramid->levels.resize(size_t(params.levels));
   const Plane<uint8_t> border_here =
       pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
@@ -193,7 +213,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(
       pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[size_t(l)];
-    level.pinhole = camera.pinhole.at_level(l);
+    level.pinhole = target().at_level(l);
     if (l == 0) {
       level.gray = undistort(image.view(), motion);
     } else {

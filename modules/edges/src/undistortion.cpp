@@ -84,13 +84,14 @@ void add_shift(const float* position, const std::vector<float>& shift, int x, in
 
 }  // namespace
 
-Undistortion::Undistortion(const UndistortionMaps& maps) : width_(maps.width), height_(maps.height) {
+Undistortion::Undistortion(const RectificationMaps& maps, int width, int height)
+    : width_(maps.width), height_(maps.height) {
   const size_t size = size_t(width_) * height_;
   corner_.reserve(size), right_.reserve(size), down_.reserve(size);
   for (size_t i = 0; i < size; ++i) {
-    const float x = within(maps.x[i], width_), y = within(maps.y[i], height_);
-    const int left = std::min(int(x), width_ - 2), top = std::min(int(y), height_ - 2);
-    corner_.push_back(left + top * width_);
+    const float x = within(maps.x[i], width), y = within(maps.y[i], height);
+    const int left = std::min(int(x), width - 2), top = std::min(int(y), height - 2);
+    corner_.push_back(left + top * width);
     right_.push_back(uint8_t(std::lround((x - float(left)) * kOne)));
     down_.push_back(uint8_t(std::lround((y - float(top)) * kOne)));
   }
@@ -120,7 +121,7 @@ void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<uint8_t>
       const int count = std::min(kRunLength, width - x);
       add_shift(&maps_.x[first], dx, x, count, run.x.data());
       add_shift(&maps_.y[first], dy, x, count, run.y.data());
-      split_positions(count, width, height, &run);
+      split_positions(count, image.width, image.height, &run);
       fetch_run(image, run.corner.data(), run.right.data(), run.down.data(), count, out->row(y) + x);
     }
   }

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Undistortion: an image as a pinhole camera would show it, with each pixel sampled at its distorted
-// position.
+// Undistortion: an image as the pinhole camera of a Rectification would show it, each pixel sampled at its
+// position in the raw image.
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "edgevo/core/camera.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/edges/plane.h"
 
 namespace edgevo {
 
-/// Bilinear undistortion with positions rounded to 1/128 px; beyond the border the border pixels are
-/// repeated. The image has at least 2x2 pixels. Faster than OpenCV's remap, which rounds positions to 1/32
-/// px.
+/// Bilinear undistortion with positions rounded to 1/128 px; beyond the border of the raw image its border
+/// pixels are repeated. Raw images have at least 2x2 pixels. Faster than OpenCV's remap, which rounds
+/// positions to 1/32 px.
 class Undistortion {
  public:
-  explicit Undistortion(const UndistortionMaps& maps);
-  /// Undistorts an image. `image` and `out` have the size of the maps.
+  /// For raw images of width x height.
+  Undistortion(const RectificationMaps& maps, int width, int height);
+  /// Undistorts an image of that size; `out` has the size of the maps.
   void apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) const;
 
  private:
-  int width_, height_;
+  int width_, height_;                 // of the maps
   std::vector<int32_t> corner_;        // per pixel: upper left of the four around its position, x + y * width
   std::vector<uint8_t> right_, down_;  // from there, in 1/128 px, 0..128
 };
@@ -54,12 +55,12 @@ class ShiftGrid {
 /// Slower, since positions are computed for each image.
 class ShiftedUndistortion {
  public:
-  explicit ShiftedUndistortion(UndistortionMaps maps) : maps_(std::move(maps)) {}
-  /// Undistorts an image. `shift`, `image` and `out` have the size of the maps.
+  explicit ShiftedUndistortion(RectificationMaps maps) : maps_(std::move(maps)) {}
+  /// Undistorts an image. `shift` and `out` have the size of the maps.
   void apply(const ShiftGrid& shift, const ImageView<uint8_t>& image, Plane<uint8_t>* out) const;
 
  private:
-  UndistortionMaps maps_;
+  RectificationMaps maps_;
 };
 
 }  // namespace edgevo

@@ -122,6 +122,14 @@ Trajectory parse_trajectory(std::string_view text, const std::string& where) {
   return trajectory;
 }
 
+Trajectory trajectory_of(const Run& run) {
+  Trajectory trajectory{"this run", TrajectoryFormat::kTum, {}};
+  for (const FrameRecord& frame : run.frames)
+    if (frame.T_world_cam && frame.T_world_cam->is_finite())
+      trajectory.poses.push_back({frame.time, *frame.T_world_cam});
+  return trajectory;
+}
+
 Trajectory read_trajectory(const std::string& path) {
   return parse_trajectory(read_file(path, "give the path of a TUM or KITTI trajectory file"), path);
 }

@@ -89,7 +89,7 @@ void RunBuilder::take(const LinesFinished& e) {
 
 void RunBuilder::take(const FrameMapped& e) {
   const auto known = position_.find(e.frame_index);
-  if (known != position_.end()) rows_[known->second].mapping = e.times;
+  if (known != position_.end()) rows_[known->second].mapping = e;
 }
 
 void RunBuilder::take(const FrameAnchored& e) {
@@ -154,7 +154,7 @@ double RunBuilder::length_ratio_since(int keyframe_id, int moves) const {
 void RunBuilder::anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe) {
   const auto known = position_.find(keyframe.frame_index);
   if (known == position_.end()) return;
-  auto& [frame, anchor, times] = rows_[known->second];
+  auto& [frame, anchor, mapping] = rows_[known->second];
   frame.is_keyframe = true;
   if (frame.keyframe_reason == KeyframeReason::kNone) frame.keyframe_reason = KeyframeReason::kBootstrap;
   if (!anchor || frame.segment != keyframe.segment) return;
@@ -166,7 +166,9 @@ void RunBuilder::anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& k
 void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
                             const std::vector<KeyframeRecord>& keyframes, Row* row) const {
   FrameRecord& frame = row->frame;
-  frame.stage_ms.insert(frame.stage_ms.end(), row->mapping.begin(), row->mapping.end());
+  const StageTimes& times = row->mapping.times;
+  frame.stage_ms.insert(frame.stage_ms.end(), times.begin(), times.end());
+  if (row->mapping.adjustment) frame.evidence.adjustment = row->mapping.adjustment;
   if (!row->anchor || !is_known(frame.segment)) return;
   const FrameAnchor& anchor = *row->anchor;
   const double length =

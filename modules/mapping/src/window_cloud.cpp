@@ -27,11 +27,12 @@ std::vector<CloudPoint> every_nth(const std::vector<CloudPoint>& points, size_t 
 
 }  // namespace
 
-int Window::points_lacking() const {
+int Window::points_wanted() const {
   const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
-  const size_t enough = std::min(kEnoughCloud, size_t(kSparseShare * grid.size()));
-  return std::max(0, int(enough) - int(cloud(newest()).size()));
+  return int(std::min(kEnoughCloud, size_t(kSparseShare * grid.size())));
 }
+
+int Window::points_lacking() const { return std::max(0, points_wanted() - int(cloud(newest()).size())); }
 
 // Adds immature points of a keyframe, selected in even steps. Their depth is a guess that the tracker weights
 // by its sigma: under a pure rotation, where depth does not matter, they count fully

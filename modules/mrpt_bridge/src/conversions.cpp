@@ -39,8 +39,8 @@ Timestamp from_mrpt(mrpt::Clock::time_point t) {
 }
 
 mrpt::img::TCamera to_mrpt(const Camera& camera) {
-  const Pinhole& p = camera.pinhole;
-  const Distortion& d = camera.distortion;
+  const Pinhole p = camera.pinhole();
+  const Distortion d = camera.distortion();
   mrpt::img::TCamera result;
   result.ncols = uint32_t(p.width);
   result.nrows = uint32_t(p.height);
@@ -52,7 +52,8 @@ mrpt::img::TCamera to_mrpt(const Camera& camera) {
 Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where) {
   using mrpt::img::DistortionModel;
   Camera result;
-  result.pinhole = {camera.fx(), camera.fy(), camera.cx(), camera.cy(), int(camera.ncols), int(camera.nrows)};
+  result.set_pinhole(
+      {camera.fx(), camera.fy(), camera.cx(), camera.cy(), int(camera.ncols), int(camera.nrows)});
   if (camera.distortion == DistortionModel::kannala_brandt)
     throw InputError(where, "the lens model kannala_brandt is not supported",
                      "undistort the images beforehand");
@@ -60,7 +61,7 @@ Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where) {
     if (camera.k4() != 0 || camera.k5() != 0 || camera.k6() != 0)
       throw InputError(where, "the lens model has the coefficients k4 k5 k6",
                        "calibrate with k1 k2 p1 p2 k3 only");
-    result.distortion = {camera.k1(), camera.k2(), camera.p1(), camera.p2(), camera.k3()};
+    result.set_distortion({camera.k1(), camera.k2(), camera.p1(), camera.p2(), camera.k3()});
   }
   result.check(where);
   return result;

@@ -176,7 +176,7 @@ void RawlogSource::check(const RawlogImage& image, const std::string& where) con
 Frame RawlogSource::read(const RawlogImage& image, const std::string& where) {
   std::string file = file_of(*image.image);
   GrayImage pixels = file.empty() ? from_mrpt(*image.image, where) : read_gray_image(file);
-  check_image_size(pixels, camera_.pinhole, where);
+  check_image_size(pixels, camera_.pinhole(), where);
   return {0, image.time, std::move(pixels), std::move(file)};
 }
 

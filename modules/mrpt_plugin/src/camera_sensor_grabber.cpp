@@ -99,7 +99,7 @@ class CameraSensorGrabber : public Grabber {
     Grab grab;
     grab.original = *image.image;
     grab.frame = {count_, image.time, from_mrpt(*image.image, where)};
-    check_image_size(grab.frame.image, camera_->pinhole, where);
+    check_image_size(grab.frame.image, camera_->pinhole(), where);
     if (count_ > 0) check_time_increases(previous_, image.time, where);
     previous_ = image.time;
     ++count_;

@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include "collect_evidence.h"
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/odometry/frame_status.h"
 
 namespace edgevo {
 namespace {
@@ -24,19 +26,20 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 }  // namespace
 
 void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
-                            const AlignmentParams& params, FrameLog* frames) {
+                            const OdometryParams& params, FrameLog* frames) {
+  const SupportScorer scorer(params.status);
   for (const BootstrapView& view : bootstrap.views) {
     std::optional<FrameRecord> record = frames->find(view.frame_index);
     if (!record || !view.placed) continue;
     SE3 T_cam_ref = pose_in_map(view, bootstrap, reference);
     record->state = TrackingState::kTracking;
     if (view.pyramid) {
-      const TrackResult r = track(*view.pyramid, reference.cloud, {T_cam_ref}, params);
-      if (r.status != TrackingState::kTracking) record->state = TrackingState::kDegraded;
-      if (r.status != TrackingState::kLost && !is_keyframe(view, bootstrap))
+      const TrackResult r = track(*view.pyramid, reference.cloud, {T_cam_ref}, scorer, params.alignment);
+      add_pose(r, reference, &record->evidence);
+      const TrackingState state = frame_status(record->evidence, params.status).state;
+      if (state != TrackingState::kTracking) record->state = TrackingState::kDegraded;
+      if (state != TrackingState::kLost && !is_keyframe(view, bootstrap))
         T_cam_ref = r.T_cur_ref, record->covariance = reference.error_factor * r.covariance;
-      record->inlier_share = r.evidence.inlier_share;
-      record->residual_px = r.stats.residual_px;
     }
     record->note.clear();
     frames->place(std::move(*record), segment, reference, T_cam_ref);

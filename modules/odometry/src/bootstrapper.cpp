@@ -8,10 +8,7 @@ namespace edgevo {
 
 Bootstrapper::Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
                            FrameLog* frames)
-    : bootstrap_(pinhole, params.mapping.bootstrap, seed),
-      alignment_(params.alignment),
-      map_(map),
-      frames_(frames) {}
+    : bootstrap_(pinhole, params.mapping.bootstrap, seed), params_(params), map_(map), frames_(frames) {}
 
 BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid);
@@ -31,7 +28,7 @@ NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views
   map_->begin_segment(segment);
   NewSegment begun;
   begun.reference = map_->reference();
-  place_bootstrap_frames(views, *begun.reference, segment, alignment_, frames_);
+  place_bootstrap_frames(views, *begun.reference, segment, params_, frames_);
   const std::optional<SE3> before = frames_->run().pose_before(views.views.back().frame_index, segment);
   if (before) begun.motion = begun.reference->T_ref_world * before->inverse();
   return begun;

@@ -42,7 +42,7 @@ class Bootstrapper {
 
  private:
   Bootstrap bootstrap_;
-  AlignmentParams alignment_;
+  OdometryParams params_;
   MapLink* map_;
   FrameLog* frames_;
 };

@@ -8,16 +8,16 @@ namespace edgevo {
 std::vector<std::string> describe_changes(const ImageCorrection& before, const CameraRefinement& now) {
   std::vector<std::string> lines;
   char line[160];
-  if (now.correction().k1 != before.k1) {
+  if (now.correction.k1 != before.k1) {
     std::snprintf(line, sizeof line,
-                  "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied", now.k1,
-                  now.sigma, now.keyframes);
+                  "self-calibration: residual k1 = %.4f +- %.4f from %d keyframes, applied",
+                  now.correction.k1, now.sigma, now.keyframes);
     lines.push_back(line);
   }
-  if (now.correction().readout_s != before.readout_s) {
+  if (now.correction.readout_s != before.readout_s) {
     std::snprintf(line, sizeof line,
                   "self-calibration: rolling shutter, read-out %.4f +- %.4f s from %d keyframes, applied",
-                  now.shutter.readout_s, now.shutter.sigma, now.shutter.keyframes);
+                  now.correction.readout_s, now.shutter.sigma, now.shutter.keyframes);
     lines.push_back(line);
   }
   return lines;

@@ -2,6 +2,7 @@
 #include "frame_tracker.h"
 
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/odometry/frame_status.h"
 #include "median_motion.h"
 
 namespace edgevo {
@@ -13,7 +14,7 @@ const Pinhole& pinhole_of(const TrackingTask& task) { return task.pyramid.finest
 
 // The median step of a camera at constant speed, if the best pose so far differs from it.
 Proposer propose_median_motion(const TrackingTask& task, const std::optional<MedianMotionPrior>& prior,
-                               const PoseScorer& scorer) {
+                               const SupportScorer& scorer) {
   return {ProposerKind::kMedianMotion,
           [&](const PoseCandidate& best) {
             return prior && !task.was_lost && !scorer.is_lost(best) && prior->is_unusual(best.T_cur_ref) &&
@@ -24,7 +25,7 @@ Proposer propose_median_motion(const TrackingTask& task, const std::optional<Med
 
 // Corners are tracked when the frame is about to be lost, or has few inliers while a keyframe is made at
 // every frame: large motion. At small motion bad light causes the same, and misleads corners, too.
-bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, const PoseScorer& scorer) {
+bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, const SupportScorer& scorer) {
   if (task.was_lost || !(pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share))
     return false;
   return scorer.is_lost(pose) || (task.keyframes.follows_keyframe() &&
@@ -51,7 +52,7 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
   return hypotheses;
 }
 
-Proposer propose_corner_motion(const TrackingTask& task, const PoseScorer& scorer, Track* track) {
+Proposer propose_corner_motion(const TrackingTask& task, const SupportScorer& scorer, Track* track) {
   return {ProposerKind::kCorners,
           [&](const PoseCandidate& best) { return calls_for_corners(task, best, scorer); },
           [&task, track] { return corner_hypotheses(task, track); }};
@@ -61,7 +62,7 @@ Proposer propose_corner_motion(const TrackingTask& task, const PoseScorer& score
 
 // Refines the pose with the cloud shifted to where the rows of this image show it.
 TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, const Vector6d& twist,
-                       const PoseScorer& scorer) {
+                       const SupportScorer& scorer) {
   const AlignmentParams& params = task.params.alignment;
   if (task.rows.is_rolling() && !scorer.is_lost(first)) {
     const ReferenceCloud shifted = shift_cloud(
@@ -89,8 +90,8 @@ Track track_frame(const TrackingTask& task) {
   const std::vector<SE3> starts = task.motion.starts();
   const std::optional<MedianMotionPrior> prior =
       params.use_median_motion_prior ? MedianMotionPrior::of(task.motion) : std::nullopt;
-  const PoseScorer scorer(params,
-                          [&](const SE3& T_cur_ref) { return prior ? prior->likelihood(T_cur_ref) : 1.0; });
+  const SupportScorer scorer(
+      task.params.status, [&](const SE3& T_cur_ref) { return prior ? prior->likelihood(T_cur_ref) : 1.0; });
   const std::vector<Proposer> proposers{
       propose_starts(starts, scorer),
       propose_rotations(task.pyramid, cloud, starts.front(), scorer),
@@ -101,6 +102,7 @@ Track track_frame(const TrackingTask& task) {
   track.used_median_motion = choice.kind == ProposerKind::kMedianMotion;
   track.twist = task.motion.twist(choice.pose.T_cur_ref);
   track.result = track_rows(task, choice.pose, track.twist, scorer);
+  track.step_sigmas = step_sigmas(task.motion, track.result.T_cur_ref);
   return track;
 }
 

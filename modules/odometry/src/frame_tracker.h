@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The pose of one frame: hypotheses are proposed, one scorer selects, the rows of a rolling shutter are
-// accounted for, and the pose gets its covariance and status.
+// accounted for, and the pose gets its covariance.
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -32,8 +33,10 @@ struct TrackingTask {
 
 /// The result of tracking a frame.
 struct Track {
-  /// Pose, status and evidence.
+  /// Pose and its measurements.
   TrackResult result;
+  /// FrameEvidence::step_sigmas of the pose.
+  double step_sigmas = std::numeric_limits<double>::quiet_NaN();
   /// Motion of the camera when the image was taken (edges/image_motion.h).
   Vector6d twist = Vector6d::Zero();
   /// Corners seen in the reference and in this frame; empty unless they were requested and the motion is

@@ -3,17 +3,19 @@
 
 #include <utility>
 
+#include "collect_evidence.h"
 #include "edgevo/core/thread_clock.h"
 #include "see_points.h"
 #include "stage_timer.h"
 
 namespace edgevo {
 
-FrontEnd::FrontEnd(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
+FrontEnd::FrontEnd(const Rectification& rectification, const OdometryParams& params,
+                   const OdometryOptions& options)
     : params_(params),
-      builder_(camera, params.edges, options.detectors),
+      builder_(rectification, params.edges, options.detectors),
       random_(Random::derive(options.seed, 3)),
-      keyframes_(camera.pinhole, params.keyframe),
+      keyframes_(rectification.target(), params.keyframe),
       coverage_(params.recovery) {}
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
@@ -37,9 +39,8 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   FrameRecord& record = *now.record;
   record.stage_ms.emplace_back(name_of(Stage::kAlignment), thread_cpu_ms() - start - track.corner_ms);
   if (track.corner_ms > 0) record.stage_ms.emplace_back(name_of(Stage::kCorners), track.corner_ms);
-  record.inlier_share = track.result.evidence.inlier_share;
-  record.residual_px = track.result.stats.residual_px;
-  record.note = track.result.reason;
+  add_pose(track.result, *reference_, &record.evidence);
+  record.evidence.step_sigmas = track.step_sigmas;
   return track;
 }
 
@@ -76,8 +77,7 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
 
 void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (newest == reference_) return;
-  if (newest->camera.correction() != builder_.correction())
-    builder_.set_correction(newest->camera.correction());
+  if (newest->camera.correction != builder_.correction()) builder_.set_correction(newest->camera.correction);
   if (reference_) {
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
     const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;

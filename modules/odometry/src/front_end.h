@@ -32,17 +32,17 @@ struct ArrivedFrame {
 class FrontEnd {
  public:
   /// Throws InputError for an unusable camera or detector.
-  FrontEnd(const Camera& camera, const OdometryParams& params, const OdometryOptions& options);
+  FrontEnd(const Rectification& rectification, const OdometryParams& params, const OdometryOptions& options);
 
   /// Must be called first for each frame, also for one that is skipped.
   void begin_frame(Timestamp time) { motion_.begin_frame(time); }
   /// Finds the edges of a frame; its rows are rectified for the expected motion if the frame before has a
   /// pose. Leaves `record` null. Throws InputError for an image of another size.
   ArrivedFrame find_edges(const Frame& frame, bool has_pose);
-  /// Finds the pose of a frame against the reference. Writes times and figures to its record.
+  /// Finds the pose of a frame against the reference. Writes times and evidence to its record.
   Track find_pose(const ArrivedFrame& now, bool was_lost);
   /// Whether the map is in view (MapCoverage::look).
-  std::optional<Event> look(const TrackResult& tracked) { return coverage_.look(*reference_, tracked); }
+  std::optional<Event> look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its
   /// record.
   TrackedFrame accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy);

@@ -5,13 +5,11 @@
 // old one (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
 #include <optional>
 
-#include "edgevo/alignment/tracker.h"
+#include "edgevo/core/frame_evidence.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "state_machine.h"
 
 namespace edgevo {
-
-struct Reference;
 
 /// Watches how well the part of the map in view explains the frames.
 class MapCoverage {
@@ -20,7 +18,7 @@ class MapCoverage {
 
   /// Call after each frame with a pose. Returns Event::kOutOfView, Event::kInView, or nothing if neither is
   /// certain.
-  std::optional<Event> look(const Reference& reference, const TrackResult& tracked);
+  std::optional<Event> look(const FrameEvidence& evidence);
   /// Starts over with a new map.
   void restart() { unexplained_frames_ = 0; }
 

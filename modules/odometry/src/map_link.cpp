@@ -5,11 +5,11 @@
 
 namespace edgevo {
 
-MapLink::MapLink(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
-                 std::shared_ptr<MapLog> log)
+MapLink::MapLink(const Rectification& rectification, const OdometryParams& params,
+                 const OdometryOptions& options, std::shared_ptr<MapLog> log)
     : log_(std::move(log)),
-      rebuilder_(PyramidBuilder::for_rebuilding(camera, params.edges, options.detectors)),
-      mapper_(camera.pinhole, params,
+      rebuilder_(PyramidBuilder::for_rebuilding(rectification, params.edges, options.detectors)),
+      mapper_(rectification.target(), params,
               {options.seed,
                // In realtime mapping must not pause for long.
                options.realtime,
@@ -20,7 +20,7 @@ MapLink::MapLink(const Camera& camera, const OdometryParams& params, const Odome
                log_, options.move_map}),
       // Called in the mapping thread. What mapping learns about a frame leaves with this event.
       thread_(&mapper_, options.realtime, [this](const TrackedFrame& frame, const MapUpdate& update) {
-        log_->append(FrameMapped{frame.frame_index, update.times});
+        log_->append(FrameMapped{frame.frame_index, update.times, update.adjustment});
       }) {}
 
 std::string MapLink::make_map(const BootstrapResult& views) {

@@ -17,7 +17,7 @@ namespace edgevo {
 class MapLink {
  public:
   /// `log`, not null, receives the events of the map.
-  MapLink(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
+  MapLink(const Rectification& rectification, const OdometryParams& params, const OdometryOptions& options,
           std::shared_ptr<MapLog> log);
 
   /// The newest reference; null without a map.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/mapping/idepth_prior.h"
@@ -15,6 +16,15 @@ namespace {
 // Fewest points of the first window: fewer do not constrain its poses against outliers.
 constexpr int kMinFirstPoints = 100;
 constexpr int kMaxAgeKeyframes = 4;  // immature points older than this are dropped
+
+AdjustmentEvidence evidence_of(const WindowStats& stats) {
+  AdjustmentEvidence evidence;
+  evidence.cost_per_match = stats.cost_per_observation;
+  evidence.matches = stats.observations;
+  evidence.points = stats.points;
+  evidence.matches_in_newest = stats.matched_in_newest;
+  return evidence;
+}
 
 }  // namespace
 
@@ -114,7 +124,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
 // corners, which were measured in the old ones.
 TrackedFrame Mapper::corrected(const TrackedFrame& tracked) const {
   TrackedFrame frame = tracked;
-  const ImageCorrection now = calibration_.state().correction();
+  const ImageCorrection now = calibration_.state().correction;
   if (tracked.pyramid->correction == now) return frame;
   frame.pyramid = options_.rebuild(*tracked.pyramid, tracked.motion, now);
   frame.corners.clear();
@@ -148,7 +158,10 @@ void Mapper::make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, Ma
   activate_points(times);
   update->stats = adjust(times);
   // A failed adjustment has moved nothing.
-  if (update->stats.points > 0) check_tracking(frame);
+  if (update->stats.points > 0) {
+    update->adjustment = evidence_of(update->stats);
+    update->adjustment->moved = check_tracking(frame);
+  }
   if (window_.full()) {
     remove_oldest(times);
     map_edges(times);
@@ -195,11 +208,13 @@ WindowStats Mapper::adjust(StageTimes* times) {
   return window_.adjust();
 }
 
-// Compares the tracked pose of the newest keyframe with the adjusted one.
-void Mapper::check_tracking(const TrackedFrame& frame) {
+// Compares the tracked pose of the newest keyframe with the adjusted one. Returns how far that was moved; NaN
+// if its reference has left the window.
+double Mapper::check_tracking(const TrackedFrame& frame) {
   for (const Keyframe& k : window_.keyframes())
     if (k.id == frame.reference_id)
-      tracking_check_.add(frame.T_cam_ref, relative_pose(window_.newest(), k), frame.covariance);
+      return tracking_check_.add(frame.T_cam_ref, relative_pose(window_.newest(), k), frame.covariance);
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 void Mapper::remove_oldest(StageTimes* times) {
@@ -313,6 +328,7 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->cloud =
       make_reference_cloud(keyframe.pyramid, window_.tracking_cloud(keyframe), gradient_patches_);
   reference->known_points = int(window_.cloud(keyframe).size());
+  reference->wanted_points = window_.points_wanted();
   reference->view_share = window_.view_share(keyframe);
   reference->median_idepth = median_idepth_;
   reference->error_factor = tracking_check_.error_factor();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "edgevo/core/order_statistics.h"
 #include "motion_model.h"
@@ -52,6 +53,14 @@ void MedianMotion::follow(const Eigen::Vector3d& translation, bool held) {
   }
   steps_.push_back(translation);
   if (steps_.size() > kSteps) steps_.pop_front();
+}
+
+double step_sigmas(const MotionModel& motion, const SE3& T_cur_ref) {
+  const std::optional<MedianMotion::Step> step = motion.median_motion().median_step();
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  if (!step || motion.frames_since() > 1 || !(step->sigma.minCoeff() > 0)) return kUnknown;
+  const Eigen::Vector3d translation = (T_cur_ref * motion.T_last_ref().inverse()).log().head<3>();
+  return (translation - step->translation).cwiseAbs().cwiseQuotient(step->sigma).maxCoeff();
 }
 
 std::optional<MedianMotionPrior> MedianMotionPrior::of(const MotionModel& motion) {

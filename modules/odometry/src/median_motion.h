@@ -49,6 +49,11 @@ class MedianMotion {
   int seen_ = 0;
 };
 
+/// Largest difference, over the camera's axes, between the translation to `T_cur_ref` since the frame before
+/// and the median step, in standard deviations of single frames. NaN over a gap, and until the median step
+/// and a spread are known.
+double step_sigmas(const MotionModel& motion, const SE3& T_cur_ref);
+
 /// The step that a frame is expected to make, for a camera at constant speed.
 class MedianMotionPrior {
  public:
@@ -56,7 +61,7 @@ class MedianMotionPrior {
   /// hand, and over a gap.
   static std::optional<MedianMotionPrior> of(const MotionModel& motion);
 
-  /// Likelihood of a pose relative to the median step, 0 to 1: for PoseScorer.
+  /// Likelihood of a pose relative to the median step, 0 to 1: for SupportScorer.
   double likelihood(const SE3& T_cur_ref) const;
   /// True if the translation differs from the median step by more than the camera's steps do by chance.
   bool is_unusual(const SE3& T_cur_ref) const;

@@ -5,7 +5,9 @@
 
 #include "bootstrapper.h"
 #include "camera_log.h"
+#include "collect_evidence.h"
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/odometry/frame_status.h"
 #include "frame_log.h"
 #include "front_end.h"
 #include "map_link.h"
@@ -15,16 +17,16 @@
 namespace edgevo {
 
 struct Odometry::Impl {
-  Impl(const Camera& camera, const OdometryParams& p, const OdometryOptions& o)
+  Impl(const Rectification& rectification, const OdometryParams& p, const OdometryOptions& o)
       : params(p),
         options(o),
         state(p.recovery.max_frames),
         log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
-        frames(camera.pinhole, log),
-        front_end(camera, p, o),
-        map(camera, p, o, log),
-        bootstrapper(camera.pinhole, p, o.seed, &map, &frames) {
-    front_end.set_correction(map.initial_camera().correction());
+        frames(rectification.target(), log),
+        front_end(rectification, p, o),
+        map(rectification, p, o, log),
+        bootstrapper(rectification.target(), p, o.seed, &map, &frames) {
+    front_end.set_correction(map.initial_camera().correction);
   }
 
   // ---- one frame ----
@@ -35,7 +37,7 @@ struct Odometry::Impl {
     if (state.has_map()) change_reference(frame);
     front_end.begin_frame(frame.time);
     const ArrivedFrame arrived = find_edges(frame);
-    if (state.tracks(arrived.record->edges)) follow_map(arrived);
+    if (state.tracks(arrived.record->evidence.edges)) follow_map(arrived);
     if (state.bootstraps()) bootstrap_map(arrived);
     if (!frame_announced) frames.announce();
     note_pose(*arrived.record);
@@ -75,8 +77,8 @@ struct Odometry::Impl {
     newest_pose = {};
     arrived.record = &frames.begin_frame(frame);
     frame_announced = false;
+    add_image(*arrived.pyramid, &arrived.record->evidence);
     arrived.record->stage_ms.emplace_back(name_of(Stage::kEdges), thread_cpu_ms() - start);
-    arrived.record->edges = int(arrived.pyramid->finest().edges.pixels.size());
     return arrived;
   }
 
@@ -84,13 +86,16 @@ struct Odometry::Impl {
 
   void follow_map(const ArrivedFrame& now) {
     Track track = front_end.find_pose(now, !state.has_pose());
-    act(now.frame, state.after(event_of(track.result.status), now.frame.index), track.result.reason);
+    const FrameStatus status = frame_status(now.record->evidence, params.status);
+    now.record->note = status.reason;
+    act(now.frame, state.after(event_of(status.state), now.frame.index), status.reason);
     if (!state.has_pose()) {
       now.record->state = TrackingState::kLost;
       return;
     }
-    if (const std::optional<Event> seen = front_end.look(track.result))
+    if (const std::optional<Event> seen = front_end.look(now.record->evidence))
       act(now.frame, state.after(*seen, now.frame.index));
+    now.record->state = status.state;
     record_pose(track.result, now.record);
     TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
     // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
@@ -101,7 +106,6 @@ struct Odometry::Impl {
 
   void record_pose(const TrackResult& tracked, FrameRecord* record) {
     const Reference& reference = *front_end.reference();
-    record->state = tracked.status;
     record->covariance = reference.error_factor * tracked.covariance;
     frames.place(state.segment(), reference, tracked.T_cur_ref);
     newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
@@ -119,7 +123,7 @@ struct Odometry::Impl {
       if (status.result) status.reason = make_map(now, *status.result);
     }
     if (record.T_world_cam_live) return;
-    record.state = state.without_pose(record.index, record.edges);
+    record.state = state.without_pose(record.index, record.evidence.edges);
     record.note = (record.note.empty() ? "" : record.note + "; ") + status.reason;
   }
 
@@ -205,7 +209,7 @@ struct Odometry::Impl {
 };
 
 Odometry::Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
-    : impl_(std::make_unique<Impl>(camera, params, options)) {}
+    : impl_(std::make_unique<Impl>(rectification_of(camera, options), params, options)) {}
 Odometry::~Odometry() = default;
 
 FrameRecord Odometry::process(const Frame& frame) { return impl_->process(frame); }

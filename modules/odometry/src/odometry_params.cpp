@@ -23,7 +23,9 @@ void OdometryParams::visit(ParamVisitor& v) {
   }
   {
     const auto g = v.group("alignment");
-    alignment.visit(v);
+    alignment.visit_costs(v);
+    status.visit(v);
+    alignment.visit_heuristics(v);
   }
   {
     const auto g = v.group("association");

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_machine.h"
 
+#include "edgevo/odometry/frame_status.h"
+
 namespace edgevo {
-namespace {
-
-// Edge pixels: an image with fewer shows nothing to follow (a bootstrap alone needs 80 corners).
-constexpr int kMinEdges = 200;
-
-}  // namespace
 
 Event event_of(TrackingState status) {
   if (status == TrackingState::kLost) return Event::kUntracked;
@@ -42,7 +38,7 @@ Transition transition(Phase phase, Event event) {
 
 bool OdometryState::tracks(int edges) {
   if (phase_ != Phase::kLost) return has_map();
-  return edges >= kMinEdges && relocalisation_tries_++ < max_relocalisation_tries_;
+  return shows_edges(edges) && relocalisation_tries_++ < max_relocalisation_tries_;
 }
 
 Action OdometryState::after(Event event, int frame_index) {
@@ -54,9 +50,8 @@ Action OdometryState::after(Event event, int frame_index) {
 }
 
 TrackingState OdometryState::without_pose(int frame_index, int edges) const {
-  const bool nothing_to_follow = edges < kMinEdges;
-  return ever_tracked() && (nothing_to_follow || lost_at_ == frame_index) ? TrackingState::kLost
-                                                                          : TrackingState::kBootstrapping;
+  return ever_tracked() && (!shows_edges(edges) || lost_at_ == frame_index) ? TrackingState::kLost
+                                                                            : TrackingState::kBootstrapping;
 }
 
 TrackingState OdometryState::when_skipped() const {

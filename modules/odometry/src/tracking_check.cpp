@@ -19,11 +19,12 @@ constexpr double kNotSeen = 1.15;  // true error over that move: the adjusted po
 
 }  // namespace
 
-void TrackingCheck::add(const SE3& T_cam_ref_tracked, const SE3& T_cam_ref_adjusted,
-                        const Matrix6d& covariance) {
+double TrackingCheck::add(const SE3& T_cam_ref_tracked, const SE3& T_cam_ref_adjusted,
+                          const Matrix6d& covariance) {
   const double ratio =
       normalised_error_square(T_cam_ref_tracked, T_cam_ref_adjusted, covariance) / kNormalisedErrorFreedom;
   if (std::isfinite(ratio)) mean_ += kNewestShare * (std::min(ratio, kMost) - mean_);
+  return ratio;
 }
 
 double TrackingCheck::error_factor() const { return kNotSeen * std::max(kLeast, mean_); }

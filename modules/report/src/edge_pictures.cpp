@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "color_ramp.h"
+#include "edgevo/core/rectification.h"
 
 namespace edgevo {
 namespace {
@@ -70,10 +71,10 @@ void set_range(const std::vector<std::vector<SeenPoint>>& seen, EdgePictures* pi
   pictures->idepth_high = idepths[idepths.size() - 1 - idepths.size() / 50];
 }
 
-// The image without distortion and residual distortion. Empty if it cannot be read.
-cv::Mat undistorted(const std::string& path, const UndistortionMaps& maps) {
+// The image as the method saw it. Empty if it cannot be read.
+cv::Mat rectified(const std::string& path, const Camera& camera, const RectificationMaps& maps) {
   const cv::Mat image = path.empty() ? cv::Mat() : cv::imread(path, cv::IMREAD_GRAYSCALE);
-  if (image.cols != maps.width || image.rows != maps.height) return {};
+  if (image.cols != camera.width || image.rows != camera.height) return {};
   const cv::Mat x(maps.height, maps.width, CV_32F, const_cast<float*>(maps.x.data()));
   const cv::Mat y(maps.height, maps.width, CV_32F, const_cast<float*>(maps.y.data()));
   cv::Mat out;
@@ -113,12 +114,10 @@ EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const Poin
   std::vector<std::vector<SeenPoint>> seen;
   for (size_t k : chosen) seen.push_back(points_seen(run, k, filter));
   set_range(seen, &result);
-  Camera refined = camera;
-  refined.residual_k1 = run.camera.k1;
-  const UndistortionMaps maps = make_undistortion_maps(refined);
+  const RectificationMaps maps = Rectification(camera, run.pinhole).maps(run.camera.correction.k1);
   for (size_t i = 0; i < chosen.size(); ++i) {
     const KeyframeRecord& keyframe = run.keyframes[chosen[i]];
-    const cv::Mat gray = undistorted(image_path(keyframe.frame_index), maps);
+    const cv::Mat gray = rectified(image_path(keyframe.frame_index), camera, maps);
     if (gray.empty()) continue;
     std::vector<uint8_t> jpeg;
     cv::imencode(".jpg", paint(gray, seen[i], result), jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});

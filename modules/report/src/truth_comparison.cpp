@@ -7,14 +7,6 @@
 namespace edgevo {
 namespace {
 
-Trajectory estimate_of(const Run& run) {
-  Trajectory estimate{"this run", TrajectoryFormat::kTum, {}};
-  for (const FrameRecord& frame : run.frames)
-    if (frame.T_world_cam && frame.T_world_cam->is_finite())
-      estimate.poses.push_back({frame.time, *frame.T_world_cam});
-  return estimate;
-}
-
 InputFrames input_of(const Run& run) {
   InputFrames input{{}, "this run"};
   for (const FrameRecord& frame : run.frames) input.times.push_back(frame.time);
@@ -31,7 +23,7 @@ std::optional<Drift> drift_of(const Association& association) {
 }
 
 std::optional<TruthComparison> compare(const Run& run, const Trajectory& truth) {
-  const Association association = associate(estimate_of(run), truth, input_of(run));
+  const Association association = associate(trajectory_of(run), truth, input_of(run));
   const Points estimated = estimate_points(association.matches),
                true_points = truth_points(association.matches);
   const std::optional<Sim3> T_truth_run =

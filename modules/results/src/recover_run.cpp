@@ -30,7 +30,7 @@ Run recover_run(const std::string& folder) {
   RecoveryLogReader log(folder);
   const RecoveryHeader& header = log.header();
   const RunParams params = params_of(header.info);
-  const Pinhole& pinhole = header.info.camera.pinhole;
+  const Pinhole pinhole = header.info.working_pinhole.value_or(header.info.camera.pinhole());
   RunBuilder builder(pinhole);
   RunScaling scaling(parse_scale_source(header.scale), header.track, pinhole, header.T_vehicle_cam,
                      params.scale);

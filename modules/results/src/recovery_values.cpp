@@ -93,6 +93,7 @@ void visit_info(Visit& v, Info& info) {
   v.text(info.source_path);
   v.text(info.ground_truth_path);
   v.plain(info.camera);
+  v.maybe(info.working_pinhole, [&](auto& pinhole) { v.plain(pinhole); });
   v.text(info.params_yaml);
   v.list(info.notes, [&](auto& note) { v.text(note.first), v.text(note.second); });
 }
@@ -116,11 +117,29 @@ void visit_times(Visit& v, Times& times) {
   v.list(times, [&](auto& stage) { v.text(stage.first), v.plain(stage.second); });
 }
 
+template <class Visit, class Adjustment>
+void visit_adjustment(Visit& v, Adjustment& a) {
+  v.plain(a.moved), v.plain(a.cost_per_match), v.plain(a.matches), v.plain(a.points);
+  v.plain(a.matches_in_newest);
+}
+
+template <class Visit, class Evidence>
+void visit_evidence(Visit& v, Evidence& e) {
+  const auto plain = [&](auto& value) { v.plain(value); };
+  v.plain(e.edges), v.plain(e.saturated_share), v.plain(e.edge_blur), v.plain(e.diverged);
+  v.maybe(e.visible_points, plain), v.maybe(e.matched_points, plain);
+  v.plain(e.inlier_share), v.plain(e.residual_px);
+  visit_numbers(v, e.pose_sigmas);
+  v.plain(e.step_sigmas);
+  v.maybe(e.known_points, plain), v.plain(e.lacking_share), v.plain(e.view_share);
+  v.maybe(e.adjustment, [&](auto& a) { visit_adjustment(v, a); });
+}
+
 template <class Visit, class Frame>
 void visit_frame(Visit& v, Frame& f) {
   v.plain(f.index), v.plain(f.time), v.plain(f.state), v.plain(f.segment), v.plain(f.is_keyframe);
   v.reason(f.keyframe_reason);
-  v.plain(f.inlier_share), v.plain(f.residual_px), v.plain(f.edges);
+  visit_evidence(v, f.evidence);
   visit_times(v, f.stage_ms);
   visit_pose(v, f.T_world_cam_live);
   visit_numbers(v, f.covariance);
@@ -149,9 +168,9 @@ void visit_keyframe(Visit& v, Keyframe& k) {
 
 template <class Visit, class Refinement>
 void visit_refinement(Visit& v, Refinement& c) {
-  v.plain(c.state), v.plain(c.k1), v.plain(c.estimate), v.plain(c.sigma), v.plain(c.keyframes);
+  v.plain(c.state), v.plain(c.correction), v.plain(c.estimate), v.plain(c.sigma), v.plain(c.keyframes);
   auto& s = c.shutter;
-  v.plain(s.state), v.plain(s.readout_s), v.plain(s.estimate), v.plain(s.sigma), v.plain(s.keyframes);
+  v.plain(s.state), v.plain(s.estimate), v.plain(s.sigma), v.plain(s.keyframes);
 }
 
 template <class Visit, class Correction>
@@ -215,6 +234,7 @@ void visit(Visit& v, typename Visit::template Value<CameraEstimated>& e) {
 template <class Visit>
 void visit(Visit& v, typename Visit::template Value<FrameMapped>& e) {
   v.plain(e.frame_index), visit_times(v, e.times);
+  v.maybe(e.adjustment, [&](auto& a) { visit_adjustment(v, a); });
 }
 
 template <class Visit>

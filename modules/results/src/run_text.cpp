@@ -2,6 +2,7 @@
 #include "edgevo/results/run_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "edgevo/core/output_file.h"
@@ -28,6 +29,42 @@ std::string one_cell(std::string note) {
   return note;
 }
 
+// ---- cells of the evidence, each after a comma; empty: unknown ----
+
+void append_number(std::string* text, double value, int decimals) {
+  *text += ',';
+  if (std::isfinite(value)) append_fixed(text, value, decimals);
+}
+
+void append_count(std::string* text, const std::optional<int>& count) {
+  *text += ',';
+  if (count) *text += std::to_string(*count);
+}
+
+void append_adjustment(std::string* text, const std::optional<AdjustmentEvidence>& adjustment) {
+  if (!adjustment) {
+    *text += ",,,,,";
+    return;
+  }
+  append_number(text, adjustment->moved, 4);
+  append_number(text, adjustment->cost_per_match, 4);
+  for (const int count : {adjustment->matches, adjustment->points, adjustment->matches_in_newest})
+    append_count(text, count);
+}
+
+void append_evidence(std::string* text, const FrameEvidence& e) {
+  append_count(text, e.visible_points);
+  append_count(text, e.matched_points);
+  append_number(text, e.pose_sigmas.back(), 6);
+  append_number(text, e.step_sigmas, 3);
+  append_count(text, e.known_points);
+  append_number(text, e.lacking_share, 4);
+  append_number(text, e.view_share, 4);
+  append_number(text, e.saturated_share, 4);
+  append_number(text, e.edge_blur, 3);
+  append_adjustment(text, e.adjustment);
+}
+
 }  // namespace
 
 std::string tum_line(Timestamp time, const SE3& T) {
@@ -42,11 +79,12 @@ std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::stri
   std::string text = std::to_string(frame.index) + ',' + to_string(frame.time) + ',' +
                      std::string(to_string(frame.state)) + ',' + std::to_string(frame.segment) + ',' +
                      (frame.is_keyframe ? '1' : '0') + ',';
-  append_fixed(&text, frame.inlier_share, 4);
-  append_fixed(&(text += ','), frame.residual_px, 4);
-  text += ',' + std::to_string(frame.edges) + ',' + one_cell(frame.note) + ',' +
+  append_fixed(&text, frame.evidence.inlier_share, 4);
+  append_fixed(&(text += ','), frame.evidence.residual_px, 4);
+  text += ',' + std::to_string(frame.evidence.edges) + ',' + one_cell(frame.note) + ',' +
           std::string(to_string(frame.keyframe_reason)) + ',';
   if (frame.latency_ms) append_fixed(&text, *frame.latency_ms, 3);
+  append_evidence(&text, frame.evidence);
   for (const std::string& stage : stages) {
     text += ',';
     const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
@@ -107,7 +145,9 @@ std::string trajectory_kitti(const Run& run) {
 std::string frames_csv(const Run& run) {
   const std::vector<std::string> stages = stages_of(run);
   std::string text =
-      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms";
+      "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
+      "visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,"
+      "saturated_share,edge_blur,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,adjusted_here";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);

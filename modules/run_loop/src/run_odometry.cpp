@@ -2,7 +2,6 @@
 #include "edgevo/run_loop/run_odometry.h"
 
 #include <ctime>
-#include <opencv2/core.hpp>
 
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
@@ -99,7 +98,6 @@ std::exception_ptr exception_of(const Stop& stop, Work&& work) {
 
 RunResult run_odometry(ImageSource& source, const OdometryParams& params, const RunLoopOptions& requested,
                        const OnFrame& on_frame) {
-  cv::setNumThreads(1);  // tracking and mapping have threads of their own
   OdometryOptions options = requested.odometry;
   // Frames that arrive on their own schedule do not wait for the mapping: better an older map than a late
   // pose.

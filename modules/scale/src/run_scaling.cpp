@@ -48,9 +48,9 @@ VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) 
 
 }  // namespace
 
-RunScaling::RunScaling(const ScaleSource& requested, const ImageSource& source, const ScaleParams& params)
-    : RunScaling(requested, track_for(requested, source), source.camera().pinhole, source.T_vehicle_cam(),
-                 params) {}
+RunScaling::RunScaling(const ScaleSource& requested, const ImageSource& source, const Pinhole& pinhole,
+                       const ScaleParams& params)
+    : RunScaling(requested, track_for(requested, source), pinhole, source.T_vehicle_cam(), params) {}
 
 RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
                        const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params)

@@ -65,7 +65,7 @@ class CameraFinder {
 
   CameraEstimate search(bool free_k1, bool free_readout) const {
     CameraSearch s;
-    s.start = state_.correction();
+    s.start = state_.correction;
     s.free << free_k1, free_readout;
     s.prior << 0, params_.readout_s;
     return estimate_camera(problem_, s, options_);
@@ -121,16 +121,16 @@ class CameraFinder {
       if (k1 && !f.trustworthy) return nothing();
     }
     if (!k1 && !readout && !given_up) return nothing();
-    if (readout) state_.shutter.readout_s = over_relaxed(e.value.readout_s);
-    if (given_up) state_.shutter.readout_s = params_.readout_s;
+    if (readout) state_.correction.readout_s = over_relaxed(e.value.readout_s);
+    if (given_up) state_.correction.readout_s = params_.readout_s;
     if (readout || given_up || k1 != k1_free) e = search(k1, false);
     if (!e.usable) return {known_, std::nullopt};
-    if (k1) state_.estimate = state_.k1 = e.value.k1;
+    if (k1) state_.estimate = state_.correction.k1 = e.value.k1;
     return {state_, std::move(e)};
   }
 
   double over_relaxed(double readout_s) const {
-    const double before = state_.shutter.readout_s;
+    const double before = state_.correction.readout_s;
     const double factor = params_.over_relax_readout ? kOverRelaxation : 1;
     return std::clamp(before + factor * (readout_s - before), -kMaxReadout, kMaxReadout);
   }

@@ -69,7 +69,7 @@ SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationPa
     : pinhole_(pinhole), params_(params), next_checkpoint_(first_checkpoint(params)) {
   if (params.refines_k1()) state_.state = State::kTooEarly;
   if (params.refines_readout()) state_.shutter.state = State::kTooEarly;
-  state_.shutter.readout_s = params.readout_s;
+  state_.correction.readout_s = params.readout_s;
 }
 
 SelfCalibration::SelfCalibration(SelfCalibration&&) noexcept = default;
@@ -93,7 +93,7 @@ void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
 void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->moves = map.moves();
-  job_->history = make_history(pinhole_, state_.correction(), all_keyframes(map));
+  job_->history = make_history(pinhole_, state_.correction, all_keyframes(map));
   job_->finding =
       std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_,
                                       options] { return find_camera(problem, known, params, options); });
@@ -107,7 +107,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   if (!needs_matches() || map.active().empty()) return std::nullopt;
   const std::vector<const Keyframe*> keyframes = all_keyframes(map);
   if (int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
-  const CalibrationHistory history = make_history(pinhole_, state_.correction(), keyframes);
+  const CalibrationHistory history = make_history(pinhole_, state_.correction, keyframes);
   int known = int(keyframes.size());
   CameraFinding found;
   std::unique_ptr<Job> job = std::move(job_);
@@ -123,7 +123,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   } else {
     found = find_camera(history.problem, state_, params_, options);
   }
-  const ImageCorrection before = state_.correction();
+  const ImageCorrection before = state_.correction;
   std::optional<MapMoved> moved;
   state_ = found.state;
   if (found.estimate) {

@@ -4,7 +4,6 @@
 #include <visp3/core/vpExponentialMap.h>
 
 #include <cmath>
-#include <opencv2/core.hpp>
 
 #include "delayed_sensor.h"
 #include "edgevo/core/order_statistics.h"
@@ -24,7 +23,7 @@ class ClosedLoop {
         plan_(plan_over_desk(params.seed)),
         camera_(params, plan_),
         sensor_(camera_.model(), odometry, params, &feed_),
-        law_(make_control_law(params.law, camera_.model().pinhole, params.gain, params.points)),
+        law_(make_control_law(params.law, camera_.model().pinhole(), params.gain, params.points)),
         T_scene_cam_(plan_.T_scene_cam(0)) {}
 
   ServoResult run(const std::function<bool(double)>& on_step) {
@@ -74,7 +73,7 @@ class ClosedLoop {
       result_.failure = "the pose could not be taught: " + why;
       return;
     }
-    const Pinhole& p = camera_.model().pinhole;
+    const Pinhole p = camera_.model().pinhole();
     const std::vector<float> depth = camera_.renderer().render_depth_from(plan_.T_scene_taught);
     for (const ServoPoint& point : law_->points(metric)) {
       const Eigen::Vector2d px = p.project({point.point.get_x(), point.point.get_y(), 1});
@@ -98,7 +97,7 @@ class ClosedLoop {
     for (const CloudPoint& c : pose.view.reference->cloud.points) {
       const Eigen::Vector3d p = T_cam_ref * (c.ray / c.idepth);
       if (c.host_keyframe < 0 || !(p.z() > 0)) continue;
-      const double z = depth_near(depth, camera_.model().pinhole.project(p));
+      const double z = depth_near(depth, camera_.model().pinhole().project(p));
       if (z > 0) ratios.push_back(z / p.z());
     }
     if (ratios.empty()) {
@@ -113,7 +112,7 @@ class ClosedLoop {
 
   // Depth of the nearest surface within a pixel, to which an edge belongs; 0: none, or outside the image.
   double depth_near(const std::vector<float>& depth, const Eigen::Vector2d& px) const {
-    const Pinhole& p = camera_.model().pinhole;
+    const Pinhole p = camera_.model().pinhole();
     if (!p.contains(px, 1)) return 0;
     const int u = int(std::lround(px.x())), v = int(std::lround(px.y()));
     double nearest = 0;
@@ -169,7 +168,7 @@ class ClosedLoop {
   std::vector<Eigen::Vector2d> pixels_from(const SE3& T_scene_cam) const {
     std::vector<Eigen::Vector2d> px;
     for (const Eigen::Vector3d& p : points_scene_)
-      px.push_back(camera_.model().pinhole.project(T_scene_cam.inverse() * p));
+      px.push_back(camera_.model().pinhole().project(T_scene_cam.inverse() * p));
     return px;
   }
 
@@ -196,7 +195,6 @@ class ClosedLoop {
 
 ServoResult run_closed_loop(const ServoParams& params, const OdometryParams& odometry,
                             const std::function<bool(double)>& on_step) {
-  cv::setNumThreads(1);  // the latency is that of a single thread
   return ClosedLoop(params, odometry).run(on_step);
 }
 

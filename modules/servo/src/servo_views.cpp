@@ -5,13 +5,14 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "edgevo/core/rectification.h"
+
 namespace edgevo {
 namespace {
 
 cv::Point2d pixel(const Camera& camera, const Eigen::Vector2d& undistorted_px) {
-  const Pinhole& p = camera.pinhole;
-  const Eigen::Vector2d x = camera.distort(p.ray(undistorted_px).head<2>());
-  return {p.fx * x.x() + p.cx, p.fy * x.y() + p.cy};
+  const Eigen::Vector2d px = Rectification(camera).raw_pixel(camera.pinhole().ray(undistorted_px).head<2>());
+  return {px.x(), px.y()};
 }
 
 // Drawing coordinates in sixteenths of a pixel.

@@ -12,7 +12,7 @@ SimulatedCamera::SimulatedCamera(const ServoParams& params, const MotionPlan& pl
 }
 
 std::optional<GrayImage> SimulatedCamera::take(const SE3& T_scene_cam, int index, double seconds) const {
-  const Pinhole& p = model().pinhole;
+  const Pinhole p = model().pinhole();
   if (is_dark(seconds)) return GrayImage{p.width, p.height, std::vector<uint8_t>(size_t(p.width) * p.height)};
   const bool lit = light_ && seconds >= light_begin_s_;
   if (lit && light_->drops(index)) return std::nullopt;

@@ -36,8 +36,8 @@ void write_pfm(const std::string& path, const std::vector<float>& depth, int wid
 }
 
 std::string camera_text(const Camera& camera) {
-  const Pinhole& p = camera.pinhole;
-  const Distortion& d = camera.distortion;
+  const Pinhole p = camera.pinhole();
+  const Distortion d = camera.distortion();
   std::string text = "# fx fy cx cy k1 k2 p1 p2 width height k3\n";
   for (double value : {p.fx, p.fy, p.cx, p.cy, d.k1, d.k2, d.p1, d.p2}) text += fixed(value, 7) + " ";
   return text + std::to_string(p.width) + " " + std::to_string(p.height) + " " + fixed(d.k3, 7) + "\n";
@@ -148,7 +148,7 @@ void export_folder(const SceneRenderer& renderer, const std::string& folder, con
     write_png(numbered(folder + "/images", i, ".png"), renderer.render_image(i));
     if (options.depth)
       write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i),
-                renderer.camera().pinhole.width, renderer.camera().pinhole.height);
+                renderer.camera().pinhole().width, renderer.camera().pinhole().height);
     if (options.edges) write_png(numbered(folder + "/edges", i, ".png"), true_edge_labels(renderer, i));
     const std::lock_guard<std::mutex> lock(mutex);
     if (on_frame_done) on_frame_done(++done);

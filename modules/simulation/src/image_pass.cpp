@@ -15,7 +15,7 @@ class ImagePass {
  public:
   ImagePass(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, const SE3& T_scene_cam,
             RowRange rows)
-      : pinhole_(scene.camera.pinhole),
+      : pinhole_(scene.camera.pinhole()),
         rays_(rays),
         rows_(rows),
         views_(view_surfaces(*scene.world, scene.camera, T_scene_cam, rows)),

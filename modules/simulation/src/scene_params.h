@@ -12,8 +12,8 @@ namespace edgevo {
 struct CameraParams {
   Camera camera;
   void visit(KeyVisitor& v) {
-    Pinhole& p = camera.pinhole;
-    Distortion& d = camera.distortion;
+    Pinhole p = camera.pinhole();
+    Distortion d = camera.distortion();
     v.integer("width", p.width, 16, 8192, "pixels");
     v.integer("height", p.height, 16, 8192, "pixels");
     v.number("fx", p.fx, 1, 1e5, "focal length, pixels");
@@ -25,6 +25,7 @@ struct CameraParams {
     v.number("p1", d.p1, -0.1, 0.1, "plumb-bob distortion, tangential");
     v.number("p2", d.p2, -0.1, 0.1, "plumb-bob distortion, tangential");
     v.number("k3", d.k3, -5, 5, "plumb-bob distortion");
+    camera = Camera(p, d);
     v.number("noise_sigma", noise_sigma, 0, 50, "noise of the sensor, gray levels");
     v.number("rolling_shutter_s", rolling_shutter_s, 0, 1,
              "read-out of the image, first row to last, seconds; 0: all at once");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/simulation/scene_renderer.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -15,18 +16,17 @@ namespace edgevo {
 namespace {
 
 std::vector<Eigen::Vector2f> rays_through_lens(const Camera& camera) {
-  const Pinhole& p = camera.pinhole;
-  if (camera.distortion.is_zero()) return {};
+  const Pinhole p = camera.pinhole();
+  if (!camera.has_distortion()) return {};
   std::vector<Eigen::Vector2f> rays;
   rays.reserve(size_t(p.width) * p.height * kSamples);
   for (int v = 0; v < p.height; ++v)
     for (const Eigen::Vector2f& offset : sample_offsets())
       for (int u = 0; u < p.width; ++u) {
-        const Eigen::Vector2d distorted = p.ray(Eigen::Vector2d(u, v) + offset.cast<double>()).head<2>();
-        Eigen::Vector2d x = distorted;
-        if (!camera.undistort(distorted, &x))
-          x = distorted;  // outside the lens model: a corner that no ray reaches
-        rays.push_back(x.cast<float>());
+        const Eigen::Vector2d px = Eigen::Vector2d(u, v) + offset.cast<double>();
+        // Outside the lens model: a corner that no ray reaches.
+        const Eigen::Vector3d ray = camera.unproject(px).value_or(p.ray(px));
+        rays.push_back(ray.hnormalized().cast<float>());
       }
   return rays;
 }
@@ -46,12 +46,12 @@ GrayImage SceneRenderer::render_image(int index) const {
   const int instants =
       scene_.shutter.exposure_s > 0 ? instants_of_exposure(scene_, index, render_depth(index)) : 1;
   const std::vector<float> gray = expose(scene_, rays_, index, instants);
-  const Pinhole& p = scene_.camera.pinhole;
+  const Pinhole p = scene_.camera.pinhole();
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
 
 GrayImage SceneRenderer::render_image_from(const SE3& T_scene_cam, int index) const {
-  const Pinhole& p = scene_.camera.pinhole;
+  const Pinhole p = scene_.camera.pinhole();
   std::vector<float> gray(size_t(p.width) * p.height);
   add_rows_seen(scene_, rays_, T_scene_cam, {0, p.height}, &gray);
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
@@ -63,8 +63,8 @@ std::vector<float> SceneRenderer::render_depth(int index) const {
 
 std::vector<float> SceneRenderer::render_depth_from(const SE3& T_scene_cam) const {
   Camera ideal = scene_.camera;
-  ideal.distortion = {};
-  const Pinhole& p = ideal.pinhole;
+  ideal.set_distortion({});
+  const Pinhole p = ideal.pinhole();
   const std::vector<ViewSurface> views = view_surfaces(*scene_.world, ideal, T_scene_cam, {0, p.height});
   RowSamples row(p.width, 1);
   set_sample_columns(p, 1, &row);

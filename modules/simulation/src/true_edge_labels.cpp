@@ -15,13 +15,13 @@ namespace {
 struct Look {
   Scene scene;
   SE3 T_scene_cam;
-  int width() const { return scene.camera.pinhole.width; }
-  int height() const { return scene.camera.pinhole.height; }
+  int width() const { return scene.camera.pinhole().width; }
+  int height() const { return scene.camera.pinhole().height; }
 };
 
 Look look_of(const SceneRenderer& renderer, int index) {
   Look look{renderer.scene(), renderer.scene().T_scene_cam[size_t(index)]};
-  look.scene.camera.distortion = {};
+  look.scene.camera.set_distortion({});
   return look;
 }
 
@@ -82,7 +82,7 @@ void mark_between(const Owners& owners, const std::vector<ViewSurface>& views, c
 
 // Depth steps and creases.
 GrayImage geometric_labels(const Look& look) {
-  const Pinhole& p = look.scene.camera.pinhole;
+  const Pinhole p = look.scene.camera.pinhole();
   const std::vector<ViewSurface> views =
       view_surfaces(*look.scene.world, look.scene.camera, look.T_scene_cam, {0, p.height});
   RowSamples row(p.width, kSamples);

@@ -25,15 +25,13 @@ Polygon clip(const Polygon& polygon, const Eigen::Vector3d& plane, double offset
 // Least and largest x, then y, in normalised coordinates, that the image rows from `top` to `bottom` look
 // along; lens distortion included.
 Eigen::Vector4d view_limits(const Camera& camera, double top, double bottom) {
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   Eigen::Vector4d limits(1e9, -1e9, 1e9, -1e9);
   for (int i = 0; i <= 8; ++i) {
     const double u = i / 8.0 * p.width, v = top + i / 8.0 * (bottom - top);
     for (const Eigen::Vector2d& px : {Eigen::Vector2d(-1, v), Eigen::Vector2d(p.width, v),
                                       Eigen::Vector2d(u, top), Eigen::Vector2d(u, bottom)}) {
-      const Eigen::Vector2d distorted = p.ray(px).head<2>();
-      Eigen::Vector2d x = distorted;
-      if (!camera.distortion.is_zero() && !camera.undistort(distorted, &x)) x = distorted;
+      const Eigen::Vector2d x = camera.unproject(px).value_or(p.ray(px)).hnormalized();
       limits[0] = std::min(limits[0], x.x()), limits[1] = std::max(limits[1], x.x());
       limits[2] = std::min(limits[2], x.y()), limits[3] = std::max(limits[3], x.y());
     }
@@ -76,19 +74,18 @@ bool is_speck(const Eigen::Vector3d& centre, double radius, const Pinhole& p) {
 // Bounds in the image of a polygon in front of the camera. A distorting lens bends its sides: they are
 // sampled.
 void bound(const Polygon& polygon, const Camera& camera, ViewSurface* view) {
-  const Pinhole& p = camera.pinhole;
-  const int steps = camera.distortion.is_zero() ? 1 : 8;
+  const Pinhole p = camera.pinhole();
+  const int steps = camera.has_distortion() ? 8 : 1;
   Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
   for (size_t i = 0; i < polygon.size(); ++i)
     for (int k = 0; k < steps; ++k) {
       const Eigen::Vector3d point =
           polygon[i] + (polygon[(i + 1) % polygon.size()] - polygon[i]) * (double(k) / steps);
-      const Eigen::Vector2d x = camera.distort(point.head<2>() / point.z());
-      const Eigen::Array2d px(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
+      const Eigen::Array2d px = camera.project(point)->array();
       low = low.min(px), high = high.max(px);
     }
   // Samples reach half a pixel beyond the centre; between the sampled points a bent side may bulge.
-  const double margin = camera.distortion.is_zero() ? 0.5 : 2.5;
+  const double margin = camera.has_distortion() ? 2.5 : 0.5;
   view->col_begin = std::clamp(int(std::ceil(low.x() - margin)), 0, p.width);
   view->col_end = std::clamp(int(std::floor(high.x() + margin)) + 1, 0, p.width);
   view->row_begin = std::clamp(int(std::ceil(low.y() - margin)), 0, p.height);
@@ -132,7 +129,7 @@ void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u,
 std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam,
                                        RowRange rows) {
   constexpr double kMargin = 3;  // rows: samples reach beyond the centre, and a lens bends rows
-  const double bottom = camera.pinhole.height;
+  const double bottom = camera.pinhole().height;
   const Eigen::Vector4d limits = view_limits(camera, -1, bottom);
   const Eigen::Vector4d row_limits =
       view_limits(camera, std::max(-1.0, rows.begin - kMargin), std::min(bottom, rows.end + kMargin));
@@ -148,7 +145,7 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     const Eigen::Vector3d middle = R * (s.origin + 0.5 * diagonal - eye);
     const double radius =
         0.5 * std::sqrt(std::max(diagonal.squaredNorm(), (s.side_u - s.side_v).squaredNorm()));
-    if (is_out_of_view(middle, radius, row_limits) || is_speck(middle, radius, camera.pinhole)) continue;
+    if (is_out_of_view(middle, radius, row_limits) || is_speck(middle, radius, camera.pinhole())) continue;
     const Eigen::Vector3d origin = R * (s.origin - eye), u = R * s.side_u, v = R * s.side_v;
     Polygon outline{origin, origin + u, origin + u + v, origin + v};
     if (s.is_triangle) outline.erase(outline.begin() + 2);
@@ -163,7 +160,7 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     view.texture = &world.textures[size_t(s.texture)];
     view.distance = middle.norm();
     set_functions(origin, u, v, &view);
-    set_limits(camera.pinhole, &view);
+    set_limits(camera.pinhole(), &view);
     views.push_back(view);
   }
   return views;

@@ -37,7 +37,7 @@ class VirtualKittiFrames : public ExactFrames {
   SE3 T_world_cam(int index) const override { return sequence_.T_world_cam[size_t(index)]; }
   ExactFrame load(int index) const override {
     const auto i = size_t(index);
-    const Pinhole& pinhole = sequence_.camera.pinhole;
+    const Pinhole pinhole = sequence_.camera.pinhole();
     ExactFrame frame{index,
                      seconds_between(sequence_.times.front(), sequence_.times[i]),
                      read_gray_image(sequence_.images[i]),

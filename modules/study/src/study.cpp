@@ -63,7 +63,7 @@ std::vector<int> choose_hosts(const ExactFrames& frames, const StudyOptions& opt
 
 // Pixels of a frame, transferred to the next one by depth and pose, must agree with it.
 void check_truth(const ExactFrames& frames, int index) {
-  const Pinhole& p = frames.camera().pinhole;
+  const Pinhole p = frames.camera().pinhole();
   const ExactFrame from = frames.load(index), to = frames.load(index + 1);
   const ViewPair views{p, depth_view(from, p), depth_view(to, p),
                        to.T_world_cam.inverse() * from.T_world_cam};
@@ -94,8 +94,6 @@ void compare_pose(const SE3& T, const SE3& truth, StudySample* sample) {
   sample->rotation_deg = kDegrees * (T.inverse() * truth).angle();
 }
 
-bool is_lost(const TargetView& target) { return target.track.status == TrackingState::kLost; }
-
 // Errors of the matches that also fix the position along the edge.
 std::vector<MatchError> photometric_only(const std::vector<MatchError>& errors) {
   std::vector<MatchError> some;
@@ -107,7 +105,7 @@ std::vector<MatchError> photometric_only(const std::vector<MatchError>& errors) 
 StudySample front_end_alone(const TargetView& target) {
   StudySample sample;
   sample.track_ms = target.track_ms;
-  sample.failed = is_lost(target);
+  sample.failed = target.is_lost;
   if (!sample.failed) compare_pose(target.track.T_cur_ref, target.T_target_host, &sample);
   return sample;
 }
@@ -116,7 +114,7 @@ StudySample run_pair(const HostView& host, const TargetView& target, const PairM
                      std::vector<MatchError>* errors) {
   StudySample sample;
   sample.track_ms = target.track_ms;
-  if (matcher.needs_front_end() && is_lost(target)) return sample;
+  if (matcher.needs_front_end() && target.is_lost) return sample;
   const Pinhole& camera = target.pyramid->finest().pinhole;
   double start = thread_cpu_ms();
   const auto lap = [&] {

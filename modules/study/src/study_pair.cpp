@@ -2,6 +2,7 @@
 #include "edgevo/study/study_pair.h"
 
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/odometry/frame_status.h"
 
 namespace edgevo {
 
@@ -22,10 +23,13 @@ TargetView make_target(const HostView& host, std::shared_ptr<const FramePyramid>
   TargetView target;
   target.pyramid = std::move(pyramid);
   target.T_target_host = views.T_to_from;
+  const SupportScorer scorer{StatusParams()};
   const double start = thread_cpu_ms();
-  target.track = track(*target.pyramid, host.cloud, motion_hypotheses(SE3(), T_step), AlignmentParams());
+  target.track =
+      track(*target.pyramid, host.cloud, motion_hypotheses(SE3(), T_step), scorer, AlignmentParams());
   target.track_ms = thread_cpu_ms() - start;
-  target.T_start = target.track.status == TrackingState::kLost ? T_step : target.track.T_cur_ref;
+  target.is_lost = scorer.is_lost(target.track);
+  target.T_start = target.is_lost ? T_step : target.track.T_cur_ref;
   for (const StudyPoint& p : host.points) target.truth.push_back(find_correspondence(views, p.px));
   return target;
 }

@@ -18,7 +18,7 @@ double difference(const Pinhole& a, const Pinhole& b) {
 }  // namespace
 
 Lens lens_at(const Pinhole& pinhole) {
-  const double calibrated = difference(pinhole, kCalibrated.pinhole),
+  const double calibrated = difference(pinhole, kCalibrated.pinhole()),
                rectified = difference(pinhole, kRectified);
   if (std::min(calibrated, rectified) > kSameZoom)
     return {{},
@@ -26,7 +26,7 @@ Lens lens_at(const Pinhole& pinhole) {
             "one"};
   if (rectified < calibrated)
     return {{}, "free of distortion: the focal lengths are those of rectified images"};
-  return {kCalibrated.distortion,
+  return {kCalibrated.distortion(),
           "distortion as a user calibrated it at this zoom (the rows name none); --camera gives another"};
 }
 

@@ -134,11 +134,11 @@ std::string SurveyLocation::folder() const {
 std::string SurveyLocation::map_folder() const { return (fs::path(archive) / "Maps" / name).string(); }
 
 SurveyWriter::SurveyWriter(SurveyLocation location, const Camera& camera)
-    : location_(std::move(location)), pinhole_(camera.pinhole) {
+    : location_(std::move(location)), pinhole_(camera.pinhole()) {
   if (!is_survey_name(location_.name))
     throw InputError("survey '" + location_.name + "'", "is not a name of a survey",
                      "write its date as YYMMDD, with a letter behind if need be");
-  if (!same(camera.distortion, symphony::lens_at(camera.pinhole).distortion))
+  if (!same(camera.distortion(), symphony::lens_at(camera.pinhole()).distortion))
     throw InputError(location_.folder(), "the layout has no place for this camera's lens",
                      "write the edgevo layout, or a camera without distortion");
   clear(location_);

@@ -13,16 +13,16 @@ namespace {
 // x = x_d (1 + kdu r_d^2), least squares over the image: sum (x - x_d) . x_d r_d^2 = kdu sum |x_d r_d^2|^2.
 double fitted_kdu(const Camera& camera) {
   constexpr int kGrid = 24;  // samples in each direction, ample for a smooth lens
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   double above = 0, below = 0;
   for (int i = 0; i <= kGrid; ++i)
     for (int j = 0; j <= kGrid; ++j) {
       const Eigen::Vector2d px(double(i) / kGrid * (p.width - 1), double(j) / kGrid * (p.height - 1));
       const Eigen::Vector2d distorted = p.ray(px).head<2>();
-      Eigen::Vector2d x;
-      if (!camera.undistort(distorted, &x)) continue;
+      const std::optional<Eigen::Vector3d> ray = camera.unproject(px);
+      if (!ray) continue;
       const Eigen::Vector2d cubic = distorted * distorted.squaredNorm();
-      above += (x - distorted).dot(cubic);
+      above += (ray->hnormalized() - distorted).dot(cubic);
       below += cubic.squaredNorm();
     }
   return below > 0 ? above / below : 0;
@@ -59,11 +59,11 @@ GrayImage to_gray_image(const vpImage<vpRGBa>& image) {
 vpCameraParameters to_visp(const Pinhole& p) { return vpCameraParameters(p.fx, p.fy, p.cx, p.cy); }
 
 vpCameraParameters to_visp(const Camera& camera, const std::string& where) {
-  const Distortion& d = camera.distortion;
-  if (d.k2 != 0 || d.p1 != 0 || d.p2 != 0 || d.k3 != 0 || camera.residual_k1 != 0)
+  const Distortion d = camera.distortion();
+  if (d.k2 != 0 || d.p1 != 0 || d.p2 != 0 || d.k3 != 0)
     throw InputError(where, "has more distortion than the one radial coefficient that ViSP knows",
                      "give ViSP undistorted images and their pinhole");
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   if (d.k1 == 0) return to_visp(p);
   return vpCameraParameters(p.fx, p.fy, p.cx, p.cy, d.k1, fitted_kdu(camera));
 }
@@ -72,8 +72,10 @@ Camera to_camera(const vpCameraParameters& camera, int width, int height) {
   const auto model = camera.get_projModel();
   if (model == vpCameraParameters::ProjWithKannalaBrandtDistortion)
     throw InputError("ViSP camera", "has Kannala-Brandt's distortion model", "undistort the images first");
-  Camera result{{camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), width, height}, {}};
-  if (model == vpCameraParameters::perspectiveProjWithDistortion) result.distortion.k1 = camera.get_kud();
+  Distortion distortion;
+  if (model == vpCameraParameters::perspectiveProjWithDistortion) distortion.k1 = camera.get_kud();
+  const Camera result({camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), width, height},
+                      distortion);
   result.check("ViSP camera");
   return result;
 }

@@ -18,12 +18,11 @@ edgevo::Camera read_camera(const std::string& path) {
   std::ifstream file(path);
   std::string heading;
   std::getline(file, heading);
-  edgevo::Camera c;
-  edgevo::Pinhole& p = c.pinhole;
-  edgevo::Distortion& d = c.distortion;
+  edgevo::Pinhole p;
+  edgevo::Distortion d;
   file >> p.fx >> p.fy >> p.cx >> p.cy >> d.k1 >> d.k2 >> d.p1 >> d.p2 >> p.width >> p.height >> d.k3;
   if (!file) throw std::runtime_error(path + ": cannot be read");
-  return c;
+  return {p, d};
 }
 
 edgevo::GrayImage read_image(const std::string& path) {

@@ -3,9 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "edgevo/alignment/edge_alignment.h"
+#include "support/inlier_scorer.h"
 #include "support/plane_scene.h"
 #include "support/pose_matchers.h"
 #include "support/twist.h"
@@ -16,76 +15,6 @@ namespace {
 using test::twist;
 
 const SE3 kTruth = SE3::exp(twist(0.05, 0, 0, 0, 0.01, 0)), kWrong = SE3::exp(twist(0, 0, 0, 0, 0.9, 0));
-
-PoseCandidate candidate(double share, const SE3& T_cur_ref = SE3(), double weight = 1000) {
-  PoseCandidate c;
-  c.T_cur_ref = T_cur_ref;
-  c.stats.visible = 1000;
-  c.evidence = {weight, share};
-  return c;
-}
-
-TEST(Classify, ReportsTheFirstFailedCriterion) {
-  const AlignmentParams params;
-  const auto quality = [&](const PoseCandidate& pose) { return classify(pose, params); };
-  EXPECT_EQ(quality(candidate(params.degraded_share)), TrackingQuality::kGood);
-  EXPECT_EQ(quality(candidate(0.99 * params.degraded_share)), TrackingQuality::kWeak);
-  EXPECT_EQ(quality(candidate(params.lost_share)), TrackingQuality::kWeak);
-  EXPECT_EQ(quality(candidate(0.99 * params.lost_share)), TrackingQuality::kUnsupported);
-  PoseCandidate pose = candidate(0.9);
-  pose.stats.visible = params.min_visible;
-  EXPECT_EQ(quality(pose), TrackingQuality::kGood);
-  pose.stats.visible = params.min_visible - 1;
-  EXPECT_EQ(quality(pose), TrackingQuality::kFewPoints);
-  pose.T_cur_ref = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));
-  EXPECT_EQ(quality(pose), TrackingQuality::kDiverged);
-}
-
-TEST(Classify, OnlyWeakAndGoodPosesAreNotLost) {
-  EXPECT_TRUE(is_lost(TrackingQuality::kDiverged));
-  EXPECT_TRUE(is_lost(TrackingQuality::kFewPoints));
-  EXPECT_TRUE(is_lost(TrackingQuality::kUnsupported));
-  EXPECT_FALSE(is_lost(TrackingQuality::kWeak));
-  EXPECT_FALSE(is_lost(TrackingQuality::kGood));
-}
-
-TEST(PoseScorer, TheBetterSupportedPoseWins) {
-  const AlignmentParams params;
-  const PoseScorer scorer(params);
-  EXPECT_GT(scorer.score(candidate(0.9)), scorer.score(candidate(0.8)));
-  EXPECT_LT(scorer.score(candidate(0.5 * params.lost_share)), 0);
-  EXPECT_TRUE(scorer.fits(candidate(params.degraded_share)));
-  EXPECT_FALSE(scorer.fits(candidate(0.99 * params.degraded_share)));
-  EXPECT_TRUE(scorer.is_lost(candidate(0.99 * params.lost_share)));
-}
-
-TEST(PoseScorer, AnUnlikelyMotionNeedsMoreSupport) {
-  const AlignmentParams params;
-  const PoseScorer scorer(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
-  const SE3 far = SE3::exp(twist(1, 0, 0, 0, 0, 0));
-  EXPECT_LT(scorer.score(candidate(0.9, far)), scorer.score(candidate(0.8)));
-  EXPECT_GT(scorer.score(candidate(0.9, far)), scorer.score(candidate(0.4)));
-  EXPECT_EQ(scorer.score(candidate(0.1, far)), scorer.score(candidate(0.1)))
-      << "an unlikely pose must not gain below 0";
-}
-
-TEST(PoseScorer, APoseThatLeftItsPriorNeverWins) {
-  const AlignmentParams params;
-  const PoseScorer scorer(params, [](const SE3& T) { return T.translation().norm() > 0.01 ? 0.5 : 1.0; });
-  PoseCandidate held = candidate(0.95, SE3::exp(twist(1, 0, 0, 0, 0, 0)));
-  EXPECT_GT(scorer.score(held), scorer.score(candidate(0.4)));
-  held.has_prior = true;
-  EXPECT_LT(scorer.score(held), scorer.score(candidate(0.01)));
-  held.T_cur_ref = SE3();
-  EXPECT_GT(scorer.score(held), scorer.score(candidate(0.9))) << "it kept to its prior";
-}
-
-TEST(PoseScorer, APoseThatIsNotFiniteNeverWins) {
-  const AlignmentParams params;
-  const SE3 broken(Eigen::Quaterniond::Identity(), Eigen::Vector3d(std::nan(""), 0, 0));
-  EXPECT_LT(PoseScorer(params).score(candidate(0.9, broken)), PoseScorer(params).score(candidate(0, SE3())));
-  EXPECT_TRUE(PoseScorer(params).is_lost(candidate(0.9, broken)));
-}
 
 // Proposers that count how often they are called.
 class ChoosePose : public ::testing::Test {
@@ -105,7 +34,7 @@ class ChoosePose : public ::testing::Test {
 
   test::PlaneScene scene;
   AlignmentParams params;
-  PoseScorer scorer{params};
+  test::InlierScorer scorer;
   int first = 0, second = 0;
 };
 
@@ -146,7 +75,7 @@ TEST(Align, APriorHoldsTheTranslationAsFarAsItsSigmaAllows) {
     const PoseHypothesis near{T_expected, PoseHypothesis::Refinement::kEdges,
                               Eigen::Vector3d::Constant(sigma)};
     const PoseCandidate r = align(*pyramid, cloud, near, AlignmentParams());
-    EXPECT_TRUE(PoseScorer(AlignmentParams()).fits(r));
+    EXPECT_TRUE(test::InlierScorer().fits(r));
     return (r.T_cur_ref.translation() - T.translation()).norm();
   };
   EXPECT_LT(error(1e-5, T_expected), 0.003);
@@ -162,7 +91,7 @@ TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
     const PoseHypothesis along{guess, PoseHypothesis::Refinement::kLengthThenEdges};
     const PoseCandidate r =
         align(*scene.pyramid(T_cur_ref.inverse()), scene.cloud(SE3()), along, AlignmentParams());
-    EXPECT_TRUE(PoseScorer(AlignmentParams()).fits(r));
+    EXPECT_TRUE(test::InlierScorer().fits(r));
     EXPECT_THAT(r.T_cur_ref,
                 test::SE3Near(T_cur_ref, 0.02 * T_cur_ref.translation().norm(), 0.1 * M_PI / 180))
         << length;

@@ -63,20 +63,5 @@ TEST(PoseEvidence, AnEmptyCloudIsNoEvidence) {
   EXPECT_EQ(evidence.inlier_share, 0);
 }
 
-// A turn of eleven degrees in one frame of a drive: the right pose keeps few points in view, a wrong one that
-// hardly rotates keeps three times as many and matches more edges by chance.
-TEST(PoseSupport, ALargerShareOfFewPointsOutweighsChanceAmongMany) {
-  const AlignmentParams params;
-  const PoseEvidence right{65, 0.299}, wrong{186, 0.124};
-  ASSERT_GT(wrong.weight * wrong.inlier_share, right.weight * right.inlier_share);
-  EXPECT_GT(support(right, params), support(wrong, params));
-}
-
-TEST(PoseSupport, AtEqualSharesThePoseWithMorePointsWins) {
-  const AlignmentParams params;
-  EXPECT_GT(support({300, 0.6}, params), support({200, 0.6}, params));
-  EXPECT_GT(support({200, 0.6}, params), support({200, 0.5}, params));
-}
-
 }  // namespace
 }  // namespace edgevo

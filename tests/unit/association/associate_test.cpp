@@ -40,8 +40,8 @@ Outcome associate_all(const AssociationParams& params, double gain, double idept
     if (m.kind == MatchKind::kNone) continue;
     ++o.matched;
     const Eigen::Vector2d exact =
-        project(scene.camera.pinhole, T_target_host.R(), T_target_host.translation(),
-                scene.camera.pinhole.ray(q.px_host), truth)
+        project(scene.camera.pinhole(), T_target_host.R(), T_target_host.translation(),
+                scene.camera.pinhole().ray(q.px_host), truth)
             .px;
     const Eigen::Vector2d d = m.px - exact;
     normal_square += std::pow(m.normal.dot(d), 2);

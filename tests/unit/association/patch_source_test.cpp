@@ -46,7 +46,7 @@ TEST(PatchSource, APatchSeenFromAfarLooksAlike) {
   const test::PlaneScene scene;
   const SE3 T_host_target(Eigen::Quaterniond::Identity(), {0, 0, -6});
   const auto host = scene.pyramid(SE3()), target = scene.pyramid(T_host_target);
-  const Pinhole& camera = scene.camera.pinhole;
+  const Pinhole camera = scene.camera.pinhole();
   const PatchComparison& comparison = gradient_comparison();
   double finest = 0, chosen = 0;
   int tested = 0;

@@ -72,13 +72,11 @@ BoardView made_up_view(int frame, const SE3& T_cam_board, const Camera& camera) 
   for (int i = 0; i < 54; ++i) {
     const Eigen::Vector2f p = float(kSquare) * Eigen::Vector2f(float(i % 9 + 2), float(i / 9 + 2));
     const Eigen::Vector3d at = T_cam_board * Eigen::Vector3d(p.x(), p.y(), 0);
-    const Eigen::Vector2d d = camera.distort(at.head<2>() / at.z());
-    const Pinhole& c = camera.pinhole;
+    const Eigen::Vector2d px = camera.project(at).value();
     view.ids.push_back(i);
     view.p_board.push_back(p);
-    view.px.push_back(Eigen::Vector2d(c.fx * d.x() + c.cx + 0.1 * random.normal(),
-                                      c.fy * d.y() + c.cy + 0.1 * random.normal())
-                          .cast<float>());
+    view.px.push_back(
+        Eigen::Vector2d(px.x() + 0.1 * random.normal(), px.y() + 0.1 * random.normal()).cast<float>());
   }
   return view;
 }
@@ -133,22 +131,19 @@ double largest_difference(const Camera& a, const Camera& b) {
   double most = 0;
   for (double y = -0.3; y <= 0.3; y += 0.1)
     for (double x = -0.4; x <= 0.4; x += 0.1) {
-      const auto px = [&](const Camera& c) {
-        const Eigen::Vector2d d = c.distort({x, y});
-        return Eigen::Vector2d(c.pinhole.fx * d.x() + c.pinhole.cx, c.pinhole.fy * d.y() + c.pinhole.cy);
-      };
-      most = std::max(most, (px(a) - px(b)).norm());
+      const Eigen::Vector3d ray(x, y, 1);
+      most = std::max(most, (a.project(ray).value() - b.project(ray).value()).norm());
     }
   return most;
 }
 
 void expect_known_camera(const CameraCalibration& c, double px) {
   const Camera truth = test::known_camera();
-  EXPECT_NEAR(c.camera.pinhole.fx, truth.pinhole.fx, px);
-  EXPECT_NEAR(c.camera.pinhole.fy, truth.pinhole.fy, px);
-  EXPECT_NEAR(c.camera.pinhole.cx, truth.pinhole.cx, px);
-  EXPECT_NEAR(c.camera.pinhole.cy, truth.pinhole.cy, px);
-  EXPECT_NEAR(c.camera.distortion.k1, truth.distortion.k1, 0.02);
+  EXPECT_NEAR(c.camera.pinhole().fx, truth.pinhole().fx, px);
+  EXPECT_NEAR(c.camera.pinhole().fy, truth.pinhole().fy, px);
+  EXPECT_NEAR(c.camera.pinhole().cx, truth.pinhole().cx, px);
+  EXPECT_NEAR(c.camera.pinhole().cy, truth.pinhole().cy, px);
+  EXPECT_NEAR(c.camera.distortion().k1, truth.distortion().k1, 0.02);
   EXPECT_LT(largest_difference(c.camera, truth), px);
   EXPECT_LT(c.rms_px, 0.25);
 }
@@ -182,9 +177,9 @@ TEST_F(CalibrateCamera, ReportsItsUncertainty) {
   const CameraCalibration c = calibrate_camera(views(poses(kCentre)), "board");
   EXPECT_NEAR(c.rms_px, 0.1 * M_SQRT2, 0.02);
   EXPECT_GT(c.sigma_f_px, 0.05);
-  EXPECT_NEAR(c.camera.pinhole.fx, camera_.pinhole.fx, 4 * c.sigma_f_px);
-  EXPECT_NEAR(c.camera.pinhole.cx, camera_.pinhole.cx, 4 * c.sigma_c_px);
-  EXPECT_EQ(c.camera.distortion.k3, 0);  // indistinguishable from 0
+  EXPECT_NEAR(c.camera.pinhole().fx, camera_.pinhole().fx, 4 * c.sigma_f_px);
+  EXPECT_NEAR(c.camera.pinhole().cx, camera_.pinhole().cx, 4 * c.sigma_c_px);
+  EXPECT_EQ(c.camera.distortion().k3, 0);  // indistinguishable from 0
   EXPECT_THAT(c.lacking, IsEmpty());
   EXPECT_THAT(c.skipped, IsEmpty());
 }
@@ -195,7 +190,7 @@ TEST_F(CalibrateCamera, RejectsAnOutlierView) {
   for (Eigen::Vector2f& px : all.views[4].px) px.x() += float(random.normal());
   const CameraCalibration c = calibrate_camera(all, "board");
   EXPECT_THAT(c.skipped, ::testing::ElementsAre(4));
-  EXPECT_NEAR(c.camera.pinhole.fx, camera_.pinhole.fx, 4 * c.sigma_f_px);
+  EXPECT_NEAR(c.camera.pinhole().fx, camera_.pinhole().fx, 4 * c.sigma_f_px);
 }
 
 TEST_F(CalibrateCamera, ReportsMissingViews) {

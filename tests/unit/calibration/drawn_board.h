@@ -15,8 +15,8 @@ namespace edgevo::test {
 /// Camera of 480 x 360 pixels whose lens shifts the image corners by 10 px.
 inline Camera known_camera() {
   Camera camera;
-  camera.pinhole = {402, 398, 246, 175, 480, 360};
-  camera.distortion = {-0.21, 0.06, 0.001, -0.0005, 0};
+  camera.set_pinhole({402, 398, 246, 175, 480, 360});
+  camera.set_distortion({-0.21, 0.06, 0.001, -0.0005, 0});
   return camera;
 }
 
@@ -25,8 +25,8 @@ class DrawnBoard {
  public:
   DrawnBoard(const Camera& camera, cv::Mat texture, double px_per_m)
       : camera_(camera), texture_(std::move(texture)), px_per_m_(px_per_m) {
-    for (int y = 0; y < kSub * camera.pinhole.height; ++y)
-      for (int x = 0; x < kSub * camera.pinhole.width; ++x) rays_.push_back(ray({sub(x), sub(y)}));
+    for (int y = 0; y < kSub * camera.pinhole().height; ++y)
+      for (int x = 0; x < kSub * camera.pinhole().width; ++x) rays_.push_back(ray({sub(x), sub(y)}));
   }
 
   Eigen::Vector3d centre() const {
@@ -36,7 +36,7 @@ class DrawnBoard {
   /// Image with a little sensor noise.
   GrayImage seen_from(const SE3& T_cam_board) const {
     const SE3 T_board_cam = T_cam_board.inverse();
-    const Pinhole& p = camera_.pinhole;
+    const Pinhole p = camera_.pinhole();
     std::vector<float> sums(size_t(p.width) * size_t(p.height));
     for (size_t i = 0; i < rays_.size(); ++i) {
       const size_t columns = size_t(kSub * p.width), x = i % columns / kSub, y = i / columns / kSub;
@@ -53,9 +53,7 @@ class DrawnBoard {
   static constexpr int kSub = 3;
   static double sub(int i) { return (i + 0.5) / kSub - 0.5; }
   Eigen::Vector3d ray(const Eigen::Vector2d& px) const {
-    Eigen::Vector2d x = Eigen::Vector2d::Constant(1e3);  // outside the board
-    (void)camera_.undistort(camera_.pinhole.ray(px).head<2>(), &x);
-    return {x.x(), x.y(), 1};
+    return camera_.unproject(px).value_or(Eigen::Vector3d(1e3, 1e3, 1));  // outside the board
   }
   float brightness(const SE3& T_board_cam, const Eigen::Vector3d& ray) const {
     const Eigen::Vector3d from = T_board_cam.translation(), along = T_board_cam.rotation() * ray;

@@ -46,27 +46,28 @@ TEST_F(RunCalibrationFile, ReadsCameraAndRefinement) {
   const RunCalibration run = read(
       summary("applied",
               "  residual_k1: 0.01234\n  estimate: 0.01234\n  standard_deviation: 0.002\n  keyframes: 61\n"));
-  EXPECT_EQ(run.camera.pinhole.fx, 500.5);
-  EXPECT_EQ(run.camera.distortion.k1, 0.1);
+  EXPECT_EQ(run.camera.pinhole().fx, 500.5);
+  EXPECT_EQ(run.camera.distortion().k1, 0.1);
   EXPECT_EQ(run.refinement.state, State::kApplied);
-  EXPECT_EQ(run.refinement.k1, 0.01234);
+  EXPECT_EQ(run.refinement.correction.k1, 0.01234);
   EXPECT_EQ(run.refinement.sigma, 0.002);
   EXPECT_EQ(run.refinement.keyframes, 61);
   const FoldedCamera corrected = corrected_camera(run);
-  EXPECT_NEAR(corrected.camera.distortion.k1, 0.1123, 0.002);
+  EXPECT_NEAR(corrected.camera.distortion().k1, 0.1123, 0.002);
   EXPECT_LT(corrected.max_error_px, 0.01);
 }
 
 TEST_F(RunCalibrationFile, ReadsTheShutter) {
-  const CameraRefinement::Shutter read_back =
+  const CameraRefinement refinement =
       read(summary(
                "insignificant",
                "  residual_k1: 0\n  shutter: \"applied\"\n  shutter_result: \"rows: rectified\"\n  "
                "readout_s: 0.0221\n"
                "  readout_estimate: 0.0217\n  readout_standard_deviation: 0.0015\n  readout_keyframes: 30\n"))
-          .refinement.shutter;
+          .refinement;
+  const CameraRefinement::Shutter& read_back = refinement.shutter;
   EXPECT_EQ(read_back.state, State::kApplied);
-  EXPECT_EQ(read_back.readout_s, 0.0221);
+  EXPECT_EQ(refinement.correction.readout_s, 0.0221);
   EXPECT_EQ(read_back.estimate, 0.0217);
   EXPECT_EQ(read_back.sigma, 0.0015);
   EXPECT_EQ(read_back.keyframes, 30);
@@ -77,7 +78,7 @@ TEST_F(RunCalibrationFile, ReadsTheShutter) {
 TEST_F(RunCalibrationFile, InsignificantRefinementLeavesTheCamera) {
   const FoldedCamera corrected = corrected_camera(
       read(summary("insignificant", "  residual_k1: 0\n  estimate: 0.0005\n  standard_deviation: 0.002\n")));
-  EXPECT_EQ(corrected.camera.distortion.k1, 0.1);
+  EXPECT_EQ(corrected.camera.distortion().k1, 0.1);
   EXPECT_EQ(corrected.max_shift_px, 0);
 }
 

@@ -5,10 +5,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/rectification.h"
 
 namespace edgevo {
 namespace {
@@ -16,28 +18,25 @@ namespace {
 using ::testing::HasSubstr;
 
 Camera fr1() {
-  Camera c;
-  c.pinhole = {517.306408, 516.469215, 318.643040, 255.313989, 640, 480};
-  c.distortion = {0.262383, -0.953104, -0.005358, 0.002628, 1.163314};
-  return c;
+  return {{517.306408, 516.469215, 318.643040, 255.313989, 640, 480},
+          {0.262383, -0.953104, -0.005358, 0.002628, 1.163314}};
 }
 
 cv::Mat K_of(const Pinhole& p) { return (cv::Mat_<double>(3, 3) << p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1); }
 cv::Mat D_of(const Distortion& d) { return (cv::Mat_<double>(1, 5) << d.k1, d.k2, d.p1, d.p2, d.k3); }
 
-Eigen::Vector2d normalised(const Pinhole& p, double u, double v) { return p.ray({u, v}).head<2>(); }
-
 TEST(Camera, DistortsAsOpenCvDoes) {
   const Camera c = fr1();
   for (double v = 0; v < 480; v += 37)
     for (double u = 0; u < 640; u += 37) {
-      const Eigen::Vector2d x = normalised(c.pinhole, u, v);
+      const Eigen::Vector3d ray = c.pinhole().ray({u, v});
       std::vector<cv::Point2d> projected;
-      cv::projectPoints(std::vector<cv::Point3d>{{x.x(), x.y(), 1.0}}, cv::Vec3d(), cv::Vec3d(),
-                        K_of(c.pinhole), D_of(c.distortion), projected);
-      const Eigen::Vector2d d = c.distort(x);
-      EXPECT_NEAR(c.pinhole.fx * d.x() + c.pinhole.cx, projected[0].x, 1e-9);
-      EXPECT_NEAR(c.pinhole.fy * d.y() + c.pinhole.cy, projected[0].y, 1e-9);
+      cv::projectPoints(std::vector<cv::Point3d>{{ray.x(), ray.y(), 1.0}}, cv::Vec3d(), cv::Vec3d(),
+                        K_of(c.pinhole()), D_of(c.distortion()), projected);
+      const auto px = c.project(ray);
+      ASSERT_TRUE(px);
+      EXPECT_NEAR(px->x(), projected[0].x, 1e-9);
+      EXPECT_NEAR(px->y(), projected[0].y, 1e-9);
     }
 }
 
@@ -47,55 +46,48 @@ TEST(Camera, UndistortsAsOpenCvDoes) {
   for (double v = 0; v < 480; v += 37)
     for (double u = 0; u < 640; u += 37) {
       std::vector<cv::Point2d> theirs;
-      cv::undistortPoints(std::vector<cv::Point2d>{{u, v}}, theirs, K_of(c.pinhole), D_of(c.distortion),
+      cv::undistortPoints(std::vector<cv::Point2d>{{u, v}}, theirs, K_of(c.pinhole()), D_of(c.distortion()),
                           cv::noArray(), cv::noArray(), until);
-      Eigen::Vector2d ours;
-      ASSERT_TRUE(c.undistort(normalised(c.pinhole, u, v), &ours));
-      EXPECT_NEAR(ours.x(), theirs[0].x, 1e-8) << u << " " << v;
-      EXPECT_NEAR(ours.y(), theirs[0].y, 1e-8) << u << " " << v;
+      const auto ours = c.unproject({u, v});
+      ASSERT_TRUE(ours);
+      EXPECT_NEAR(ours->x() / ours->z(), theirs[0].x, 1e-8) << u << " " << v;
+      EXPECT_NEAR(ours->y() / ours->z(), theirs[0].y, 1e-8) << u << " " << v;
     }
 }
 
-TEST(Camera, UndistortInvertsDistortOverTheImage) {
-  const Camera c = fr1();
-  for (double v = 0; v < 480; v += 13)
-    for (double u = 0; u < 640; u += 13) {
-      const Eigen::Vector2d x = normalised(c.pinhole, u, v);
-      Eigen::Vector2d back;
-      ASSERT_TRUE(c.undistort(x, &back)) << u << " " << v;
-      EXPECT_LT((c.distort(back) - x).norm(), 1e-12);
-    }
+TEST(Camera, UnprojectFailsWhereTheModelFoldsOver) {
+  // r (1 - r^2/2) grows only up to r = 0.816, where it is 0.544.
+  const Camera c({100, 100, 100, 80, 200, 160}, {-0.5, 0, 0, 0, 0});
+  EXPECT_TRUE(c.unproject({150, 80}));
+  EXPECT_FALSE(c.unproject({160, 80}));
+  EXPECT_NEAR(std::tan(c.max_angle()), std::sqrt((1 - 1e-3) / 1.5), 1e-12);
 }
 
-TEST(Camera, UndistortFailsWhereTheModelFoldsOver) {
+TEST(Camera, WithoutDistortionItIsAPinhole) {
+  EXPECT_TRUE(fr1().has_distortion());
   Camera c = fr1();
-  c.distortion = {-0.5, 0, 0, 0, 0};  // r (1 - r^2/2) grows only up to r = 0.816, where it is 0.544
-  Eigen::Vector2d x;
-  EXPECT_TRUE(c.undistort({0.5, 0}, &x));
-  EXPECT_FALSE(c.undistort({0.6, 0}, &x));
+  c.set_distortion({});
+  EXPECT_FALSE(c.has_distortion());
+  EXPECT_TRUE(c.distortion().is_zero());
+  const Eigen::Vector3d ray(0.3, -0.2, 1);
+  EXPECT_EQ(c.project(ray).value(), c.pinhole().project(ray));
 }
 
-TEST(Camera, WithoutDistortionPointsAreUnchanged) {
+TEST(Camera, AnotherPinholeKeepsTheLens) {
   Camera c = fr1();
-  c.distortion = {};
-  EXPECT_TRUE(c.distortion.is_zero());
-  EXPECT_FALSE(fr1().distortion.is_zero());
-  EXPECT_EQ(c.distort({0.3, -0.2}), Eigen::Vector2d(0.3, -0.2));
-  const UndistortionMaps maps = make_undistortion_maps(c);
-  for (int v : {0, 100, 479})
-    for (int u : {0, 5, 639}) {
-      EXPECT_NEAR(maps.x[size_t(v * 640 + u)], u, 1e-4);
-      EXPECT_NEAR(maps.y[size_t(v * 640 + u)], v, 1e-4);
-    }
+  c.set_pinhole({258, 258, 159, 127, 320, 240});
+  EXPECT_EQ(c.distortion().k1, fr1().distortion().k1);
+  EXPECT_EQ(c.width, 320);
+  EXPECT_EQ(c.pinhole().fx, 258);
 }
 
-TEST(UndistortionMaps, AreThoseOfOpenCv) {
+TEST(RectificationMaps, AreThoseOfOpenCv) {
   const Camera c = fr1();
-  const UndistortionMaps maps = make_undistortion_maps(c);
+  const RectificationMaps maps = Rectification(c).maps();
   ASSERT_EQ(maps.x.size(), 640u * 480u);
   ASSERT_EQ(maps.y.size(), 640u * 480u);
   cv::Mat map_x, map_y;
-  cv::initUndistortRectifyMap(K_of(c.pinhole), D_of(c.distortion), cv::noArray(), K_of(c.pinhole),
+  cv::initUndistortRectifyMap(K_of(c.pinhole()), D_of(c.distortion()), cv::noArray(), K_of(c.pinhole()),
                               cv::Size(640, 480), CV_32FC1, map_x, map_y);
   double worst = 0;
   for (int v = 0; v < 480; ++v)
@@ -106,7 +98,7 @@ TEST(UndistortionMaps, AreThoseOfOpenCv) {
 }
 
 TEST(Pinhole, RayAndProjectionAreInverse) {
-  const Pinhole p = fr1().pinhole;
+  const Pinhole p = fr1().pinhole();
   const Eigen::Vector2d px(123.4, 345.6);
   EXPECT_LT((p.project(7.5 * p.ray(px)) - px).norm(), 1e-12);
   EXPECT_EQ(p.project({0, 0, 2}), Eigen::Vector2d(p.cx, p.cy));
@@ -146,31 +138,32 @@ std::string complaint(const Camera& c) {
   return "";
 }
 
+// The fr1 camera with other numbers.
+Camera with(const std::function<void(Pinhole*, Distortion*)>& change) {
+  Pinhole p = fr1().pinhole();
+  Distortion d = fr1().distortion();
+  change(&p, &d);
+  return {p, d};
+}
+
 TEST(Camera, CheckNamesTheInvalidField) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(complaint(fr1()), "");
-  Camera c = fr1();
-  c.pinhole.width = 0;
-  EXPECT_THAT(complaint(c), HasSubstr("cam.txt: image size 0x480 is not positive"));
-  c = fr1();
-  c.pinhole.fy = -1;
-  EXPECT_THAT(complaint(c), HasSubstr("focal lengths must be positive"));
-  c = fr1();
-  c.pinhole.fx = std::numeric_limits<double>::infinity();
-  EXPECT_THAT(complaint(c), HasSubstr("focal lengths must be positive"));
-  for (const double focal : {1e30, 1e-30, 0.8}) {
-    c = fr1();
-    c.pinhole.fx = focal;
-    EXPECT_THAT(complaint(c), HasSubstr("below one pixel or above a million"));
-  }
-  c = fr1();
-  c.pinhole.cx = 700;
-  EXPECT_THAT(complaint(c), HasSubstr("principal point lies outside"));
-  c = fr1();
-  c.pinhole.cy = std::nan("");
-  EXPECT_THAT(complaint(c), HasSubstr("principal point lies outside"));
-  c = fr1();
-  c.distortion.k3 = std::nan("");
-  EXPECT_THAT(complaint(c), HasSubstr("a distortion coefficient is not a number"));
+  EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->width = 0; })),
+              HasSubstr("cam.txt: image size 0x480 is not positive"));
+  EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->fy = -1; })),
+              HasSubstr("focal lengths must be positive"));
+  EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->fx = kInfinite; })),
+              HasSubstr("focal lengths must be positive"));
+  for (const double focal : {1e30, 1e-30, 0.8})
+    EXPECT_THAT(complaint(with([&](Pinhole* p, Distortion*) { p->fx = focal; })),
+                HasSubstr("below one pixel or above a million"));
+  EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->cx = 700; })),
+              HasSubstr("principal point lies outside"));
+  EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->cy = std::nan(""); })),
+              HasSubstr("principal point lies outside"));
+  EXPECT_THAT(complaint(with([](Pinhole*, Distortion* d) { d->k3 = std::nan(""); })),
+              HasSubstr("a distortion coefficient is not a number"));
 }
 
 }  // namespace

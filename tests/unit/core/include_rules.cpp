@@ -63,12 +63,17 @@ std::vector<Include> includes_of(const std::string& text) {
   return found;
 }
 
+// "edgevo/NAME/X.h" -> NAME. The one header for programs, edgevo/edgevo.h, is the facade.
+std::string module_used(const std::string& include) {
+  return include == "edgevo/edgevo.h" ? "facade" : include.substr(7, include.find('/', 7) - 7);
+}
+
 std::string module_rule(const std::string& user, const Include& include,
                         const std::vector<std::string>& order) {
   if (include.name.find("../") != std::string::npos || begins_with(include.name, "modules/"))
     return "reaches into another folder; include the public header edgevo/MODULE/X.h";
   if (!begins_with(include.name, "edgevo/")) return {};
-  const std::string used = include.name.substr(7, include.name.find('/', 7) - 7);
+  const std::string used = module_used(include.name);
   const auto user_at = std::find(order.begin(), order.end(), user),
              used_at = std::find(order.begin(), order.end(), used);
   if (used_at == order.end()) return "is of no module that CMakeLists.txt lists";

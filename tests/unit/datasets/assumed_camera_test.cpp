@@ -61,7 +61,7 @@ class AssumedCamera : public ::testing::Test {
 TEST_F(AssumedCamera, HasTheGivenFieldOfView) {
   options_.fov_deg = 70;
   const auto source = photos(-1);
-  const Pinhole& p = source->camera().pinhole;
+  const Pinhole p = source->camera().pinhole();
   EXPECT_EQ(p.width, 120);
   EXPECT_EQ(p.height, 90);
   EXPECT_NEAR(2 * std::atan(60 / p.fx) * 180 / M_PI, 70, 1e-9);
@@ -75,7 +75,7 @@ TEST_F(AssumedCamera, HasTheGivenFieldOfView) {
 
 TEST_F(AssumedCamera, FollowsThePhotosFocalLength) {
   const auto source = photos(26);
-  EXPECT_NEAR(source->camera().pinhole.fx, 26 / 43.267 * 150, 1e-9);  // 150 px from corner to corner
+  EXPECT_NEAR(source->camera().pinhole().fx, 26 / 43.267 * 150, 1e-9);  // 150 px from corner to corner
   EXPECT_THAT(assumption(*source), HasSubstr("26 mm in terms of 35 mm film"));
 }
 
@@ -91,14 +91,14 @@ TEST_F(AssumedCamera, NeedsSomeInformation) {
   EXPECT_THAT(why(-1), HasSubstr("no calibration; give the camera's file with --camera"));
   EXPECT_THAT(why(0), HasSubstr("or its angle with --fov"));  // EXIF's way to say that it is not known
   options_.any_camera = true;
-  EXPECT_EQ(photos(-1)->camera().pinhole.width, 120);
+  EXPECT_EQ(photos(-1)->camera().pinhole().width, 120);
 }
 
 TEST_F(AssumedCamera, YieldsToACalibration) {
   test::write_text(folder_ / "camera.txt", "100 100 60 45 0 0 0 0 120 90");
   options_.camera_file = folder_ / "camera.txt";
   const auto source = photos(26);
-  EXPECT_EQ(source->camera().pinhole.fx, 100);
+  EXPECT_EQ(source->camera().pinhole().fx, 100);
   EXPECT_EQ(assumption(*source), "none");
 }
 
@@ -108,9 +108,9 @@ TEST_F(AssumedCamera, OverridesASourcesOwn) {
   test::write_text(folder_ / "own/times.txt", test::make_times(2));
   test::write_text(folder_ / "own/camera.txt", test::kCameraLine);
   options_.path = folder_ / "own";
-  EXPECT_EQ(open_source(options_)->camera().pinhole.fx, 20);
+  EXPECT_EQ(open_source(options_)->camera().pinhole().fx, 20);
   options_.fov_deg = 90;
-  EXPECT_NEAR(open_source(options_)->camera().pinhole.fx, 12, 1e-9);
+  EXPECT_NEAR(open_source(options_)->camera().pinhole().fx, 12, 1e-9);
   test::write_images(folder_ / "kitti/image_0", 2);
   test::write_text(folder_ / "kitti/times.txt", "0\n0.1\n");
   test::write_text(folder_ / "kitti/calib.txt", "P0: 20 0 12 0 0 20 8 0 0 0 1 0\n");

@@ -10,17 +10,17 @@ using test::error_of;
 using ::testing::HasSubstr;
 
 void expect_camera(const Camera& c, const Pinhole& p, const Distortion& d) {
-  EXPECT_EQ(c.pinhole.fx, p.fx);
-  EXPECT_EQ(c.pinhole.fy, p.fy);
-  EXPECT_EQ(c.pinhole.cx, p.cx);
-  EXPECT_EQ(c.pinhole.cy, p.cy);
-  EXPECT_EQ(c.pinhole.width, p.width);
-  EXPECT_EQ(c.pinhole.height, p.height);
-  EXPECT_EQ(c.distortion.k1, d.k1);
-  EXPECT_EQ(c.distortion.k2, d.k2);
-  EXPECT_EQ(c.distortion.p1, d.p1);
-  EXPECT_EQ(c.distortion.p2, d.p2);
-  EXPECT_EQ(c.distortion.k3, d.k3);
+  EXPECT_EQ(c.pinhole().fx, p.fx);
+  EXPECT_EQ(c.pinhole().fy, p.fy);
+  EXPECT_EQ(c.pinhole().cx, p.cx);
+  EXPECT_EQ(c.pinhole().cy, p.cy);
+  EXPECT_EQ(c.pinhole().width, p.width);
+  EXPECT_EQ(c.pinhole().height, p.height);
+  EXPECT_EQ(c.distortion().k1, d.k1);
+  EXPECT_EQ(c.distortion().k2, d.k2);
+  EXPECT_EQ(c.distortion().p1, d.p1);
+  EXPECT_EQ(c.distortion().p2, d.p2);
+  EXPECT_EQ(c.distortion().k3, d.k3);
 }
 
 TEST(CameraFile, NumbersWithAndWithoutK3) {

@@ -15,14 +15,14 @@ namespace {
 // Numbers with many digits, whole numbers and an exponent: all must come back as they were.
 Camera odd_camera() {
   Camera camera;
-  camera.pinhole = {517.306408, 516, 318.643040, 1.0 / 3 + 255, 640, 480};
-  camera.distortion = {0.262383, -0.953104, -0.005358, 1.5e-17, 2};
+  camera.set_pinhole({517.306408, 516, 318.643040, 1.0 / 3 + 255, 640, 480});
+  camera.set_distortion({0.262383, -0.953104, -0.005358, 1.5e-17, 2});
   return camera;
 }
 
 std::vector<double> lens(const Camera& c) {
-  const Distortion& d = c.distortion;
-  return {c.pinhole.fx, c.pinhole.fy, c.pinhole.cx, c.pinhole.cy, d.k1, d.k2, d.p1, d.p2, d.k3};
+  const Distortion d = c.distortion();
+  return {c.pinhole().fx, c.pinhole().fy, c.pinhole().cx, c.pinhole().cy, d.k1, d.k2, d.p1, d.p2, d.k3};
 }
 
 class CameraYaml : public ::testing::Test {
@@ -37,8 +37,8 @@ class CameraYaml : public ::testing::Test {
 TEST_F(CameraYaml, IsReadBackToTheLastBit) {
   const Camera back = read_camera_file(path);
   EXPECT_EQ(lens(back), lens(odd_camera()));
-  EXPECT_EQ(back.pinhole.width, 640);
-  EXPECT_EQ(back.pinhole.height, 480);
+  EXPECT_EQ(back.pinhole().width, 640);
+  EXPECT_EQ(back.pinhole().height, 480);
 }
 
 TEST_F(CameraYaml, IsReadByOpenCv) {

@@ -16,8 +16,8 @@ SourceOptions imported_source(const std::string& path) {
 }
 
 void expect_same_camera(const Camera& a, const Camera& b) {
-  const Pinhole &p = a.pinhole, &q = b.pinhole;
-  const Distortion &d = a.distortion, &e = b.distortion;
+  const Pinhole p = a.pinhole(), q = b.pinhole();
+  const Distortion d = a.distortion(), e = b.distortion();
   EXPECT_TRUE(p.fx == q.fx && p.fy == q.fy && p.cx == q.cx && p.cy == q.cy && p.width == q.width &&
               p.height == q.height);
   EXPECT_TRUE(d.k1 == e.k1 && d.k2 == e.k2 && d.p1 == e.p1 && d.p2 == e.p2 && d.k3 == e.k3);
@@ -66,7 +66,7 @@ class SameNames : public ImageSource {
   std::string kind() const override { return "test"; }
   std::optional<Frame> next() override {
     if (index_ == 3) return std::nullopt;
-    const int w = camera_.pinhole.width, h = camera_.pinhole.height, i = index_++;
+    const int w = camera_.pinhole().width, h = camera_.pinhole().height, i = index_++;
     return Frame{i,
                  Timestamp::from_seconds(i),
                  {w, h, std::vector<uint8_t>(size_t(w) * h, uint8_t(i))},

@@ -39,8 +39,8 @@ TEST(EdgevoLayout, GivesPixelsTicksAndCamera) {
   const auto s = open_source(source(folder.path()));
   EXPECT_EQ(s->kind(), "edgevo folder");
   EXPECT_EQ(s->size(), 3);
-  EXPECT_EQ(s->camera().pinhole.fx, 20);
-  EXPECT_EQ(s->camera().distortion.k3, 0.003);
+  EXPECT_EQ(s->camera().pinhole().fx, 20);
+  EXPECT_EQ(s->camera().distortion().k3, 0.003);
   EXPECT_EQ(s->ground_truth_path(), folder / "groundtruth_tum.txt");
   const auto frames = read_all(*s);
   expect_frames(frames, 3);
@@ -54,7 +54,7 @@ TEST(EdgevoLayout, GivenCameraWins) {
   TempFolder folder;
   test::write_edgevo_layout(folder.path(), 1);
   write_text(folder / "other.txt", "30 30 12 8 0 0 0 0 24 16");
-  EXPECT_EQ(open_source(source(folder.path(), folder / "other.txt"))->camera().pinhole.fx, 30);
+  EXPECT_EQ(open_source(source(folder.path(), folder / "other.txt"))->camera().pinhole().fx, 30);
 }
 
 TEST(KittiLayout, CameraTimesAndGroundTruth) {
@@ -70,8 +70,8 @@ TEST(KittiLayout, CameraTimesAndGroundTruth) {
   SourceOptions options = source(root + "/");
   const auto s = open_source(options);
   EXPECT_EQ(s->kind(), "KITTI odometry");
-  EXPECT_EQ(s->camera().pinhole.cx, 12);
-  EXPECT_EQ(s->camera().pinhole.width, 24);
+  EXPECT_EQ(s->camera().pinhole().cx, 12);
+  EXPECT_EQ(s->camera().pinhole().width, 24);
   const auto frames = read_all(*s);
   expect_frames(frames, 2);
   EXPECT_EQ(frames[1].time.ticks, 1036224);
@@ -84,7 +84,7 @@ TEST(KittiLayout, CameraTimesAndGroundTruth) {
 
   options.sensor_label = "image_2";
   const auto colour = open_source(options);
-  EXPECT_EQ(colour->camera().pinhole.cx, 11);
+  EXPECT_EQ(colour->camera().pinhole().cx, 11);
   EXPECT_THAT(ground_truth_tum(options, *colour),
               HasSubstr("\n0.0000000 -0.100000000 0.000000000 0.000000000 "));
 
@@ -102,7 +102,7 @@ TEST(TumLayout, PublishedCameraByName) {
   write_text(root + "/groundtruth.txt", "1.5 0 0 0 0 0 0 1\n");
   const auto s = open_source(source(root));
   EXPECT_EQ(s->kind(), "TUM RGB-D");
-  EXPECT_EQ(s->camera().pinhole.fx, 520.908620);
+  EXPECT_EQ(s->camera().pinhole().fx, 520.908620);
   EXPECT_EQ(s->ground_truth_path(), root + "/groundtruth.txt");
   EXPECT_EQ(read_all(*s).at(0).time.ticks, 15000000);
   write_text(root + "/rgb.txt", "1.5 rgb/1.5.png\n1.6 rgb/1.6.png\n");
@@ -128,7 +128,7 @@ TEST(EurocLayout, TimesInNanosecondsAndGroundTruthOfTheCamera) {
              "#timestamp, x\n1403636579763555584,1,2,3,1,0,0,0,0,0,0\n");
   const auto s = open_source(source(folder.path()));
   EXPECT_EQ(s->kind(), "EuRoC");
-  EXPECT_EQ(s->camera().distortion.k1, 0.1);
+  EXPECT_EQ(s->camera().distortion().k1, 0.1);
   expect_frames(read_all(*s), 1);
   EXPECT_EQ(s->times().at(0).ticks, 14036365797635556);
   EXPECT_FALSE(s->T_vehicle_cam().has_value());

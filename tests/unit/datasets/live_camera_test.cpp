@@ -17,7 +17,7 @@ constexpr int kWidth = 64, kHeight = 48;
 
 Camera camera() {
   Camera c;
-  c.pinhole = {60, 60, 31.5, 23.5, kWidth, kHeight};
+  c.set_pinhole({60, 60, 31.5, 23.5, kWidth, kHeight});
   return c;
 }
 

@@ -32,17 +32,17 @@ TEST_F(ScaledImages, AgreeWithTheirCamera) {
   options_.image_scale = 0.5;
   const auto source = open_source(options_);
   const Camera camera = source->camera();
-  EXPECT_EQ(camera.pinhole.width, 40);
-  EXPECT_EQ(camera.pinhole.height, 20);
-  EXPECT_DOUBLE_EQ(camera.pinhole.fx, 30);
-  EXPECT_DOUBLE_EQ(camera.pinhole.fy, 25);
-  EXPECT_DOUBLE_EQ(camera.distortion.k1, 0.1);
+  EXPECT_EQ(camera.pinhole().width, 40);
+  EXPECT_EQ(camera.pinhole().height, 20);
+  EXPECT_DOUBLE_EQ(camera.pinhole().fx, 30);
+  EXPECT_DOUBLE_EQ(camera.pinhole().fy, 25);
+  EXPECT_DOUBLE_EQ(camera.distortion().k1, 0.1);
   const auto frames = test::read_all(*source);
   ASSERT_EQ(frames.size(), 2u);
   const GrayImage& image = frames[1].image;
   ASSERT_EQ(image.width, 40);
   // The edge lies between the pixels on both sides of the centre, as before.
-  EXPECT_DOUBLE_EQ(camera.pinhole.cx, 15.5);
+  EXPECT_DOUBLE_EQ(camera.pinhole().cx, 15.5);
   EXPECT_EQ(image.view().at(15, 10), 0);
   EXPECT_EQ(image.view().at(16, 10), 200);
   EXPECT_TRUE(frames[1].image_path.empty());  // no file holds this image
@@ -66,7 +66,7 @@ TEST_F(ScaledImages, OnlyWhereTheyAreLarge) {
   EXPECT_DOUBLE_EQ(usual_image_scale(2560) * 2560, 1241);
   EXPECT_DOUBLE_EQ(usual_image_scale(7680) * 7680, 1241);
   options_.image_scale = 0;  // the usual one
-  EXPECT_EQ(open_source(options_)->camera().pinhole.width, 80);
+  EXPECT_EQ(open_source(options_)->camera().pinhole().width, 80);
 }
 
 TEST_F(ScaledImages, RefuseATooSmallScale) {

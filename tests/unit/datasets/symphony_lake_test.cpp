@@ -78,7 +78,7 @@ TEST(SymphonyLake, BothNamingSchemesAreReadBack) {
     EXPECT_TRUE(fs::exists(place.folder() + (newer ? "/0001/01002.jpg" : "/0001/0002.jpg")));
     const auto s = open_source(lake_source(place.folder()));
     EXPECT_EQ(s->kind(), "Symphony Lake");
-    EXPECT_EQ(s->camera().pinhole.fy, 21);
+    EXPECT_EQ(s->camera().pinhole().fy, 21);
     EXPECT_FALSE(s->camera().has_distortion());
     const auto frames = read_all(*s);
     ASSERT_EQ(frames.size(), 5u);
@@ -213,7 +213,7 @@ TEST(SymphonyLake, OldSurveysWithFewerColumns) {
   SourceOptions options = lake_source(folder.path());
   options.camera_file = folder / "camera.txt";
   const auto s = open_source(options);
-  EXPECT_EQ(s->camera().distortion.k1, 0.1);
+  EXPECT_EQ(s->camera().distortion().k1, 0.1);
   EXPECT_EQ(parse_trajectory(ground_truth_tum(options, *s), "truth").poses.size(), 2u);
 }
 
@@ -234,7 +234,7 @@ TEST(SymphonyLake, ColumnsGoByTheNamesOfTheHeader) {
   write_rows(folder.path(), {"1.0, 10, 24, 16, 20, 21, 12, 8"});
   edit(folder / "image_auxilliary.csv", "% an old survey", "% seq, t_sec, width, height, fx, fy, cx, cy");
   const auto s = open_source(lake_source(folder.path()));
-  EXPECT_EQ(s->camera().pinhole.fy, 21);
+  EXPECT_EQ(s->camera().pinhole().fy, 21);
   EXPECT_EQ(read_all(*s).at(0).time.seconds(), 10);
 }
 
@@ -245,8 +245,8 @@ TEST(SymphonyLake, LensByTheZoom) {
     return open_source(lake_source(folder.path()));
   };
   auto s = lens("760.1, 691.2, 370.9, 250.9, 704, 480");
-  EXPECT_EQ(s->camera().distortion.k1, -0.302805);
-  EXPECT_EQ(s->camera().pinhole.fx, 760.1) << "of the row";
+  EXPECT_EQ(s->camera().distortion().k1, -0.302805);
+  EXPECT_EQ(s->camera().pinhole().fx, 760.1) << "of the row";
   EXPECT_THAT(detail(*s, "lens"), HasSubstr("as a user calibrated it"));
   s = lens("780.17, 708.38, 317.75, 246.80, 700, 480");
   EXPECT_FALSE(s->camera().has_distortion());
@@ -374,7 +374,7 @@ TEST(SurveyWriter, RefusesWhatTheLayoutCannotHold) {
               }),
               HasSubstr("YYMMDD"));
   Camera lens = test::survey_camera();
-  lens.distortion.k1 = 0.1;
+  lens.set_distortion({0.1, 0, 0, 0, 0});
   EXPECT_THAT(error_of([&] {
                 SurveyWriter({folder.path(), "141107", false}, lens);
               }),

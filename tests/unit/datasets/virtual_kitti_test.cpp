@@ -57,9 +57,9 @@ TEST_F(VirtualKitti1, IsRead) {
   ASSERT_TRUE(is_virtual_kitti(sequence + "/"));
   const VirtualKitti v = read_virtual_kitti(from(sequence));
   EXPECT_EQ(v.release, "1.3.1");
-  EXPECT_EQ(v.camera.pinhole.fx, 725);
-  EXPECT_EQ(v.camera.pinhole.cx, 620.5);
-  EXPECT_EQ(v.camera.pinhole.width, 24);
+  EXPECT_EQ(v.camera.pinhole().fx, 725);
+  EXPECT_EQ(v.camera.pinhole().cx, 620.5);
+  EXPECT_EQ(v.camera.pinhole().width, 24);
   EXPECT_EQ(v.times[2], Timestamp::from_seconds(0.2));
   expect_poses(v, 0);
   expect_depth(v.depths[1]);
@@ -73,9 +73,9 @@ TEST_F(VirtualKitti2, BothCamerasAreRead) {
     const VirtualKitti v = read_virtual_kitti(options);
     EXPECT_EQ(v.release, "2.0.3");
     EXPECT_EQ(v.camera_name, "Camera_" + std::to_string(c));
-    EXPECT_EQ(v.camera.pinhole.fx, 20.5);
-    EXPECT_EQ(v.camera.pinhole.cx, 11 + c);
-    EXPECT_EQ(v.camera.pinhole.width, 24);
+    EXPECT_EQ(v.camera.pinhole().fx, 20.5);
+    EXPECT_EQ(v.camera.pinhole().cx, 11 + c);
+    EXPECT_EQ(v.camera.pinhole().width, 24);
     expect_poses(v, 0.5 * c);
     expect_depth(v.depths[0]);
   }

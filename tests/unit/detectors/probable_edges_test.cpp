@@ -229,8 +229,8 @@ TEST_F(ProbableDetectors, AcceptImagesOfAnySize) {
 // Probabilities from a file and computed ones give the same edges, on all levels and with a lens.
 TEST_F(ProbableDetectors, FilesGiveTheSameEdgesAsTheDetector) {
   Camera camera;
-  camera.pinhole = {150, 150, 120, 80, 240, 160};
-  camera.distortion.k1 = -0.2;
+  camera.set_pinhole({150, 150, 120, 80, 240, 160});
+  camera.set_distortion({-0.2, 0, 0, 0, 0});
   const GrayImage image = test::textured_image(240, 160, 13);
   const auto probability = probability_of(params("network"))->estimate(image.view(), "");
   write_probability("000007", test::make_image(240, 160, [&](double x, double y) {

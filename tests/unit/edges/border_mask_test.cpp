@@ -108,7 +108,7 @@ int edges_of_outline(const FramePyramid& pyramid) {
 
 TEST(BorderMask, SuppressesEdges) {
   Camera camera;
-  camera.pinhole = {250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight};
+  camera.set_pinhole({250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight});
   const EdgeParams params;
   EXPECT_GT(edges_of_outline(*PyramidBuilder(camera, params).build(through_lens(0, 30))), 400)
       << "gray belongs to the scene";
@@ -124,7 +124,7 @@ TEST(BorderMask, SuppressesEdges) {
 
 Camera lens_camera() {
   Camera camera;
-  camera.pinhole = {250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight};
+  camera.set_pinhole({250, 250, kWidth / 2.0, kHeight / 2.0, kWidth, kHeight});
   return camera;
 }
 
@@ -139,7 +139,7 @@ TEST(BorderMask, MovesWithTheRowsOfARollingShutter) {
   for (int k = 0; k < kImages; ++k) builder.build(through_lens(k, 0), motion);
   const auto pyramid = builder.build(through_lens(kImages, 0), motion);
   ASSERT_TRUE(pyramid->border_mask);
-  const Pinhole p = lens_camera().pinhole;
+  const Pinhole p = lens_camera().pinhole();
   int on_outline = 0, shifted = 0;
   for (const EdgePixel& e : pyramid->finest().edges.pixels) {
     const Eigen::Vector2d px = e.position().cast<double>();

@@ -152,7 +152,7 @@ TEST(EdgeExtraction, AnUnknownDetectorIsReportedWithTheNearestName) {
 
 TEST(FramePyramid, LevelsHalveInSizeAndTheFinestHaveEdges) {
   Camera camera;
-  camera.pinhole = {200, 200, 80, 60, 161, 121};
+  camera.set_pinhole({200, 200, 80, 60, 161, 121});
   PyramidBuilder builder(camera, EdgeParams());
   const auto pyramid = builder.build(test::textured_image(161, 121, 5));
   ASSERT_EQ(pyramid->levels.size(), 4u);
@@ -165,7 +165,7 @@ TEST(FramePyramid, LevelsHalveInSizeAndTheFinestHaveEdges) {
 
 TEST(FramePyramid, RejectsAnImageOfAnotherSize) {
   Camera camera;
-  camera.pinhole = {200, 200, 80, 60, 160, 120};
+  camera.set_pinhole({200, 200, 80, 60, 160, 120});
   PyramidBuilder builder(camera, EdgeParams());
   EXPECT_THROW(builder.build(test::textured_image(161, 120, 5)), InputError);
 }
@@ -173,14 +173,15 @@ TEST(FramePyramid, RejectsAnImageOfAnotherSize) {
 // A distorted straight edge is straight again in the pyramid.
 TEST(FramePyramid, RemovesTheDistortion) {
   Camera camera;
-  camera.pinhole = {300, 300, 160, 120, 320, 240};
-  camera.distortion.k1 = -0.3;
+  camera.set_pinhole({300, 300, 160, 120, 320, 240});
+  camera.set_distortion({-0.3, 0, 0, 0, 0});
   GrayImage image{320, 240, std::vector<uint8_t>(320 * 240)};
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u) {
-      Eigen::Vector2d x;
-      ASSERT_TRUE(camera.undistort(camera.pinhole.ray({double(u), double(v)}).head<2>(), &x));
-      const double distance = 300 * x.x() + 160 - 60.0;  // the line u = 60 of the undistorted image
+      const auto ray = camera.unproject({double(u), double(v)});
+      ASSERT_TRUE(ray);
+      const double distance =
+          300 * ray->x() / ray->z() + 160 - 60.0;  // the line u = 60 of the undistorted image
       image.pixels[size_t(v) * 320 + u] = uint8_t(120 + 80 * std::tanh(distance));
     }
   PyramidBuilder builder(camera, EdgeParams());
@@ -199,11 +200,11 @@ TEST(FramePyramid, RemovesTheDistortion) {
 // px of the slope along each axis.
 TEST(FramePyramid, UndistortsToTheRoundingOfItsPositions) {
   Camera camera;
-  camera.pinhole = {300, 300, 160, 120, 320, 240};
-  camera.distortion.k1 = 0.2;  // the corners are sampled outside the image
+  camera.set_pinhole({300, 300, 160, 120, 320, 240});
+  camera.set_distortion({0.2, 0, 0, 0, 0});  // the corners are sampled outside the image
   const GrayImage image = test::textured_image(320, 240, 5);
   const auto pyramid = PyramidBuilder(camera, EdgeParams()).build(image);
-  const UndistortionMaps maps = make_undistortion_maps(camera);
+  const RectificationMaps maps = Rectification(camera).maps();
   int beyond = 0;
   for (int v = 0; v < 240; ++v)
     for (int u = 0; u < 320; ++u) {

@@ -30,10 +30,7 @@ GrayImage still(int width, int height) {
 }
 
 Camera lens(int width, int height) {
-  Camera c;
-  c.pinhole = {0.9 * width, 0.9 * width, 0.49 * width, 0.51 * height, width, height};
-  c.distortion.k1 = -0.2;
-  return c;
+  return {{0.9 * width, 0.9 * width, 0.49 * width, 0.51 * height, width, height}, {-0.2, 0, 0, 0, 0}};
 }
 
 int largest_difference(const Plane<uint8_t>& a, const Plane<uint8_t>& b, int border) {
@@ -46,10 +43,10 @@ int largest_difference(const Plane<uint8_t>& a, const Plane<uint8_t>& b, int bor
 
 TEST(ShiftedUndistortion, WithoutAShiftIsUndistortion) {
   for (const auto& [width, height] : {std::pair(300, 170), {257, 33}, {64, 48}}) {
-    const UndistortionMaps maps = make_undistortion_maps(lens(width, height));
+    const RectificationMaps maps = Rectification(lens(width, height)).maps();
     const GrayImage image = still(width, height);
     Plane<uint8_t> plain(width, height), shifted(width, height);
-    Undistortion(maps).apply(image.view(), &plain);
+    Undistortion(maps, width, height).apply(image.view(), &plain);
     ShiftedUndistortion(maps).apply(ShiftGrid(width, height), image.view(), &shifted);
     EXPECT_LE(largest_difference(plain, shifted, 0), 1) << width << "x" << height;
   }
@@ -57,8 +54,7 @@ TEST(ShiftedUndistortion, WithoutAShiftIsUndistortion) {
 
 TEST(ShiftedUndistortion, SamplesAtTheShiftedPosition) {
   const int width = 270, height = 150;
-  Camera pinhole = lens(width, height);
-  pinhole.distortion = {};
+  const Camera pinhole(lens(width, height).pinhole());
   ShiftGrid shift(width, height);
   const auto dx = [](double u, double v) { return 3 + 0.01 * u - 0.02 * v; };
   const auto dy = [](double u, double v) { return -2 + 0.015 * v + 0.005 * u; };
@@ -68,7 +64,7 @@ TEST(ShiftedUndistortion, SamplesAtTheShiftedPosition) {
       shift.set(column, row, float(dx(u, v)), float(dy(u, v)));
     }
   Plane<uint8_t> out(width, height);
-  ShiftedUndistortion(make_undistortion_maps(pinhole)).apply(shift, still(width, height).view(), &out);
+  ShiftedUndistortion(Rectification(pinhole).maps()).apply(shift, still(width, height).view(), &out);
   const GrayImage expected =
       picture(width, height, [&](double u, double v) { return Eigen::Vector2d(u + dx(u, v), v + dy(u, v)); });
   for (int v = 12; v < height - 12; ++v)
@@ -82,16 +78,16 @@ TEST(PyramidBuilder, RectifiesTheRowsOfARollingShutter) {
   const double readout_s = 0.03;
   for (const bool with_lens : {false, true}) {
     Camera camera = lens(width, height);
-    if (!with_lens) camera.distortion = {};
+    if (!with_lens) camera.set_distortion({});
     ImageMotion motion;
     motion.velocity << 0.4, -0.5, 0.3, 0.1, 0.2, -0.3;
     motion.idepth.setConstant(0.9);
-    const Pinhole& p = camera.pinhole;
+    const Pinhole p = camera.pinhole();
     // The raw pixel shows the true point x whose to_file(x) is its position, found by from_file().
     const GrayImage rolling = picture(width, height, [&](double u, double v) {
-      Eigen::Vector2d x_file;
-      EXPECT_TRUE(camera.undistort(p.ray({u, v}).head<2>(), &x_file));
-      const Eigen::Vector2d x = from_file(p, {0, readout_s}, motion, x_file);
+      const auto ray = camera.unproject({u, v});
+      EXPECT_TRUE(ray);
+      const Eigen::Vector2d x = from_file(p, {0, readout_s}, motion, ray->head<2>() / ray->z());
       return Eigen::Vector2d(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
     });
     PyramidBuilder builder(camera, EdgeParams());

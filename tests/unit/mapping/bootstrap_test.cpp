@@ -31,7 +31,7 @@ class BootstrapOnSweep : public ::testing::Test {
   // would matter too much.
   BootstrapOnSweep() { params.min_disparity = 0.06, params.min_parallax_deg = 2; }
 
-  Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole, params, seed}; }
+  Bootstrap make(uint64_t seed = 1) const { return {scene.camera.pinhole(), params, seed}; }
   // Frame k of the sweep, with a gain on its gray levels.
   BootstrapStatus add(Bootstrap* bootstrap, int k, double gain = 1) const {
     return bootstrap->add(k, time_of(k),

@@ -30,11 +30,11 @@ Errors search_all(const PlaneScene& scene, const FramePyramid& host, const Frame
     const Eigen::Vector2d px = pixels[i].position().cast<double>();
     const double truth = scene.idepth(SE3(), px);
     const auto image = [&](double q) {
-      return project(scene.camera.pinhole, T_target_host.R(), T_target_host.translation(),
-                     scene.camera.pinhole.ray(px), q)
+      return project(scene.camera.pinhole(), T_target_host.R(), T_target_host.translation(),
+                     scene.camera.pinhole().ray(px), q)
           .px;
     };
-    if (!scene.camera.pinhole.contains(image(truth), 10)) continue;
+    if (!scene.camera.pinhole().contains(image(truth), 10)) continue;
     ++errors.searched;
     const EpipolarMatch m = search_epipolar(host, target, px, pixels[i].normal().cast<double>(),
                                             T_target_host, {0.5 * truth, 2 * truth}, params);
@@ -130,7 +130,7 @@ class EpipolarOutcomes : public ::testing::Test {
     int n = 0;
     *all = 0;
     for (const EdgePixel& e : host.finest().edges.pixels) {
-      if (!scene.camera.pinhole.contains(e.position().cast<double>(), 60)) continue;
+      if (!scene.camera.pinhole().contains(e.position().cast<double>(), 60)) continue;
       ++*all;
       n += search_epipolar(host, target, e.position().cast<double>(), e.normal().cast<double>(),
                            T_target_host, range, DepthFilterParams())
@@ -222,7 +222,7 @@ TEST_F(EpipolarOutcomes, AnyMotionGivesFiniteNumbers) {
     ++found;
     EXPECT_TRUE(std::isfinite(m.idepth) && m.idepth > 0);
     EXPECT_TRUE(std::isfinite(m.idepth_sigma) && m.idepth_sigma > 0);
-    EXPECT_TRUE(scene.camera.pinhole.contains(m.px, -5));
+    EXPECT_TRUE(scene.camera.pinhole().contains(m.px, -5));
   }
   EXPECT_GT(found, 0);
 }

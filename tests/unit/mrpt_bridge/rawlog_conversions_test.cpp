@@ -40,17 +40,17 @@ TEST(MrptConversions, ForwardMountIsMrptsForwardCamera) {
 TEST(MrptConversions, CameraIsExact) {
   const Camera camera{{517.3, 516.4, 318.6, 255.3, 640, 480}, {0.26, -0.95, -0.005, 0.0026, 1.16}};
   const Camera back = from_mrpt(to_mrpt(camera), "here");
-  EXPECT_EQ(back.pinhole.fx, 517.3);
-  EXPECT_EQ(back.pinhole.fy, 516.4);
-  EXPECT_EQ(back.pinhole.cx, 318.6);
-  EXPECT_EQ(back.pinhole.cy, 255.3);
-  EXPECT_EQ(back.pinhole.width, 640);
-  EXPECT_EQ(back.pinhole.height, 480);
-  EXPECT_EQ(back.distortion.k1, 0.26);
-  EXPECT_EQ(back.distortion.k2, -0.95);
-  EXPECT_EQ(back.distortion.p1, -0.005);
-  EXPECT_EQ(back.distortion.p2, 0.0026);
-  EXPECT_EQ(back.distortion.k3, 1.16);
+  EXPECT_EQ(back.pinhole().fx, 517.3);
+  EXPECT_EQ(back.pinhole().fy, 516.4);
+  EXPECT_EQ(back.pinhole().cx, 318.6);
+  EXPECT_EQ(back.pinhole().cy, 255.3);
+  EXPECT_EQ(back.pinhole().width, 640);
+  EXPECT_EQ(back.pinhole().height, 480);
+  EXPECT_EQ(back.distortion().k1, 0.26);
+  EXPECT_EQ(back.distortion().k2, -0.95);
+  EXPECT_EQ(back.distortion().p1, -0.005);
+  EXPECT_EQ(back.distortion().p2, 0.0026);
+  EXPECT_EQ(back.distortion().k3, 1.16);
 }
 
 TEST(MrptConversions, OtherLensModelsAreRefused) {

@@ -29,8 +29,8 @@ TEST(RawlogSource, EmbeddedImages) {
   EXPECT_EQ(s->kind(), "rawlog");
   EXPECT_EQ(s->label(), "CAM0");
   EXPECT_EQ(s->size(), 4);
-  EXPECT_EQ(s->camera().pinhole.fx, 20);
-  EXPECT_EQ(s->camera().distortion.k3, 0.003);
+  EXPECT_EQ(s->camera().pinhole().fx, 20);
+  EXPECT_EQ(s->camera().distortion().k3, 0.003);
   ASSERT_TRUE(s->T_vehicle_cam().has_value());
   EXPECT_LT((s->T_vehicle_cam()->matrix() - T_vehicle_cam_forward().matrix()).norm(), 1e-12);
   expect_frames(*s, 4);
@@ -201,8 +201,10 @@ TEST(RawlogSource, GivenCameraWins) {
   TempFolder folder;
   test::write_embedded(folder / "x.rawlog", 1);
   Camera other = test::small_camera();
-  other.pinhole.fx = 33;
-  EXPECT_EQ(open_rawlog({folder / "x.rawlog", "", other})->camera().pinhole.fx, 33);
+  Pinhole longer = other.pinhole();
+  longer.fx = 33;
+  other.set_pinhole(longer);
+  EXPECT_EQ(open_rawlog({folder / "x.rawlog", "", other})->camera().pinhole().fx, 33);
 }
 
 TEST(RawlogSource, ReadsConcatenatedAndUncompressedFiles) {

@@ -38,7 +38,7 @@ TEST(FrameView, HoldsPointsThatLieOnTheEdgesOfTheFrame) {
   ASSERT_GT(view.points.size(), 200u);
   int on_an_edge = 0;
   for (const SeenPoint& p : view.points) {
-    ASSERT_TRUE(sweep_camera().pinhole.contains(p.px.cast<double>()));
+    ASSERT_TRUE(sweep_camera().pinhole().contains(p.px.cast<double>()));
     ASSERT_GT(p.idepth, 0);
     ASSERT_GT(p.idepth_sigma, 0);
     on_an_edge += std::abs(p.residual_px) < 1.5f;  // false for NaN

@@ -67,11 +67,16 @@ TEST(Mapper, FifteenKeyframesKeepTheScale) {
       const MapUpdate update = driver.process(f, i == kFramesApart);
       if (i != kFramesApart) {
         EXPECT_EQ(update.keyframe_id, -1);
+        EXPECT_FALSE(update.adjustment);
         continue;
       }
       EXPECT_EQ(update.keyframe_id, ++last_id);
       EXPECT_GT(update.stats.matched_in_newest, 100) << "keyframe " << k;
       EXPECT_LT(update.stats.cost_per_observation, 1.5) << "keyframe " << k;
+      ASSERT_TRUE(update.adjustment);
+      EXPECT_EQ(update.adjustment->cost_per_match, update.stats.cost_per_observation);
+      EXPECT_EQ(update.adjustment->matches_in_newest, update.stats.matched_in_newest);
+      EXPECT_GE(update.adjustment->moved, 0);
       EXPECT_LE(driver.mapper.window().keyframes().size(), 7u);
     }
   std::vector<int> marginalised;

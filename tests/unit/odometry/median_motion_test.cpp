@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edgevo/odometry/frame_status.h"
 #include "motion_model.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
@@ -98,7 +99,7 @@ Selection select_pose(const MotionModel& motion, const SE3& truth, const SE3& fo
   if (!prior || !prior->is_unusual(found) || !prior->is_apart(pyramid->finest().pinhole, cloud, found))
     return selected;
   selected.was_called_for = true;
-  const PoseScorer scorer(params, [&](const SE3& T) { return prior->likelihood(T); });
+  const SupportScorer scorer(StatusParams(), [&](const SE3& T) { return prior->likelihood(T); });
   const PoseCandidate near = align(*pyramid, cloud, prior->hypothesis(), params);
   if (scorer.score(near) > scorer.score(selected.pose)) selected.pose = near;
   return selected;
@@ -108,6 +109,21 @@ TEST(MedianMotionPrior, AnUnsupportedJumpIsRejected) {
   const Selection selected = select_pose(approaching(), kMedian, kJump);
   EXPECT_LT((selected.pose.T_cur_ref.translation() - kMedian.translation()).norm(), 0.005);
   EXPECT_GT(selected.pose.evidence.inlier_share, 0.8);
+}
+
+TEST(StepSigmas, AJumpIsManyOfThemAndAUsualStepFew) {
+  MotionModel m = approaching();
+  const SE3 across = SE3::exp(twist(0.0005, 0.0002, 0, 0, 0, 0));
+  for (int i = 0; i < 40; ++i) {  // a spread on all axes
+    m.begin_frame(time_at(4.1 + 0.1 * i));
+    m.follow(kMedian * (i % 2 == 0 ? across : across.inverse()) * m.T_last_ref());
+  }
+  m.begin_frame(time_at(8.1));
+  EXPECT_LT(step_sigmas(m, kMedian * m.T_last_ref()), 3);
+  EXPECT_GT(step_sigmas(m, kJump * m.T_last_ref()), 50);
+  m.begin_frame(time_at(100));
+  EXPECT_TRUE(std::isnan(step_sigmas(m, kMedian * m.T_last_ref()))) << "over a gap";
+  EXPECT_TRUE(std::isnan(step_sigmas(MotionModel(), SE3()))) << "nothing is known yet";
 }
 
 TEST(MedianMotionPrior, ASupportedJumpIsKept) {

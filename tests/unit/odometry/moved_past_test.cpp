@@ -196,7 +196,7 @@ TEST_F(MovedPast, FramesFollowTheirKeyframesAndLaterOnesStay) {
 }
 
 TEST_F(MovedPast, AnotherReaderOfTheEventsBuildsTheSameRun) {
-  RunBuilder builder(sweep_camera().pinhole);
+  RunBuilder builder(sweep_camera().pinhole());
   for (const auto& event : moved().events) builder.apply(*event);
   const edgevo::Run run = builder.finish();
   const edgevo::Run& expected = moved().run;

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,7 @@ TEST(Odometry, EveryFrameHasARecordInOrder) {
     const FrameRecord& f = run.frames[size_t(k)];
     EXPECT_EQ(f.index, k);
     EXPECT_EQ(f.time, sweep_frame(k).time);
-    EXPECT_GT(f.edges, 500);
+    EXPECT_GT(f.evidence.edges, 500);
     ASSERT_FALSE(f.stage_ms.empty());
     EXPECT_EQ(f.stage_ms.front().first, "edges");
   }
@@ -66,6 +68,19 @@ TEST(Odometry, TheRotationsAreThoseOfTheSweep) {
   for (const FrameRecord& f : whole_sweep().frames)
     worst = std::max(worst, (*f.T_world_cam * sweep_pose(f.index).inverse()).angle());
   EXPECT_LT(worst, 0.02);
+}
+
+// A view wider by a tenth in a smaller image: the outermost pixels have no source.
+TEST(Odometry, FollowsTheSweepInAPinholeOfAnotherSizeAndFocalLength) {
+  OdometryOptions options;
+  options.working_pinhole = Pinhole{204, 206, 138.2, 106.3, 280, 210};
+  const auto run = run_sweep(kSweepFrames, options);
+  EXPECT_TRUE(run.pinhole == *options.working_pinhole);
+  const auto e = trajectory_error(run, 0, kSweepFrames, sweep_pose);
+  EXPECT_EQ(e.poses, kSweepFrames);
+  EXPECT_LT(e.rmse, 0.02 * e.length);
+  for (const KeyframeRecord& k : run.keyframes)
+    for (const EdgePoint& p : k.points) EXPECT_TRUE(run.pinhole.contains(p.px.cast<double>()));
 }
 
 TEST(Odometry, KeyframesCarryPointsWithTrueDepth) {
@@ -115,8 +130,8 @@ void expect_equal_runs(const Run& a, const Run& b) {
     EXPECT_EQ(fa.state, fb.state);
     EXPECT_EQ(fa.segment, fb.segment);
     EXPECT_EQ(fa.is_keyframe, fb.is_keyframe);
-    EXPECT_EQ(fa.inlier_share, fb.inlier_share);
-    EXPECT_EQ(fa.residual_px, fb.residual_px);
+    EXPECT_EQ(fa.evidence.inlier_share, fb.evidence.inlier_share);
+    EXPECT_EQ(fa.evidence.residual_px, fb.evidence.residual_px);
     EXPECT_EQ(fa.note, fb.note);
     EXPECT_EQ(fa.covariance, fb.covariance);
     ASSERT_EQ(fa.T_world_cam.has_value(), fb.T_world_cam.has_value());
@@ -133,6 +148,84 @@ void expect_equal_runs(const Run& a, const Run& b) {
 }
 
 TEST(Odometry, TwoRunsAreIdentical) { expect_equal_runs(whole_sweep(), run_sweep(kSweepFrames)); }
+
+// ---- evidence ----
+
+TEST(Odometry, EveryTrackedFrameHasEvidence) {
+  for (const FrameRecord& f : whole_sweep().frames) {
+    const FrameEvidence& e = f.evidence;
+    EXPECT_GT(e.visible_points.value_or(0), 60) << f.index;
+    EXPECT_LE(e.matched_points.value_or(0), e.visible_points.value_or(0)) << f.index;
+    EXPECT_GT(e.known_points.value_or(0), 0) << f.index;
+    EXPECT_GE(e.lacking_share, 0) << f.index;
+    EXPECT_LT(e.lacking_share, 1) << f.index;
+    EXPECT_GT(e.view_share, 0.15) << f.index;
+    EXPECT_GT(e.pose_sigmas.front(), 0) << f.index;
+    EXPECT_LE(e.pose_sigmas.back(), 0.01) << "no weak direction in frame " << f.index;
+    EXPECT_LT(e.saturated_share, 0.5) << f.index;
+    EXPECT_GT(e.edge_blur, 0) << f.index;
+    EXPECT_LT(e.edge_blur, 1) << f.index;
+  }
+}
+
+TEST(Odometry, KeyframesHaveTheEvidenceOfTheirAdjustment) {
+  int adjusted = 0;
+  for (const FrameRecord& f : whole_sweep().frames) {
+    const auto& adjustment = f.evidence.adjustment;
+    const bool is_made = f.is_keyframe && f.keyframe_reason != KeyframeReason::kBootstrap;
+    EXPECT_EQ(adjustment.has_value(), is_made) << f.index;
+    if (!adjustment) continue;
+    ++adjusted;
+    EXPECT_GE(adjustment->moved, 0);
+    EXPECT_LT(adjustment->moved, 100);
+    EXPECT_GT(adjustment->cost_per_match, 0);
+    EXPECT_LT(adjustment->cost_per_match, 2);
+    EXPECT_GT(adjustment->points, 100);
+    EXPECT_GT(adjustment->matches, adjustment->points);
+    EXPECT_GT(adjustment->matches_in_newest, 50);
+  }
+  EXPECT_GT(adjusted, 2);
+}
+
+// An image in the middle of the sweep, changed.
+FrameEvidence evidence_with(const std::function<void(GrayImage*)>& change) {
+  constexpr int kChanged = 20;
+  Odometry odometry(test::sweep_camera(), {}, {});
+  for (int k = 0; k < kChanged; ++k) odometry.process(sweep_frame(k));
+  Frame frame = sweep_frame(kChanged);
+  change(&frame.image);
+  return odometry.process(frame).evidence;
+}
+
+TEST(Odometry, TheEvidenceShowsBlurAndOverexposure) {
+  const FrameEvidence as_is = evidence_with([](GrayImage*) {});
+  const FrameEvidence blurred = evidence_with([](GrayImage* image) {
+    constexpr int kReach = 5;
+    const std::vector<uint8_t> before = image->pixels;
+    for (size_t i = kReach; i + kReach < before.size(); ++i) {
+      int sum = 0;
+      for (size_t k = i - kReach; k <= i + kReach; ++k) sum += before[k];
+      image->pixels[i] = uint8_t(sum / (2 * kReach + 1));
+    }
+  });
+  const FrameEvidence bright = evidence_with([](GrayImage* image) {
+    for (uint8_t& gray : image->pixels) gray = uint8_t(std::min(255, 2 * gray));
+  });
+  EXPECT_GT(blurred.edge_blur, as_is.edge_blur);
+  EXPECT_LT(blurred.inlier_share, as_is.inlier_share);
+  EXPECT_GT(bright.saturated_share, as_is.saturated_share + 0.1);
+}
+
+TEST(Odometry, AFrameWithoutAMapHasTheEvidenceOfItsImageOnly) {
+  Odometry odometry(test::sweep_camera(), {}, {});
+  const FrameEvidence e = odometry.process(sweep_frame(0)).evidence;
+  EXPECT_GT(e.edges, 500);
+  EXPECT_GT(e.edge_blur, 0);
+  EXPECT_FALSE(e.visible_points);
+  EXPECT_FALSE(e.known_points);
+  EXPECT_TRUE(std::isnan(e.pose_sigmas.back()));
+  EXPECT_TRUE(std::isnan(e.view_share));
+}
 
 // ---- loss ----
 
@@ -271,9 +364,9 @@ TEST(OdometryInput, AnImageOfAnotherSizeThrowsAndKeepsWhatWasComputed) {
 }
 
 TEST(OdometryInput, AnUnusableCameraThrows) {
-  Camera camera = test::sweep_camera();
-  camera.pinhole.fx = 0;
-  EXPECT_THROW(Odometry(camera, OdometryParams(), OdometryOptions()), InputError);
+  Pinhole pinhole = test::sweep_camera().pinhole();
+  pinhole.fx = 0;
+  EXPECT_THROW(Odometry(Camera(pinhole), OdometryParams(), OdometryOptions()), InputError);
 }
 
 TEST(OdometryInput, AnUnknownDetectorThrows) {

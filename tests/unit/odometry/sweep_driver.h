@@ -6,6 +6,7 @@
 #include <string>
 
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/odometry/frame_status.h"
 #include "edgevo/odometry/mapper.h"
 #include "support/sweep_scene.h"
 
@@ -40,7 +41,8 @@ class SweepDriver {
     const auto reference = mapper.reference();
     const SE3 T = sweep_pose(f).inverse() * sweep_pose(frame_of.at(reference->keyframe_id));
     const SE3 start(T.rotation(), unit_ * T.translation());
-    const TrackResult r = track(*Sweep::pyramid(f), reference->cloud, {start}, AlignmentParams());
+    const TrackResult r = edgevo::track(*Sweep::pyramid(f), reference->cloud, {start},
+                                        SupportScorer(StatusParams()), AlignmentParams());
     TrackedFrame frame;
     frame.frame_index = f;
     frame.time = Sweep::time(f);

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <cmath>
 #include <limits>
 
+#include "edgevo/alignment/pose_covariance.h"
 #include "edgevo/core/random.h"
 
 namespace edgevo {
@@ -54,6 +56,20 @@ TEST(TrackingCheck, FollowsTheTrueVariance) {
   EXPECT_GT(honest, 1.0);
   EXPECT_LT(honest, 1.4);
   EXPECT_NEAR(mean_factor(1.5, 400) / honest, 2.1, 0.4);  // 2.25, less what is cut off above
+}
+
+TEST(TrackingCheck, ReturnsTheErrorOfEachKeyframe) {
+  TrackingCheck check;
+  EXPECT_NEAR(check.add(kAdjusted, kAdjusted, some_covariance()), 0, 1e-12);
+  Vector6d two_sigmas = Vector6d::Zero();
+  two_sigmas[4] = 2;
+  const Matrix6d root = some_covariance().llt().matrixL();
+  const SE3 tracked = SE3::exp(root * two_sigmas) * kAdjusted;
+  EXPECT_NEAR(check.add(tracked, kAdjusted, some_covariance()),
+              normalised_error_square(tracked, kAdjusted, some_covariance()) / kNormalisedErrorFreedom,
+              1e-12);
+  EXPECT_TRUE(std::isnan(
+      check.add(kAdjusted, kAdjusted, Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN()))));
 }
 
 TEST(TrackingCheck, OneOutlierDoesNotDecide) {

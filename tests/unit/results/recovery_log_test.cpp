@@ -88,8 +88,8 @@ TEST_F(RecoveryLogs, RestoresTheHeader) {
   const RecoveryHeader& back = reader.header();
   EXPECT_EQ(back.info.command_line, header().info.command_line);
   EXPECT_EQ(back.info.notes, header().info.notes);
-  EXPECT_EQ(back.info.camera.pinhole.fx, made_.camera.pinhole.fx);
-  EXPECT_EQ(back.info.camera.distortion.k1, made_.camera.distortion.k1);
+  EXPECT_EQ(back.info.camera.pinhole().fx, made_.camera.pinhole().fx);
+  EXPECT_EQ(back.info.camera.distortion().k1, made_.camera.distortion().k1);
   EXPECT_EQ(back.scale, "odometry");
   ASSERT_EQ(back.track.positions.size(), 2u);
   EXPECT_EQ(back.track.positions[1].position, Eigen::Vector3d(4, 5, 6));
@@ -171,18 +171,25 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   EXPECT_EQ(lines.lines[0].keyframes, 9);
   EXPECT_TRUE(lines.lines[0].is_outline);
   EXPECT_FALSE(lines.lines[0].is_straight);
-  CameraRefinement camera{CameraRefinement::State::kApplied, 0.01, 0.02, 0.003, 44, {}};
-  camera.shutter = {CameraRefinement::State::kTooEarly, 0.1, 0.2, 0.3, 5};
+  CameraRefinement camera;
+  camera.state = CameraRefinement::State::kApplied;
+  camera.correction = {0.01, 0.1};
+  camera.estimate = 0.02, camera.sigma = 0.003, camera.keyframes = 44;
+  camera.shutter = {CameraRefinement::State::kTooEarly, 0.2, 0.3, 5};
   const auto estimated = there_and_back(CameraEstimated{camera}).camera;
   EXPECT_EQ(estimated.state, CameraRefinement::State::kApplied);
-  EXPECT_EQ(estimated.correction(), camera.correction());
+  EXPECT_EQ(estimated.correction, camera.correction);
   EXPECT_EQ(estimated.sigma, 0.003);
   EXPECT_EQ(estimated.keyframes, 44);
   EXPECT_EQ(estimated.shutter.estimate, 0.2);
   EXPECT_EQ(estimated.shutter.keyframes, 5);
-  const auto mapped = there_and_back(FrameMapped{12, {{"ba", 1.25}, {"depth_filter", 0.5}}});
+  const auto mapped = there_and_back(
+      FrameMapped{12, {{"ba", 1.25}, {"depth_filter", 0.5}}, AdjustmentEvidence{0.9, 1.5, 800, 300, 90}});
   EXPECT_EQ(mapped.frame_index, 12);
   EXPECT_EQ(mapped.times, (StageTimes{{"ba", 1.25}, {"depth_filter", 0.5}}));
+  EXPECT_EQ(mapped.adjustment->moved, 0.9);
+  EXPECT_EQ(mapped.adjustment->cost_per_match, 1.5);
+  EXPECT_EQ(mapped.adjustment->matches_in_newest, 90);
 }
 
 TEST_F(RecoveryLogs, RestoresAFrameAndItsAnchor) {

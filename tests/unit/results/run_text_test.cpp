@@ -24,14 +24,20 @@ TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
   ASSERT_EQ(rows.size(), 46u);
   EXPECT_EQ(rows[0],
             "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
-            "ms_edges,ms_alignment,ms_ba");
-  EXPECT_EQ(rows[2], "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,4.100,2.000,");
+            "visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,"
+            "saturated_share,edge_blur,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,"
+            "adjusted_here,ms_edges,ms_alignment,ms_ba");
+  EXPECT_EQ(
+      rows[2],
+      "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,399,398,0.000600,,400,0.2000,0.6000,"
+      "0.0100,0.900,,,,,,4.100,2.000,");
   EXPECT_EQ(rows[21],
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
-            "needed,,,6.000,2.000,");
+            "needed,,,,,,,,,,0.0100,0.900,,,,,,6.000,2.000,");
   EXPECT_EQ(rows[46 - 3],
-            "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,8.200,2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 14u) << row;
+            "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,358,316,0.000600,0.500,"
+            "400,0.2000,0.6000,0.0100,0.900,1.2500,0.7000,2000,700,400,8.200,2.000,20.000");
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 28u) << row;
 }
 
 TEST_F(RunText, TumTrajectoriesHoldTheFramesThatHavePoses) {

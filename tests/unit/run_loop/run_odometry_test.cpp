@@ -16,7 +16,7 @@ class BlankSource : public ImageSource {
  public:
   explicit BlankSource(int breaks_at = -1, std::set<int> bad = {})
       : breaks_at_(breaks_at), bad_(std::move(bad)) {
-    camera_.pinhole = {50, 50, 32, 24, 64, 48};
+    camera_.set_pinhole({50, 50, 32, 24, 64, 48});
   }
 
   const Camera& camera() const override { return camera_; }

@@ -115,11 +115,11 @@ TEST(SelfCalibration, FindsTheDistortion) {
       o.k1 = k1, o.seed = seed;
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.state, CameraRefinement::State::kApplied);
-      EXPECT_NEAR(out.state.k1, k1, 0.001);
+      EXPECT_NEAR(out.state.correction.k1, k1, 0.001);
       ASSERT_TRUE(out.moved);
-      EXPECT_EQ(out.moved->lens->now.k1, out.state.k1);
+      EXPECT_EQ(out.moved->lens->now.k1, out.state.correction.k1);
       EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kInsignificant);
-      EXPECT_EQ(out.state.shutter.readout_s, 0);
+      EXPECT_EQ(out.state.correction.readout_s, 0);
     }
 }
 
@@ -131,13 +131,13 @@ TEST(SelfCalibration, FindsARollingShutter) {
       const Outcome out = calibrate(o);
       EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied) << readout_s << " " << k1;
       EXPECT_NEAR(out.state.shutter.estimate, readout_s, 0.001);
-      EXPECT_NEAR(out.state.shutter.readout_s, 1.3 * readout_s, 0.0013)
+      EXPECT_NEAR(out.state.correction.readout_s, 1.3 * readout_s, 0.0013)
           << "applied with over-relaxation: distorted rows bias the estimates";
       EXPECT_EQ(out.state.state,
                 k1 == 0 ? CameraRefinement::State::kInsignificant : CameraRefinement::State::kApplied);
       EXPECT_NEAR(out.state.estimate, k1, 0.002);
       ASSERT_TRUE(out.moved);
-      EXPECT_EQ(out.moved->lens->now, out.state.correction());
+      EXPECT_EQ(out.moved->lens->now, out.state.correction);
     }
 }
 
@@ -146,7 +146,7 @@ TEST(SelfCalibration, WithoutOverRelaxationTheEstimateIsApplied) {
   o.readout_s = 0.02;
   SelfCalibrationParams params;
   params.over_relax_readout = false;
-  EXPECT_NEAR(calibrate(o, params).state.shutter.readout_s, 0.02, 0.001);
+  EXPECT_NEAR(calibrate(o, params).state.correction.readout_s, 0.02, 0.001);
 }
 
 // With few keyframes, long before k1 is estimated.
@@ -158,7 +158,7 @@ TEST(SelfCalibration, ARollingShutterShowsEarly) {
   EXPECT_EQ(out.state.shutter.state, CameraRefinement::State::kApplied);
   EXPECT_NEAR(out.state.shutter.estimate, 0.02, 0.002);
   EXPECT_EQ(out.state.state, CameraRefinement::State::kTooEarly);
-  EXPECT_EQ(out.state.k1, 0);
+  EXPECT_EQ(out.state.correction.k1, 0);
 }
 
 TEST(SelfCalibration, EstimatesOnlyWhatIsRequested) {
@@ -168,15 +168,15 @@ TEST(SelfCalibration, EstimatesOnlyWhatIsRequested) {
   params.refine = "k1";
   const CameraRefinement lens = calibrate(o, params).state;
   EXPECT_EQ(lens.shutter.state, CameraRefinement::State::kOff);
-  EXPECT_EQ(lens.shutter.readout_s, 0);
+  EXPECT_EQ(lens.correction.readout_s, 0);
   params.refine = "readout";
   const CameraRefinement shutter = calibrate(o, params).state;
   EXPECT_EQ(shutter.state, CameraRefinement::State::kOff);
-  EXPECT_EQ(shutter.k1, 0);
+  EXPECT_EQ(shutter.correction.k1, 0);
   EXPECT_EQ(shutter.shutter.state, CameraRefinement::State::kApplied);
   params.refine = "none";
   params.readout_s = 0.02;  // known: used as it is
-  EXPECT_EQ(calibrate(o, params).state.correction(), (ImageCorrection{0, 0.02}));
+  EXPECT_EQ(calibrate(o, params).state.correction, (ImageCorrection{0, 0.02}));
 }
 
 // Bad light may suggest a rolling shutter where there is none: later keyframes reset it, also after it was
@@ -188,7 +188,7 @@ TEST(SelfCalibration, AFalseShutterIsGivenUp) {
   const std::vector<Keyframe> mistaken = make_drive(rolling);
   SelfCalibration calibration(test::pinhole(), {});
   ASSERT_TRUE(calibration.estimate(map_of(mistaken, mistaken.size()), BaOptions(), true));
-  const ImageCorrection mistake = calibration.state().correction();
+  const ImageCorrection mistake = calibration.state().correction;
   ASSERT_GT(mistake.readout_s, 0.015);
   calibration.cancel();
   std::vector<Keyframe> drive = make_drive(still);
@@ -201,7 +201,7 @@ TEST(SelfCalibration, AFalseShutterIsGivenUp) {
     }
   const auto moved = calibration.estimate(map_of(drive, drive.size()), BaOptions(), true);
   EXPECT_EQ(calibration.state().shutter.state, CameraRefinement::State::kInsignificant);
-  EXPECT_EQ(calibration.state().shutter.readout_s, 0);
+  EXPECT_EQ(calibration.state().correction.readout_s, 0);
   ASSERT_TRUE(moved);
   EXPECT_EQ(moved->lens->before, mistake);
   EXPECT_EQ(moved->lens->now, ImageCorrection());
@@ -234,7 +234,7 @@ TEST(SelfCalibration, LeavesAGoodCameraAlone) {
     const Outcome out = calibrate(o);
     EXPECT_EQ(out.state.state, CameraRefinement::State::kInsignificant);
     EXPECT_LT(std::abs(out.state.estimate), 0.001);
-    EXPECT_EQ(out.state.k1, 0);
+    EXPECT_EQ(out.state.correction.k1, 0);
     EXPECT_FALSE(out.moved);
   }
 }
@@ -315,7 +315,7 @@ TEST(SelfCalibration, ChangesDuringAnEstimateAreCarriedOver) {
   std::optional<MapMoved> moved = concurrent.estimate(map, BaOptions(), false);
   EXPECT_FALSE(concurrent.is_running());
   ASSERT_TRUE(moved);
-  EXPECT_EQ(moved->lens->now, at_once.state().correction()) << "the same estimate";
+  EXPECT_EQ(moved->lens->now, at_once.state().correction) << "the same estimate";
   EXPECT_EQ(concurrent.state().keyframes, int(kKnown));
   moved = map.move(*moved, [](const Keyframe& k) { return k.pyramid; });
   expect_true_shape(*moved, now);
@@ -345,7 +345,7 @@ TEST(SelfCalibration, AnEstimateOfAMapThatHasMovedIsDropped) {
   past.keyframes.back().id = drive.front().id;
   map.move(past, {});
   EXPECT_FALSE(calibration.estimate(map, BaOptions(), false));
-  EXPECT_EQ(calibration.state().k1, 0);
+  EXPECT_EQ(calibration.state().correction.k1, 0);
   EXPECT_TRUE(calibration.is_due(map)) << "it begins again";
 }
 
@@ -427,7 +427,7 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
   const CameraRefinement found = calibration.state();
   calibration.cancel();
   EXPECT_FALSE(calibration.estimate(map_of(drive, 35), BaOptions(), true));
-  EXPECT_EQ(calibration.state().k1, found.k1);
+  EXPECT_EQ(calibration.state().correction.k1, found.correction.k1);
   EXPECT_EQ(calibration.state().keyframes, found.keyframes);
 }
 

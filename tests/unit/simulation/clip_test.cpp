@@ -13,7 +13,7 @@ namespace {
 // Frames 5, 6, 7, ... of plain images whose gray is their number.
 class CountingSource : public ImageSource {
  public:
-  explicit CountingSource(int count) : count_(count) { camera_.pinhole = {10, 10, 4, 3, 8, 6}; }
+  explicit CountingSource(int count) : count_(count) { camera_.set_pinhole({10, 10, 4, 3, 8, 6}); }
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return count_; }
   std::string kind() const override { return "counting"; }
@@ -35,7 +35,7 @@ TEST(Clip, PlaysTheSameAgainAndAgain) {
     ClipSource player(clip);
     EXPECT_EQ(player.size(), 4);
     EXPECT_EQ(player.kind(), "counting");
-    EXPECT_EQ(player.camera().pinhole.width, 8);
+    EXPECT_EQ(player.camera().pinhole().width, 8);
     EXPECT_EQ(player.times().size(), 4u);
     EXPECT_TRUE(player.skip());
     for (int i = 1; i < 4; ++i) {
@@ -60,7 +60,7 @@ TEST(Clip, BackwardTheTimesGrowToo) {
     EXPECT_EQ(backward->frames[size_t(i)].time, Timestamp{1000 * i});
     EXPECT_EQ(backward->frames[size_t(i)].image.pixels[0], 3 - i);
   }
-  EXPECT_EQ(backward->camera.pinhole.width, 8);
+  EXPECT_EQ(backward->camera.pinhole().width, 8);
 }
 
 TEST(Clip, WithGapsFramesAreMissingAndTheOthersAreAsBefore) {

@@ -85,14 +85,14 @@ TEST(Correspondence, RenderedPointsLookAlike) {
   const SceneRenderer renderer(load_scene("desk"));
   const RenderedFrame a = renderer.render(10), b = renderer.render(13);
   Camera camera = renderer.camera();
-  const Pinhole& p = camera.pinhole;
+  const Pinhole p = camera.pinhole();
   const ViewPair views{p,
                        {a.depth.data(), p.width, p.height, p.width},
                        {b.depth.data(), p.width, p.height, p.width},
                        b.T_world_cam.inverse() * a.T_world_cam};
   const auto gray = [&](const GrayImage& image, const Eigen::Vector2d& px) {
-    const Eigen::Vector2d d = camera.distort(p.ray(px).head<2>());
-    const int u = int(std::lround(p.fx * d.x() + p.cx)), v = int(std::lround(p.fy * d.y() + p.cy));
+    const Eigen::Vector2d raw = camera.project(p.ray(px)).value();
+    const int u = int(std::lround(raw.x())), v = int(std::lround(raw.y()));
     return u < 0 || v < 0 || u >= p.width || v >= p.height ? -1 : int(image.view().at(u, v));
   };
   int compared = 0, alike = 0;
@@ -113,7 +113,7 @@ TEST(Correspondence, RenderedPointsLookAlike) {
 TEST(Correspondence, MeetsTheSamePointOfTheOtherView) {
   const SceneRenderer renderer(load_scene("corridor"));
   const std::vector<float> from = renderer.render_depth(5), to = renderer.render_depth(7);
-  const Pinhole& p = renderer.camera().pinhole;
+  const Pinhole p = renderer.camera().pinhole();
   const SE3 T_to_from = renderer.T_world_cam(7).inverse() * renderer.T_world_cam(5),
             T_from_to = T_to_from.inverse();
   const ViewPair views{

@@ -54,7 +54,7 @@ TEST(FolderExport, FirstPoseIsTheIdentityAndDepthIsExact) {
 
 TEST(FolderWriter, NamesThatWouldPlayInAnotherOrderAreRefused) {
   Camera camera;
-  camera.pinhole = {10, 10, 1, 1, 2, 2};
+  camera.set_pinhole({10, 10, 1, 1, 2, 2});
   const test::TempFolder temp;
   FolderWriter writer(temp / "out", camera);
   const auto frame = [](int i, const char* path) {

@@ -105,7 +105,7 @@ TEST(RelitSource, KeepsNumbersTimesAndCalibrationAndSkipsDroppedFrames) {
   const Relight dropped("dropped", 2);
   RelitSource source(std::make_unique<RenderedSource>(renderer, 0, 30), dropped);
   EXPECT_FALSE(source.size());
-  EXPECT_EQ(source.camera().pinhole.fx, renderer->camera().pinhole.fx);
+  EXPECT_EQ(source.camera().pinhole().fx, renderer->camera().pinhole().fx);
   std::vector<int> kept, expected;
   while (const auto frame = source.next()) {
     EXPECT_EQ(frame->time, renderer->scene().times[size_t(frame->index)]);

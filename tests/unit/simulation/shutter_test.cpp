@@ -83,7 +83,7 @@ TEST(Shutter, SameSeedSameBytes) {
 
 Camera small_camera() {
   Camera camera;
-  camera.pinhole = {410.3, 405.7, 158.61, 121.37, 320, 240};
+  camera.set_pinhole({410.3, 405.7, 158.61, 121.37, 320, 240});
   return camera;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 Camera pinhole_camera() {
   Camera camera;
-  camera.pinhole = {300, 300, 160.3, 119.6, 320, 240};
+  camera.set_pinhole({300, 300, 160.3, 119.6, 320, 240});
   return camera;
 }
 
@@ -50,7 +50,7 @@ double distance(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen:
 void expect_exactly(const Scene& scene, const std::vector<Segment>& segments) {
   constexpr double kSquare = 0.708;  // from the centre of a pixel to its corner
   const GrayImage labels = true_edge_labels(SceneRenderer(scene), 0);
-  const Pinhole& p = scene.camera.pinhole;
+  const Pinhole p = scene.camera.pinhole();
   const SE3 T_cam_scene = scene.T_scene_cam[0].inverse();
   const auto px = [&](const Eigen::Vector3d& X) { return p.project(T_cam_scene * X); };
   const auto label = [&](int u, int v) {
@@ -121,7 +121,7 @@ TEST(TrueEdgeLabels, TextureOfOneSurfaceIsMarkedWhereItsGrayChanges) {
   for (int i = 0; i < 1024; ++i) stripes.pixels.push_back(i < 512 ? 60 : 180);
   const Scene scene = scene_of({face({4, 4, 4}, {0, -8, 0}, {0, 0, -8}, 0)}, {stripes}, pinhole_camera());
   const GrayImage labels = true_edge_labels(SceneRenderer(scene), 0);
-  const Pinhole& p = scene.camera.pinhole;
+  const Pinhole p = scene.camera.pinhole();
   // Texels are 0.6 px.
   for (int v = 2; v < p.height - 2; ++v) {
     int marked = 0;
@@ -141,7 +141,7 @@ TEST(TrueEdgeLabels, NoiseAndShutterDoNotMoveThem) {
   const GrayImage before = true_edge_labels(SceneRenderer(scene), 0);
   scene.noise_sigma = 20;
   EXPECT_EQ(true_edge_labels(SceneRenderer(scene), 0).pixels, before.pixels);
-  scene.camera.distortion.k1 = -0.2;  // labels are those of the undistorted image
+  scene.camera.set_distortion({-0.2, 0, 0, 0, 0});  // labels are those of the undistorted image
   EXPECT_EQ(true_edge_labels(SceneRenderer(scene), 0).pixels, before.pixels);
 }
 

@@ -19,11 +19,11 @@ class PlanePair {
     auto sampled = sample_points(pyramid->finest().edges, view(depth_host), points, noise, &random);
     host = make_host(std::move(pyramid), std::move(sampled));
     const SE3 T_target_host = T_world_target.inverse();
-    const ViewPair views{scene.camera.pinhole, view(depth_host), view(depth_target), T_target_host};
+    const ViewPair views{scene.camera.pinhole(), view(depth_host), view(depth_target), T_target_host};
     target = make_target(host, scene.pyramid(T_world_target, gain, offset), views, T_target_host);
   }
 
-  const Pinhole& camera() const { return scene.camera.pinhole; }
+  Pinhole camera() const { return scene.camera.pinhole(); }
 
   PlaneScene scene;
   SE3 T_world_target;
@@ -33,11 +33,11 @@ class PlanePair {
 
  private:
   ImageView<float> view(const std::vector<float>& depth) const {
-    return {depth.data(), scene.camera.pinhole.width, scene.camera.pinhole.height,
-            scene.camera.pinhole.width};
+    return {depth.data(), scene.camera.pinhole().width, scene.camera.pinhole().height,
+            scene.camera.pinhole().width};
   }
   std::vector<float> depth_of(const SE3& T_world_cam) const {
-    const Pinhole& p = scene.camera.pinhole;
+    const Pinhole p = scene.camera.pinhole();
     std::vector<float> depth;
     for (int y = 0; y < p.height; ++y)
       for (int x = 0; x < p.width; ++x)

@@ -32,7 +32,7 @@ class PlaneFrames : public ExactFrames {
     return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.06 * i, 0.01 * i, 0.05 * i)};
   }
   ExactFrame load(int i) const override {
-    const Pinhole& p = scene_.camera.pinhole;
+    const Pinhole p = scene_.camera.pinhole();
     ExactFrame frame{i, 0.1 * i, scene_.render(T_world_cam(i)), {}, T_world_cam(i)};
     for (int y = 0; y < p.height; ++y)
       for (int x = 0; x < p.width; ++x)

@@ -15,7 +15,7 @@ namespace {
 
 Scene beginning_of_desk() {
   Scene scene = load_scene("desk", 5);
-  scene.camera.distortion = {};
+  scene.camera.set_distortion({});
   scene.noise_sigma = 0;
   scene.T_scene_cam.resize(90);
   scene.times.resize(90);

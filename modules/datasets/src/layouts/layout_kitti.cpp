@@ -29,7 +29,7 @@ Camera camera_from_projection(const std::array<double, 12>& P, const std::string
                               const std::string& where) {
   const GrayImage image = read_gray_image(first_image);
   Camera camera;
-  camera.pinhole = {P[0], P[5], P[2], P[6], image.width, image.height};
+  camera.set_pinhole({P[0], P[5], P[2], P[6], image.width, image.height});
   camera.check(where);
   return camera;
 }

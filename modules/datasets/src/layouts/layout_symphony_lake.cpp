@@ -111,7 +111,7 @@ Camera camera_of_rows(const SurveyRows& survey, const SourceOptions& options, De
   const auto [begin, end] = played(survey, options);
   const SurveyRow& first = survey.rows[begin];
   Camera camera;
-  camera.pinhole = pinhole_of(first, survey.where(first));
+  camera.set_pinhole(pinhole_of(first, survey.where(first)));
   camera.check(survey.where(first));
   for (size_t i = begin; i < end; ++i)
     if (!alike(survey.rows[i], first))
@@ -120,8 +120,8 @@ Camera camera_of_rows(const SurveyRows& survey, const SourceOptions& options, De
                            " instead of " + fixed(first.fx, 2) + " (it zooms)",
                        "play the rows before it with --frames " + std::to_string(begin) + ":" +
                            std::to_string(i) + ", or give one camera for all with --camera");
-  const symphony::Lens lens = symphony::lens_at(camera.pinhole);
-  camera.distortion = lens.distortion;
+  const symphony::Lens lens = symphony::lens_at(camera.pinhole());
+  camera.set_distortion(lens.distortion);
   details->emplace_back("lens", lens.says);
   return camera;
 }

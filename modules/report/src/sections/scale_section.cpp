@@ -66,12 +66,12 @@ TimeChart scale_chart(const Run& run) {
   return chart;
 }
 
-std::string shutter_text(const CameraRefinement::Shutter& shutter) {
+std::string shutter_text(const CameraRefinement::Shutter& shutter, double readout_s) {
   std::string html = " Rolling shutter: <b>" + html_escaped(to_string(shutter.state)) + "</b>";
   if (shutter.sigma > 0)
     html += ", read-out " + fixed(shutter.estimate, 4) + " ± " + fixed(shutter.sigma, 4) + " s from " +
             std::to_string(shutter.keyframes) + " keyframes";
-  if (shutter.readout_s != 0) html += ", " + fixed(shutter.readout_s, 4) + " s applied";
+  if (readout_s != 0) html += ", " + fixed(readout_s, 4) + " s applied";
   return html + ".";
 }
 
@@ -80,7 +80,7 @@ std::string lens_text(const CameraRefinement& camera) {
   if (camera.sigma > 0)
     html += ", residual k1 " + fixed(camera.estimate, 5) + " ± " + fixed(camera.sigma, 5) + " from " +
             std::to_string(camera.keyframes) + " keyframes";
-  return html + "." + shutter_text(camera.shutter) + "</p>\n";
+  return html + "." + shutter_text(camera.shutter, camera.correction.readout_s) + "</p>\n";
 }
 
 }  // namespace

@@ -82,14 +82,14 @@ std::string tracking_section(const Run& run) {
   Ribbon ribbon{seconds_of(run), {}};
   for (const FrameRecord& f : run.frames) ribbon.color.push_back(color_of(f.state));
   const auto aligned = [](const FrameRecord& f, double value) {
-    return f.inlier_share > 0 ? value : kNotAligned;
+    return f.evidence.inlier_share > 0 ? value : kNotAligned;
   };
   const TimeChart inliers = chart_of(run, "inlier share", palette::kBlue,
-                                     [&](const auto& f) { return aligned(f, f.inlier_share); });
+                                     [&](const auto& f) { return aligned(f, f.evidence.inlier_share); });
   const TimeChart residual = chart_of(run, "residual, px", palette::kPurple,
-                                      [&](const auto& f) { return aligned(f, f.residual_px); });
+                                      [&](const auto& f) { return aligned(f, f.evidence.residual_px); });
   const TimeChart edges =
-      chart_of(run, "edge pixels", palette::kSlate, [](const auto& f) { return double(f.edges); });
+      chart_of(run, "edge pixels", palette::kSlate, [](const auto& f) { return double(f.evidence.edges); });
   return section_html("states", "Tracking over the run",
                       state_legend(run) + draw(ribbon) + drawn_if_any(inliers) + drawn_if_any(residual) +
                           draw(edges) + keyframe_reasons(run));

@@ -23,12 +23,12 @@ std::string calibration_statement(const CameraRefinement& c) {
   return "";
 }
 
-std::string shutter_statement(const CameraRefinement::Shutter& s) {
+std::string shutter_statement(const CameraRefinement::Shutter& s, double readout_s) {
   using State = CameraRefinement::State;
   switch (s.state) {
     case State::kOff:
-      return s.readout_s != 0 ? "off: readout_s was taken as given"
-                              : "off: all rows were taken as exposed at the same time";
+      return readout_s != 0 ? "off: readout_s was taken as given"
+                            : "off: all rows were taken as exposed at the same time";
     case State::kTooEarly:
       return "the run was too short for an estimate";
     case State::kNotObservable:
@@ -51,7 +51,7 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
   y->open("self_calibration");
   y->text("state", to_string(c.state));
   y->text("result", calibration_statement(c));
-  y->number("residual_k1", c.k1, 5);
+  y->number("residual_k1", c.correction.k1, 5);
   if (c.sigma > 0) {
     y->number("estimate", c.estimate, 5);
     y->number("standard_deviation", c.sigma, 4);
@@ -59,8 +59,8 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
   }
   const CameraRefinement::Shutter& s = c.shutter;
   y->text("shutter", to_string(s.state));
-  y->text("shutter_result", shutter_statement(s));
-  y->number("readout_s", s.readout_s, 5);
+  y->text("shutter_result", shutter_statement(s, c.correction.readout_s));
+  y->number("readout_s", c.correction.readout_s, 5);
   if (s.sigma > 0) {
     y->number("readout_estimate", s.estimate, 5);
     y->number("readout_standard_deviation", s.sigma, 4);
@@ -70,8 +70,8 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
 }
 
 void write_camera(const Camera& camera, YamlWriter* y) {
-  const Pinhole& p = camera.pinhole;
-  const Distortion& d = camera.distortion;
+  const Pinhole p = camera.pinhole();
+  const Distortion d = camera.distortion();
   y->open("camera");
   y->integer("width", p.width);
   y->integer("height", p.height);

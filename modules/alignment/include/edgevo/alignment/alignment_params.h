@@ -16,15 +16,6 @@ struct AlignmentParams {
   // Eq. (photometricerror).
   /// Adds the photometric cost.
   bool photometric = false;
-  // Tracking status.
-  /// Share of the weighed points (pose_evidence.h).
-  double degraded_share = 0.4;
-  /// Share of the weighed points.
-  double lost_share = 0.15;
-  /// Points.
-  int min_visible = 60;
-  /// Share of the median depth; radians.
-  double weak_sigma = 0.01;
   // Heuristics.
   /// Edge alignment starts from the predicted pose if that fits the edges better than the pose of the
   /// patches.
@@ -32,8 +23,11 @@ struct AlignmentParams {
   /// A pose far from the median motion of the last frames needs more support (odometry/src/median_motion.h).
   bool use_median_motion_prior = true;
 
-  /// Names, ranges and texts of the fields (core/params.h).
-  void visit(ParamVisitor& v);
+  /// Names, ranges and texts of the fields of the costs (core/params.h).
+  void visit_costs(ParamVisitor& v);
+  /// Names, ranges and texts of the fields of the heuristics. In the group `alignment` the thresholds of the
+  /// status (odometry/status_params.h) lie between the two.
+  void visit_heuristics(ParamVisitor& v);
 };
 
 }  // namespace edgevo

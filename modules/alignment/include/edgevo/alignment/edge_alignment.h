@@ -30,8 +30,6 @@ struct AlignmentStats {
   Matrix6d information = Matrix6d::Zero();
   /// Steps accepted or rejected on this level.
   int iterations = 0;
-  /// Inliers over visible points, 0 to 1.
-  double matched_share() const { return visible > 0 ? double(inliers) / visible : 0.0; }
 };
 
 /// Prior on the camera position: the translation v of xi in T_cur_ref = exp(xi) T_expected is zero within

@@ -56,48 +56,15 @@ struct PoseCandidate {
 PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
-/// How well the image supports a pose, worst first.
-enum class TrackingQuality {
-  /// The pose is not finite.
-  kDiverged,
-  /// Fewer than AlignmentParams::min_visible map points lie in view.
-  kFewPoints,
-  /// The inlier share is below AlignmentParams::lost_share.
-  kUnsupported,
-  /// The inlier share is below AlignmentParams::degraded_share.
-  kWeak,
-  /// None of the above.
-  kGood,
-};
-/// Quality of a pose. It decides whether a frame has a pose, whether more hypotheses are tried, and the
-/// tracking status of the frame.
-TrackingQuality classify(const PoseCandidate& pose, const AlignmentParams& params);
-/// Whether a frame of this quality has no pose.
-inline bool is_lost(TrackingQuality quality) { return quality < TrackingQuality::kWeak; }
-
-/// Scores the candidate poses of a frame: support by the image (pose_evidence.h) times likelihood of the
-/// motion. A pose that moved away from its prior never wins: it is a compromise that neither image nor motion
-/// supports, and under constant acceleration it would hold the camera back a little in each frame (rendered
-/// street under mixed light: 0.07 instead of 0.03 m).
+/// Rates poses by their measurements. Alignment only measures; the caller decides what is good enough
+/// (odometry/frame_status.h).
 class PoseScorer {
  public:
-  /// Likelihood of a motion, in (0, 1]; 1 for a motion without counter-evidence.
-  using Likelihood = std::function<double(const SE3& T_cur_ref)>;
-
-  /// Keeps a reference to `params`; without a `likelihood` all motions are equally likely.
-  explicit PoseScorer(const AlignmentParams& params, Likelihood likelihood = {})
-      : params_(params), likelihood_(std::move(likelihood)) {}
-
+  virtual ~PoseScorer() = default;
   /// Whether the image supports the pose so well that no further hypotheses are tried.
-  bool fits(const PoseCandidate& pose) const;
-  /// Whether the image supports the pose too little to accept it.
-  bool is_lost(const PoseCandidate& pose) const;
-  /// Score of a pose: higher is better, below 0 means lost.
-  double score(const PoseCandidate& pose) const;
-
- private:
-  const AlignmentParams& params_;
-  Likelihood likelihood_;
+  virtual bool fits(const PoseCandidate& pose) const = 0;
+  /// Score of a pose: higher is better.
+  virtual double score(const PoseCandidate& pose) const = 0;
 };
 
 /// Source of a hypothesis.

@@ -27,13 +27,6 @@ struct PoseEvidence {
 PoseEvidence weigh_evidence(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                             const AlignmentParams& params);
 
-/// Support of a pose in excess of what a wrong one has by chance, to select among poses. A wrong pose that
-/// keeps more points in view has more inliers than the right one, but not a larger share of them. Negative
-/// below the limit of LOST.
-inline double support(const PoseEvidence& evidence, const AlignmentParams& params) {
-  return (evidence.inlier_share - params.lost_share) * evidence.weight;
-}
-
 /// Equations of Eq. (edgeerror) at a pose, for pose_covariance(). Cost: about 0.1 ms for 1500 points.
 std::vector<PoseEquation> pose_equations(const FramePyramid& current, const ReferenceCloud& cloud,
                                          const SE3& T_cur_ref, const AlignmentParams& params);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Camera model: pinhole with plumb-bob distortion (OpenCV's k1 k2 p1 p2 k3), and maps that undo the
-// distortion.
+// The camera that takes the images (Camera), the pinhole in which the odometry works (Pinhole), and the
+// correction between both that a run may find (ImageCorrection).
 //
 // Frames: camera x right, y down, z forward. Pixel (0,0) is the CENTRE of the top-left pixel. A point (X,Y,Z)
-// in front of the camera has the normalised coordinates x = (X/Z, Y/Z); distortion acts on these; u = fx x_d
-// + cx, v = fy y_d + cy. The odometry works on undistorted images, where only the pinhole part remains.
+// in front of the camera has the normalised coordinates x = (X/Z, Y/Z); a pinhole shows it at u = fx x + cx,
+// v = fy y + cy, a lens elsewhere (camera_models.h).
 #include <Eigen/Core>
+#include <optional>
 #include <string>
-#include <vector>
+
+#include "edgevo/core/camera_models.h"
 
 namespace edgevo {
 
@@ -34,32 +36,44 @@ struct Pinhole {
     return px.x() >= border && px.y() >= border && px.x() <= width - 1 - border &&
            px.y() <= height - 1 - border;
   }
+  /// Exact comparison.
+  bool operator==(const Pinhole& o) const {
+    return fx == o.fx && fy == o.fy && cx == o.cx && cy == o.cy && width == o.width && height == o.height;
+  }
 };
 
-/// Plumb-bob coefficients: x_d = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + tangential(p1, p2), as OpenCV and MRPT
-/// define them.
-struct Distortion {
-  /// Coefficients as in OpenCV: radial k1, k2, k3, tangential p1, p2.
-  double k1 = 0, k2 = 0, p1 = 0, p2 = 0, k3 = 0;
-  /// Whether all coefficients are zero.
-  bool is_zero() const { return k1 == 0 && k2 == 0 && p1 == 0 && p2 == 0 && k3 == 0; }
-};
-
-/// A camera as its file describes it, with the correction found by self-calibration.
+/// The camera that takes the images, as its file describes it: size and lens of the raw images. The method
+/// works in the pinhole of a Rectification (rectification.h).
 struct Camera {
-  /// Pinhole intrinsics.
-  Pinhole pinhole;
-  /// Distortion of the raw images.
-  Distortion distortion;
-  /// Residual radial coefficient found by self-calibration; acts before `distortion` (radial.h).
-  double residual_k1 = 0;
+  /// Lens and sensor.
+  CameraModel model;
+  /// Size of the raw images, pixels.
+  int width = 0, height = 0;
 
-  /// Whether the raw images are distorted at all.
-  bool has_distortion() const { return residual_k1 != 0 || !distortion.is_zero(); }
-  /// Distorted normalised coordinates of undistorted ones.
-  Eigen::Vector2d distort(const Eigen::Vector2d& x) const;
-  /// Inverse of distort by Newton steps, to 1e-12 inside the image; returns false where they do not converge.
-  [[nodiscard]] bool undistort(const Eigen::Vector2d& x_distorted, Eigen::Vector2d* x) const;
+  Camera() = default;
+  /// Pinhole with plumb-bob distortion; PinholeModel if it is zero.
+  Camera(const Pinhole& pinhole, const Distortion& distortion = {});
+
+  /// Focal lengths, principal point and size, without the distortion.
+  Pinhole pinhole() const;
+  /// Changes focal lengths, principal point and size; the lens stays as it is.
+  void set_pinhole(const Pinhole& pinhole);
+  /// Plumb-bob coefficients, zero for a pinhole.
+  Distortion distortion() const;
+  /// Replaces the model by plumb-bob, or by a pinhole if all coefficients are zero.
+  void set_distortion(const Distortion& distortion) { *this = Camera(pinhole(), distortion); }
+  /// Whether the raw images are distorted.
+  bool has_distortion() const { return !std::holds_alternative<PinholeModel>(model); }
+
+  /// Raw pixel of a point or ray in the camera frame (PinholeModel::project).
+  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& ray) const;
+  /// Ray of a raw pixel, of any length; nullopt outside the range of the model (PinholeModel::unproject).
+  [[nodiscard]] std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& px) const;
+  /// Derivative of project().
+  PixelJacobian jacobian(const Eigen::Vector3d& ray) const;
+  /// Angle from the optical axis, radians, below which the model is one-to-one.
+  double max_angle() const;
+
   /// Throws InputError naming `where` when sizes or focal lengths are not positive, the principal point lies
   /// outside the image or a value is not finite.
   void check(const std::string& where) const;
@@ -68,7 +82,7 @@ struct Camera {
 /// Image correction that camera files do not contain, estimated during a run or given. Its effect on points:
 /// edges/image_correction.h.
 struct ImageCorrection {
-  /// Residual radial coefficient (radial.h).
+  /// Residual radial coefficient (radial.h); acts on the true image point, before the lens of the file.
   double k1 = 0;
   /// Read-out time from the first row to the last, seconds; negative: read from bottom to top.
   double readout_s = 0;
@@ -78,17 +92,5 @@ struct ImageCorrection {
   /// Exact comparison.
   bool operator!=(const ImageCorrection& o) const { return !(*this == o); }
 };
-
-/// Lookup tables from each pixel of the undistorted image, row by row, to the distorted one.
-struct UndistortionMaps {
-  /// Size of both images, pixels.
-  int width = 0, height = 0;
-  /// Coordinates in the distorted image, width * height of them, pixels.
-  std::vector<float> x, y;
-};
-
-/// Maps that keep the pinhole part (fx fy cx cy, size) and remove the distortion. Cost: one distort() a
-/// pixel.
-UndistortionMaps make_undistortion_maps(const Camera& camera);
 
 }  // namespace edgevo

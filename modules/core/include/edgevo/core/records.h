@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/keyframe_reason.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
@@ -36,12 +37,8 @@ struct FrameRecord {
   KeyframeReason keyframe_reason = KeyframeReason::kNone;
   /// Index into Run::keyframes of the keyframe that anchors the final pose; -1: no pose.
   int reference_keyframe = -1;
-  /// Share of the map points in view that are inliers of the pose (alignment/pose_evidence.h), [0, 1].
-  double inlier_share = 0;
-  /// RMS residual of the inliers along the edge normal, pixels.
-  double residual_px = 0;
-  /// Number of edge pixels.
-  int edges = 0;
+  /// Measurements that the tracking state rests on.
+  FrameEvidence evidence;
   /// Name and CPU time, milliseconds, of each stage that ran.
   std::vector<std::pair<std::string, double>> stage_ms;
   /// Final pose, re-expressed from the final keyframe poses.
@@ -122,8 +119,8 @@ struct CameraRefinement {
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
   /// Outcome for k1.
   State state = State::kOff;
-  /// Coefficient applied to all images; 0 unless kApplied.
-  double k1 = 0;
+  /// Correction applied to all images: k1 is 0 unless kApplied, readout_s the estimate or the parameter.
+  ImageCorrection correction;
   /// Newest estimate of k1, applied or not.
   double estimate = 0;
   /// Standard deviation of the estimate; 0: no estimate.
@@ -135,8 +132,6 @@ struct CameraRefinement {
   struct Shutter {
     /// Outcome for the read-out time.
     State state = State::kOff;
-    /// Read-out time applied to all images, estimated or from the parameters, seconds.
-    double readout_s = 0;
     /// Newest estimate and its standard deviation, seconds; sigma 0: no estimate.
     double estimate = 0, sigma = 0;
     /// Number of keyframes that the estimate is based on.
@@ -144,9 +139,6 @@ struct CameraRefinement {
   };
   /// Result for the rolling shutter.
   Shutter shutter;
-
-  /// Correction applied to all images.
-  ImageCorrection correction() const { return {k1, shutter.readout_s}; }
 };
 
 /// Names of the states in files, in the order of the enum. "at_limit": the estimate exceeds any plausible
@@ -204,7 +196,8 @@ struct RealtimeRecord {
 
 /// Complete result of a run.
 struct Run {
-  /// Pinhole of the undistorted images, with camera.k1 removed; EdgePoint::px refers to it.
+  /// Pinhole of the rectified images (OdometryOptions::working_pinhole), with camera.correction.k1 removed;
+  /// EdgePoint::px refers to it.
   Pinhole pinhole;
   /// Result of self-calibration.
   CameraRefinement camera;

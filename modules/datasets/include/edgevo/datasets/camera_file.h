@@ -25,8 +25,8 @@ Camera parse_camera(const std::string& text, const std::string& where);
 
 /// A calibration as YAML that is readable by ROS (camera_calibration_parsers, camera_info_manager), OpenCV
 /// (cv::FileStorage; matrices by `fs["camera_matrix"] >> mat`), MRPT (TCamera::FromYAML) and parse_camera
-/// above. Numbers are read back as the same doubles. `comment`: comment lines, may be empty.
-/// camera.residual_k1 must be 0 (calibration/fold_residual.h).
+/// above. Numbers are read back as the same doubles. `comment`: comment lines, may be empty. The residual
+/// distortion of a run has to be folded in before (calibration/fold_residual.h).
 std::string camera_yaml(const Camera& camera, const std::string& comment);
 
 }  // namespace edgevo

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A frame prepared for tracking and mapping: undistorted image pyramid, with edges and their
+// A frame prepared for tracking and mapping: rectified image pyramid, with edges and their
 // nearest-neighbour fields on its finest levels.
 #include <memory>
 #include <vector>
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/image_correction.h"
 #include "edgevo/edges/image_edges.h"
@@ -19,11 +20,11 @@ namespace edgevo {
 struct PyramidLevel {
   /// Pinhole of this level's pixels.
   Pinhole pinhole;
-  /// Undistorted gray image.
+  /// Rectified gray image.
   Plane<uint8_t> gray;
   /// Gradient magnitude, Sobel units; empty on levels without edges.
   Plane<float> gradient_magnitude;
-  /// Edges of the level; empty on levels without edges.
+  /// Edges of the level, none near pixels without a source; empty on levels without edges.
   ImageEdges edges;
   /// Nearest-neighbour field of `edges`; empty on levels without edges.
   NearestField field;
@@ -53,25 +54,25 @@ class PyramidBuilder {
  public:
   /// Throws InputError for an unknown detector, one that is not in `detectors`, an unusable model or folder,
   /// or an unusable camera.
-  PyramidBuilder(const Camera& camera, const EdgeParams& params,
+  PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                  const EdgeDetectorTable& detectors = basic_edge_detectors());
   ~PyramidBuilder();
   PyramidBuilder(PyramidBuilder&&) noexcept;
   /// Builder for rebuild() only. It loads no model, since the pyramid holds the probability.
-  static PyramidBuilder for_rebuilding(const Camera& camera, const EdgeParams& params,
+  static PyramidBuilder for_rebuilding(const Rectification& rectification, const EdgeParams& params,
                                        const EdgeDetectorTable& detectors = basic_edge_detectors());
 
-  /// Pinhole of the undistorted images.
+  /// Pinhole of the pyramids: the target of the rectification.
   const Pinhole& pinhole() const;
   /// Correction applied to new images.
   ImageCorrection correction() const;
   /// Sets the correction for new images; existing pyramids do not change. A change of k1 makes new
   /// undistortion maps, about 20 ms at 1241x376.
   void set_correction(const ImageCorrection& correction);
-  /// Builds the pyramid of an image. Throws InputError if it does not have the size of the camera. `motion`
-  /// is the image motion at that time, used to rectify a rolling shutter; without it the rows stay unchanged.
-  /// Pass the images of one camera in order: areas that no image so far has lit (a letterbox) get no edges.
-  /// Cost: tests/bench/bench_edges.cpp.
+  /// Builds the pyramid of a raw image. Throws InputError if it does not have the size of the camera.
+  /// `motion` is the image motion at that time, used to rectify a rolling shutter; without it the rows stay
+  /// unchanged. Pass the images of one camera in order: areas that no image so far has lit (a letterbox) get
+  /// no edges. Cost: tests/bench/bench_edges.cpp.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
   /// Builds the pyramid of a frame, whose name the detector `precomputed` uses to find its files; throws
   /// InputError if there is none.
@@ -80,8 +81,8 @@ class PyramidBuilder {
   std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
 
  private:
-  PyramidBuilder(const Camera& camera, const EdgeParams& params, std::unique_ptr<EdgeDetector> detector,
-                 std::unique_ptr<EdgeProbability> probability);
+  PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
+                 std::unique_ptr<EdgeDetector> detector, std::unique_ptr<EdgeProbability> probability);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "edgevo/core/records.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 
@@ -42,6 +43,9 @@ struct Trajectory {
   /// Poses with increasing times.
   std::vector<StampedPose> poses;
 };
+
+/// The final poses of a run, without those that are not finite.
+Trajectory trajectory_of(const Run& run);
 
 /// Reads a file. Throws InputError if it cannot be read or contains no pose.
 Trajectory read_trajectory(const std::string& path);

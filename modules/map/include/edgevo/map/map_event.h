@@ -15,6 +15,7 @@
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/core/camera.h"
+#include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edges/image_motion.h"
@@ -170,6 +171,8 @@ struct FrameMapped {
   int frame_index = 0;
   /// CPU times of mapping for this frame.
   StageTimes times;
+  /// What the adjustment showed, if the frame became a keyframe.
+  std::optional<AdjustmentEvidence> adjustment = std::nullopt;
 };
 
 /// A keyframe and the pose of a frame relative to it: the frame's final pose follows the keyframe.

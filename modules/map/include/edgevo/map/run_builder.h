@@ -65,7 +65,7 @@ class RunBuilder {
   struct Row {
     FrameRecord frame;
     std::optional<FrameAnchor> anchor;
-    StageTimes mapping;
+    FrameMapped mapping;
   };
   struct Entry {
     // Without lines; shared with other consumers until the keyframe moves.

@@ -80,8 +80,10 @@ class Window {
   /// Decides on the tentative points that are older than the newest keyframe: one that a second keyframe
   /// matches, too, stays; the others become immature again, except for those that the adjustment has dropped.
   void demote_unconfirmed();
-  /// Number of points of known depth that the newest keyframe lacks for tracking: it should see 500, in a
-  /// small image one for each four cells of the activation.
+  /// Number of points of known depth that a keyframe should see for tracking: 500, in a small image one for
+  /// each four cells of the activation.
+  int points_wanted() const;
+  /// Number of points of known depth that the newest keyframe lacks for tracking.
   int points_lacking() const;
 
   /// Adjusts poses and depths, updates matches that moved, adjusts again, and drops what does not fit.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edge_map/edge_mapper.h"
 #include "edgevo/map/map.h"
@@ -52,6 +53,8 @@ struct MapUpdate {
   int keyframe_id = -1;
   /// Statistics of the adjustment, if there was one.
   WindowStats stats;
+  /// What the adjustment showed about the new keyframe; nothing if there was none or it failed.
+  std::optional<AdjustmentEvidence> adjustment;
   /// CPU times of the stages that ran.
   StageTimes times;
 };
@@ -122,7 +125,7 @@ class Mapper {
   void associate(const TrackedFrame& frame, StageTimes* times);
   void activate_points(StageTimes* times);
   WindowStats adjust(StageTimes* times);
-  void check_tracking(const TrackedFrame& frame);
+  double check_tracking(const TrackedFrame& frame);
   void remove_oldest(StageTimes* times);
   void map_edges(StageTimes* times);
   void calibrate_if_due(StageTimes* times);

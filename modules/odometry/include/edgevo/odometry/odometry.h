@@ -13,6 +13,7 @@
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/map/map.h"
 #include "edgevo/odometry/frame_view.h"
@@ -25,6 +26,9 @@ namespace edgevo {
 struct OdometryOptions {
   /// Seed of all random numbers: the same seed gives the same bytes (without `realtime`).
   uint64_t seed = 1;
+  /// Pinhole camera to work in, of any size and focal length; Run::pinhole. Raw images are rectified to it,
+  /// and pixels without a source get no edges. Nullopt: that of the camera without its distortion.
+  std::optional<Pinhole> working_pinhole;
   /// Run tracking, mapping and self-calibration in threads of their own: faster, but not bit-identical from
   /// run to run.
   bool realtime = false;
@@ -44,12 +48,19 @@ struct OdometryOptions {
   std::function<void(const std::string&)> log;
 };
 
+/// From the camera that takes the images to the pinhole in which a run with these options works.
+inline Rectification rectification_of(const Camera& camera, const OdometryOptions& options) {
+  return options.working_pinhole ? Rectification(camera, *options.working_pinhole) : Rectification(camera);
+}
+
 /// A run of one camera, in one thread. Keyframes, and poses that are found later, come as events
 /// (OdometryOptions::map_log).
 class Odometry {
  public:
-  /// Throws InputError for an unusable camera, or a detector that is unusable or not in the table.
-  Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options);
+  /// Throws InputError for an unusable camera or working pinhole, or a detector that is unusable or not in
+  /// the table.
+  explicit Odometry(const Camera& camera, const OdometryParams& params = {},
+                    const OdometryOptions& options = {});
   ~Odometry();
 
   /// Processes the next frame, in time order. The record holds what is known now; poses found later

@@ -6,6 +6,7 @@
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/mapping/mapping_params.h"
 #include "edgevo/odometry/keyframe_params.h"
+#include "edgevo/odometry/status_params.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {
@@ -30,6 +31,8 @@ struct OdometryParams {
   EdgeParams edges;
   /// Tracking.
   AlignmentParams alignment;
+  /// Tracking status; in the group `alignment`.
+  StatusParams status;
   /// Matches between keyframes.
   AssociationParams association;
   /// Bootstrap, points and window.

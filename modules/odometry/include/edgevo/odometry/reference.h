@@ -20,6 +20,8 @@ struct Reference {
   ReferenceCloud cloud;
   /// Number of the cloud's points whose depth is known.
   int known_points = 0;
+  /// Number of such points that tracking wants (Window::points_wanted).
+  int wanted_points = 0;
   /// Share of all points of the window that lie in the keyframe's image, matched there or not, 0 to 1.
   double view_share = 1;
   /// Median inverse depth of the map as the newest keyframe sees it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Description of a run besides its records: command line, source, camera and parameters.
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ struct RunInfo {
   std::string ground_truth_path;
   /// Camera as given by the source or --camera.
   Camera camera;
+  /// Pinhole that the run works in, if not that of the camera (OdometryOptions::working_pinhole).
+  std::optional<Pinhole> working_pinhole;
   /// Effective parameters as written by write_params(), not indented.
   std::string params_yaml;
   /// Whether the run was ended early, by Ctrl-C or a failing source; it is then the part up to there.

@@ -19,7 +19,8 @@ class RunScaling {
  public:
   /// `requested` as --scale gives it; the tracks are read from `source`. Throws InputError: the source of
   /// images recorded no such sensor, or not while its images were taken.
-  RunScaling(const ScaleSource& requested, const ImageSource& source, const ScaleParams& params);
+  RunScaling(const ScaleSource& requested, const ImageSource& source, const Pinhole& pinhole,
+             const ScaleParams& params);
 
   /// As above, for a run whose source is no longer open: `track` is what it recorded.
   RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,

@@ -29,6 +29,8 @@ struct TargetView {
   SE3 T_target_host;
   /// Result of the front-end.
   TrackResult track;
+  /// Whether the front-end found no pose.
+  bool is_lost = false;
   /// CPU time of the front-end, milliseconds.
   double track_ms = 0;
   /// Initial pose of adjustments: the tracked pose, or the predicted one if tracking is lost.

@@ -110,7 +110,6 @@ class ServoFeed {
   /// Interval that the velocity was measured over; 0: there is none.
   double step_s_ = 0;
   int map_version_ = 0;
-  double residual_k1_ = 0;
   ServoScale scale_;
   std::string failure_;
 };

@@ -52,7 +52,7 @@ struct ServoPoint {
 /// Chooses points and computes their features.
 class ServoPoints {
  public:
-  /// `pinhole` is that of the undistorted images: Run::pinhole or Camera::pinhole.
+  /// `pinhole` is the working pinhole of the run, as in Run::pinhole; by default Camera::pinhole().
   explicit ServoPoints(const Pinhole& pinhole, const ServoPointsOptions& options = {})
       : pinhole_(pinhole), options_(options) {}
 

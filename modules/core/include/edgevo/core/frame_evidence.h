@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Measurements that show whether the pose of a frame can be trusted: collected while the frame is processed
+// and written to frames.csv. They contain no decision; odometry/frame_status.h derives the status from them.
+// NaN: unknown.
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace edgevo {
+
+/// What the adjustment of the window with a new keyframe showed.
+struct AdjustmentEvidence {
+  /// Squared difference between the tracked and the adjusted pose of the keyframe, normalised by the
+  /// covariance of tracking, per degree of freedom; 1: as large as expected.
+  double moved = std::numeric_limits<double>::quiet_NaN();
+  /// Robust cost per match, sigmas squared.
+  double cost_per_match = 0;
+  /// Number of matches that were adjusted.
+  int matches = 0;
+  /// Number of points with such matches.
+  int points = 0;
+  /// Number of these matches that are in the new keyframe.
+  int matches_in_newest = 0;
+};
+
+/// Evidence on one frame.
+struct FrameEvidence {
+  /// Number of edge pixels on the finest level.
+  int edges = 0;
+  /// Share of the image's pixels that are black or white, 0 to 1 (edges/image_quality.h).
+  double saturated_share = std::numeric_limits<double>::quiet_NaN();
+  /// Blur of the edges, 0 to 1: 0.46 for a sharp step, more for blurred ones (edges/image_quality.h).
+  double edge_blur = std::numeric_limits<double>::quiet_NaN();
+
+  /// Whether the alignment ended at a pose that is not finite.
+  bool diverged = false;
+  /// Number of map points in view; nothing if the frame was not tracked.
+  std::optional<int> visible_points;
+  /// Number of these points with an edge match; nothing if the frame was not tracked.
+  std::optional<int> matched_points;
+  /// Share of the map points in view that are inliers of the pose (alignment/pose_evidence.h), 0 to 1; 0: not
+  /// tracked.
+  double inlier_share = 0;
+  /// RMS residual of the matched points along the edge normal, pixels; 0: not tracked.
+  double residual_px = 0;
+  /// Standard deviations of the pose along its principal directions, ascending; translation in median
+  /// depths, rotation in radians.
+  std::array<double, 6> pose_sigmas = unknown_sigmas();
+  /// Largest difference, over the camera's axes, between the translation since the frame before and the
+  /// median of the last ones, in their standard deviations (odometry/src/median_motion.h).
+  double step_sigmas = std::numeric_limits<double>::quiet_NaN();
+
+  /// Number of points with known depth in the reference keyframe; nothing if the frame was not tracked.
+  std::optional<int> known_points;
+  /// Share of the known points wanted for tracking that the reference keyframe lacks, 0 to 1.
+  double lacking_share = std::numeric_limits<double>::quiet_NaN();
+  /// Share of the map that lies in the image of the reference keyframe, 0 to 1.
+  double view_share = std::numeric_limits<double>::quiet_NaN();
+
+  /// Adjustment of the window with this frame as the new keyframe; nothing if there was none.
+  std::optional<AdjustmentEvidence> adjustment;
+
+  /// Value of `pose_sigmas` for a pose without a covariance.
+  static std::array<double, 6> unknown_sigmas() {
+    std::array<double, 6> sigmas;
+    sigmas.fill(std::numeric_limits<double>::quiet_NaN());
+    return sigmas;
+  }
+};
+
+}  // namespace edgevo

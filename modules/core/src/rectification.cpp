@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/rectification.h"
+
+#include <cmath>
+#include <limits>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/radial.h"
+
+namespace edgevo {
+namespace {
+
+constexpr uint8_t kMissing = 255;
+
+}  // namespace
+
+Rectification::Rectification(const Camera& camera) : camera_(camera), target_(camera.pinhole()) {}
+
+Rectification::Rectification(const Camera& camera, const Pinhole& target)
+    : camera_(camera), target_(target), masks_outside_(true) {}
+
+Eigen::Vector2d Rectification::raw_pixel(const Eigen::Vector2d& x_file) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  return camera_.project({x_file.x(), x_file.y(), 1}).value_or(Eigen::Vector2d(kNone, kNone));
+}
+
+// The area of a pixel reaches half a pixel beyond its centre. NaN is missing.
+bool Rectification::is_missing(const Eigen::Vector2d& x_file, const Eigen::Vector2d& raw,
+                               double max_tangent) const {
+  if (!(x_file.norm() <= max_tangent)) return true;
+  return masks_outside_ && !(raw.x() >= -0.5 && raw.y() >= -0.5 && raw.x() <= camera_.width - 0.5 &&
+                             raw.y() <= camera_.height - 0.5);
+}
+
+RectificationMaps Rectification::maps(double k1) const {
+  RectificationMaps maps{target_.width, target_.height, {}, {}, {}};
+  const size_t size = size_t(target_.width) * target_.height;
+  maps.x.reserve(size);
+  maps.y.reserve(size);
+  const double max_tangent = std::tan(camera_.max_angle());
+  for (int v = 0; v < target_.height; ++v)
+    for (int u = 0; u < target_.width; ++u) {
+      const Eigen::Vector2d x_file = add_radial(k1, target_.ray({double(u), double(v)}).head<2>());
+      const Eigen::Vector2d raw = raw_pixel(x_file);
+      if (is_missing(x_file, raw, max_tangent)) {
+        maps.missing.resize(size);
+        maps.missing[maps.x.size()] = kMissing;
+      }
+      maps.x.push_back(float(raw.x()));
+      maps.y.push_back(float(raw.y()));
+    }
+  return maps;
+}
+
+void Rectification::check(const std::string& where) const {
+  camera_.check(where);
+  if (!masks_outside_) return;
+  Camera(target_).check(where + ", rectified");
+  if (camera_.width < 2 || camera_.height < 2)
+    throw InputError(where, "images of one row or column cannot be rectified to another camera",
+                     "leave the camera as it is");
+}
+
+}  // namespace edgevo

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// From the evidence on a frame to its status: the one place where thresholds are applied to it. The same
+// functions select among the candidate poses of a frame, so that the selected one is lost only if all are.
+#include <functional>
+#include <string>
+
+#include "edgevo/alignment/pose_choice.h"
+#include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/tracking_state.h"
+#include "edgevo/odometry/status_params.h"
+
+namespace edgevo {
+
+/// How well the image supports a pose, worst first.
+enum class PoseSupport {
+  /// The pose is not finite.
+  kDiverged,
+  /// Fewer than `min_visible` map points lie in view.
+  kFewPoints,
+  /// The inlier share is below `lost_share`.
+  kUnsupported,
+  /// The inlier share is below `degraded_share`.
+  kWeak,
+  /// None of the above.
+  kGood,
+};
+/// Support of the pose that the evidence was measured at.
+PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params);
+/// Whether a frame whose pose has this support has no pose.
+inline bool is_lost(PoseSupport support) { return support < PoseSupport::kWeak; }
+
+/// Status of a tracked frame.
+struct FrameStatus {
+  /// kTracking, kDegraded, or kLost, which makes the pose meaningless.
+  TrackingState state = TrackingState::kLost;
+  /// Why the frame is degraded or lost, in a short sentence; empty for kTracking.
+  std::string reason;
+};
+/// Status of a frame that was tracked: the support of its pose, or, where that is good, DEGRADED if a
+/// direction has a standard deviation above `weak_sigma`.
+FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
+
+/// Whether an image with that many edge pixels shows something to follow.
+bool shows_edges(int edges);
+/// Whether next to nothing of known depth is in view. Bad light leaves few points of known depth, too, but
+/// they are in view: a new map would see no more of them.
+bool is_out_of_view(const FrameEvidence& evidence);
+/// Whether all points, also those of guessed depth, lie on edges as well as in view of a map.
+bool is_explained(const FrameEvidence& evidence);
+
+/// Scores the candidate poses of a frame: support by the image (alignment/pose_evidence.h) times likelihood
+/// of the motion. A pose that moved away from its prior never wins: it is a compromise that neither image nor
+/// motion supports, and under constant acceleration it would hold the camera back a little in each frame
+/// (rendered street under mixed light: 0.07 instead of 0.03 m).
+class SupportScorer final : public PoseScorer {
+ public:
+  /// Likelihood of a motion, in (0, 1]; 1 for a motion without counter-evidence.
+  using Likelihood = std::function<double(const SE3& T_cur_ref)>;
+
+  /// Without a `likelihood` all motions are equally likely.
+  explicit SupportScorer(const StatusParams& params, Likelihood likelihood = {})
+      : params_(params), likelihood_(std::move(likelihood)) {}
+
+  bool fits(const PoseCandidate& pose) const override;
+  /// Score of a pose: higher is better, below 0 means lost.
+  double score(const PoseCandidate& pose) const override;
+  /// Whether the image supports the pose too little to accept it.
+  bool is_lost(const PoseCandidate& pose) const;
+
+ private:
+  StatusParams params_;
+  Likelihood likelihood_;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Copies what the steps of a frame measured into its evidence (core/frame_evidence.h).
+#include "edgevo/alignment/tracker.h"
+#include "edgevo/core/frame_evidence.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/odometry/reference.h"
+
+namespace edgevo {
+
+/// Evidence of an aligned pose alone.
+FrameEvidence evidence_of(const PoseCandidate& pose);
+
+/// Measures edges, exposure and blur of the image. Cost: 0.05 ms at 640x480.
+void add_image(const FramePyramid& pyramid, FrameEvidence* evidence);
+/// Adds the pose with its covariance, tracked against `reference`; replaces that of an earlier attempt. The
+/// step is unknown.
+void add_pose(const TrackResult& pose, const Reference& reference, FrameEvidence* evidence);
+
+}  // namespace edgevo

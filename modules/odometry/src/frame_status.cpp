@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/odometry/frame_status.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+#include "collect_evidence.h"
+
+namespace edgevo {
+namespace {
+
+// Edge pixels: an image with fewer shows nothing to follow (a bootstrap alone needs 80 corners).
+constexpr int kMinEdges = 200;
+// Points of known depth in the reference: fewer may not constrain a translation.
+constexpr int kFewKnownPoints = 200;
+// Share of the window's points in view: a pure rotation leaves 3 %, bad light 40 % and more.
+constexpr double kAwayViewShare = 0.15;
+constexpr double kExplainedShare = 0.7;       // of the points in view are matched
+constexpr double kExplainedResidualPx = 1.0;  // rms along the normal
+
+std::string format(const char* pattern, double a, double b) {
+  char text[120];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+// Why a frame whose pose has this support has no pose or a weak one; empty where it is good.
+std::string reason_of(PoseSupport support, const FrameEvidence& evidence, const StatusParams& params) {
+  switch (support) {
+    case PoseSupport::kDiverged:
+      return "alignment diverged";
+    case PoseSupport::kFewPoints:
+      return format("only %.0f map points in view, %.0f are needed", evidence.visible_points.value_or(0),
+                    params.min_visible);
+    case PoseSupport::kUnsupported:
+      return format("inlier share %.2f is below %.2f", evidence.inlier_share, params.lost_share);
+    case PoseSupport::kWeak:
+      return format("inlier share %.2f is below %.2f", evidence.inlier_share, params.degraded_share);
+    case PoseSupport::kGood:
+      break;
+  }
+  return {};
+}
+
+TrackingState state_of(PoseSupport support) {
+  if (is_lost(support)) return TrackingState::kLost;
+  return support == PoseSupport::kGood ? TrackingState::kTracking : TrackingState::kDegraded;
+}
+
+// Number of poorly observed directions; an unknown standard deviation is not a small one.
+int weak_directions(const FrameEvidence& evidence, const StatusParams& params) {
+  return int(std::count_if(evidence.pose_sigmas.begin(), evidence.pose_sigmas.end(),
+                           [&](double sigma) { return !(sigma <= params.weak_sigma); }));
+}
+
+// Support of a pose in excess of what a wrong one has by chance, to select among poses. A wrong pose that
+// keeps more points in view has more inliers than the right one, but not a larger share of them. Negative
+// below the limit of LOST.
+double excess_support(const PoseEvidence& evidence, const StatusParams& params) {
+  return (evidence.inlier_share - params.lost_share) * evidence.weight;
+}
+
+}  // namespace
+
+void StatusParams::visit(ParamVisitor& v) {
+  v.number(kAdvanced, "degraded_share", degraded_share, 0, 1,
+           "share of the weighted points below which a frame is DEGRADED");
+  v.number(kBasic, "lost_share", lost_share, 0, 1,
+           "share of the weighted points below which a frame is LOST");
+  v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
+  v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
+           "a direction with a larger standard deviation (share of depth, rad) is weak");
+}
+
+PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params) {
+  if (evidence.diverged) return PoseSupport::kDiverged;
+  if (evidence.visible_points.value_or(0) < params.min_visible) return PoseSupport::kFewPoints;
+  if (evidence.inlier_share < params.lost_share) return PoseSupport::kUnsupported;
+  if (evidence.inlier_share < params.degraded_share) return PoseSupport::kWeak;
+  return PoseSupport::kGood;
+}
+
+FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params) {
+  const PoseSupport support = classify(evidence, params);
+  const int weak = weak_directions(evidence, params);
+  if (support == PoseSupport::kGood && weak > 0)
+    return {TrackingState::kDegraded, std::to_string(weak) + " poorly observed direction(s)"};
+  return {state_of(support), reason_of(support, evidence, params)};
+}
+
+bool shows_edges(int edges) { return edges >= kMinEdges; }
+
+bool is_out_of_view(const FrameEvidence& evidence) {
+  return evidence.known_points.value_or(0) < kFewKnownPoints && evidence.view_share < kAwayViewShare;
+}
+
+bool is_explained(const FrameEvidence& evidence) {
+  const int visible = evidence.visible_points.value_or(0), matched = evidence.matched_points.value_or(0);
+  const double matched_share = visible > 0 ? double(matched) / visible : 0.0;
+  return matched_share >= kExplainedShare && evidence.residual_px <= kExplainedResidualPx;
+}
+
+bool SupportScorer::fits(const PoseCandidate& pose) const {
+  return classify(evidence_of(pose), params_) == PoseSupport::kGood;
+}
+
+bool SupportScorer::is_lost(const PoseCandidate& pose) const {
+  return edgevo::is_lost(classify(evidence_of(pose), params_));
+}
+
+double SupportScorer::score(const PoseCandidate& pose) const {
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  if (!pose.T_cur_ref.is_finite()) return kNever;
+  const double likelihood = likelihood_ ? likelihood_(pose.T_cur_ref) : 1.0;
+  if (pose.has_prior && likelihood < 1) return kNever;
+  const double by_image = excess_support(pose.evidence, params_);
+  return by_image > 0 ? likelihood * by_image : by_image;
+}
+
+}  // namespace edgevo
