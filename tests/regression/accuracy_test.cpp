@@ -91,7 +91,7 @@ TEST(RenderedAccuracy, HandHeldOverADesk) {
   expect_accurate_and_consistent(desk_sequence(), {0.12, 0.02});  // seeds 1 to 5: up to 0.060 %, 0.0099
 }
 
-// As accurate as in the camera's own pinhole.
+// About as accurate as in the camera's own pinhole. Seed 1: 0.084 %, 0.0105.
 TEST(RenderedAccuracy, ADeskInAnotherPinhole) {
   expect_sequence_within(desk_sequence(), {0.12, 0.02},
                          wider_and_smaller(desk_sequence().clip->camera.pinhole()));
@@ -254,8 +254,9 @@ TEST_F(RealAccuracy, HandHeldOverAnOfficeDesk) {
   expect_sequence("tum_fr1_xyz_first500", 150, 1, {2.0, 0.5});
 }
 
+// Seeds 1 and 2: up to 0.32 %, 0.060; in the camera's own pinhole 0.29 %, 0.036.
 TEST_F(RealAccuracy, HandHeldOverAnOfficeDeskInAnotherPinhole) {
-  expect_sequence("tum_fr1_xyz_first500", 150, 1, {2.0, 0.5}, true);
+  expect_sequence("tum_fr1_xyz_first500", 150, 1, {0.64, 0.12}, true);
 }
 
 }  // namespace

@@ -314,7 +314,7 @@ void EdgeFusion::apply(const MapMoved& moved) {
     const KeyframeMove* m = moved.find(host.id);
     if (!m) continue;
     host.T_cam_world = moved.T_cam_map(*m);
-    const auto move = [&](EdgeVertex* v) { apply_move(pinhole_, moved, *m, v); };
+    const auto move = [&](EdgeVertex* v) { apply_move(rectification_, moved, *m, v); };
     for (Line& line : host.lines)
       for (Vertex& v : line) {
         move(&v.vertex);

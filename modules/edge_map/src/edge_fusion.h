@@ -31,9 +31,13 @@ struct EdgeHost {
 class EdgeFusion {
  public:
   /// `log` receives final lines; `trace` may be null.
-  EdgeFusion(const Pinhole& pinhole, const EdgeMapParams& params, std::shared_ptr<MapLog> log,
+  EdgeFusion(const Rectification& rectification, const EdgeMapParams& params, std::shared_ptr<MapLog> log,
              EdgeTrace* trace)
-      : pinhole_(pinhole), params_(params), log_(std::move(log)), trace_(trace) {}
+      : rectification_(rectification),
+        pinhole_(rectification.target()),
+        params_(params),
+        log_(std::move(log)),
+        trace_(trace) {}
 
   void add(const EdgeHost& host, const std::vector<EdgeView>& views);
   void apply(const MapMoved& moved);
@@ -80,6 +84,7 @@ class EdgeFusion {
   static EdgeLine make_line(const std::vector<const Vertex*>& run);
   void finalise_line(int host, const Line& line, std::vector<EdgeLine>* lines) const;
 
+  Rectification rectification_;
   Pinhole pinhole_;
   EdgeMapParams params_;
   std::shared_ptr<MapLog> log_;

@@ -66,9 +66,9 @@ double max_idepth_of(const Keyframe& host, const std::deque<Keyframe>& younger) 
 }  // namespace
 
 struct EdgeMapper::Impl {
-  Impl(const Pinhole& pinhole, const EdgeMapParams& p, bool own_thread, std::shared_ptr<MapLog> log,
-       EdgeTrace* trace)
-      : params(p), fusion(pinhole, p, std::move(log), trace), worker(own_thread, kMaxWaiting) {}
+  Impl(const Rectification& rectification, const EdgeMapParams& p, bool own_thread,
+       std::shared_ptr<MapLog> log, EdgeTrace* trace)
+      : params(p), fusion(rectification, p, std::move(log), trace), worker(own_thread, kMaxWaiting) {}
 
   std::shared_ptr<const std::vector<EdgeSides>> sides_of(const Keyframe& k) {
     auto& known = sides[k.id];
@@ -94,9 +94,9 @@ struct EdgeMapper::Impl {
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
 };
 
-EdgeMapper::EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread,
+EdgeMapper::EdgeMapper(const Rectification& rectification, const EdgeMapParams& params, bool own_thread,
                        std::shared_ptr<MapLog> log, EdgeTrace* trace)
-    : impl_(std::make_unique<Impl>(pinhole, params, own_thread, std::move(log), trace)) {}
+    : impl_(std::make_unique<Impl>(rectification, params, own_thread, std::move(log), trace)) {}
 EdgeMapper::~EdgeMapper() = default;
 
 void EdgeMapper::add(const Map& map) {

@@ -104,7 +104,7 @@ struct PyramidBuilder::Impl {
         const Eigen::Vector2d x =
             p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
         const Eigen::Vector2d shift =
-            raw_pixel(add_rolling(p, correction.readout_s, motion, x)) - raw_pixel(x);
+            raw_pixel(add_rolling(rectification, correction.readout_s, motion, x)) - raw_pixel(x);
         grid.set(column, row, float(shift.x()), float(shift.y()));
       }
     return grid;

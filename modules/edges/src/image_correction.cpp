@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edges/image_correction.h"
 
+#include <algorithm>
+
 #include "edgevo/core/radial.h"
 
 namespace edgevo {
@@ -13,28 +15,52 @@ constexpr double kErrorSquare = 1e-26;
 // Step of numeric differences, normalised coordinates: a hundredth of a pixel, much less than a cell of the
 // motion.
 constexpr double kDifference = 1e-5;
+// Of rows_left: at half of it the motion is too fast to be corrected.
+constexpr double kFewestRows = 0.5;
+
+// An image point that moves down with the read-out is met at a later row than the one at which it started:
+// row' = row + rate row' (share of the height), hence row' = row / (1 - rate). Returns 1 - rate.
+double rows_left(const Camera& camera, double readout_s, const Eigen::Vector2d& velocity) {
+  if (camera.height < 2) return 1;
+  const double fy = camera.pinhole().fy;
+  return std::max(kFewestRows, 1 - readout_s * velocity.y() * fy / (camera.height - 1));
+}
 
 }  // namespace
 
-Eigen::Vector2d add_rolling(const Pinhole& c, double readout_s, const ImageMotion& motion,
+double shutter_row(const Camera& camera, const Eigen::Vector2d& x) {
+  const std::optional<Eigen::Vector2d> px = camera.project({x.x(), x.y(), 1});
+  return px && camera.height > 1 ? px->y() / (camera.height - 1) - 0.5 : 0;
+}
+
+Eigen::Vector2d add_rolling(const Rectification& r, double readout_s, const ImageMotion& motion,
                             const Eigen::Vector2d& x) {
   if (readout_s == 0 || !motion.is_known()) return x;
-  return x + readout_s * shutter_row(c, x) * motion.at(c, x);
+  const Eigen::Vector2d velocity = motion.at(r.target(), x);
+  return x + readout_s * shutter_row(r.camera(), x) / rows_left(r.camera(), readout_s, velocity) * velocity;
 }
 
-Eigen::Vector2d to_file(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+Eigen::Vector2d rolling_rate(const Rectification& r, double readout_s, const ImageMotion& motion,
+                             const Eigen::Vector2d& x) {
+  if (!motion.is_known()) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d velocity = motion.at(r.target(), x);
+  const double left = rows_left(r.camera(), readout_s, velocity);
+  return shutter_row(r.camera(), x) / (left * left) * velocity;
+}
+
+Eigen::Vector2d to_file(const Rectification& r, const ImageCorrection& correction, const ImageMotion& motion,
                         const Eigen::Vector2d& x) {
-  return add_radial(correction.k1, add_rolling(c, correction.readout_s, motion, x));
+  return add_radial(correction.k1, add_rolling(r, correction.readout_s, motion, x));
 }
 
-Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
-                          const Eigen::Vector2d& x_file) {
+Eigen::Vector2d from_file(const Rectification& r, const ImageCorrection& correction,
+                          const ImageMotion& motion, const Eigen::Vector2d& x_file) {
   const Eigen::Vector2d rolling = remove_radial(correction.k1, x_file);
   if (correction.readout_s == 0 || !motion.is_known()) return rolling;
   Eigen::Vector2d x = rolling;
   double at_first = -1, at_last = 0;
   for (int i = 0; i < kMostSteps; ++i) {
-    const Eigen::Vector2d error = add_rolling(c, correction.readout_s, motion, x) - rolling;
+    const Eigen::Vector2d error = add_rolling(r, correction.readout_s, motion, x) - rolling;
     x -= error;
     at_last = error.squaredNorm();
     if (at_first < 0) at_first = at_last;
@@ -43,16 +69,16 @@ Eigen::Vector2d from_file(const Pinhole& c, const ImageCorrection& correction, c
   return at_last <= at_first ? x : rolling;  // rolling: the rows overtake one another, so x is not unique
 }
 
-Eigen::Matrix2d file_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
-                              const Eigen::Vector2d& x) {
+Eigen::Matrix2d file_jacobian(const Rectification& r, const ImageCorrection& correction,
+                              const ImageMotion& motion, const Eigen::Vector2d& x) {
   const Eigen::Matrix2d radial =
-      radial_jacobian(correction.k1, add_rolling(c, correction.readout_s, motion, x));
+      radial_jacobian(correction.k1, add_rolling(r, correction.readout_s, motion, x));
   if (correction.readout_s == 0 || !motion.is_known()) return radial;
   Eigen::Matrix2d rolling;
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d step = kDifference * Eigen::Vector2d::Unit(axis);
-    rolling.col(axis) = (add_rolling(c, correction.readout_s, motion, x + step) -
-                         add_rolling(c, correction.readout_s, motion, x - step)) /
+    rolling.col(axis) = (add_rolling(r, correction.readout_s, motion, x + step) -
+                         add_rolling(r, correction.readout_s, motion, x - step)) /
                         (2 * kDifference);
   }
   return radial * rolling;

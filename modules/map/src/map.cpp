@@ -29,7 +29,8 @@ KeyframeRecord make_record(const Keyframe& k, int segment) {
   return record;
 }
 
-Map::Map(const Pinhole& pinhole, std::shared_ptr<MapLog> log) : pinhole_(pinhole), log_(std::move(log)) {}
+Map::Map(const Rectification& rectification, std::shared_ptr<MapLog> log)
+    : rectification_(rectification), log_(std::move(log)) {}
 
 void Map::add(Keyframe keyframe) {
   if (segment_ >= 0) log_->append(KeyframeAdded{keyframe.id, keyframe.frame_index, segment_});

@@ -32,8 +32,8 @@ int find_edge_pixel(const FramePyramid* pyramid, const Eigen::Vector2d& px, cons
 // Converts what is measured in the images.
 class LensMove {
  public:
-  LensMove(const Pinhole& pinhole, const MapMoved& moved)
-      : pinhole_(pinhole), moved_(moved), before_(moved.lens->before), now_(moved.lens->now) {}
+  LensMove(const Rectification& rectification, const MapMoved& moved)
+      : rectification_(rectification), moved_(moved), before_(moved.lens->before), now_(moved.lens->now) {}
 
   // No motion if the keyframe does not move.
   const ImageMotion& motion_of(int keyframe_id) const {
@@ -42,11 +42,11 @@ class LensMove {
     return move ? move->motion : unknown;
   }
   Eigen::Vector2d pixel(const ImageMotion& motion, const Eigen::Vector2d& px) const {
-    return correct_pixel(pinhole_, before_, now_, motion, px);
+    return correct_pixel(rectification_, before_, now_, motion, px);
   }
   Eigen::Vector2d normal(const ImageMotion& motion, const Eigen::Vector2d& px,
                          const Eigen::Vector2d& normal) const {
-    return correct_normal(pinhole_, before_, now_, motion, px, normal);
+    return correct_normal(rectification_, before_, now_, motion, px, normal);
   }
   void correct(Observation* o) const {
     const ImageMotion& motion = motion_of(o->keyframe_id);
@@ -54,11 +54,12 @@ class LensMove {
     o->match.px = pixel(motion, o->match.px);
   }
   Eigen::Vector3d ray(int keyframe_id, const Eigen::Vector3d& ray) const {
-    return pinhole_.ray(pixel(motion_of(keyframe_id), pinhole_.project(ray)));
+    const Pinhole& pinhole = rectification_.target();
+    return pinhole.ray(pixel(motion_of(keyframe_id), pinhole.project(ray)));
   }
 
  private:
-  const Pinhole& pinhole_;
+  const Rectification& rectification_;
   const MapMoved& moved_;
   const ImageCorrection &before_, &now_;
 };
@@ -155,7 +156,7 @@ void Map::move_stored(const MapMoved& moved) {
     const auto stored = stored_.find(m.id);
     if (stored == stored_.end()) continue;
     auto keyframe = std::make_shared<KeyframeRecord>(*stored->second.keyframe);
-    apply_move(pinhole_, moved, m, keyframe.get());
+    apply_move(rectification_, moved, m, keyframe.get());
     stored->second.keyframe = std::move(keyframe);
   }
 }
@@ -172,7 +173,7 @@ MapMoved Map::move(MapMoved moved, const Rebuild& rebuild) {
       k.T_cam_world = moved.T_cam_map(*m);
       if (moved.lens) {
         if (k.pyramid) k.pyramid = rebuild(k);
-        correct_measurements(LensMove(pinhole_, moved), *m, &k);
+        correct_measurements(LensMove(rectification_, moved), *m, &k);
       }
       move_depths(*m, &k);
     }

@@ -27,17 +27,19 @@ void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
 
 }  // namespace
 
-void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move,
+void apply_move(const Rectification& rectification, const MapMoved& moved, const KeyframeMove& move,
                 KeyframeRecord* keyframe) {
   keyframe->T_world_cam = moved.T_cam_map(move).inverse();
   move_points(move, &keyframe->points);
   for (EdgeLine& line : keyframe->lines)
-    for (EdgeVertex& v : line.vertices) apply_move(pinhole, moved, move, &v);
+    for (EdgeVertex& v : line.vertices) apply_move(rectification, moved, move, &v);
 }
 
-void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move, EdgeVertex* v) {
+void apply_move(const Rectification& rectification, const MapMoved& moved, const KeyframeMove& move,
+                EdgeVertex* v) {
   if (const std::optional<LensChange>& lens = moved.lens)
-    v->px = correct_pixel(pinhole, lens->before, lens->now, move.motion, v->px.cast<double>()).cast<float>();
+    v->px = correct_pixel(rectification, lens->before, lens->now, move.motion, v->px.cast<double>())
+                .cast<float>();
   v->idepth /= float(move.length_ratio);
   v->idepth_sigma /= float(move.length_ratio);
 }
@@ -47,7 +49,7 @@ void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
   multiply_depths(T_world_map.scale, k);
 }
 
-RunBuilder::RunBuilder(const Pinhole& pinhole) : pinhole_(pinhole) {}
+RunBuilder::RunBuilder(const Rectification& rectification) : rectification_(rectification) {}
 
 // ---- events ----
 
@@ -76,7 +78,7 @@ void RunBuilder::take(const MapMoved& e) {
     Entry& entry = known->second;
     auto keyframe = std::make_shared<KeyframeRecord>(*entry.keyframe);
     keyframe->lines = std::move(entry.lines);
-    apply_move(pinhole_, e, move, keyframe.get());
+    apply_move(rectification_, e, move, keyframe.get());
     entry.lines = std::exchange(keyframe->lines, {});
     entry.keyframe = std::move(keyframe);
   }
@@ -189,7 +191,7 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
 
 Run RunBuilder::finish() {
   Run run;
-  run.pinhole = pinhole_;
+  run.pinhole = rectification_.target();
   run.camera = camera_;
   std::map<int, int> position_of_keyframe;  // in run.keyframes
   for (auto& [id, entry] : keyframes_) {

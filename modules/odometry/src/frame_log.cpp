@@ -5,8 +5,8 @@
 
 namespace edgevo {
 
-FrameLog::FrameLog(const Pinhole& pinhole, std::shared_ptr<MapLog> log)
-    : log_(std::move(log)), cursor_(log_), run_(pinhole) {
+FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log)
+    : log_(std::move(log)), cursor_(log_), run_(rectification) {
   newest_.frame.index = -1;
 }
 

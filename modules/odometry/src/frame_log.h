@@ -16,7 +16,7 @@ namespace edgevo {
 /// Frames and segments of a run; for the tracking thread.
 class FrameLog {
  public:
-  FrameLog(const Pinhole& pinhole, std::shared_ptr<MapLog> log);
+  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log);
 
   /// Begins the record of a frame, which becomes the newest one.
   FrameRecord& begin_frame(const Frame& frame);

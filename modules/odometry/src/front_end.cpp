@@ -13,13 +13,14 @@ namespace edgevo {
 FrontEnd::FrontEnd(const Rectification& rectification, const OdometryParams& params,
                    const OdometryOptions& options)
     : params_(params),
+      rectification_(rectification),
       builder_(rectification, params.edges, options.detectors),
       random_(Random::derive(options.seed, 3)),
       keyframes_(rectification.target(), params.keyframe),
       coverage_(params.recovery) {}
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
-  const RowRectification rows{builder_.correction().readout_s, expected_motion(has_pose)};
+  const RowRectification rows{builder_.correction().readout_s, expected_motion(has_pose), rectification_};
   newest_pyramid_ = builder_.build(frame, rows.expected);
   return {frame, newest_pyramid_, rows, nullptr};
 }
@@ -69,7 +70,7 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
   if (now.rows.is_rolling()) {
     tracked->pyramid = builder_.rebuild(*now.pyramid, tracked->motion);
     for (CornerPair& c : tracked->corners)
-      c.to = shift_ray(builder_.pinhole(), now.rows.readout_s, now.rows.expected, tracked->motion, c.to);
+      c.to = shift_ray(rectification_, now.rows.readout_s, now.rows.expected, tracked->motion, c.to);
   }
   // The first stage of a frame is Stage::kEdges.
   now.record->stage_ms.front().second += thread_cpu_ms() - start;

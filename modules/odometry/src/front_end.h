@@ -74,6 +74,7 @@ class FrontEnd {
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);
 
   OdometryParams params_;
+  Rectification rectification_;
   PyramidBuilder builder_;
   Random random_;  // for corners
   MotionModel motion_;

@@ -9,7 +9,7 @@ MapLink::MapLink(const Rectification& rectification, const OdometryParams& param
                  const OdometryOptions& options, std::shared_ptr<MapLog> log)
     : log_(std::move(log)),
       rebuilder_(PyramidBuilder::for_rebuilding(rectification, params.edges, options.detectors)),
-      mapper_(rectification.target(), params,
+      mapper_(rectification, params,
               {options.seed,
                // In realtime mapping must not pause for long.
                options.realtime,

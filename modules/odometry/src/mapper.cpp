@@ -28,18 +28,19 @@ AdjustmentEvidence evidence_of(const WindowStats& stats) {
 
 }  // namespace
 
-Mapper::Mapper(const Pinhole& pinhole, const OdometryParams& params, const MapperOptions& options)
-    : pinhole_(pinhole),
+Mapper::Mapper(const Rectification& rectification, const OdometryParams& params, const MapperOptions& options)
+    : rectification_(rectification),
+      pinhole_(rectification.target()),
       params_(params.mapping),
       association_(params.association),
       gradient_patches_(params.alignment.photometric),
       options_(options),
       random_(Random::derive(options.seed, 2)),
       log_(options.log ? options.log : std::make_shared<MapLog>()),
-      map_(std::make_unique<Map>(pinhole, log_)),
-      window_(map_.get(), pinhole, params.mapping.window, params.association),
-      calibration_(pinhole, params.camera),
-      edge_mapper_(pinhole, params.edge_map, options.own_threads, log_) {}
+      map_(std::make_unique<Map>(rectification, log_)),
+      window_(map_.get(), pinhole_, params.mapping.window, params.association),
+      calibration_(rectification, params.camera),
+      edge_mapper_(rectification, params.edge_map, options.own_threads, log_) {}
 
 // ---- the first window ----
 

@@ -22,7 +22,7 @@ struct Odometry::Impl {
         options(o),
         state(p.recovery.max_frames),
         log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
-        frames(rectification.target(), log),
+        frames(rectification, log),
         front_end(rectification, p, o),
         map(rectification, p, o, log),
         bootstrapper(rectification.target(), p, o.seed, &map, &frames) {

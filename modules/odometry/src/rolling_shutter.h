@@ -15,6 +15,8 @@ struct RowRectification {
   double readout_s = 0;
   /// Motion that was expected, for which the rows were rectified.
   ImageMotion expected;
+  /// Cameras of the raw and of the rectified images.
+  Rectification cameras = {};
 
   bool is_rolling() const { return readout_s != 0; }
 };
@@ -27,12 +29,13 @@ ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, co
 
 /// Shifts a cloud to where an image shows it that was rectified for `expected` while the camera moved as in
 /// `measured`: its points project to their positions in this image. The result has no patches.
-ReferenceCloud shift_cloud(const Pinhole& pinhole, const ReferenceCloud& cloud, const SE3& T_cur_ref,
-                           double readout_s, const ImageMotion& expected, const ImageMotion& measured);
+ReferenceCloud shift_cloud(const Rectification& rectification, const ReferenceCloud& cloud,
+                           const SE3& T_cur_ref, double readout_s, const ImageMotion& expected,
+                           const ImageMotion& measured);
 
 /// Shifts a ray (x, y, 1) measured in an image rectified for `expected` to where it is in one rectified for
 /// `measured`.
-Eigen::Vector3d shift_ray(const Pinhole& pinhole, double readout_s, const ImageMotion& expected,
+Eigen::Vector3d shift_ray(const Rectification& rectification, double readout_s, const ImageMotion& expected,
                           const ImageMotion& measured, const Eigen::Vector3d& ray);
 
 }  // namespace edgevo

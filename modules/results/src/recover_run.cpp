@@ -30,10 +30,10 @@ Run recover_run(const std::string& folder) {
   RecoveryLogReader log(folder);
   const RecoveryHeader& header = log.header();
   const RunParams params = params_of(header.info);
-  const Pinhole pinhole = header.info.working_pinhole.value_or(header.info.camera.pinhole());
-  RunBuilder builder(pinhole);
-  RunScaling scaling(parse_scale_source(header.scale), header.track, pinhole, header.T_vehicle_cam,
-                     params.scale);
+  const Rectification rectification = rectification_of(header.info.camera, header.info.working_pinhole);
+  RunBuilder builder(rectification);
+  RunScaling scaling(parse_scale_source(header.scale), header.track, rectification.target(),
+                     header.T_vehicle_cam, params.scale);
   while (const std::optional<MapEvent> event = log.next()) {
     builder.apply(*event);
     scaling.apply(*event);

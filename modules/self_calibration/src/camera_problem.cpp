@@ -30,22 +30,21 @@ Eigen::Vector2d pixel(const Pinhole& c, const Eigen::Vector2d& x) {
 }
 
 // D = d px_file / d px at the true normalised point x.
-Eigen::Matrix2d pixel_jacobian(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
-                               const Eigen::Vector2d& x) {
-  const Eigen::Vector2d f(c.fx, c.fy);
-  return f.asDiagonal() * file_jacobian(c, correction, motion, x) * f.cwiseInverse().asDiagonal();
+Eigen::Matrix2d pixel_jacobian(const Rectification& r, const ImageCorrection& correction,
+                               const ImageMotion& motion, const Eigen::Vector2d& x) {
+  const Eigen::Vector2d f(r.target().fx, r.target().fy);
+  return f.asDiagonal() * file_jacobian(r, correction, motion, x) * f.cwiseInverse().asDiagonal();
 }
 
 // x(k) with x_file fixed: dx/dk = -(dx_file/dx)^-1 dx_file/dk.
-ImageRate removal_rate(const Pinhole& c, const ImageCorrection& correction, const ImageMotion& motion,
+ImageRate removal_rate(const Rectification& r, const ImageCorrection& correction, const ImageMotion& motion,
                        const Eigen::Vector2d& x) {
-  const Eigen::Vector2d rolling = add_rolling(c, correction.readout_s, motion, x);
+  const Eigen::Vector2d rolling = add_rolling(r, correction.readout_s, motion, x);
   ImageRate by_unknown;
   by_unknown.col(0) = radial_derivative(rolling);
-  by_unknown.col(1).setZero();
-  if (motion.is_known())
-    by_unknown.col(1) = radial_jacobian(correction.k1, rolling) * (shutter_row(c, x) * motion.at(c, x));
-  return -(file_jacobian(c, correction, motion, x).inverse() * by_unknown);
+  by_unknown.col(1) =
+      radial_jacobian(correction.k1, rolling) * rolling_rate(r, correction.readout_s, motion, x);
+  return -(file_jacobian(r, correction, motion, x).inverse() * by_unknown);
 }
 
 void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem) {
@@ -97,16 +96,17 @@ const ImageMotion& CameraProblem::motion_of(int pose) const {
 
 BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correction) {
   BaProblem p = problem.file;
+  const Rectification& r = problem.rectification;
   const Pinhole& c = p.pinhole;
   for (size_t i = 0; i < p.points.size(); ++i) {
     const Eigen::Vector2d x =
-        from_file(c, correction, problem.motion_of(p.points[i].host), normalised(c, problem.px_host[i]));
+        from_file(r, correction, problem.motion_of(p.points[i].host), normalised(c, problem.px_host[i]));
     p.points[i].ray = {x.x(), x.y(), 1.0};
   }
   for (BaObservation& o : p.observations) {
     const ImageMotion& motion = problem.motion_of(o.target);
-    const Eigen::Vector2d x = from_file(c, correction, motion, normalised(c, o.px));
-    const Eigen::Vector2d n = pixel_jacobian(c, correction, motion, x).transpose() * o.normal;
+    const Eigen::Vector2d x = from_file(r, correction, motion, normalised(c, o.px));
+    const Eigen::Vector2d n = pixel_jacobian(r, correction, motion, x).transpose() * o.normal;
     const double length = n.norm();
     o.px = pixel(c, x);
     o.normal = n / length;
@@ -117,10 +117,11 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
 }
 
 GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction) {
+  const Rectification& r = problem.rectification;
   const Pinhole& c = problem.file.pinhole;
   const auto rate_at = [&](int pose, const Eigen::Vector2d& px_file) {
     const ImageMotion& motion = problem.motion_of(pose);
-    return removal_rate(c, correction, motion, from_file(c, correction, motion, normalised(c, px_file)));
+    return removal_rate(r, correction, motion, from_file(r, correction, motion, normalised(c, px_file)));
   };
   GlobalDerivative d;
   d.ray.reserve(problem.px_host.size()), d.px.reserve(problem.file.observations.size());

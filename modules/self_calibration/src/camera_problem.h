@@ -15,6 +15,8 @@ namespace edgevo {
 struct CameraProblem {
   /// Poses, depths and matches.
   BaProblem file;
+  /// Camera of the raw images, and of `file`.
+  Rectification rectification;
   /// Pixel in the host image, per point.
   std::vector<Eigen::Vector2d> px_host;
   /// Motion of the image, per pose; empty: no motion is known.

@@ -16,7 +16,7 @@ namespace {
 // one, from which the map continues; a median needs no more.
 constexpr size_t kNewestSpan = 8;
 
-void add_point(const Pinhole& c, const ImageCorrection& now, const MapPoint& p, int host,
+void add_point(const Rectification& c, const ImageCorrection& now, const MapPoint& p, int host,
                const std::map<int, int>& pose_of_id, CalibrationHistory* h) {
   BaProblem& file = h->problem.file;
   const ImageCorrection none;
@@ -88,11 +88,12 @@ void carry_poses(const BaProblem& solution, double length, BaProblem* p) {
 
 }  // namespace
 
-CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& now,
+CalibrationHistory make_history(const Rectification& rectification, const ImageCorrection& now,
                                 const std::vector<const Keyframe*>& keyframes) {
   CalibrationHistory h;
+  h.problem.rectification = rectification;
   BaProblem& file = h.problem.file;
-  file.pinhole = pinhole;
+  file.pinhole = rectification.target();
   std::map<int, int> pose_of_id;
   for (const Keyframe* k : keyframes) {
     pose_of_id[k->id] = int(file.poses.size());
@@ -108,7 +109,7 @@ CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& n
   for (size_t host = 0; host < keyframes.size(); ++host)
     for (const MapPoint& p : keyframes[host]->points) {
       const size_t known = h.point_index[host].size();
-      add_point(pinhole, now, p, int(host), pose_of_id, &h);
+      add_point(rectification, now, p, int(host), pose_of_id, &h);
       if (h.point_index[host].size() == known) h.point_index[host].push_back(-1);
     }
   return h;

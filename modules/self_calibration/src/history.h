@@ -17,7 +17,7 @@ struct CalibrationHistory {
 };
 
 /// Builds the problem. `now`: correction of the keyframes' images.
-CalibrationHistory make_history(const Pinhole& pinhole, const ImageCorrection& now,
+CalibrationHistory make_history(const Rectification& rectification, const ImageCorrection& now,
                                 const std::vector<const Keyframe*>& keyframes);
 
 /// Applies the solution of an estimate on `then` to the keyframes and points of `now`, which begins with

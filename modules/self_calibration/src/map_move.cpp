@@ -62,7 +62,7 @@ BaPrior marginalize_first(const BaProblem& solution, int count, const BaOptions&
   return prior;
 }
 
-KeyframeMove make_keyframe_move(const Pinhole& c, const LensChange& lens, const Keyframe& k,
+KeyframeMove make_keyframe_move(const Rectification& c, const LensChange& lens, const Keyframe& k,
                                 const SE3& T_cam_newest, double ratio, const std::vector<int>& point_index,
                                 const BaProblem& solution) {
   KeyframeMove m;
@@ -80,7 +80,7 @@ KeyframeMove make_keyframe_move(const Pinhole& c, const LensChange& lens, const 
 
 }  // namespace
 
-MapMoved make_move(const Pinhole& c, const ImageCorrection& before,
+MapMoved make_move(const Rectification& c, const ImageCorrection& before,
                    const std::vector<const Keyframe*>& keyframes, size_t marginalised,
                    const CalibrationHistory& history, const BaOptions& options, CameraEstimate* e) {
   const size_t n = keyframes.size();

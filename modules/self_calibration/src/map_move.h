@@ -11,7 +11,7 @@ namespace edgevo {
 /// The solution of `e` as a move of all keyframes, anchored at the newest one. The first `marginalised`
 /// keyframes are no longer in the window; their information on the window becomes its prior. Leaves the
 /// segment open.
-MapMoved make_move(const Pinhole& pinhole, const ImageCorrection& before,
+MapMoved make_move(const Rectification& rectification, const ImageCorrection& before,
                    const std::vector<const Keyframe*>& keyframes, size_t marginalised,
                    const CalibrationHistory& history, const BaOptions& options, CameraEstimate* e);
 

@@ -65,8 +65,8 @@ void SelfCalibrationParams::visit(ParamVisitor& v) {
       "apply a third more than the estimated change of the read-out time: estimates come out too small");
 }
 
-SelfCalibration::SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params)
-    : pinhole_(pinhole), params_(params), next_checkpoint_(first_checkpoint(params)) {
+SelfCalibration::SelfCalibration(const Rectification& rectification, const SelfCalibrationParams& params)
+    : rectification_(rectification), params_(params), next_checkpoint_(first_checkpoint(params)) {
   if (params.refines_k1()) state_.state = State::kTooEarly;
   if (params.refines_readout()) state_.shutter.state = State::kTooEarly;
   state_.correction.readout_s = params.readout_s;
@@ -93,7 +93,7 @@ void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
 void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->moves = map.moves();
-  job_->history = make_history(pinhole_, state_.correction, all_keyframes(map));
+  job_->history = make_history(rectification_, state_.correction, all_keyframes(map));
   job_->finding =
       std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_,
                                       options] { return find_camera(problem, known, params, options); });
@@ -107,7 +107,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   if (!needs_matches() || map.active().empty()) return std::nullopt;
   const std::vector<const Keyframe*> keyframes = all_keyframes(map);
   if (int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
-  const CalibrationHistory history = make_history(pinhole_, state_.correction, keyframes);
+  const CalibrationHistory history = make_history(rectification_, state_.correction, keyframes);
   int known = int(keyframes.size());
   CameraFinding found;
   std::unique_ptr<Job> job = std::move(job_);
@@ -127,8 +127,8 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   std::optional<MapMoved> moved;
   state_ = found.state;
   if (found.estimate) {
-    moved =
-        make_move(pinhole_, before, keyframes, map.marginalised().size(), history, options, &*found.estimate);
+    moved = make_move(rectification_, before, keyframes, map.marginalised().size(), history, options,
+                      &*found.estimate);
     moved->segment = map.segment();
   }
   pass_checkpoint(known, at_end);

@@ -81,12 +81,37 @@ TEST(ImageCorrection, EachRowShowsAPointAtItsOwnTime) {
   const double idepth = 0.7, readout_s = 0.02;
   const ImageMotion m = motion_at(idepth);
   for (const Eigen::Vector2d& x : points()) {
-    const double seconds = readout_s * shutter_row(kCamera, x);
-    const Eigen::Vector2d shown = add_rolling(kCamera, readout_s, m, x), truth = later(m, idepth, x, seconds);
+    const Eigen::Vector2d shown = add_rolling(kCamera, readout_s, m, x);
+    const Eigen::Vector2d truth = later(m, idepth, x, readout_s * shutter_row(kCamera, shown));
     EXPECT_LT((shown - truth).norm(), 0.02 * (truth - x).norm() + 1e-12);
   }
   EXPECT_NEAR(shutter_row(kCamera, kCamera.ray({100, 0}).head<2>()), -0.5, 1e-12);
   EXPECT_NEAR(shutter_row(kCamera, kCamera.ray({100, 479}).head<2>()), 0.5, 1e-12);
+}
+
+// The row that counts is that of the raw pixel at which the moved point appears, whatever lens and whatever
+// pinhole the images are rectified to.
+TEST(ImageCorrection, TheRowIsThatOfTheRawPixel) {
+  const Camera camera({520, 515, 320, 240, 640, 480}, {-0.2, 0, 0, 0, 0});
+  const Rectification rectification(camera, {350, 352, 260, 180, 500, 380});
+  const double readout_s = 0.04;
+  const ImageMotion m = motion_at(0.7);
+  for (const Eigen::Vector2d& x : points()) {
+    const Eigen::Vector2d shown = add_rolling(rectification, readout_s, m, x);
+    const double row = rectification.raw_pixel(shown).y() / 479 - 0.5;
+    const Eigen::Vector2d shift = readout_s * row * m.at(rectification.target(), x);
+    EXPECT_LT((shown - x - shift).norm(), 0.005 * shift.norm() + 1e-12);
+  }
+}
+
+TEST(ImageCorrection, TheRateByTheReadOutTimeIsItsDerivative) {
+  for (const Eigen::Vector2d& x : points()) {
+    const auto shown = [&](const Eigen::Matrix<double, 1, 1>& d) -> Eigen::Vector2d {
+      return add_rolling(kCamera, 0.03 + d[0], motion_at(0.6), x);
+    };
+    EXPECT_THAT(rolling_rate(kCamera, 0.03, motion_at(0.6), x),
+                test::JacobianNear(test::numerical_jacobian<1>(shown), 1e-8));
+  }
 }
 
 TEST(ImageCorrection, TheInverseIsExact) {

@@ -87,7 +87,7 @@ TEST(PyramidBuilder, RectifiesTheRowsOfARollingShutter) {
     const GrayImage rolling = picture(width, height, [&](double u, double v) {
       const auto ray = camera.unproject({u, v});
       EXPECT_TRUE(ray);
-      const Eigen::Vector2d x = from_file(p, {0, readout_s}, motion, ray->head<2>() / ray->z());
+      const Eigen::Vector2d x = from_file(camera, {0, readout_s}, motion, ray->head<2>() / ray->z());
       return Eigen::Vector2d(p.fx * x.x() + p.cx, p.fy * x.y() + p.cy);
     });
     PyramidBuilder builder(camera, EdgeParams());

@@ -81,7 +81,7 @@ TEST_F(FrameTracker, AFastShutterChangesNothing) {
 // pose.
 TEST_F(FrameTracker, ASlowShutterMovesThePose) {
   const auto pyramid = scene.pyramid(truth.inverse());
-  const Track global = track(*pyramid), rolling = track(*pyramid, false, {0.05, {}});
+  const Track global = track(*pyramid), rolling = track(*pyramid, false, {0.05, {}, scene.camera});
   EXPECT_GT((global.result.T_cur_ref.translation() - rolling.result.T_cur_ref.translation()).norm(), 2e-3);
 }
 
@@ -144,7 +144,7 @@ TEST_F(AlongTheEdges, TheMedianMotionIsTheBetterGuess) {
 TEST_F(FrameTracker, TheMeasuredMotionKeepsTheExpectedDepths) {
   const Pinhole pinhole = scene.pyramid(SE3())->finest().pinhole;
   const Vector6d t = twist(0.1, 0, 0.2, 0, 0, 0);
-  RowRectification rows{0.02, {}};
+  RowRectification rows{0.02, {}, scene.camera};
   EXPECT_EQ(measured_motion(pinhole, reference, rows, SE3(), t).velocity, t);
   rows.expected.velocity = 2 * t;
   rows.expected.idepth.setConstant(0.7);

@@ -19,6 +19,7 @@ CameraProblem camera_scene(uint64_t seed) {
   o.seed = seed;
   CameraProblem problem;
   problem.file = test::make_scene(o);
+  problem.rectification = problem.file.pinhole;
   for (const BaPoint& p : problem.file.points) problem.px_host.push_back(problem.file.pinhole.project(p.ray));
   Random random(seed + 100);
   for (size_t i = 0; i < problem.file.poses.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // From the camera that takes the images to the pinhole camera in which the method works.
+#include <optional>
 #include <vector>
 
 #include "edgevo/core/camera.h"
@@ -22,6 +23,8 @@ struct RectificationMaps {
 /// own. Holds no tables: cheap to copy.
 class Rectification {
  public:
+  /// Of no camera: to be assigned to.
+  Rectification() = default;
   /// Keeps focal lengths, principal point and size, and loses what a lens shows beyond them. Where the
   /// rectified image reaches beyond the raw one, border pixels are repeated and edges found among them: only
   /// pixels beyond max_angle() count as missing.
@@ -52,5 +55,10 @@ class Rectification {
   Pinhole target_;
   bool masks_outside_ = false;
 };
+
+/// From a camera to the pinhole that a program asks for; nothing: the default one.
+inline Rectification rectification_of(const Camera& camera, const std::optional<Pinhole>& target) {
+  return target ? Rectification(camera, *target) : Rectification(camera);
+}
 
 }  // namespace edgevo

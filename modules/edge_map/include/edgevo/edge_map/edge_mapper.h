@@ -25,7 +25,7 @@ class EdgeMapper {
  public:
   /// `log`, not null, receives the lines of each keyframe once they are final, in ascending order of id. With
   /// `own_thread`, add() returns at once. `trace`, unless null, is filled until close().
-  EdgeMapper(const Pinhole& pinhole, const EdgeMapParams& params, bool own_thread,
+  EdgeMapper(const Rectification& rectification, const EdgeMapParams& params, bool own_thread,
              std::shared_ptr<MapLog> log, EdgeTrace* trace = nullptr);
   ~EdgeMapper();
 

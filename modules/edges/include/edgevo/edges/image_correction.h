@@ -4,34 +4,37 @@
 //   1. a residual radial distortion k1 (core/radial.h),
 //   2. a rolling shutter: row v is exposed readout_s (v / (height - 1) - 1/2) seconds after the middle row,
 //      whose time is that of the frame. An image point x that moves with dx/dt (image_motion.h) appears at
-//          x + readout_s row(x) dx/dt,   row(x) = v / (height - 1) - 1/2.
-// Together: x_file = add_radial(k1, x + readout_s row(x) dx/dt), normalised coordinates. The row is that of x
-// and not that of the raw image, and depths are those of image_motion.h: both cause errors of a few per cent
-// of a shift of a few pixels.
+//          x + readout_s row dx/dt,   row = v / (height - 1) - 1/2.
+// Together: x_file = add_radial(k1, x + readout_s row dx/dt), normalised coordinates. The row v is that of
+// the raw pixel at which the moved point appears, by the camera file; on the way there rows are taken as
+// evenly spaced, which together with the neglected k1 costs a per cent of a shift of a few pixels, and so do
+// the depths of image_motion.h.
 #include <Eigen/Core>
 
-#include "edgevo/core/camera.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
 
-/// Row of a normalised image point as a share of the height, -1/2 at the top and 1/2 at the bottom.
-inline double shutter_row(const Pinhole& c, const Eigen::Vector2d& x) {
-  return c.height > 1 ? (c.fy * x.y() + c.cy) / (c.height - 1) - 0.5 : 0.0;
-}
+/// Row of the raw image at which the camera shows a normalised image point, as a share of the height: -1/2 at
+/// the top and 1/2 at the bottom.
+double shutter_row(const Camera& camera, const Eigen::Vector2d& x);
 
 /// Position at which the rolling shutter alone shows the point x, normalised coordinates.
-Eigen::Vector2d add_rolling(const Pinhole& pinhole, double readout_s, const ImageMotion& motion,
+Eigen::Vector2d add_rolling(const Rectification& rectification, double readout_s, const ImageMotion& motion,
                             const Eigen::Vector2d& x);
+/// Derivative of add_rolling() by readout_s.
+Eigen::Vector2d rolling_rate(const Rectification& rectification, double readout_s, const ImageMotion& motion,
+                             const Eigen::Vector2d& x);
 /// Distorted position x_file of a true x, normalised coordinates.
-Eigen::Vector2d to_file(const Pinhole& pinhole, const ImageCorrection& correction, const ImageMotion& motion,
-                        const Eigen::Vector2d& x);
+Eigen::Vector2d to_file(const Rectification& rectification, const ImageCorrection& correction,
+                        const ImageMotion& motion, const Eigen::Vector2d& x);
 /// Inverse of to_file(), to 1e-12 if the image moves by less than a fifth of its height during the read-out;
 /// at most 12 steps. If it moves so fast that the iteration diverges, only the lens is corrected.
-Eigen::Vector2d from_file(const Pinhole& pinhole, const ImageCorrection& correction,
+Eigen::Vector2d from_file(const Rectification& rectification, const ImageCorrection& correction,
                           const ImageMotion& motion, const Eigen::Vector2d& x_file);
 /// Jacobian d x_file / d x; the part of the rolling shutter is computed by differences.
-Eigen::Matrix2d file_jacobian(const Pinhole& pinhole, const ImageCorrection& correction,
+Eigen::Matrix2d file_jacobian(const Rectification& rectification, const ImageCorrection& correction,
                               const ImageMotion& motion, const Eigen::Vector2d& x);
 
 }  // namespace edgevo

@@ -4,18 +4,18 @@
 // (edges/image_correction.h).
 #include <Eigen/Core>
 
-#include "edgevo/core/camera.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
 
 /// New position of a pixel when an image of the given motion that was corrected by `before` is corrected by
 /// `now` instead.
-Eigen::Vector2d correct_pixel(const Pinhole& pinhole, const ImageCorrection& before,
+Eigen::Vector2d correct_pixel(const Rectification& rectification, const ImageCorrection& before,
                               const ImageCorrection& now, const ImageMotion& motion,
                               const Eigen::Vector2d& px);
 /// New unit normal of the edge at `px` when an image corrected by `before` is corrected by `now` instead.
-Eigen::Vector2d correct_normal(const Pinhole& pinhole, const ImageCorrection& before,
+Eigen::Vector2d correct_normal(const Rectification& rectification, const ImageCorrection& before,
                                const ImageCorrection& now, const ImageMotion& motion,
                                const Eigen::Vector2d& px, const Eigen::Vector2d& normal);
 

@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+#include "edgevo/core/rectification.h"
 #include "edgevo/map/keyframe.h"
 #include "edgevo/map/map_event.h"
 #include "edgevo/map/map_log.h"
@@ -23,8 +24,9 @@ namespace edgevo {
 /// Keyframes and segments of a run.
 class Map {
  public:
-  /// `pinhole`: that of the undistorted images; `log`, not null, receives the events.
-  Map(const Pinhole& pinhole, std::shared_ptr<MapLog> log);
+  /// `rectification`: from the images as they were taken to those that are worked on; `log`, not null,
+  /// receives the events.
+  Map(const Rectification& rectification, std::shared_ptr<MapLog> log);
 
   /// The keyframes of the window, oldest first; empty without a map.
   std::deque<Keyframe>& active() { return active_; }
@@ -84,7 +86,7 @@ class Map {
   const Keyframe* find(int keyframe_id) const;
   void move_stored(const MapMoved& moved);
 
-  Pinhole pinhole_;
+  Rectification rectification_;
   std::shared_ptr<MapLog> log_;
   int segment_ = -1;
   int moves_ = 0;

@@ -11,15 +11,17 @@
 #include <vector>
 
 #include "edgevo/core/records.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/map/map_event.h"
 
 namespace edgevo {
 
 /// Applies a move to the record of a keyframe that is in its segment's map: pose, points and lines.
-void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move,
+void apply_move(const Rectification& rectification, const MapMoved& moved, const KeyframeMove& move,
                 KeyframeRecord* keyframe);
 /// Applies a move to a vertex of a line that the keyframe hosts.
-void apply_move(const Pinhole& pinhole, const MapMoved& moved, const KeyframeMove& move, EdgeVertex* vertex);
+void apply_move(const Rectification& rectification, const MapMoved& moved, const KeyframeMove& move,
+                EdgeVertex* vertex);
 /// From a segment's map to the world: lengths grow by the scale, inverse depths shrink.
 void move_to_world(const Sim3& T_world_map, KeyframeRecord* keyframe);
 
@@ -34,8 +36,8 @@ struct TimedPose {
 /// Collects frames, keyframes and segments of a run. For one thread.
 class RunBuilder {
  public:
-  /// `pinhole`: that of the images which the method works on.
-  explicit RunBuilder(const Pinhole& pinhole);
+  /// `rectification`: from the images as they were taken to those that the method works on.
+  explicit RunBuilder(const Rectification& rectification);
 
   /// Applies the next event. An event about a keyframe or segment that is not known is ignored: it can only
   /// come from a log on disk that was cut off.
@@ -90,7 +92,7 @@ class RunBuilder {
   void finish_row(const std::map<int, int>& position_of_keyframe,
                   const std::vector<KeyframeRecord>& keyframes, Row* row) const;
 
-  Pinhole pinhole_;
+  Rectification rectification_;
   CameraRefinement camera_;
   std::deque<Row> rows_;
   std::map<int, size_t> position_;  // frame index -> rows_

@@ -84,9 +84,9 @@ struct MapperOptions {
 /// Map, window, self-calibration and edge lines of a run.
 class Mapper {
  public:
-  /// Starts without a map. `pinhole` is that of the undistorted images. Throws InputError for a solver of
+  /// Starts without a map. Throws InputError for a solver of
   /// another name.
-  Mapper(const Pinhole& pinhole, const OdometryParams& params, const MapperOptions& options);
+  Mapper(const Rectification& rectification, const OdometryParams& params, const MapperOptions& options);
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
   /// between them. Returns an empty string, or why they make no map.
@@ -143,6 +143,7 @@ class Mapper {
   BaOptions calibration_options() const;
   void publish(const Keyframe& keyframe);
 
+  Rectification rectification_;
   Pinhole pinhole_;
   MappingParams params_;
   AssociationParams association_;

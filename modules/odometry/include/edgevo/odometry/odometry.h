@@ -50,7 +50,7 @@ struct OdometryOptions {
 
 /// From the camera that takes the images to the pinhole in which a run with these options works.
 inline Rectification rectification_of(const Camera& camera, const OdometryOptions& options) {
-  return options.working_pinhole ? Rectification(camera, *options.working_pinhole) : Rectification(camera);
+  return rectification_of(camera, options.working_pinhole);
 }
 
 /// A run of one camera, in one thread. Keyframes, and poses that are found later, come as events

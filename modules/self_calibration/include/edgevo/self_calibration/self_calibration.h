@@ -57,8 +57,8 @@ struct SelfCalibrationParams {
 /// The self-calibration of one run. One thread calls; an estimate may run in another.
 class SelfCalibration {
  public:
-  /// `pinhole`: camera of the undistorted images.
-  SelfCalibration(const Pinhole& pinhole, const SelfCalibrationParams& params);
+  /// `rectification`: cameras of the raw and of the rectified images.
+  SelfCalibration(const Rectification& rectification, const SelfCalibrationParams& params);
   SelfCalibration(SelfCalibration&&) noexcept;
   SelfCalibration& operator=(SelfCalibration&&) noexcept;
   /// Waits for an estimate that is running.
@@ -88,7 +88,7 @@ class SelfCalibration {
   struct Job;
   void pass_checkpoint(int keyframes, bool at_end);
 
-  Pinhole pinhole_;
+  Rectification rectification_;
   SelfCalibrationParams params_;
   CameraRefinement state_;
   int next_checkpoint_;
