@@ -96,7 +96,7 @@ void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
   explained.known.resize(host.pyramid->finest().edges.pixels.size());
   explained.source.resize(explained.known.size(), nullptr);
   if (params_.is_fused()) project_lines(host, &explained);
-  OpenHost open{host.id, host.T_cam_world, host.motion, {}};
+  OpenHost open{host.id, host.T_cam_world, {}};
   for (const EdgePiece& piece : pieces) add_new_lines(host, piece, &explained, &open.lines);
   count(&explained);
   open_.push_back(std::move(open));

@@ -21,8 +21,6 @@ struct EdgeHost {
   std::shared_ptr<const FramePyramid> pyramid;
   std::shared_ptr<const std::vector<EdgeSides>> sides;
   SE3 T_cam_world;
-  /// Motion of its image.
-  ImageMotion motion;
   /// Inverse of the smallest depth in view.
   double max_idepth = 0;
 };
@@ -61,7 +59,6 @@ class EdgeFusion {
   struct OpenHost {
     int id = -1;
     SE3 T_cam_world;
-    ImageMotion motion;
     std::vector<Line> lines;
   };
   struct Sighting;

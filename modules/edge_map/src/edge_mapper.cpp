@@ -106,8 +106,8 @@ void EdgeMapper::add(const Map& map) {
   // Keyframes whose images are gone are no views any more.
   impl_->sides.erase(impl_->sides.begin(),
                      impl_->sides.lower_bound(older.empty() ? keyframe.id : older.back()->id));
-  const EdgeHost host{keyframe.id,          keyframe.pyramid, impl_->sides_of(keyframe),
-                      keyframe.T_cam_world, keyframe.motion,  max_idepth_of(keyframe, map.active())};
+  const EdgeHost host{keyframe.id, keyframe.pyramid, impl_->sides_of(keyframe), keyframe.T_cam_world,
+                      max_idepth_of(keyframe, map.active())};
   std::vector<EdgeView> views = impl_->views_of(keyframe, older, map.active());
   EdgeFusion* fusion = &impl_->fusion;
   impl_->worker.submit([fusion, host, views = std::move(views)] { fusion->add(host, views); });

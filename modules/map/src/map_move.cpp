@@ -18,6 +18,9 @@ namespace {
 constexpr double kSameEdgePx = 1.5;
 constexpr double kSameEdgeCosine = 0.8;
 
+// Of the newest keyframe, tangent: what rounding may leave of no motion.
+constexpr double kNoMotion = 1e-6;
+
 int find_edge_pixel(const FramePyramid* pyramid, const Eigen::Vector2d& px, const Eigen::Vector2d& normal) {
   if (!pyramid || !pyramid->finest().pinhole.contains(px)) return -1;
   const PyramidLevel& level = pyramid->finest();
@@ -146,6 +149,8 @@ void Map::check(const MapMoved& moved) const {
     require(m.points.size() == points || (m.points.empty() && !moved.lens),
             "points are not those of the keyframe");
     require(is_stored || moved.prior, "a keyframe of the window moves, but there is no prior");
+    require(m.id != active_.back().id || !(m.T_cam_newest.log().norm() > kNoMotion),
+            "the newest keyframe moves");
   }
   for (const Keyframe& k : active_)
     require(!moved.lens || moved.find(k.id), "the lens changes, but not for a keyframe of the window");

@@ -54,21 +54,21 @@ RunBuilder::RunBuilder(const Rectification& rectification) : rectification_(rect
 // ---- events ----
 
 void RunBuilder::apply(const MapEvent& event) {
-  std::visit([this](const auto& e) { take(e); }, event);
+  std::visit([this](const auto& e) { handle(e); }, event);
 }
 
-void RunBuilder::take(const SegmentPlaced& e) {
+void RunBuilder::handle(const SegmentPlaced& e) {
   if (!is_known(e.segment)) T_world_map_.resize(size_t(e.segment) + 1);
   T_world_map_[size_t(e.segment)] = e.T_world_map;
 }
 
-void RunBuilder::take(const KeyframeMarginalised& e) { add_keyframe(e.id, e.keyframe); }
+void RunBuilder::handle(const KeyframeMarginalised& e) { add_keyframe(e.id, e.keyframe); }
 
 void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
   if (is_known(keyframe->segment)) keyframes_[id].keyframe = std::move(keyframe);
 }
 
-void RunBuilder::take(const MapMoved& e) {
+void RunBuilder::handle(const MapMoved& e) {
   ++moves_;
   for (const KeyframeMove& move : e.keyframes) {
     length_ratios_[move.id].emplace_back(moves_, move.length_ratio);
@@ -84,17 +84,17 @@ void RunBuilder::take(const MapMoved& e) {
   }
 }
 
-void RunBuilder::take(const LinesFinished& e) {
+void RunBuilder::handle(const LinesFinished& e) {
   const auto known = keyframes_.find(e.keyframe_id);
   if (known != keyframes_.end()) known->second.lines = e.lines;
 }
 
-void RunBuilder::take(const FrameMapped& e) {
+void RunBuilder::handle(const FrameMapped& e) {
   const auto known = position_.find(e.frame_index);
   if (known != position_.end()) rows_[known->second].mapping = e;
 }
 
-void RunBuilder::take(const FrameAnchored& e) {
+void RunBuilder::handle(const FrameAnchored& e) {
   const auto [known, is_new] = position_.emplace(e.frame.index, rows_.size());
   if (is_new) rows_.emplace_back();
   Row& row = rows_[known->second];
@@ -137,7 +137,7 @@ size_t RunBuilder::adopt_window() {
   if (!window_.keyframes || window_.moves != moves_) return 0;
   const size_t before = keyframes_.size();
   for (const WindowAdjusted::Active& active : *window_.keyframes)
-    if (keyframes_.count(active.id) == 0)
+    if (keyframes_.count(active.id) == 0 && position_.count(active.keyframe.frame_index) > 0)
       add_keyframe(active.id, std::make_shared<const KeyframeRecord>(active.keyframe));
   return keyframes_.size() - before;
 }

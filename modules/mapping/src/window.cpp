@@ -95,7 +95,7 @@ const Keyframe& Window::remove_oldest() {
 
 const Keyframe& Window::release_oldest() { return map_->marginalise_oldest(neighbours_of_oldest()); }
 
-void Window::take_prior(const BaPrior& prior) {
+void Window::set_prior(const BaPrior& prior) {
   if (prior.pose_ids.empty()) return;
   prior_ = prior;
   bootstrap_gauge_ = false;

@@ -20,8 +20,6 @@ class FrameLog {
 
   /// Begins the record of a frame, which becomes the newest one.
   FrameRecord& begin_frame(const Frame& frame);
-  /// The record of the newest frame.
-  const FrameRecord& newest() const { return newest_.frame; }
   /// Anchors the newest frame to the keyframe of `reference` and records its live pose.
   void place(int segment, const Reference& reference, const SE3& T_cam_ref);
   /// Announces the newest frame; again if its record has changed since.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/mapping/idepth_prior.h"
@@ -239,7 +240,11 @@ void Mapper::calibrate_if_due(StageTimes* times) {
 // Another producer of moves than self-calibration; a recognition of places plugs in here.
 void Mapper::move_if_proposed() {
   if (!options_.move_map) return;
-  if (std::optional<MapMoved> moved = options_.move_map(*map_)) move_map(std::move(*moved));
+  std::optional<MapMoved> moved = options_.move_map(*map_);
+  if (!moved) return;
+  // The images to come are corrected by the state of self-calibration.
+  if (moved->lens) throw std::invalid_argument("move of the map: only self-calibration changes the lens");
+  move_map(std::move(*moved));
 }
 
 // Drops what no later step needs of marginalised keyframes.
@@ -282,7 +287,7 @@ void Mapper::move_map(MapMoved moved) {
   const std::optional<LensChange> lens = moved.lens;
   const MapMoved applied = map_->move(
       std::move(moved), [&](const Keyframe& k) { return options_.rebuild(*k.pyramid, k.motion, lens->now); });
-  if (applied.prior) window_.take_prior(*applied.prior);
+  if (applied.prior) window_.set_prior(*applied.prior);
   edge_mapper_.apply(applied);
 }
 

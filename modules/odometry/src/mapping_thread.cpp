@@ -23,14 +23,24 @@ MappingThread::~MappingThread() {
 }
 
 void MappingThread::run(const TrackedFrame& frame) {
-  const MapUpdate update = mapper_->process(frame);
+  MapUpdate update;
+  try {
+    update = mapper_->process(frame);
+  } catch (...) {
+    finish(frame);  // or a caller that goes on would wait for its keyframe for ever
+    throw;
+  }
+  finish(frame);
+  on_update_(frame, update);
+}
+
+void MappingThread::finish(const TrackedFrame& frame) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     reference_ = mapper_->reference();
     if (frame.make_keyframe) --keyframes_pending_;
   }
   keyframe_done_.notify_all();
-  on_update_(frame, update);
 }
 
 void MappingThread::submit(TrackedFrame frame) {
@@ -61,7 +71,10 @@ void MappingThread::loop() {
     lock.unlock();
     std::exception_ptr failure;
     try {
-      if (!failed) run(frame);
+      if (failed)
+        finish(frame);
+      else
+        run(frame);
     } catch (...) {
       failure = std::current_exception();
     }

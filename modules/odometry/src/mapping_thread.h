@@ -44,6 +44,8 @@ class MappingThread {
  private:
   void loop();
   void run(const TrackedFrame& frame);
+  // Publishes the reference after a frame, processed or not.
+  void finish(const TrackedFrame& frame);
 
   Mapper* mapper_;
   bool own_thread_;

@@ -2,6 +2,7 @@
 #include "edgevo/results/recovery_log.h"
 
 #include <filesystem>
+#include <system_error>
 
 #include "edgevo/core/error.h"
 #include "growing_file.h"
@@ -42,6 +43,8 @@ RecoveryLog::RecoveryLog(const std::string& folder, const RecoveryHeader& header
   impl_->path = recovery_log_path(folder);
   if (!impl_->file.open(impl_->path))
     throw InputError(impl_->path, "cannot be written", "end other runs into this folder, or give another -o");
+  std::error_code ignored;
+  std::filesystem::remove(std::filesystem::path(folder) / kRunWindow, ignored);  // that of another run
   impl_->append(std::string(kRecoveryFirstLine) + recovery_record(kHeaderRecord, bytes_of(header)));
 }
 

@@ -55,9 +55,7 @@ struct Reading {
   void pose(SE3& T) {
     double v[7];
     for (double& x : v) x = in->value<double>();
-    T = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(v[0], v[1], v[2]));
-    // The bits that were written: the constructor would normalise them again.
-    const_cast<Eigen::Quaterniond&>(T.rotation()) = Eigen::Quaterniond(v[6], v[3], v[4], v[5]);
+    T = SE3::from_unit({v[6], v[3], v[4], v[5]}, {v[0], v[1], v[2]});
   }
   template <class T, class Each>
   void list(std::vector<T>& values, const Each& each) {

@@ -111,7 +111,10 @@ RunView::RunView(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RunView::~RunView() = default;
 
 bool RunView::show(const ProcessedFrame& processed, const std::function<bool()>& stop) {
-  if (!impl_->window.isOpen()) return true;
+  if (!impl_->window.isOpen()) {
+    impl_->map.reset();  // nobody reads its events any more, and the log would keep them
+    return true;
+  }
   impl_->step = false;
   impl_->take_keys();
   impl_->draw(processed);

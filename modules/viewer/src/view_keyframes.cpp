@@ -21,6 +21,7 @@ void ViewKeyframes::move(const Pinhole& pinhole, const MapMoved& moved) {
     const auto place = place_.find(move.id);
     if (place == place_.end()) continue;  // still in the window
     auto keyframe = std::make_shared<KeyframeRecord>(*keyframes_[place->second]);
+    // The lens, which a pinhole lacks, moves lines only, and these records have none.
     apply_move(pinhole, moved, move, keyframe.get());
     keyframes_[place->second] = std::move(keyframe);
   }

@@ -18,7 +18,7 @@ namespace {
 
 using test::Sweep;
 
-std::deque<Keyframe> keyframes() {
+const std::deque<Keyframe>& keyframes() {
   static const std::deque<Keyframe> made = [] {
     std::deque<Keyframe> k;
     Random random(3);
@@ -187,7 +187,7 @@ MapMoved half_the_size() {
   MapMoved moved;
   moved.segment = -1;
   moved.prior.emplace();
-  const SE3& T_newest_map = keyframes().back().T_cam_world;
+  const SE3 T_newest_map = keyframes().back().T_cam_world;
   for (const Keyframe& k : keyframes()) {
     const SE3 T_cam_newest = k.T_cam_world * T_newest_map.inverse();
     KeyframeMove m;

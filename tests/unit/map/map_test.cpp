@@ -212,6 +212,16 @@ TEST_F(MapOfFive, MovesThatMakeNoSenseAreRefused) {
   expect_refused(points);
 }
 
+TEST_F(MapOfFive, TheNewestKeyframeStaysInItsPlace) {
+  MapMoved newest = half_the_way();
+  newest.prior.emplace();
+  newest.keyframes[0].id = 4;
+  expect_refused(newest);
+  newest.keyframes[0].T_cam_newest = SE3();
+  map_.move(newest, same_images);
+  EXPECT_DOUBLE_EQ(map_.active().back().points[0].idepth, 0.2) << "lengths near it may change";
+}
+
 TEST_F(MapOfFive, AKeyframeOfTheWindowMovesWithAPrior) {
   MapMoved moved = half_the_way();
   moved.keyframes[0].id = 3;

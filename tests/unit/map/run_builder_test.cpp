@@ -174,16 +174,25 @@ WindowAdjusted window_of(const std::vector<int>& ids, int moves) {
 TEST(RunBuilder, AnInterruptedRunKeepsTheKeyframesOfItsWindow) {
   RunBuilder builder(test::pinhole());
   EXPECT_EQ(builder.adopt_window(), 0u);
-  for (const MapEvent& e : std::vector<MapEvent>{at_origin(), window_of({1, 2, 3}, 0), keyframe(1, 11)})
+  for (const MapEvent& e : std::vector<MapEvent>{at_origin(), frame(11), frame(12), frame(13),
+                                                 window_of({1, 2, 3}, 0), keyframe(1, 11)})
     builder.apply(e);
   EXPECT_EQ(builder.adopt_window(), 2u);
   EXPECT_EQ(builder.finish().keyframes.size(), 3u);
 }
 
+TEST(RunBuilder, AWindowFromAfterTheLogWasCutOffIsNotAdopted) {
+  RunBuilder builder(test::pinhole());
+  for (const MapEvent& e : std::vector<MapEvent>{at_origin(), frame(11), window_of({1, 2, 3}, 0)})
+    builder.apply(e);
+  EXPECT_EQ(builder.adopt_window(), 1u);
+}
+
 TEST(RunBuilder, AWindowFromBeforeAMoveIsNotAdopted) {
   RunBuilder builder(test::pinhole());
   for (const MapEvent& e :
-       std::vector<MapEvent>{at_origin(), window_of({1, 2}, 0), move_of(1, kTurned, 1), window_of({2, 3}, 0)})
+       std::vector<MapEvent>{at_origin(), frame(11), frame(12), frame(13), window_of({1, 2}, 0),
+                             move_of(1, kTurned, 1), window_of({2, 3}, 0)})
     builder.apply(e);
   EXPECT_EQ(builder.adopt_window(), 0u);
   builder.apply(window_of({2, 3}, 1));

@@ -73,7 +73,7 @@ TEST(Window, AMoveBringsItsOwnPrior) {
     prior.linearization.push_back(turned);
   }
   window.map->move(moved, same_images);
-  window.take_prior(prior);
+  window.set_prior(prior);
   window.adjust();
   for (size_t i = 0; i < window.keyframes().size(); ++i)
     EXPECT_LT((window.keyframes()[i].T_cam_world * prior.linearization[i].inverse()).log().norm(), 1e-4) << i;

@@ -5,6 +5,8 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
+#include <utility>
 
 #include "edgevo/map/run_builder.h"
 #include "unit/odometry/rendered_runs.h"
@@ -88,7 +90,10 @@ class MovedPast : public ::testing::Test {
     static const Followed f = follow(true);
     return f;
   }
-  static MapMoved move() { return moved().all<MapMoved>().at(0); }
+  static const MapMoved& move() {
+    static const MapMoved m = moved().all<MapMoved>().at(0);
+    return m;
+  }
   // Id of a keyframe of the run.
   static int id_of(size_t keyframe) {
     std::map<int, int> id_of_frame;
@@ -226,6 +231,34 @@ TEST_F(MovedPast, AnotherReaderOfTheEventsBuildsTheSameRun) {
     }
   }
   EXPECT_EQ(run.camera.state, expected.camera.state);
+}
+
+// It costs the program an exception and a keyframe, but not the run.
+TEST(RefusedMove, TheRunGoesOn) {
+  for (const bool is_lens : {false, true}) {
+    OdometryOptions options;
+    options.move_map = [is_lens, done = false](const Map& map) mutable -> std::optional<MapMoved> {
+      if (std::exchange(done, true)) return std::nullopt;
+      MapMoved moved;
+      moved.segment = is_lens ? map.segment() : map.segment() + 1;
+      if (is_lens) moved.lens.emplace();
+      return moved;
+    };
+    Odometry odometry(sweep_camera(), {}, options);
+    constexpr int kSome = 60;
+    int refused = 0;
+    for (int k = 0; k < kSome; ++k) {
+      try {
+        (void)odometry.process(sweep_frame(k));
+      } catch (const std::invalid_argument&) {
+        ++refused;
+      }
+    }
+    EXPECT_EQ(refused, 1);
+    const auto run = odometry.finish();
+    ASSERT_EQ(run.frames.size(), size_t(kSome));
+    EXPECT_TRUE(run.frames.back().T_world_cam);
+  }
 }
 
 }  // namespace

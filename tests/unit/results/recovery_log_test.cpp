@@ -280,6 +280,13 @@ TEST_F(RecoveryLogs, AWindowOfAClosedMapAddsNothing) {
   EXPECT_EQ(recovered().keyframes.size(), keyframes);
 }
 
+TEST_F(RecoveryLogs, TheWindowOfAnotherRunIsGone) {
+  write_frames(20);
+  ASSERT_TRUE(fs::exists(folder_ / kRunWindow));
+  const RecoveryLog next(folder_.string(), header());
+  EXPECT_FALSE(fs::exists(folder_ / kRunWindow));
+}
+
 TEST_F(RecoveryLogs, AnIncompleteWindowCostsTheWindowOnly) {
   write_frames(19);
   const std::string whole = content(folder_ / kRunWindow);

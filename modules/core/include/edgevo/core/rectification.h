@@ -56,7 +56,7 @@ class Rectification {
   bool masks_outside_ = false;
 };
 
-/// From a camera to the pinhole that a program asks for; nothing: the default one.
+/// From a camera to the requested pinhole; nothing: the default one.
 inline Rectification rectification_of(const Camera& camera, const std::optional<Pinhole>& target) {
   return target ? Rectification(camera, *target) : Rectification(camera);
 }

@@ -31,6 +31,14 @@ class SE3 {
   /// From a rotation matrix and a translation.
   SE3(const Eigen::Matrix3d& R, const Eigen::Vector3d& t) : q_(Eigen::Quaterniond(R).normalized()), t_(t) {}
 
+  /// From a unit quaternion, which is kept to the last bit, e.g. one that was written to a file, and a
+  /// translation.
+  static SE3 from_unit(const Eigen::Quaterniond& q, const Eigen::Vector3d& t) {
+    SE3 T;
+    T.q_ = q, T.t_ = t;
+    return T;
+  }
+
   /// True exponential of xi = [v, w] (metres or map units, radians).
   static SE3 exp(const Vector6d& xi);
   /// Inverse of exp(); |w| <= pi.

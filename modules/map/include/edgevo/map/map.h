@@ -60,8 +60,8 @@ class Map {
   ///
   /// Throws std::invalid_argument, and changes nothing, if the segment is not the present one; if the ids do
   /// not ascend or one is not known; if points are missing or do not match those of the keyframe; if an
-  /// active keyframe would move and the move has no prior; or if the lens changes and an active keyframe has
-  /// no move.
+  /// active keyframe would move and the move has no prior; if the newest keyframe would leave its place; or
+  /// if the lens changes and an active keyframe has no move.
   MapMoved move(MapMoved moved, const Rebuild& rebuild);
 
   /// Drops the images of all marginalised keyframes but the newest `keep`.

@@ -89,8 +89,8 @@ enum class MoveReason {
 struct KeyframeMove {
   /// Id of the keyframe.
   int id = 0;
-  /// Its pose after the move, relative to the newest keyframe of the map, in the unit of length there. The
-  /// newest keyframe itself cannot move by this definition: nothing jumps for tracking or a servo loop.
+  /// Its pose after the move, relative to the newest keyframe of the map, in the unit of length there. That
+  /// of the newest keyframe itself is the identity: nothing jumps for tracking or a servo loop.
   SE3 T_cam_newest;
   /// New length over old length near this keyframe.
   double length_ratio = 1;

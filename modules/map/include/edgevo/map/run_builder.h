@@ -55,8 +55,8 @@ class RunBuilder {
   /// Number of frames so far.
   size_t frames() const { return rows_.size(); }
 
-  /// Takes the keyframes of the newest WindowAdjusted as marginalised, except those that have been: the end
-  /// of a run that was killed. Does nothing if the map has moved since.
+  /// Takes the keyframes of the newest WindowAdjusted as marginalised, except those that have been, and those
+  /// of frames that are not known: the end of a run that was killed. Does nothing if the map has moved since.
   /// Returns their number.
   size_t adopt_window();
   /// Returns final poses and keyframes in the world. A frame whose keyframe is not known (one that a killed
@@ -75,15 +75,15 @@ class RunBuilder {
     std::vector<EdgeLine> lines;
   };
 
-  void take(const SegmentPlaced& e);
-  void take(const KeyframeAdded&) {}
-  void take(const KeyframeMarginalised& e);
-  void take(const MapMoved& e);
-  void take(const WindowAdjusted& e) { window_ = e; }
-  void take(const LinesFinished& e);
-  void take(const CameraEstimated& e) { camera_ = e.camera; }
-  void take(const FrameMapped& e);
-  void take(const FrameAnchored& e);
+  void handle(const SegmentPlaced& e);
+  void handle(const KeyframeAdded&) {}
+  void handle(const KeyframeMarginalised& e);
+  void handle(const MapMoved& e);
+  void handle(const WindowAdjusted& e) { window_ = e; }
+  void handle(const LinesFinished& e);
+  void handle(const CameraEstimated& e) { camera_ = e.camera; }
+  void handle(const FrameMapped& e);
+  void handle(const FrameAnchored& e);
 
   bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_world_map_.size(); }
   void add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe);

@@ -112,7 +112,7 @@ class Window {
 
   /// Replaces the prior after the keyframes of the window have moved (Map::move); one without poses changes
   /// nothing.
-  void take_prior(const BaPrior& prior);
+  void set_prior(const BaPrior& prior);
 
  private:
   /// Another keyframe as a host sees it.

@@ -38,11 +38,12 @@ struct OdometryOptions {
   int max_frames_ahead = 1;
   /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
-  /// The stream that consumers read (map/map_log.h); null: nobody follows the map.
+  /// The stream that consumers read (map/map_log.h), of this odometry alone: another one needs its own. Null:
+  /// nobody follows the map.
   std::shared_ptr<MapLog> map_log;
   /// A producer of moves besides self-calibration, e.g. a recognition of places; may be empty. Called once
   /// per keyframe, in the thread of mapping, after self-calibration; nothing returned leaves the map as it
-  /// is. Map::move() says which moves are refused, by an exception.
+  /// is. Map::move() says which moves are refused, by an exception; so is one that changes the lens.
   std::function<std::optional<MapMoved>(const Map&)> move_map;
   /// Called with one line at each change of state; may be empty.
   std::function<void(const std::string&)> log;

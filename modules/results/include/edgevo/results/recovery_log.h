@@ -40,7 +40,8 @@ struct RecoveryHeader {
 /// Writes the recovery log of one run. For use by one thread.
 class RecoveryLog {
  public:
-  /// Begins `folder`/unfinished_run.bin. Throws InputError if it cannot be made.
+  /// Begins `folder`/unfinished_run.bin and removes the window of another run. Throws InputError if it cannot
+  /// be made.
   RecoveryLog(const std::string& folder, const RecoveryHeader& header);
   ~RecoveryLog();
 

@@ -13,7 +13,7 @@
 //      (Newton on the profile cost). Where one more step with both free indicates a rolling shutter, the
 //      read-out time is estimated, too.
 //   3. An estimate that is `significance` standard deviations from the value in use is to be applied: the
-//      result is a move of the map (MapMoved), with a new prior of the window. The owner of the map applies it.
+//      result is a move of the map (MapMoved), with a new prior of the window; Map::move() applies it.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
 // is applied. After the last checkpoint no matches are needed any more: memory and time are bounded. A run
 // that ends earlier is estimated at its end. A run that is too short, too straight or too still reports that
