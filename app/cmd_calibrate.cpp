@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -95,6 +96,7 @@ BoardViews views_from(const CalibrateArguments& args) {
   SourceOptions options = args.images;
   options.path = args.source;
   options.any_camera = true;
+  options.any_size = true;
   const auto source = open_source(options);
   listen_to_signals();
   Progress progress("finding the board", source->size());
@@ -108,8 +110,20 @@ std::string picture_path(const std::string& camera_file) {
   return std::filesystem::path(camera_file).replace_extension(".png").string();
 }
 
+void print_left_out(const BoardViews& views) {
+  if (views.of_other_size.empty()) return;
+  constexpr size_t kMostNames = 5;
+  std::string names;
+  for (size_t i = 0; i < std::min(kMostNames, views.of_other_size.size()); ++i)
+    names += (i > 0 ? ", " : "") + views.of_other_size[i];
+  std::printf("skipped: %zu of %zu images, which are not %dx%d: %s%s\n", views.of_other_size.size(),
+              views.of_other_size.size() + size_t(views.images), views.width, views.height, names.c_str(),
+              views.of_other_size.size() > kMostNames ? ", ..." : "");
+}
+
 void print_calibration(const CameraCalibration& c, const BoardViews& views) {
   const Pinhole p = c.camera.pinhole();
+  print_left_out(views);
   std::printf("board found in %d of %d images; %zu distinct views used, %zu rejected for their residuals\n",
               views.seen, views.images, c.views.size(), c.skipped.size());
   std::printf("fx %.2f fy %.2f +- %.2f px, cx %.2f cy %.2f +- %.2f px (one standard deviation)\n", p.fx, p.fy,

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/files/output_folder.h"
 #include "edgevo/report/compare_page.h"
 #include "edgevo/results/compared_runs.h"
 #include "option_checks.h"
@@ -15,9 +16,11 @@ namespace {
 struct CompareArguments {
   std::vector<std::string> runs;
   std::string out, ground_truth;
+  bool force = false;
 };
 
 int compare(const CompareArguments& args) {
+  check_file_is_ours(args.out, kComparePageMark, args.force);
   const std::vector<ComparedRun> runs = compared_runs(args.runs, args.ground_truth, args.out);
   make_output_folder(std::filesystem::absolute(args.out).parent_path().string());
   write_file(args.out, compare_html(runs));
@@ -47,6 +50,7 @@ void add_compare_command(CLI::App& app, Action* action) {
       ->add_option("--truth", args->ground_truth,
                    "ground truth for all runs (default: the one recorded by each run)")
       ->check(path_given());
+  add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return compare(*args); }; });
 }
 

@@ -2,8 +2,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "commands.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/evaluation/alignment_hints.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "option_checks.h"
 
@@ -12,8 +16,10 @@ namespace {
 
 struct EvalArguments {
   std::string trajectory, ground_truth;
+  std::vector<std::string> more_runs;
   bool json = false;
   int frames_total = 0;
+  TrajectoryReading reading, truth_reading;
 };
 
 using ReadTruth = std::function<Trajectory(const std::string& path)>;
@@ -24,35 +30,95 @@ bool is_file(const std::string& path) {
   return std::filesystem::exists(status) && !std::filesystem::is_directory(status);
 }
 
-int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source) {
+// Two trajectories without common times may have different clocks.
+TrajectoryEvaluation evaluate_or_explain(const Trajectory& estimate, const Trajectory& truth,
+                                         const EvaluationOptions& options) {
+  try {
+    return evaluate(estimate, truth, options);
+  } catch (const InputError& e) {
+    const std::optional<double> offset = clock_offset(estimate, truth);
+    if (!offset) throw;
+    std::string what = e.what();
+    what = what.substr(0, what.rfind("; "));
+    throw InputError(what, "the clocks may differ",
+                     "with --t-offset " + fixed(*offset, 3) + " the paths fit");
+  }
+}
+
+bool is_run(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+int eval_folders(const EvalArguments& args, const EvaluationOptions& options, const EvalRuns& eval_runs) {
+  if (args.reading.t_offset_s != 0 || args.reading.w_first || args.reading.inverse)
+    throw InputError(args.trajectory, "is the folder of a run, whose trajectory needs no other reading",
+                     "omit --t-offset, --quaternion and --inverse; --truth-... are for the ground truth");
+  std::vector<std::string> paths{args.trajectory};
+  if (!args.ground_truth.empty()) paths.push_back(args.ground_truth);
+  paths.insert(paths.end(), args.more_runs.begin(), args.more_runs.end());
+  return eval_runs(paths, options, args.json, args.truth_reading);
+}
+
+int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs) {
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
-  const Trajectory truth =
+  if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
+  if (args.ground_truth.empty())
+    throw InputError("GROUNDTRUTH", "is missing", "give the true trajectory after the estimated one");
+  if (!args.more_runs.empty())
+    throw InputError(args.more_runs.front(), "is one path too many",
+                     "give one trajectory, or folders of runs");
+  Trajectory truth =
       is_file(args.ground_truth) ? read_trajectory(args.ground_truth) : truth_of_source(args.ground_truth);
-  const TrajectoryEvaluation e = evaluate(read_trajectory(args.trajectory), truth, options);
+  Trajectory estimate = read_trajectory(args.trajectory);
+  reread(args.truth_reading, &truth);
+  reread(args.reading, &estimate);
+  const TrajectoryEvaluation e = evaluate_or_explain(estimate, truth, options);
+  for (const std::string& hint : alignment_hints(estimate, truth))
+    std::fprintf(stderr, "HINT: %s\n", hint.c_str());
   std::fputs((args.json ? to_json(e) : to_table(e)).c_str(), stdout);
   return 0;
 }
 
+void add_reading_options(CLI::App& cmd, const std::string& prefix, const std::string& file,
+                         TrajectoryReading* reading) {
+  cmd.add_option_function<std::string>(
+         "--" + prefix + "quaternion",
+         [reading](const std::string& order) { reading->w_first = order == "wxyz"; },
+         "order of the quaternions in " + file + ": xyzw (default) or wxyz")
+      ->check(CLI::IsMember({"xyzw", "wxyz"}));
+  cmd.add_flag("--" + prefix + "inverse", reading->inverse,
+               "the poses in " + file + " are from the world to the camera");
+}
+
 }  // namespace
 
-void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source) {
+void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, EvalRuns eval_runs) {
   auto args = std::make_shared<EvalArguments>();
   CLI::App* cmd =
       app.add_subcommand("eval", "compare a trajectory with ground truth: ATE, drift, scale, completion");
-  cmd->add_option("TRAJECTORY", args->trajectory,
-                  "trajectory in TUM format (8 numbers per line) or KITTI format (12)")
+  cmd->add_option(
+         "TRAJECTORY", args->trajectory,
+         "trajectory in TUM format (8 numbers per line) or KITTI format (12); or the folder of a run, "
+         "whose single frames are then evaluated as well")
       ->required();
   cmd->add_option("GROUNDTRUTH", args->ground_truth,
-                  "ground truth in TUM or KITTI format, or a data set folder; TUM may have its own rate")
-      ->required();
+                  "ground truth in TUM or KITTI format, or a data set folder; TUM may have its own rate "
+                  "(default for the folder of a run: the one that it recorded)");
+  cmd->add_option("RUN", args->more_runs,
+                  "more folders of runs: the figures of their frames, one by one and pooled");
   cmd->add_flag("--json", args->json, "print JSON instead of a table");
   cmd->add_option(
          "--frames-total", args->frames_total,
          "number of input images, for completion and the blocks of ATE200 (default: from frames.csv next to "
          "TRAJECTORY, times.txt next to GROUNDTRUTH, or the length of the ground truth)")
       ->check(whole_number(1));
-  cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source); }; });
+  cmd->add_option("--t-offset", args->reading.t_offset_s, "seconds to add to the times of TRAJECTORY")
+      ->check(number_between(-1e10, 1e10));
+  add_reading_options(*cmd, "", "TRAJECTORY", &args->reading);
+  add_reading_options(*cmd, "truth-", "GROUNDTRUTH", &args->truth_reading);
+  cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source, eval_runs); }; });
 }
 
 }  // namespace edgevo::app

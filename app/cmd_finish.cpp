@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/results/recover_run.h"
+#include "edgevo/results/recovery_log.h"
 #include "option_checks.h"
 #include "print_run.h"
 
@@ -11,8 +12,16 @@ namespace edgevo::app {
 namespace {
 
 int finish(const std::string& out) {
-  const Run run = recover_run(out);
+  const RecoveredRun recovered = recover_run(out);
+  const Run& run = recovered.run;
   print_run(run, out);
+  if (recovered.is_damaged)
+    throw InputError(
+        out,
+        "its recovery log is damaged: " + std::to_string(run.frames.size()) + " of " +
+            std::to_string(run.frames.size() + size_t(recovered.frames_lost)) + " frames were recovered",
+        "the results end there, and the log (" + std::string(kRecoveryLog) +
+            ") is kept; restore it from a copy and finish again, or run the sequence again with --force");
   if (!run.scale.problem.empty())
     throw InputError(out, "the results are in an arbitrary unit", run.scale.problem);
   return 0;

@@ -45,6 +45,7 @@ void add_import_command(CLI::App& app, Action* action) {
   CLI::App* command = app.add_subcommand("import", "convert a source to an MRPT rawlog with external images");
   auto args = std::make_shared<ImportArguments>();
   add_source_options(*command, &args->source);
+  add_mount(*command, &args->source.mount);
   command->add_option("OUT.rawlog", args->rawlog, "rawlog to write; its images go to OUT_Images")->required();
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return import(*args); }; });

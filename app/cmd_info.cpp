@@ -23,7 +23,9 @@ void check_every_frame(ImageSource& source) {
   print("check", "all " + std::to_string(count) + " images decode, sizes and times are right");
 }
 
-int info(const SourceOptions& options, bool check) {
+// The contents are shown without a calibration, too.
+int info(SourceOptions options, bool check) {
+  options.any_camera = true;
   const auto source = open_source(options);
   print("source", options.path);
   for (const auto& [name, value] : describe(*source)) print(name, value);
@@ -40,6 +42,7 @@ void add_info_command(CLI::App& app, Action* action) {
   auto options = std::make_shared<SourceOptions>();
   auto check = std::make_shared<bool>(false);
   add_source_options(*command, options.get());
+  add_mount(*command, &options->mount);
   command->add_flag("--check", *check, "also read every image");
   command->callback([=] { *action = [=] { return info(*options, *check); }; });
 }

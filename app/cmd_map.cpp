@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
@@ -12,6 +13,7 @@
 #include "edgevo/results/run_params.h"
 #include "option_checks.h"
 #include "progress.h"
+#include "source_options.h"
 
 namespace edgevo::app {
 namespace {
@@ -22,14 +24,28 @@ struct MapArguments {
   std::string run, out, params_file;
   std::vector<std::string> settings;
   std::optional<double> resolution, max_range;
+  std::optional<CameraMount> mount;
   bool force = false;
 };
+
+// A parameter of the odometry would be accepted without any effect.
+void check_is_of_maps(const std::string& setting) {
+  const std::string key = setting.substr(0, setting.find('='));
+  MapParams maps;
+  for (const ParamDescription& param : describe_params([&](ParamVisitor& v) { maps.visit(v); }))
+    if (param.key == key) return;
+  throw InputError("--set " + setting, "is of no use for a map",
+                   "set parameters of occupancy or grid; others act in edgevo run");
+}
 
 MapParams params_from(const MapArguments& args) {
   RunParams params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
-  if (!args.params_file.empty()) read_params_file(args.params_file, visit);
-  for (const std::string& setting : args.settings) set_param(setting, visit);
+  if (!args.params_file.empty()) read_params_given(args.params_file, visit);
+  for (const std::string& setting : args.settings) {
+    set_param(setting, visit);
+    check_is_of_maps(setting);
+  }
   if (args.resolution) params.map.occupancy.resolution = fixed(*args.resolution, 9);
   if (args.max_range) params.map.occupancy.max_range = fixed(*args.max_range, 9);
   params.map.check();
@@ -70,7 +86,8 @@ MapReport write_maps(const Run& run, const MapParams& params, const std::string&
 int map(const MapArguments& args) {
   const MapParams params = params_from(args);
   check_output(args);
-  const Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
+  Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
+  if (args.mount) run.T_vehicle_cam = T_vehicle_cam(*args.mount);
   check_map_size(run, params.occupancy, free_memory(), args.run);
   print_size(run, params);
   const MapReport report = write_maps(run, params, args.out);
@@ -98,9 +115,14 @@ void add_map_command(CLI::App& app, Action* action) {
       ->add_option("--max-range", args->max_range,
                    "largest distance from the path that is mapped, unit of the run")
       ->check(positive_number());
+  add_mount(*command, &args->mount);
   command->add_option("--params", args->params_file,
                       "YAML file of parameters; only occupancy and grid are used");
-  command->add_option("--set", args->settings, "set a parameter, GROUP.KEY=VALUE; repeatable")->take_all();
+  command
+      ->add_option("--set", args->settings,
+                   "set a parameter of occupancy or grid, GROUP.KEY=VALUE; repeatable")
+      ->take_all()
+      ->allow_extra_args(false);
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return map(*args); }; });
 }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/detectors/all_detectors.h"
@@ -11,6 +12,7 @@
 #include "edgevo/results/run_params.h"
 #include "edgevo/run_loop/run_odometry.h"
 #include "edgevo/scale/run_scaling.h"
+#include "edgevo/scale/up_direction.h"
 #include "edgevo/viewer/run_view.h"
 #include "option_checks.h"
 #include "print_run.h"
@@ -38,7 +40,7 @@ struct RunArguments {
 RunParams effective_params(const RunArguments& args) {
   RunParams params;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
-  if (!args.params_file.empty()) read_params_file(args.params_file, visit);
+  if (!args.params_file.empty()) read_params_given(args.params_file, visit, args.quiet);
   for (const std::string& setting : args.settings) set_param(setting, visit);
   if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
   if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
@@ -69,6 +71,7 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.source_path = args.source.path;
   info.ground_truth_path = source.ground_truth_path();
   info.camera = source.camera();
+  info.input = source.decisions();
   info.working_pinhole = odometry.working_pinhole;
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
   info.notes = {{"seed", std::to_string(args.seed)},
@@ -126,9 +129,21 @@ RunResult run_over(const RunArguments& args, ImageSource& source, const Odometry
 void note_end(const RunResult& result, RunInfo* info) {
   info->interrupted = result.broken || interrupted();
   if (result.skipped == 0) return;
-  info->notes.emplace_back(
-      "left_out", std::to_string(result.skipped) +
-                      " frame(s) whose images could not be used; the first: " + result.first_skipped);
+  info->notes.emplace_back("left_out", std::to_string(result.skipped) +
+                                           " frame(s) whose images or times could not be used; the first: " +
+                                           result.first_skipped);
+}
+
+// The mount of a camera that has none, if it was seen; a result and its doubt are said.
+void look_for_up(const RunArguments& args, Run* run, RunInfo* info) {
+  const std::optional<InputDecision> up = decide_up(run);
+  if (!up) return;
+  info->input.push_back(*up);
+  if (args.quiet) return;
+  if (run->T_vehicle_cam)
+    std::fprintf(stderr, "edgevo: %s: %s\n", args.source.path.c_str(), to_string(*up).c_str());
+  for (const std::string& warning : input_warnings({*up}))
+    std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
 }
 
 void print_end(const RunResult& result) {
@@ -138,10 +153,15 @@ void print_end(const RunResult& result) {
                 result.first_skipped.c_str());
 }
 
-void print_failure(const RunArguments& args, const RunOutputs& outputs) {
-  const std::string earlier = outputs.earlier_run();
-  std::fprintf(stderr, "edgevo: tracking failed for most of %s; see the notes in %s/frames.csv%s\n",
-               args.source.path.c_str(), args.out.c_str(),
+void print_failure(const RunArguments& args, const Run& run, const RunOutputs& outputs) {
+  const RunCounts n = count(run);
+  const std::string earlier = outputs.earlier_run(), reason = commonest_doubt(run);
+  const std::string what = n.mostly_failed()
+                               ? "tracking failed for most of " + args.source.path
+                               : std::to_string(n.doubtful_poses()) + " of " + std::to_string(n.with_pose) +
+                                     " poses of " + args.source.path + " are doubtful";
+  std::fprintf(stderr, "edgevo: %s; mostly: %s%s\n", what.c_str(),
+               reason.empty() ? "no reason was noted" : reason.c_str(),
                earlier.empty() ? "" : ("; the earlier run is kept in " + earlier).c_str());
 }
 
@@ -149,7 +169,7 @@ int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
   const ScaleSource scale = parse_scale_source(args.scale);
   check_apart(args.source.path, args.out);
-  const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source);
+  const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source, args.quiet);
   OdometryOptions odometry = odometry_options(args);
   odometry.map_log = std::make_shared<MapLog>();
   RunScaling scaling(scale, *source, rectification_of(source->camera(), odometry).target(), params.scale);
@@ -160,6 +180,7 @@ int run(const RunArguments& args) {
   RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs);
   Run& tracked = result.run;
   if (tracked.frames.empty()) throw_without_frames(args, result);
+  look_for_up(args, &tracked, &info);
   scaling.convert(&tracked);
   note_end(result, &info);
   outputs.finish(tracked, info);
@@ -168,8 +189,8 @@ int run(const RunArguments& args) {
   if (result.broken) std::rethrow_exception(result.broken);
   if (!tracked.scale.problem.empty())
     throw InputError(args.out, "the results are in an arbitrary unit", tracked.scale.problem);
-  if (!count(tracked).mostly_failed()) return kDone;
-  print_failure(args, outputs);
+  if (const RunCounts n = count(tracked); !n.mostly_failed() && !n.is_largely_doubtful()) return kDone;
+  print_failure(args, tracked, outputs);
   return kMostlyFailed;
 }
 
@@ -180,6 +201,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   auto args = std::make_shared<RunArguments>();
   args->command_line = std::move(command_line);
   add_source_options(*command, &args->source);
+  add_mount(*command, &args->source.mount);
   add_image_scale(*command, &args->source);
   command
       ->add_option("-o,--out", args->out,
@@ -188,11 +210,13 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
       ->required()
       ->check(path_given());
   command->add_option("--params", args->params_file,
-                      "YAML file of parameters (edgevo help parameters); others keep their defaults");
+                      "YAML file of parameters (edgevo help parameters), or summary.yaml of a run; others "
+                      "keep their defaults");
   command
       ->add_option("--set", args->settings,
                    "set a parameter (edgevo help parameters), GROUP.KEY=VALUE; repeatable")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   command->add_option("--detector", args->detector,
                       "edge detector: " + edge_detector_help(all_edge_detectors()));
   command
@@ -230,9 +254,9 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
                     "the run");
   command->add_option_function<std::string>(
       "--on-bad-frame", [args](const std::string& text) { args->on_bad_frame = parse_on_bad_frame(text); },
-      "unusable image: skip (default) continues as if the camera had dropped it and notes it in frames.csv "
-      "and summary.yaml; stop ends the run there with all results so far. The first image must be usable "
-      "either way");
+      "unusable image or time: skip (default) continues as if the camera had dropped the frame and notes it "
+      "in frames.csv and summary.yaml; stop ends the run there with all results so far. The first image must "
+      "be usable either way");
   command->add_flag("--copy-images", args->outputs.copy_images,
                     "copy the images of the playback instead of linking them, so that OUT is self-contained");
   command->add_flag("--force", args->outputs.force,

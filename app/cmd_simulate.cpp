@@ -16,6 +16,7 @@
 #include "edgevo/simulation/survey_export.h"
 #include "option_checks.h"
 #include "progress.h"
+#include "source_options.h"
 
 namespace edgevo::app {
 namespace {
@@ -27,6 +28,7 @@ struct SimulateOptions {
   std::string scene, out, frames, season, survey, layout = "edgevo";
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
+  std::optional<CameraMount> mount;
   bool depth = false, edges = false, correspondences = false, force = false;
 };
 
@@ -52,6 +54,7 @@ Scene scene_from(const SimulateOptions& options) {
       load_scene(options.season.empty() ? options.scene : options.scene + ":" + options.season, options.seed);
   scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
   scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
+  if (options.mount) mount_camera(*options.mount, &scene);
   return scene;
 }
 
@@ -94,6 +97,9 @@ int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
   if (options.depth || options.correspondences)
     throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences",
                      "omit --layout, or these");
+  if (options.mount)
+    throw InputError(options.out, "a survey of Symphony Lake has a mount of its own",
+                     "omit --layout, or --mount");
   const std::string name = options.survey.empty() ? usual_survey_name(options.season) : options.survey;
   const SurveyLocation survey{options.out, name, options.layout == kNewSurveys};
   check_folder_is_ours(survey.folder(), {"SOURCE.md"}, options.force);
@@ -170,6 +176,7 @@ void add_simulate_command(CLI::App& app, Action* action) {
                    "exposure time, seconds, which blurs along the true motion (default: that of the scene, "
                    "usually 0)")
       ->check(number_from_zero());
+  add_mount(*command, &options->mount);
   command->add_flag("--depth", options->depth, "also write exact depth images (PFM)");
   command->add_flag("--edges", options->edges,
                     "also write the true edges and their kinds (edges/*.png: depth steps 255, creases 170, "

@@ -2,17 +2,19 @@
 #pragma once
 // The sub-commands of `edgevo`, in the program edgevo-commands (`eval` also in front_main.cpp). Each function
 // adds a sub-command with its options to the parser; if that sub-command is requested, parsing stores its
-// work in
-// `*action`. The action returns the exit code (0 done, 3 tracking failed for most of the sequence) and throws
-// edgevo::InputError for bad input (main prints it as one line, exit code 2).
+// work in `*action`. The action returns the exit code (0 done, 3 tracking failed for most of the sequence or
+// a quarter of the poses is doubtful) and throws edgevo::InputError for bad input (main prints it as one
+// line, exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace edgevo {
+struct EvaluationOptions;
 struct Trajectory;
-}
+struct TrajectoryReading;
+}  // namespace edgevo
 
 namespace edgevo::app {
 
@@ -24,9 +26,13 @@ void add_finish_command(CLI::App& app, Action* action);
 void add_import_command(CLI::App& app, Action* action);
 void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
-/// Adds `eval`; `truth_of_source` reads the ground truth of a data set if GROUNDTRUTH is not a file.
+/// Evaluates finished runs (eval_runs.h); returns the exit code.
+using EvalRuns = std::function<int(const std::vector<std::string>& paths, const EvaluationOptions& options,
+                                   bool json, const TrajectoryReading& truth_reading)>;
+/// Adds `eval`; `truth_of_source` reads the ground truth of a data set if GROUNDTRUTH is not a file,
+/// `eval_runs` takes over if TRAJECTORY is a folder.
 void add_eval_command(CLI::App& app, Action* action,
-                      std::function<Trajectory(const std::string& path)> truth_of_source);
+                      std::function<Trajectory(const std::string& path)> truth_of_source, EvalRuns eval_runs);
 void add_simulate_command(CLI::App& app, Action* action);
 void add_relight_command(CLI::App& app, Action* action);
 void add_study_command(CLI::App& app, Action* action);

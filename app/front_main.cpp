@@ -14,6 +14,7 @@
 #include "edgevo/evaluation/trajectory.h"
 #include "edgevo/files/program_folder.h"
 #include "help.h"
+#include "standard_output.h"
 #include "version.h"
 
 namespace edgevo::app {
@@ -63,7 +64,11 @@ bool print_help(const std::string& command) {
 int eval(const Words& words) {
   CLI::App app;
   Action action;
-  add_eval_command(app, &action, [&](const std::string&) -> Trajectory { become_commands(words); });
+  add_eval_command(
+      app, &action, [&](const std::string&) -> Trajectory { become_commands(words); },
+      [&](const std::vector<std::string>&, const EvaluationOptions&, bool, const TrajectoryReading&) -> int {
+        become_commands(words);
+      });
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
   } catch (const CLI::ParseError&) {
@@ -89,7 +94,7 @@ int run(const Words& words) {
 int main(int argc, char** argv) {
   using namespace edgevo::app;
   try {
-    return run(Words(argv, argv + argc));
+    return end_of_output(run(Words(argv, argv + argc)));
   } catch (const std::bad_alloc&) {
     std::fputs("edgevo: out of memory; close other programs and try again\n", stderr);
   } catch (const std::exception& e) {

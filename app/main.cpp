@@ -8,10 +8,12 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "eval_runs.h"
 #include "help.h"
 #include "help_parameters.h"
 #include "option_checks.h"
 #include "source_truth.h"
+#include "standard_output.h"
 #include "version.h"
 
 namespace {
@@ -37,7 +39,11 @@ int main(int argc, char** argv) {
   edgevo::app::add_finish_command(app, &action);
   edgevo::app::add_import_command(app, &action);
   edgevo::app::add_info_command(app, &action);
-  edgevo::app::add_eval_command(app, &action, edgevo::app::source_truth);
+  edgevo::app::add_eval_command(
+      app, &action, edgevo::app::source_truth,
+      [](const auto& paths, const auto& options, bool json, const auto& truth_reading) {
+        return edgevo::app::eval_runs(paths, options, json, truth_reading, edgevo::app::source_truth);
+      });
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
   edgevo::app::add_edges_command(app, &action);
@@ -51,7 +57,7 @@ int main(int argc, char** argv) {
   edgevo::app::add_help_command(app);
   app.footer(
       "Exit codes: 0 done; 2 bad usage or bad input; 3 finished, but tracking failed for most of the "
-      "sequence.");
+      "sequence, or more than a quarter of its poses are doubtful.");
   std::vector<char*> words = edgevo::app::help_as_option(app, argc, argv);
   try {
     if (argc == 3 && std::string(argv[1]) == "--write-help") {  // for the build
@@ -59,14 +65,14 @@ int main(int argc, char** argv) {
       edgevo::app::write_parameters_help(argv[2]);
       return 0;
     }
-    if (edgevo::app::print_parameters_help(argc, argv)) return 0;
+    if (edgevo::app::print_parameters_help(argc, argv)) return edgevo::app::end_of_output(0);
     app.parse(int(words.size()), words.data());
     cv::setNumThreads(1);  // tracking, mapping and several runs at a time have threads of their own
-    return action();
+    return edgevo::app::end_of_output(action());
   } catch (const CLI::CallForHelp& e) {
-    return app.exit(e);
+    return edgevo::app::end_of_output(app.exit(e));
   } catch (const CLI::CallForVersion& e) {
-    return app.exit(e);
+    return edgevo::app::end_of_output(app.exit(e));
   } catch (const CLI::ParseError& e) {
     return report(edgevo::app::explain(app, e, int(words.size()), words.data()).c_str());
   } catch (const edgevo::InputError& e) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "option_checks.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "edgevo/core/error.h"
@@ -34,6 +36,23 @@ std::string unknown_command(const CLI::App& app, const std::string& word) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
   return "unknown sub-command '" + word + "'" + did_you_mean(word, names);
+}
+
+bool has_option(const CLI::App& command, const std::string& name) {
+  const std::vector<std::string> names = option_names(command);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// An option before the sub-command, where only those of the program itself stand.
+std::string unknown_program_option(const CLI::App& app, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  std::string commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (name != "--help" && has_option(*command, name))
+      commands += (commands.empty() ? "" : ", ") + command->get_name();
+  if (commands.empty())
+    return "unknown option " + name + did_you_mean(name, option_names(app)) + "; see edgevo --help";
+  return "option " + name + " stands before the sub-command; write it after its own: " + commands;
 }
 
 std::string unexpected(const CLI::App& command, const std::string& word) {
@@ -91,11 +110,19 @@ CLI::Validator path_given() {
   return {check, "", "path"};
 }
 
+void read_params_given(const std::string& path, const VisitParams& visit, bool quiet) {
+  if (read_params_file(path, visit) && !quiet)
+    std::fprintf(stderr, "edgevo: %s: its block `parameters` is used\n", path.c_str());
+}
+
 void add_force(CLI::App& command, bool* force) {
   command.add_flag("--force", *force, "overwrite existing files, whatever they are");
 }
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const bool is_extra = error.get_exit_code() == int(CLI::ExitCodes::ExtrasError);
+  const bool is_alone = app.get_subcommands().empty();
+  if (argc > 1 && (is_extra || is_alone) && argv[1][0] == '-') return unknown_program_option(app, argv[1]);
   const std::vector<CLI::App*> commands = app.get_subcommands();
   if (commands.empty()) {
     if (argc > 1 && argv[1][0] != '-') return unknown_command(app, argv[1]);
@@ -104,8 +131,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
   }
   const CLI::App& command = *commands.front();
   const std::vector<std::string> rest = command.remaining();
-  if (error.get_exit_code() == int(CLI::ExitCodes::ExtrasError) && !rest.empty())
-    return unexpected(command, rest.front());
+  if (is_extra && !rest.empty()) return unexpected(command, rest.front());
   return command.get_name() + ": " + error.what() + "; see edgevo " + command.get_name() + " --help";
 }
 

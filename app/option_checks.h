@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "edgevo/core/params.h"
+
 namespace edgevo::app {
 
 /// Accepts a whole number from `least` to `most`.
@@ -18,6 +20,9 @@ CLI::Validator number_from_zero();
 CLI::Validator number_between(double least, double most);
 /// Refuses an empty path, as an unset variable in a script gives.
 CLI::Validator path_given();
+
+/// Reads a file of parameters; says so if it is the block of a summary.yaml, unless `quiet`.
+void read_params_given(const std::string& path, const VisitParams& visit, bool quiet = false);
 
 /// Adds --force, which allows overwriting existing files.
 void add_force(CLI::App& command, bool* force);

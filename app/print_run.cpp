@@ -3,17 +3,36 @@
 
 #include <cstdio>
 
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/core/run_warnings.h"
 
 namespace edgevo::app {
 
+namespace {
+
+// The longest intervals, in time order: what a console has room for.
+void print_doubtful(const Run& run) {
+  constexpr size_t kShown = 5;
+  const std::vector<DoubtfulInterval> all = doubtful_intervals(run);
+  const std::vector<DoubtfulInterval> shown = longest(all, kShown);
+  for (const DoubtfulInterval& interval : shown)
+    std::fprintf(stderr, "NOT TO BE TRUSTED: %s\n", to_string(interval).c_str());
+  if (shown.size() < all.size())
+    std::fprintf(stderr, "and %zu shorter intervals, listed in summary.yaml\n", all.size() - shown.size());
+}
+
+}  // namespace
+
 void print_run(const Run& run, const std::string& out) {
   const RunCounts n = count(run);
   std::printf(
-      "%d frames, %d with a pose, %d lost, %d segment(s), %d keyframes, %zu edge points, %zu lines; scale "
+      "%d frames, %d with a pose, %d doubtful, %d segment(s), %d keyframes, %zu edge points, %zu lines; "
+      "scale "
       "%s\n",
-      n.frames, n.with_pose, n.lost, n.segments, n.keyframes, n.points, n.lines, run.scale_source.c_str());
+      n.frames, n.with_pose, n.doubtful, n.segments, n.keyframes, n.points, n.lines,
+      run.scale_source.c_str());
+  print_doubtful(run);
   if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
   for (const std::string& warning : run_warnings(run)) std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
   std::printf("results in %s (listed in summary.yaml)\n", out.c_str());

@@ -60,7 +60,8 @@ void add_options(CLI::App& app, Options* o) {
   app.add_option("--params", o->params_file,
                  "YAML file of odometry parameters, applied on top of params/servo.yaml");
   app.add_option("--set", o->settings, "set a parameter of the odometry, GROUP.KEY=VALUE; repeatable")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   add_force(app, &o->force);
   app.add_flag("--quiet", o->quiet, "print nothing but errors");
 }
@@ -68,7 +69,7 @@ void add_options(CLI::App& app, Options* o) {
 OdometryParams odometry_params(const Options& o) {
   OdometryParams params = servo_odometry_params();
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
-  if (!o.params_file.empty()) read_params_file(o.params_file, visit);
+  if (!o.params_file.empty()) read_params_given(o.params_file, visit);
   for (const std::string& setting : o.settings) set_param(setting, visit);
   return params;
 }

@@ -13,6 +13,9 @@ namespace edgevo::app {
 /// and throws InputError for a wrong --frames.
 void add_source_options(CLI::App& command, SourceOptions* options);
 
+/// Adds --mount.
+void add_mount(CLI::App& command, std::optional<CameraMount>* mount);
+
 /// Adds --image-scale; its default depends on the width of the images.
 void add_image_scale(CLI::App& command, SourceOptions* options);
 
@@ -20,6 +23,6 @@ void add_image_scale(CLI::App& command, SourceOptions* options);
 std::vector<std::pair<std::string, std::string>> source_notices(const ImageSource& source);
 
 /// Calls open_source() and prints the notices to stderr, one line each.
-std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options);
+std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet = false);
 
 }  // namespace edgevo::app

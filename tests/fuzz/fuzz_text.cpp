@@ -32,6 +32,25 @@ TEST(FuzzText, CameraYaml) {
            kRounds, 2, [](const std::string& text) { parse_camera(text, "f").check("result"); }));
 }
 
+// The other forms of calibration files.
+TEST(FuzzText, CameraForms) {
+  uint64_t seed = 20;
+  for (const char* valid :
+       {"image_width: 24\nimage_height: 16\ncamera_matrix:\n  rows: 3\n  data:\n  - 20\n  - 0\n  - 12\n  - "
+        "0\n  - 21\n  "
+        "- 8\n  - 0\n  - 0\n  - 1\ndist_coeffs:\n- - 0.1\n  - 0\n- [0, 0]\n",
+        "header:\n  stamp:\n    sec: 1\nheight: 16\nwidth: 24\nd: [0.1, 0, 0, 0]\nk: [[20, 0, 12], [0, 21, "
+        "8], [0, 0, "
+        "1]]\nbinning_x: 0\nroi:\n  x_offset: 0\n---\nheight: 16\nwidth: 24\nd: [0.1, 0, 0, 0]\nk: [20, 0, "
+        "12, 0, 21, "
+        "8, 0, 0, 1]\n---\n",
+        "# oST\n[image]\nwidth\n24\nheight\n16\n[c]\ncamera matrix\n20 0 12\n0 21 8\n0 0 1\ndistortion\n0.1 "
+        "0 0 0 0\n",
+        "20 21 12 8 0\n24 16\ncrop\n20 10\n", "RadTan 0.9 0.8 0.5 0.5 0.1 0 0 0\n24 16\nnone\n"})
+    expect_both(fuzz(valid, kRounds / 2, ++seed,
+                     [](const std::string& text) { parse_camera(text, "f").check("result"); }));
+}
+
 struct FuzzedParams {
   double percentile = 0.9;
   int levels = 4;

@@ -10,7 +10,7 @@ endfunction()
 
 edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)
 foreach(name IN ITEMS simulate relight study run_eval reproducible blackout bad_arguments bad_input bad_files broken_source disk_full
-    output_folder killed degenerate realtime calibrate bench workflow report compare servo edges)
+    output_folder killed degenerate realtime calibrate bench workflow report compare servo edges eval_hints mount)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
 foreach(name IN ITEMS symphony table)
@@ -48,6 +48,19 @@ edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath o
   ${CMAKE_DL_LIBS})
 target_compile_definitions(test_plugin PRIVATE EDGEVO_PLUGIN="$<TARGET_FILE:edgevo_plugin>")
 add_dependencies(test_plugin edgevo_plugin)
+
+# Times that go back, repeat or are missing. A clock that is set back under rawlog-grabber needs a program without sanitizers.
+add_executable(damage_times ${CMAKE_CURRENT_LIST_DIR}/damage_times.cpp)
+target_link_libraries(damage_times PRIVATE edgevo::mrpt_bridge)
+add_library(set_back_clock MODULE ${CMAKE_CURRENT_LIST_DIR}/set_back_clock.cpp)
+target_link_libraries(set_back_clock PRIVATE ${CMAKE_DL_LIBS})
+set(clock_arguments)
+if(NOT EDGEVO_SANITIZE)
+  set(clock_arguments $<TARGET_FILE:set_back_clock>)
+endif()
+add_test(NAME integration.cli_times
+  COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_times.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:damage_times> ${clock_arguments})
+set_tests_properties(integration.cli_times PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)
 
 # Every source of scale: a test program adds the vehicle's sensors to the rawlog.
 add_executable(add_vehicle_sensors ${CMAKE_CURRENT_LIST_DIR}/add_vehicle_sensors.cpp)

@@ -20,6 +20,13 @@ for seconds in -0.1 1e999; do complains "rolling-shutter.*number, 0 or larger" "
 complains "exposure of 0.5.* s is out of range; give 0 to 0.03" "$edgevo" simulate desk -o out --exposure 0.5
 complains "none.txt" "$edgevo" eval none.txt "$desk/groundtruth_tum.txt"
 
+complains "unknown option --versio; did you mean --version?" "$edgevo" --versio
+complains "option --quiet stands before the sub-command; write it after its own: .*run" "$edgevo" --quiet run "$desk" -o out
+# --set takes one value, whatever follows it.
+complains "'7' is out of range.*between" "$edgevo" run --set edges.canny_percentile=7 "$desk" -o out --quiet
+complains "set edges.detector=canny: is of no use for a map; set parameters of occupancy or grid" "$edgevo" map "$scenes/runs/desk" \
+  --set edges.detector=canny -o out
+
 # More ranges are in tests/unit/datasets/frame_range_test.cpp.
 for range in 5 9:5 1000:1001; do complains "--frames" run "$desk" -o out --frames=$range; done
 for every in 0 2.5 99999999999; do complains "--every.*whole number" run "$desk" -o out --every=$every; done
@@ -43,6 +50,15 @@ complains "unknown.yaml:3: unknown parameter.*did you mean" run "$desk" -o out -
 complains "range.yaml:2: .*out of range" run "$desk" -o out --params range.yaml
 complains "broken.yaml:1: " run "$desk" -o out --params broken.yaml
 complains "none.yaml: cannot be read" run "$desk" -o out --params none.yaml
+
+complains "'9' is out of range" run --params range.yaml "$desk" -o out
+# The parameters of a run are in its summary.yaml.
+sed 's/^    canny_percentile: .*/    canny_percentile: 9/' "$scenes/runs/desk/summary.yaml" >summary.yaml
+complains "summary.yaml:[0-9]*: edges.canny_percentile: '9' is out of range" run "$desk" -o out --params summary.yaml
+run_code 0 "$edgevo" run "$desk" -o of_summary --params "$scenes/runs/desk/summary.yaml" --frames 0:40
+check "the line that says so" "$(grep -c 'summary.yaml: its block .parameters. is used' stderr)" -eq 1
+check "parameters that differ" "$(for out in of_summary "$scenes/runs/desk"; do sed -n '/^parameters:/,/^[a-oq-z]/p' "$out/summary.yaml"; done |
+  sort | uniq -u | wc -l)" -eq 0
 
 # Sources that do not exist or are no sources.
 mkdir empty only_images letter

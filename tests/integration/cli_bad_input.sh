@@ -38,8 +38,10 @@ numbers "below one pixel" "0.78 1.04 320 240 0 0 0 0 640 480"
 numbers "principal point" "500 500 3200 240 0 0 0 0 640 480"
 numbers "" "500 500 320 240 0 0 0 0 1e12 480"
 numbers "not a finite number\|is not a number" "500 500 320 240 1e999 0 0 0 640 480"
-echo "500 500 160 120 0 0 0 0 320 240" >small.txt
-camera "the image is 640x480, but the camera model is for 320x240" small.txt
+echo "500 500 160 100 0 0 0 0 320 200" >small.txt
+camera "the image is 640x480, but the camera model is for 320x200, of another shape" small.txt
+echo "500 500 120 160 0 0 0 0 240 320" >upright.txt
+camera "the camera model is for 240x320: the images are turned" upright.txt
 printf 'image_width: 640\nimage_height: 480\ncamera_matrix:\n  rows: 3\n' >torn.yaml
 camera "torn.yaml" torn.yaml
 
@@ -71,14 +73,14 @@ source_of "dangling: no such file" dangling
 sequence() { rm -rf "$1" && copy_sequence "$desk" "$1" 0 5; }
 sequence lines && echo "1.0" >>lines/times.txt
 source_of "6 times for 5 images" lines
-sequence nan && sed -i '3s/.*/nan/' nan/times.txt
-source_of "times.txt, line 3: is not a time" nan
+sequence noon && sed -i '3s/.*/noon/' noon/times.txt
+source_of "times.txt, line 3: is not a time" noon
 sequence piped && rm piped/times.txt && mkfifo piped/times.txt
 source_of "times.txt" piped
 sequence cameras && rm cameras/camera.txt && mkfifo cameras/camera.txt
 source_of "camera.txt" cameras
 sequence backwards && sort -r "$desk/times.txt" | head -5 >backwards/times.txt
-source_of "is not after the frame before" backwards && rm -rf out
+source_of "is not after the frame before" backwards --on-bad-frame stop && rm -rf out
 sequence first && rm first/images/000000.png && cp torn.png first/images/000000.png
 source_of "000000.png: the image does not decode" first
 sequence file && rm -r file/images && : >file/images
@@ -89,6 +91,15 @@ mkdir freiburg1 && echo "1.0 rgb/none.png" >freiburg1/rgb.txt
 source_of "none.png: the image is missing" freiburg1
 mkdir -p euroc/mav0/cam0 && cp noise euroc/mav0/cam0/data.csv
 source_of "data.csv" euroc
+
+# Images of several kinds, and readings that do not fit.
+mkdir pair && for i in 0 1 2 3; do for side in left right; do ln -s "$desk/images/00000$i.png" pair/00000${i}_$side.png; done; done
+source_of "several series: #_left.png (4), #_right.png (4); choose one" pair --camera "$desk/camera.txt"
+source_of "middle.*matches none of the images" pair --camera "$desk/camera.txt" --images 'middle*'
+source_of "is of no use: freiburg1 lists its images itself" freiburg1 --images '*'
+source_of "is of no use: the images have 8 bits" "$desk" --bits 12
+source_of "bits" "$desk" --bits 17
+source_of "time-unit" "$desk" --time-unit hours
 nothing_left
 
 # Outputs.

@@ -79,6 +79,14 @@ sed 's/^/      /' stdout
 below "difference of the focal length from 400 px" "$(sed -n 's/^fx \([0-9.]*\) .*/\1/p' stdout | awk '{ d = $1 - 400; print d < 0 ? -d : d }')" 4
 check "the picture of its residuals" "$(convert-im6.q16 board.png -format %w info:)" -eq 1000
 run_code 0 "$edgevo" info board --camera board.yaml
+# Photos of another size are skipped and named; without a size that most have nothing is chosen.
+cp -r board mixed
+for name in a g; do convert-im6.q16 "board/$name.png" -extent 481x360 "mixed/$name.png"; done
+run_code 0 "$edgevo" calibrate mixed --chessboard 9x6 -o mixed.yaml
+check "the line that names them" "$(grep -c '^skipped: 2 of 12 images, which are not 480x360: a.png (481x360), g.png (481x360)' stdout)" -eq 1
+below "focal length without them, difference from 400 px" "$(sed -n 's/^fx \([0-9.]*\) .*/\1/p' stdout | awk '{ d = $1 - 400; print d < 0 ? -d : d }')" 6
+for name in b c d e; do convert-im6.q16 "board/$name.png" -extent 481x360 "mixed/$name.png"; done
+complains "the images: have several sizes, none that of most: 6 of 481x360, 6 of 480x360" "$edgevo" calibrate mixed --chessboard 9x6 -o none.yaml
 complains "the board is in none of 12 images; check its size" "$edgevo" calibrate "$scenes/desk/images" --chessboard 9x6 --every 5 -o none.yaml
 complains "chessboard 9: is not COLUMNSxROWS" "$edgevo" calibrate "$scenes/desk/images" --chessboard 9 -o none.yaml
 complains "dictionary 4x4_5: is unknown; did you mean 4x4_50" "$edgevo" calibrate "$scenes/desk/images" --charuco 7x5 --square 0.03 --marker 0.02 \

@@ -18,6 +18,14 @@ holds pages/page.html 'href="../all/the%20desk/report.html"'
 holds pages/page.html ">$(printf '%.4f' "$(ate all/street "$scenes/street")")</td>"
 check "references to other hosts" "$(grep -c -i -E 'src="[^d]|url\(|@import|<link|https?:' pages/page.html)" -eq 0
 
+# A file of somebody else is not overwritten, an earlier page is.
+echo "my notes" >notes.html
+complains "notes.html: exists already and is something else; .*--force" "$edgevo" compare all -o notes.html
+check "its line" "$(cat notes.html | grep -c 'my notes')" -eq 1
+complains "trajectory_tum.txt: exists already" "$edgevo" compare all -o all/street/trajectory_tum.txt
+run_code 0 "$edgevo" compare all -o notes.html --force
+run_code 0 "$edgevo" compare all -o notes.html
+
 run_code 0 "$edgevo" compare "$scenes/runs/street" all/street -o same.html
 holds same.html '2 runs with one ground truth'
 run_code 0 "$edgevo" compare all/street -o one.html --truth "$scenes/street/groundtruth_tum.txt"

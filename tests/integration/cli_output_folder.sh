@@ -19,8 +19,8 @@ rm torn/images/000000.png
 head -c 1000 "$desk/images/000000.png" >torn/images/000000.png
 complains "images/000000.png: the image does not decode" run torn -o out
 unchanged out
-echo "500 500 160 120 0 0 0 0 320 240" >small.txt
-complains "the image is 640x480, but the camera model is for 320x240" run "$desk" -o out --camera small.txt
+echo "500 500 160 100 0 0 0 0 320 200" >small.txt
+complains "the image is 640x480, but the camera model is for 320x200, of another shape" run "$desk" -o out --camera small.txt
 complains "'7' is out of range" run "$desk" -o out --set edges.canny_percentile=7
 complains "recorded no odometry" run "$desk" -o out --scale odometry
 unchanged out

@@ -33,6 +33,13 @@ check "input frames that eval read next to the trajectory" "$(sed -n 's/.*"input
 below "ATE in metres at the desk (path 0.5 m)" "$(ate "$scenes/runs/desk" "$scenes/desk")" 0.003
 run_code 0 "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt"
 check "ATE in the table" "$(grep -c '^ATE RMSE' stdout)" -eq 2
+# The folder of the run: its single frames as well, against the ground truth that it recorded.
+run_code 0 "$edgevo" eval $out
+check "ATE of the folder" "$(grep -c '^ATE RMSE' stdout)" -eq 2
+check "frames evaluated, live and final" "$(awk '($1 == "live" || $1 == "final") && $2 > 40 { n += $3 == 0 && $4 == "-" } END { print n }' stdout)" -eq 2
+run_code 0 "$edgevo" eval $out "$scenes/runs/desk"
+check "rows of two runs and of both" "$(grep -c "^$out \|/runs/desk \|^all " stdout)" -eq 3
+complains "GROUNDTRUTH: is missing" "$edgevo" eval $out/trajectory_tum.txt
 
 # summary.yaml: counts, and the effective parameters, which can be read again.
 value() { sed -n "/^$1:/,/^[a-z]/s/^  $2: *//p" $out/summary.yaml; }

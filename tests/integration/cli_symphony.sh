@@ -52,7 +52,7 @@ damaged && sed -i '2,$d' $list && bad "the survey is empty"
 damaged && rm -r d/160115/0000 && bad "none of its 24 images is there"
 mkdir -p d/VBags d/Dataset/2016 && mv d/160115 d/VBags && cp -r "$survey" d/Dataset/2016 && bad "two surveys named 160115"
 [ ! -e never ] || fail "there is an output for a survey that cannot be read"
-damaged && sed -i '10{h;d};11{G}' $list && complains "is not after the frame before" "$edgevo" run d/160115 -o back --quiet
+damaged && sed -i '10{h;d};11{G}' $list && complains "is not after the frame before" "$edgevo" run d/160115 -o back --quiet --on-bad-frame stop
 check "the frames before it are kept" "$(rows back)" -ge 8
 damaged && rm d/160115/0000/0007.jpg
 complains "0007.jpg: the image is missing" "$edgevo" run d/160115 -o stopped --quiet --on-bad-frame stop

@@ -91,6 +91,7 @@ inline SyntheticRun synthetic_run(int frames = 45, int points = 400) {
       frame.evidence.known_points = points;
       frame.evidence.lacking_share = 0.2;
       frame.evidence.view_share = 0.6;
+      frame.evidence.median_depth = 5;
       frame.covariance = 1e-5 * Matrix6d::Identity();
     }
     if (!lost && i % 3 == 0) {

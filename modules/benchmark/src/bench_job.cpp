@@ -23,12 +23,12 @@ std::string in_folder(const BenchJob& job, const char* name) {
   return (fs::path(job.folder) / name).string();
 }
 
-VisitParams figures_of(Trial* trial) {
+VisitParams fields_of(Trial* trial) {
   return [trial](ParamVisitor& v) { trial->visit(v); };
 }
 
 // A trajectory that cannot be compared is also a result, with the reason in its note.
-void evaluate_trajectory(const BenchJob& job, const std::string& truth_text, Trial* trial) {
+void evaluate_run(const BenchJob& job, const Run& run, const std::string& truth_text, Trial* trial) {
   if (truth_text.empty()) {
     trial->note = "no ground truth";
     return;
@@ -38,6 +38,7 @@ void evaluate_trajectory(const BenchJob& job, const std::string& truth_text, Tri
     trial->note = "no frame has a pose";
     return;
   }
+  add_judgement(figures_of({judge_run(run, truth).live}), trial);
   try {
     add_errors(evaluate(read_trajectory(in_folder(job, kTrajectory)), truth, {}), trial);
   } catch (const InputError& e) {
@@ -85,11 +86,13 @@ std::optional<Trial> run_in_folder(const BenchJob& job, BenchInput& input, const
   if (result.broken) std::rethrow_exception(result.broken);
   if (host.stop()) return std::nullopt;
   write_file(in_folder(job, kTrajectory), trajectory_tum(result.run, PoseKind::kFinal));
+  write_file(in_folder(job, "trajectory_live_tum.txt"), trajectory_tum(result.run, PoseKind::kLive));
   write_file(in_folder(job, "frames.csv"), frames_csv(result.run));
+  write_file(in_folder(job, "covariances.csv"), covariances_csv(result.run));
   Trial trial = trial_of(result.run, result.cpu_s);
-  evaluate_trajectory(job, input.ground_truth(), &trial);
+  evaluate_run(job, result.run, input.ground_truth(), &trial);
   keep_ground_truth(job, input.ground_truth());
-  write_file(in_folder(job, "result.yaml"), write_params(figures_of(&trial)));
+  write_file(in_folder(job, "result.yaml"), write_params(fields_of(&trial)));
   write_whole(in_folder(job, "job.yaml"), job.description);
   return trial;
 }
@@ -115,7 +118,7 @@ std::optional<Trial> finished_trial(const BenchJob& job) {
   std::error_code ignored;
   if (!fs::exists(path, ignored) || read_file(path, remedy) != job.description) return std::nullopt;
   Trial trial;
-  read_params(read_file(result, remedy), result, figures_of(&trial));
+  read_params(read_file(result, remedy), result, fields_of(&trial));
   return trial;
 }
 

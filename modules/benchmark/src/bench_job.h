@@ -2,7 +2,8 @@
 #pragma once
 // A job of a benchmark: a sequence under a variant with a seed, and the folder of its results.
 //
-//   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, frames.csv   as `edgevo run` writes them
+//   OUT/SEQUENCE/VARIANT/seedN/trajectory_tum.txt, trajectory_live_tum.txt, frames.csv, covariances.csv
+//                                                               as `edgevo run` writes them
 //                              result.yaml                      figures (trial.h)
 //                              ../groundtruth_tum.txt           if there is one, for `edgevo compare`
 //                              job.yaml                         inputs and version; written last: the job is

@@ -11,6 +11,7 @@
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/edges/edge_params.h"
+#include "edgevo/evaluation/judgement_figures.h"
 #include "edgevo/simulation/relight.h"
 #include "engine.h"
 #include "file_lock.h"
@@ -32,6 +33,7 @@ void add_trial(const BenchJob& job, BenchRow* row, BenchOutcome* outcome) {
     std::string failure = failure_of(job);
     if (const std::optional<Trial> trial = finished_trial(job)) {
       --row->missing;
+      if (trial->judged_frames > 0) outcome->judged_jobs.emplace_back(job.folder, !job.variant.light.empty());
       row->trials.push_back(*trial);
     } else if (outcome->first_failure.empty()) {
       outcome->first_failure = failure;
@@ -93,6 +95,27 @@ BenchHeader bench_header(const BenchList& list, const BenchHost& host) {
   return header;
 }
 
+// Judgement of the single frames of all jobs; empty if none has ground truth. A folder that was damaged since
+// is skipped: its row is in the table above.
+std::string pooled_judgement(const BenchOutcome& outcome) {
+  std::vector<RunJudgement> all, normal, changed;
+  for (const auto& [folder, is_relit] : outcome.judged_jobs) try {
+      const std::filesystem::path variant = std::filesystem::path(folder).parent_path();
+      const Trajectory truth = read_trajectory((variant / "groundtruth_tum.txt").string());
+      all.push_back(judge_folder(folder, truth).live);
+      (is_relit ? changed : normal).push_back(all.back());
+    } catch (const InputError&) {
+      continue;
+    }
+  if (all.empty()) return {};
+  std::vector<NamedFigures> rows{{"all jobs", figures_of(all)}};
+  if (!normal.empty() && !changed.empty()) {
+    rows.push_back({"normal light", figures_of(normal)});
+    rows.push_back({"changed light", figures_of(changed)});
+  }
+  return "\nSingle frames, pooled (live trajectory).\n\n" + judgement_markdown(rows);
+}
+
 }  // namespace
 
 BenchList read_bench_list(const std::string& path) {
@@ -144,7 +167,7 @@ std::string seeds_text(const BenchList& list) {
 std::string write_bench_tables(const BenchList& list, const BenchOutcome& outcome, const BenchTarget& target,
                                const BenchHost& host) {
   const BenchHeader header = bench_header(list, host);
-  const std::string table = bench_markdown(header, outcome.rows);
+  const std::string table = bench_markdown(header, outcome.rows) + pooled_judgement(outcome);
   write_file((std::filesystem::path(target.out) / "table.md").string(), table);
   write_file((std::filesystem::path(target.out) / "table.csv").string(), bench_csv(header, outcome.rows));
   return table;

@@ -32,6 +32,10 @@ struct Column {
 };
 
 double if_evaluated(const Trial& t, double value) { return t.evaluated ? value : kNone; }
+double if_judged(const Trial& t, double value) { return t.judged_frames > 0 ? value : kNone; }
+double if_known(double value) { return value >= 0 ? value : kNone; }
+// `nothing`: the share of nothing.
+double percent_of(int part, int whole, double nothing) { return whole > 0 ? 100.0 * part / whole : nothing; }
 
 const Column kColumns[] = {
     {"ate_m", "ATE Sim(3) m", [](const Trial& t) { return if_evaluated(t, t.ate_m); }, three_digits, false},
@@ -44,6 +48,22 @@ const Column kColumns[] = {
     {"completion_percent", "frames with a pose %", [](const Trial& t) { return t.completion_percent; },
      one_decimal, true},
     {"segments", "segments", [](const Trial& t) { return double(t.segments); }, whole, false},
+    {"wrong_frames", "wrong frames", [](const Trial& t) { return if_judged(t, t.wrong_frames); }, whole,
+     false},
+    {"noticed_percent", "noticed %",
+     [](const Trial& t) { return if_judged(t, percent_of(t.noticed_frames, t.wrong_frames, 100)); },
+     one_decimal, true},
+    {"false_alarm_percent", "false alarms %",
+     [](const Trial& t) { return if_judged(t, percent_of(t.false_alarms, t.right_frames, 0)); }, one_decimal,
+     false},
+    {"longest_unnoticed", "longest unnoticed",
+     [](const Trial& t) { return if_judged(t, t.longest_unnoticed); }, whole, false},
+    {"longest_off_scale", "longest off scale",
+     [](const Trial& t) { return if_judged(t, t.longest_off_scale); }, whole, false},
+    {"roc_area", "ROC", [](const Trial& t) { return if_known(t.roc_area); }, three_digits, true},
+    {"calibration_error", "calibration error", [](const Trial& t) { return if_known(t.calibration_error); },
+     three_digits, false},
+    {"nees_median", "NEES", [](const Trial& t) { return if_known(t.nees_median); }, one_decimal, false},
     {"cpu_ms", "CPU ms a frame", [](const Trial& t) { return t.cpu_ms; }, one_decimal, false},
 };
 

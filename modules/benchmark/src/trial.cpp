@@ -23,12 +23,22 @@ void Trial::visit(KeyVisitor& v) {
            "share of intervals above the cap of the drift or without poses");
   v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, per frame");
   v.number("map_ms", map_ms, 0, kLarge, "all other stages, per frame");
+  v.integer("judged_frames", judged_frames, 0, kMany, "frames compared with ground truth one by one");
+  v.integer("wrong_frames", wrong_frames, 0, kMany, "of these, with a wrong motion over the next ten");
+  v.integer("noticed_frames", noticed_frames, 0, kMany, "of these, noticed by the program");
+  v.integer("right_frames", right_frames, 0, kMany, "frames with a right motion");
+  v.integer("false_alarms", false_alarms, 0, kMany, "of these, with an alarm");
+  v.integer("longest_unnoticed", longest_unnoticed, 0, kMany, "wrong frames in a row without a word");
+  v.integer("longest_off_scale", longest_off_scale, 0, kMany, "frames in a row with a scale that is off");
+  v.number("roc_area", roc_area, -1, 1, "wrong against right frames; -1: unknown");
+  v.number("calibration_error", calibration_error, -1, 1, "of p_right; -1: unknown");
+  v.number("nees_median", nees_median, -1, kLarge, "of the covariance; -1: unknown");
 }
 
 namespace {
 
 bool is_tracking(const std::string& stage) {
-  return stage == "edges" || stage == "alignment" || stage == "corners";
+  return stage == "edges" || stage == "alignment" || stage == "corners" || stage == "witness";
 }
 
 }  // namespace
@@ -57,6 +67,15 @@ void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
   const Drift& drift = *evaluation.drift;
   if (drift.intervals > 0)
     trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.intervals;
+}
+
+void add_judgement(const JudgementFigures& f, Trial* trial) {
+  trial->judged_frames = f.frames_judged, trial->wrong_frames = f.wrong, trial->noticed_frames = f.noticed;
+  trial->right_frames = f.right, trial->false_alarms = f.false_alarms;
+  trial->longest_unnoticed = f.longest_unnoticed, trial->longest_off_scale = f.longest_off_scale;
+  trial->roc_area = f.roc.value_or(-1);
+  trial->calibration_error = f.calibration_error.value_or(-1);
+  trial->nees_median = f.nees ? f.nees->median : -1;
 }
 
 }  // namespace edgevo

@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 
 namespace edgevo {
 namespace {
@@ -145,6 +146,7 @@ BoardFinder::BoardFinder(const Board& board) : board_(board) {
 BoardFinder::~BoardFinder() = default;
 
 std::optional<BoardView> BoardFinder::find(const GrayImage& image) const {
+  check_pixels(image, "BoardFinder::find()");
   return charuco_ ? charuco_->find(image) : find_chessboard(image, board_);
 }
 

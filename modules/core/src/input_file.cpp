@@ -44,4 +44,10 @@ std::string read_file(const std::string& path, const std::string& remedy) {
   return bytes;
 }
 
+std::string read_text(const std::string& path, const std::string& remedy) {
+  std::string text = read_file(path, remedy);
+  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
+  return text;
+}
+
 }  // namespace edgevo

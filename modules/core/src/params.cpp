@@ -259,14 +259,40 @@ class Lister : public Describer {
   std::vector<std::string> groups_;
 };
 
+// Empties all lines but those below the line `head`, which lose their indentation; their numbers stay.
+// Returns false if there is no such line.
+bool keep_block(const std::string& head, std::string* text) {
+  std::istringstream in(*text);
+  std::string kept, line;
+  bool found = false, inside = false;
+  for (size_t indent = 0; std::getline(in, line); kept += '\n') {
+    const size_t begin = line.find_first_not_of(' ');
+    if (begin == 0 && line.front() != '#') {
+      inside = line.substr(0, line.find_last_not_of(" \t\r") + 1) == head;
+      found |= inside;
+      indent = 0;
+    } else if (inside && begin != std::string::npos) {
+      if (indent == 0) indent = begin;
+      kept += line.substr(std::min(indent, begin));
+    }
+  }
+  if (found) *text = kept;
+  return found;
+}
+
 }  // namespace
 
 void read_params(const std::string& yaml_text, const std::string& where, const VisitParams& visit) {
   assign(parse_block_yaml(yaml_text, where), where, visit);
 }
 
-void read_params_file(const std::string& path, const VisitParams& visit) {
-  read_params(read_file(path, "give the path of a parameter file such as params/default.yaml"), path, visit);
+bool read_params_file(const std::string& path, const VisitParams& visit) {
+  std::string text = read_text(path, "give the path of a parameter file such as params/default.yaml");
+  KeyCollector known;
+  visit(known);
+  const bool has_block = known.groups.count("parameters") == 0 && keep_block("parameters:", &text);
+  read_params(text, path, visit);
+  return has_block;
 }
 
 void set_param(const std::string& assignment, const VisitParams& visit) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
@@ -14,6 +15,7 @@ RunCounts count(const Run& run) {
   for (const FrameRecord& frame : run.frames) {
     counts.with_pose += frame.T_world_cam.has_value();
     counts.lost += frame.state == TrackingState::kLost;
+    counts.doubtful += is_doubtful(frame);
     counts.segments = std::max(counts.segments, frame.segment + 1);
   }
   counts.keyframes = int(run.keyframes.size());

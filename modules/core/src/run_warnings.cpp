@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/run_warnings.h"
 
+#include <cmath>
+
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
+
+bool ran_to_limit(const CameraRefinement& camera) {
+  constexpr double kClamped = 0.999;  // rounding may differ
+  return camera.sigma > 0 && std::abs(camera.estimate) >= kClamped * kLargestResidualK1;
+}
 
 std::vector<std::string> run_warnings(const Run& run) {
   std::vector<std::string> warnings;
@@ -12,7 +19,14 @@ std::vector<std::string> run_warnings(const Run& run) {
     warnings.push_back(
         "The lens distortion that self-calibration found (" + fixed(c.estimate, 4) +
         ") is at its limit and was not applied: the camera file is probably wrong, in its focal length most "
-        "of all. Path and map are then wrong by far more than any figure here shows.");
+        "of all, or by distortion for images that are rectified already. Path and map are then wrong by far "
+        "more than any figure here shows.");
+  // Its prior keeps an estimate that nothing supports near 0, however straight the motion.
+  if (c.state == CameraRefinement::State::kNotObservable && ran_to_limit(c))
+    warnings.push_back("The lens distortion that self-calibration looked for ran to its limit (" +
+                       fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
+                       ") and was not applied: the camera file is probably wrong, in its focal length, its "
+                       "image size or its distortion (is the image rectified already?), or the path is.");
   if (c.shutter.state == CameraRefinement::State::kAtLimit)
     warnings.push_back("The read-out time that self-calibration found (" + fixed(c.shutter.estimate, 3) +
                        " s) is at its limit and was not applied: the camera file or the times of the images "

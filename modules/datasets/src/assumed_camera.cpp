@@ -3,6 +3,7 @@
 
 #include <libexif/exif-data.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -14,8 +15,10 @@
 namespace edgevo {
 namespace {
 
-constexpr double kFilmDiagonal = 43.267;  // mm, of 36 x 24: what "35 mm equivalent" is measured by
-constexpr double kAnyFov = 60;            // for callers that do not need the camera
+constexpr double kFilmDiagonal = 43.267;           // mm, of 36 x 24: what "35 mm equivalent" is measured by
+constexpr const char* kAssumedCamera = "assumed";  // what values of the decision begin with
+constexpr const char* kUnknownCamera = "not known";
+constexpr double kAnyFov = 60;  // for callers that do not need the camera
 
 struct Guess {
   double f_px;
@@ -28,44 +31,70 @@ Camera camera_of_focal_length(double f, int width, int height) {
   return camera;
 }
 
-double focal_length_of_fov(double fov_deg, int width) { return 0.5 * width / std::tan(fov_deg * M_PI / 360); }
+double focal_length_of_fov(double fov_deg, int side) { return 0.5 * side / std::tan(fov_deg * M_PI / 360); }
 
-std::optional<Guess> guess_from_exif(const FirstImage& image) {
-  const auto mm = image.path.empty() ? std::nullopt : focal_length_35mm(image.path);
+// "the width" of a landscape image.
+std::string longer_side(int width, int height) {
+  return height > width ? "the height, which is the longer side" : "the width";
+}
+
+Guess guess_from_fov(double fov_deg, const SeenImages& images) {
+  return Guess{
+      focal_length_of_fov(fov_deg, std::max(images.width, images.height)),
+      "by --fov, " + fixed(fov_deg, 1) + " degrees over " + longer_side(images.width, images.height)};
+}
+
+std::optional<Guess> guess_from_exif(const SeenImages& images) {
+  const auto mm = images.paths.empty() ? std::nullopt : focal_length_35mm(images.paths.front());
   if (!mm) return std::nullopt;
-  return Guess{*mm / kFilmDiagonal * std::hypot(image.width, image.height),
-               "by EXIF's focal length, " + std::to_string(*mm) + " mm in terms of 35 mm film"};
+  return Guess{
+      *mm / kFilmDiagonal * std::hypot(images.width, images.height),
+      "by EXIF's focal length, " + std::to_string(*mm) + " mm in terms of 35 mm film, over the diagonal"};
 }
 
-void read_size(FirstImage* image) {
-  if (image->width > 0) return;
-  const GrayImage pixels = read_gray_image(image->path);
-  image->width = pixels.width;
-  image->height = pixels.height;
+void read_size(SeenImages* images) {
+  find_size(0, 0, images);
+  if (images->width == 0 && !images->paths.empty()) read_gray_image(images->paths.front());  // says why
 }
 
-std::optional<Camera> assume(const SourceOptions& options, const std::string& own, FirstImage image,
-                             Details* details) {
+InputDecision assumption(const Guess& guess) {
+  return {"camera", std::string(kAssumedCamera) + ", f " + fixed(guess.f_px, 0) + " px",
+          guess.by + "; no lens distortion, centre in the middle",
+          "It is a guess: path, map and rotations are off as much as it is. A calibration is better (edgevo "
+          "calibrate --chessboard)."};
+}
+
+std::optional<Camera> assume(const SourceOptions& options, const std::string& own, SeenImages images,
+                             std::vector<InputDecision>* decisions) {
   if (!options.camera_file.empty() || (!options.fov_deg && !existing(own).empty())) return std::nullopt;
-  read_size(&image);
-  std::optional<Guess> guess;
-  if (options.fov_deg)
-    guess = Guess{focal_length_of_fov(*options.fov_deg, image.width), "by --fov"};
-  else
-    guess = guess_from_exif(image);
-  if (!guess && options.any_camera) return camera_of_field_of_view(kAnyFov, image.width, image.height);
-  if (!guess) return std::nullopt;
-  details->emplace_back(kAssumed, guess->by + ": f " + fixed(guess->f_px, 0) +
-                                      " px, no lens distortion, centre in the middle; a calibration is "
-                                      "better (edgevo calibrate --chessboard)");
-  return camera_of_focal_length(guess->f_px, image.width, image.height);
+  read_size(&images);
+  const std::optional<Guess> guess =
+      options.fov_deg ? guess_from_fov(*options.fov_deg, images) : guess_from_exif(images);
+  if (!guess && !options.any_camera) return std::nullopt;
+  if (!guess) {
+    decisions->push_back({"camera", kUnknownCamera,
+                          "no calibration: a run needs --camera FILE, or --fov DEGREES to start with", ""});
+    return camera_of_field_of_view(kAnyFov, images.width, images.height);
+  }
+  decisions->push_back(assumption(*guess));
+  return camera_of_focal_length(guess->f_px, images.width, images.height);
+}
+
+bool has_camera_decision(const ImageSource& source, const std::string& value) {
+  for (const InputDecision& d : source.decisions())
+    if (d.subject == "camera" && d.value.rfind(value, 0) == 0) return true;
+  return false;
 }
 
 }  // namespace
 
 Camera camera_of_field_of_view(double fov_deg, int width, int height) {
-  return camera_of_focal_length(focal_length_of_fov(fov_deg, width), width, height);
+  return camera_of_focal_length(focal_length_of_fov(fov_deg, std::max(width, height)), width, height);
 }
+
+bool assumes_camera(const ImageSource& source) { return has_camera_decision(source, kAssumedCamera); }
+
+bool knows_camera(const ImageSource& source) { return !has_camera_decision(source, kUnknownCamera); }
 
 std::optional<int> focal_length_35mm(const std::string& image_path) {
   const std::unique_ptr<ExifData, void (*)(ExifData*)> data(exif_data_new_from_file(image_path.c_str()),
@@ -78,10 +107,11 @@ std::optional<int> focal_length_35mm(const std::string& image_path) {
   return mm > 0 ? std::optional<int>(mm) : std::nullopt;  // 0: unknown
 }
 
-Camera choose_or_assume_camera(const SourceOptions& options, const std::string& own, const FirstImage& image,
-                               Details* details) {
-  if (const std::optional<Camera> assumed = assume(options, own, image, details)) return *assumed;
-  return choose_camera(options, own);
+Camera choose_or_assume_camera(const SourceOptions& options, const std::string& own, const SeenImages& images,
+                               std::vector<InputDecision>* decisions) {
+  if (const std::optional<Camera> assumed = assume(options, own, images, decisions)) return *assumed;
+  const std::string file = camera_file_of(options, own);
+  return camera_of_file(file, images, decisions);
 }
 
 }  // namespace edgevo

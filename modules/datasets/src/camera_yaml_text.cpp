@@ -32,9 +32,17 @@ std::string commented(const std::string& comment) {
   return text;
 }
 
+// The angles in degrees, then the position in metres.
+std::string mount_line(const CameraMount& m) {
+  std::string text = "mount: [";
+  for (const double value : {m.roll_deg, m.pitch_deg, m.yaw_deg}) text += real(value) + ", ";
+  return text + real(m.position.x()) + ", " + real(m.position.y()) + ", " + real(m.position.z()) + "]\n";
+}
+
 }  // namespace
 
-std::string camera_yaml(const Camera& camera, const std::string& comment) {
+std::string camera_yaml(const Camera& camera, const std::string& comment,
+                        const std::optional<CameraMount>& mount) {
   const Pinhole p = camera.pinhole();
   const Distortion d = camera.distortion();
   // OpenCV insists on the directive; libfyaml, under MRPT, on a version that it knows: 1.2 suits both, 1.0
@@ -45,7 +53,8 @@ std::string camera_yaml(const Camera& camera, const std::string& comment) {
          "distortion_model: plumb_bob\n" +
          matrix("distortion_coefficients", 1, 5, {d.k1, d.k2, d.p1, d.p2, d.k3}) +
          matrix("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1}) +
-         matrix("projection_matrix", 3, 4, {p.fx, 0, p.cx, 0, 0, p.fy, p.cy, 0, 0, 0, 1, 0});
+         matrix("projection_matrix", 3, 4, {p.fx, 0, p.cx, 0, 0, p.fy, p.cy, 0, 0, 0, 1, 0}) +
+         (mount ? mount_line(*mount) : "");
 }
 
 }  // namespace edgevo

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assumed_camera.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/time_order.h"
 
 namespace edgevo {
 namespace {
@@ -33,9 +35,11 @@ double angle_to_axis(const Camera& camera, const Eigen::Vector2d& px) {
   return std::atan2(ray.head<2>().norm(), ray.z());
 }
 
-void describe_camera(const Camera& camera, Lines* lines) {
+void describe_camera(const ImageSource& source, Lines* lines) {
+  const Camera camera = source.camera();
   const Pinhole p = camera.pinhole();
   lines->emplace_back("image size", std::to_string(p.width) + " x " + std::to_string(p.height));
+  if (!knows_camera(source)) return;
   lines->emplace_back("camera", "fx " + number(p.fx) + ", fy " + number(p.fy) + ", cx " + number(p.cx) +
                                     ", cy " + number(p.cy) + " px");
   lines->emplace_back("distortion", describe_distortion(camera.distortion()));
@@ -74,7 +78,7 @@ void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
                                       to_string(times.front()) + " to " + to_string(times.back()));
   if (usual > 0)
     lines->emplace_back("rate", fixed(1.0 / usual, 2) + " Hz (median step " + fixed(1e3 * usual, 2) + " ms)");
-  describe_gaps(times, usual, lines);
+  if (usual > 0) describe_gaps(times, usual, lines);
 }
 
 std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {
@@ -102,9 +106,13 @@ std::vector<std::pair<std::string, std::string>> describe(const ImageSource& sou
   Lines lines;
   lines.emplace_back("kind", source.kind());
   lines.emplace_back("frames", source.size() ? std::to_string(*source.size()) : "not known beforehand");
-  describe_camera(source.camera(), &lines);
-  describe_times(source.times(), &lines);
+  describe_camera(source, &lines);
+  describe_times(fill_missing(source.times()), &lines);
   lines.emplace_back("mount", describe_mount(source.T_vehicle_cam()));
+  for (const InputDecision& d : source.decisions()) {
+    lines.emplace_back(d.subject, d.value + (d.reason.empty() ? "" : " (" + d.reason + ")"));
+    if (!d.doubt.empty()) lines.emplace_back("WARNING", d.doubt);
+  }
   const Lines own = source.details();
   const bool has_truth_detail =
       std::any_of(own.begin(), own.end(), [](const auto& line) { return line.first == "ground truth"; });

@@ -4,8 +4,12 @@
 #include <filesystem>
 #include <limits>
 
+#include "assumed_camera.h"
+#include "camera_doubt.h"
+#include "camera_fit.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
+#include "edgevo/datasets/mounted_source.h"
 #include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/source_folder.h"
 #include "edgevo/datasets/subsample.h"
@@ -29,21 +33,52 @@ void refuse_label(const SourceOptions& options) {
                    "omit --sensor");
 }
 
+void refuse_images(const SourceOptions& options) {
+  if (options.images.empty()) return;
+  throw InputError("--images", "is of no use: " + options.path + " lists its images itself", "omit it");
+}
+
+void refuse_bits(const SourceOptions& options) {
+  if (options.bits == 0) return;
+  throw InputError("--bits", "is of no use: images of a video or a live camera have 8 bits", "omit it");
+}
+
 std::unique_ptr<ImageSource> open_folder(const SourceOptions& options) {
   const Layout* layout = layout_of(options.path);
   if (!layout || !layout->has_labels) refuse_label(options);
-  return play(layout ? layout->read(options) : read_image_folder(options));
+  if (layout && !layout->lists_folder) refuse_images(options);
+  Sequence sequence = layout ? layout->read(options) : read_image_folder(options);
+  sequence.any_size = options.any_size;
+  return play(std::move(sequence), options.bits);
 }
 
 std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
-  RawlogSourceOptions rawlog{options.path, options.sensor_label, std::nullopt};
-  if (!options.camera_file.empty()) rawlog.camera = read_camera_file(options.camera_file);
-  return open_rawlog(rawlog);
+  refuse_images(options);
+  RawlogSourceOptions rawlog{options.path, options.sensor_label, std::nullopt, {}, options.bits};
+  const auto images = [&] {
+    const auto [width, height] = first_image_size(rawlog);
+    return SeenImages{{}, width, height, 0};
+  };
+  if (!options.camera_file.empty())
+    rawlog.camera = camera_of_file(options.camera_file, images(), &rawlog.decisions);
+  try {
+    return open_rawlog(rawlog);
+  } catch (const InputError&) {  // most likely it has no calibration
+    const SeenImages seen =
+        rawlog.camera || !(options.fov_deg || options.any_camera) ? SeenImages() : images();
+    if (seen.width == 0) throw;
+    rawlog.camera = choose_or_assume_camera(options, "", seen, &rawlog.decisions);
+    return open_rawlog(rawlog);
+  }
 }
 
 std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   std::error_code ignored;
-  if (options.path.rfind(kLiveCamera, 0) == 0) return open_live_camera(options);
+  if (options.path.rfind(kLiveCamera, 0) == 0) {
+    refuse_images(options);
+    refuse_bits(options);
+    return open_live_camera(options);
+  }
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
   if (fs::is_directory(options.path, ignored)) return open_folder(options);
@@ -52,13 +87,25 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
                      "give a file or a folder; a live camera is camera:N");
   if (fs::path(options.path).extension() == ".rawlog") return open_rawlog_file(options);
   refuse_label(options);
+  refuse_images(options);
+  refuse_bits(options);
   return open_video(options);
 }
 
-bool is_assumed(const ImageSource& source) {
-  for (const auto& [name, value] : source.details())
-    if (name == kAssumed) return true;
-  return false;
+// The camera file of a folder in the layout of `edgevo` or EuRoC; empty: none.
+std::string camera_file_in(const SourceOptions& options) {
+  const fs::path root = options.path, label = options.sensor_label.empty() ? "cam0" : options.sensor_label;
+  std::error_code ignored;
+  if (fs::is_directory(root / "images", ignored)) return existing((root / "camera.txt").string());
+  return existing((root / "mav0" / label / "sensor.yaml").string());
+}
+
+// With the mount of --mount, else of the camera file, else the source's own.
+std::unique_ptr<ImageSource> with_mount(std::unique_ptr<ImageSource> source, const SourceOptions& options) {
+  if (options.mount) return mount_source(std::move(source), *options.mount, "--mount");
+  const std::string file = options.camera_file.empty() ? camera_file_in(options) : options.camera_file;
+  const std::optional<CameraMount> mount = file.empty() ? std::nullopt : read_camera_mount(file);
+  return mount ? mount_source(std::move(source), *mount, file) : std::move(source);
 }
 
 int parse_frame_number(const std::string& text, const std::string& where) {
@@ -91,11 +138,12 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
   SourceOptions options = requested;
   options.path = source_folder(requested.path);
   auto source = open_whole(options);
-  if (options.fov_deg && !is_assumed(*source))
+  if (options.fov_deg && !assumes_camera(*source))
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
                      "omit it, or give another calibration with --camera");
   const double scale =
       options.image_scale == 0 ? usual_image_scale(source->camera().pinhole().width) : options.image_scale;
+  source = with_mount(with_camera_doubt(std::move(source)), options);
   return scale_images(subsample(std::move(source), options), scale);
 }
 

@@ -20,7 +20,8 @@ Rate choose_rate(double given, double own) {
     return {given, fixed(given, 3) + " frames a second, as given by --fps"};
   }
   if (is_plausible(own)) return {own, fixed(own, 3) + " frames a second, as the file says"};
-  return {kUsualRate, "30 frames a second assumed; give --fps if that is wrong"};
+  return {kUsualRate, "",
+          InputDecision{"rate", "30 frames a second assumed", "no times were found; --fps sets another", ""}};
 }
 
 }  // namespace edgevo

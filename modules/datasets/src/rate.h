@@ -2,8 +2,10 @@
 #pragma once
 // Times of a source that has none: a constant rate.
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "edgevo/core/input_decision.h"
 #include "edgevo/core/timestamp.h"
 
 namespace edgevo {
@@ -15,8 +17,10 @@ constexpr double kUsualRate = 30;
 
 struct Rate {
   double fps = kUsualRate;
-  /// Origin of the rate, for details().
+  /// Origin of a stated rate, for details().
   std::string says;
+  /// A rate that nobody stated, for the user.
+  std::optional<InputDecision> decision = {};
 
   Timestamp time(int64_t index) const { return Timestamp::from_seconds(double(index) / fps); }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "camera_fit.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/datasets/open_source.h"
@@ -13,15 +14,6 @@ namespace {
 
 constexpr int kMeasuredWidth = 1241;
 constexpr int kLeastSide = 16;  // below this no pyramid level remains
-
-// Pixel centres are at whole numbers, so that the image border is at -0.5.
-Camera scaled(const Camera& camera, int width, int height) {
-  const Pinhole p = camera.pinhole();
-  const double x = double(width) / p.width, y = double(height) / p.height;
-  Camera small = camera;
-  small.set_pinhole({p.fx * x, p.fy * y, (p.cx + 0.5) * x - 0.5, (p.cy + 0.5) * y - 0.5, width, height});
-  return small;
-}
 
 GrayImage scaled(const GrayImage& image, int width, int height) {
   GrayImage small{width, height, std::vector<uint8_t>(size_t(width) * size_t(height))};
@@ -36,7 +28,7 @@ std::string size_of(const Pinhole& p) { return std::to_string(p.width) + "x" + s
 class ScaledSource : public ImageSource {
  public:
   ScaledSource(std::unique_ptr<ImageSource> inner, int width, int height)
-      : inner_(std::move(inner)), camera_(scaled(inner_->camera(), width, height)) {}
+      : inner_(std::move(inner)), camera_(scaled_camera(inner_->camera(), width, height)) {}
 
   const Camera& camera() const override { return camera_; }
   std::optional<SE3> T_vehicle_cam() const override { return inner_->T_vehicle_cam(); }
@@ -51,6 +43,7 @@ class ScaledSource : public ImageSource {
                      "from " + size_of(inner_->camera().pinhole()) + " to " + size_of(camera_.pinhole()));
     return all;
   }
+  std::vector<InputDecision> decisions() const override { return inner_->decisions(); }
   std::vector<Timestamp> times() const override { return inner_->times(); }
   std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
 

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequence.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
-#include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
-#include "edgevo/datasets/camera_file.h"
-#include "edgevo/files/image_names.h"
+#include "edgevo/core/time_order.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "edgevo/mrpt_bridge/intensities.h"
 #include "text_file.h"
 #include "time_unit.h"
 
 namespace edgevo {
 namespace {
 
-namespace fs = std::filesystem;
-
 class SequenceSource : public ImageSource {
  public:
-  explicit SequenceSource(Sequence sequence) : sequence_(std::move(sequence)) {}
+  SequenceSource(Sequence sequence, int bits)
+      : sequence_(std::move(sequence)), intensities_(decide_intensities(sequence_.images, bits)) {
+    if (intensities_.decision) sequence_.decisions.push_back(*intensities_.decision);
+  }
 
   const Camera& camera() const override { return sequence_.camera; }
   std::optional<int> size() const override { return int(sequence_.images.size()); }
@@ -31,22 +29,25 @@ class SequenceSource : public ImageSource {
     return sensor == VehicleSensor::kGps ? sequence_.gps : VehicleTrack();
   }
   std::vector<std::pair<std::string, std::string>> details() const override { return sequence_.details; }
+  std::vector<InputDecision> decisions() const override {
+    std::vector<InputDecision> all = sequence_.decisions;
+    if (auto clock = clock_decision(sequence_.times)) all.push_back(std::move(*clock));
+    return all;
+  }
   std::vector<Timestamp> times() const override { return sequence_.times; }
   std::string ground_truth_path() const override { return sequence_.ground_truth_path; }
 
   std::optional<Frame> next() override {
     if (position_ >= sequence_.images.size()) return std::nullopt;
-    // Stays at the end if its time is wrong.
-    const size_t i = std::exchange(position_, sequence_.images.size());
+    const size_t i = position_++;  // also past a bad frame
     const std::string& path = sequence_.images[i];
-    const Timestamp time = sequence_.times[i];
-    if (previous_) check_time_increases(*previous_, time, path + " (frame " + std::to_string(i) + ")");
-    previous_ = time;
-    position_ = i + 1;  // a bad image does not end the sequence
+    const Timestamp time = order_.require(int(i), sequence_.times[i], time_after(i),
+                                          path + " (frame " + std::to_string(i) + ")");
     try {
-      GrayImage image = read_gray_image(path);
-      check_image_size(image, sequence_.camera.pinhole(), path);
-      return Frame{int(i), time, std::move(image), path};
+      GrayImage image = read_gray_image(path, intensities_.scale);
+      if (!sequence_.any_size) check_image_size(image, sequence_.camera.pinhole(), path);
+      // A file of more bits does not hold the pixels of the frame.
+      return Frame{int(i), time, std::move(image), intensities_.scale ? std::string() : path};
     } catch (const InputError& e) {
       throw BadFrame(int(i), time, e);
     }
@@ -58,51 +59,47 @@ class SequenceSource : public ImageSource {
   }
 
  private:
+  std::optional<Timestamp> time_after(size_t i) const {
+    return i + 1 < sequence_.times.size() ? std::make_optional(sequence_.times[i + 1]) : std::nullopt;
+  }
+
   Sequence sequence_;
+  Intensities intensities_;
   size_t position_ = 0;
-  std::optional<Timestamp> previous_;
+  TimeOrder order_;
 };
 
-bool is_image_name(const fs::path& path) {
-  std::string suffix = path.extension().string();
-  for (char& c : suffix) c = char(std::tolower(static_cast<unsigned char>(c)));
-  static const char* known[] = {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff"};
-  return std::find(std::begin(known), std::end(known), suffix) != std::end(known);
+// What recorders write for a frame without a time.
+bool says_no_time(const std::string& text) {
+  return text == "-" || text == "nan" || text == "NaN" || text == "NAN" || text == "-nan";
 }
 
 }  // namespace
 
-std::unique_ptr<ImageSource> play(Sequence sequence) {
-  return std::make_unique<SequenceSource>(std::move(sequence));
+std::unique_ptr<ImageSource> play(Sequence sequence, int bits) {
+  return std::make_unique<SequenceSource>(std::move(sequence), bits);
 }
 
-std::vector<std::string> list_images(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (is_image_name(entry.path())) names.push_back(entry.path().filename().string());
-  if (error) throw InputError(folder, "the folder cannot be read: " + error.message(), "check the path");
-  if (names.empty())
-    throw InputError(folder, "the folder holds no images", "put images there (png, jpg, bmp, pgm, ppm, tif)");
-  std::sort(names.begin(), names.end(), natural_less);
-  for (std::string& name : names) name = (fs::path(folder) / name).string();
-  return names;
+std::vector<Timestamp> read_times(const std::string& path, const SourceOptions& options,
+                                  Decisions* decisions) {
+  return parse_times_of(split_lines(read_text_file(path), path), options, decisions);
 }
 
-std::vector<Timestamp> read_times(const std::string& path, Details* details) {
-  return parse_times_of(split_lines(read_text_file(path), path), details);
-}
-
-std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& lines, Details* details) {
+std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& lines, const SourceOptions& options,
+                                      Decisions* decisions) {
   std::vector<std::string> texts;
-  for (const TextLine& line : lines) texts.push_back(line.text);
-  std::vector<Timestamp> times;
-  TimeUnit unit{};
+  std::vector<size_t> stated;  // lines with a time
+  for (size_t i = 0; i < lines.size(); ++i)
+    if (!says_no_time(lines[i].text)) texts.push_back(lines[i].text), stated.push_back(i);
+  std::vector<Timestamp> parsed;
+  UnitOfTimes unit;
   size_t bad = 0;
-  if (!parse_times(texts, &times, &unit, &bad))
-    throw InputError(lines[bad].where, "is not a time", "write seconds, one number a line");
-  if (unit.decimals > 0 && details)
-    details->emplace_back("times", std::string("in ") + unit.name + ", by their size and steps");
+  if (!parse_times(texts, options.time_unit, &parsed, &unit, &bad))
+    throw InputError(lines[stated[bad]].where, "is not a time", "write seconds, one number a line");
+  if (decisions && (unit.unit.decimals > 0 || !unit.doubt.empty()))
+    decisions->push_back({"times", std::string("in ") + unit.unit.name, unit.reason, unit.doubt});
+  std::vector<Timestamp> times(lines.size(), kNoTime);
+  for (size_t i = 0; i < stated.size(); ++i) times[stated[i]] = parsed[i];
   return times;
 }
 
@@ -115,9 +112,9 @@ void check_counts(const std::vector<std::string>& images, const std::vector<Time
                    "give one time for each image");
 }
 
-Camera choose_camera(const SourceOptions& options, const std::string& own) {
-  if (!options.camera_file.empty()) return read_camera_file(options.camera_file);
-  if (!existing(own).empty()) return read_camera_file(own);
+std::string camera_file_of(const SourceOptions& options, const std::string& own) {
+  if (!options.camera_file.empty()) return options.camera_file;
+  if (!existing(own).empty()) return own;
   throw InputError(options.path, "no calibration" + (own.empty() ? "" : " (" + own + " is missing)"),
                    "give the camera's file with --camera (edgevo calibrate --chessboard makes one), or its "
                    "angle with --fov");
@@ -125,7 +122,7 @@ Camera choose_camera(const SourceOptions& options, const std::string& own) {
 
 std::string existing(const std::string& path) {
   std::error_code ignored;
-  return fs::is_regular_file(path, ignored) ? path : std::string();
+  return std::filesystem::is_regular_file(path, ignored) ? path : std::string();
 }
 
 }  // namespace edgevo

@@ -33,6 +33,7 @@ class SubsampledSource : public ImageSource {
   bool is_live() const override { return inner_->is_live(); }
   std::string label() const override { return inner_->label(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return details_; }
+  std::vector<InputDecision> decisions() const override { return inner_->decisions(); }
   std::vector<Timestamp> times() const override {
     const auto all = inner_->times();
     std::vector<Timestamp> taken;

@@ -27,7 +27,7 @@ std::string quote(std::string_view text) {
   return result + (text.size() > 40 ? "...'" : "'");
 }
 
-std::string read_text_file(const std::string& path) { return read_file(path, "check the path"); }
+std::string read_text_file(const std::string& path) { return read_text(path, "check the path"); }
 
 std::vector<TextLine> split_lines(const std::string& text, const std::string& path) {
   std::vector<TextLine> lines;

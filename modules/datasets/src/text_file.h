@@ -16,7 +16,7 @@ struct TextLine {
   std::string where;
 };
 
-/// Reads the whole file. Throws InputError if it cannot be read.
+/// Reads the whole file, without a byte order mark. Throws InputError if it cannot be read.
 std::string read_text_file(const std::string& path);
 
 /// Lines that are not empty; a line that begins with # is a comment.

@@ -11,24 +11,39 @@ namespace edgevo {
 struct TimeUnit {
   /// Name of the unit: "seconds", "milliseconds", ...
   const char* name;
+  /// Symbol of the unit: "s", "ms", "us" or "ns".
+  const char* symbol;
   /// Decimal exponent relative to a second: 0, 3, 6 or 9.
   int decimals;
 };
 
 /// Unit in which numbers may be largest.
-constexpr TimeUnit kAnyUnit{"nanoseconds", 9};
+constexpr TimeUnit kAnyUnit{"nanoseconds", "ns", 9};
 
-/// The unit of `times` (in their given order): by the median step between images (a video has no steps of
-/// five seconds or more) and by the size of numbers that count from 1970, the finer of both.
-TimeUnit time_unit_of(const std::vector<double>& times);
+/// The unit of some times, and why.
+struct UnitOfTimes {
+  TimeUnit unit{"seconds", "s", 0};
+  /// What it rests on; empty for seconds without evidence.
+  std::string reason;
+  /// Why it is doubtful, and what to do (core/input_decision.h); empty: not doubtful.
+  std::string doubt;
+};
+
+/// The unit of `times` (in their given order), by the median step between images (a video has no steps of
+/// five seconds or more) and by the size of numbers that count from 1970. If the two contradict each other,
+/// the date decides, unless the step then is that of a usual video; that is a doubt.
+UnitOfTimes time_unit_of(const std::vector<double>& times);
 
 /// Parses a number of that unit, exact to the tick. False if `text` is not entirely a number, or is too
 /// large.
 [[nodiscard]] bool parse_time(const std::string& text, const TimeUnit& unit, Timestamp* t);
 
-/// Parses times, all in the unit that they appear to be in, which is stored in `unit`. False: `bad` is the
-/// index of the first that is not a number.
-[[nodiscard]] bool parse_times(const std::vector<std::string>& texts, std::vector<Timestamp>* times,
-                               TimeUnit* unit, size_t* bad);
+/// The unit of that symbol, as the user gave it. Throws InputError for another symbol.
+UnitOfTimes time_unit_given(const std::string& symbol);
+
+/// Parses times, all in the unit with the symbol `given`, or, if that is empty, in the unit that they appear
+/// to be in. The unit is stored in `unit`. False: `bad` is the index of the first text that is not a number.
+[[nodiscard]] bool parse_times(const std::vector<std::string>& texts, const std::string& given,
+                               std::vector<Timestamp>* times, UnitOfTimes* unit, size_t* bad);
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "video_source.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -11,10 +12,12 @@
 #include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/opencv_bridge/quiet_opencv.h"
 #include "rate.h"
 #include "sequence.h"
 #include "text_file.h"
+#include "video_stamps.h"
 
 namespace edgevo {
 namespace {
@@ -34,8 +37,26 @@ GrayImage to_gray(const cv::Mat& bgr) {
   return gray;
 }
 
-FirstImage size_of(const cv::VideoCapture& capture) {
-  return {"", int(capture.get(cv::CAP_PROP_FRAME_WIDTH)), int(capture.get(cv::CAP_PROP_FRAME_HEIGHT))};
+// Quarter turns, clockwise, by which OpenCV turns the frames as its container requests.
+int quarter_turns_of(const cv::VideoCapture& capture) {
+  if (capture.get(cv::CAP_PROP_ORIENTATION_AUTO) == 0) return 0;
+  const long turns = std::lround(capture.get(cv::CAP_PROP_ORIENTATION_META) / 90);
+  return int((turns % 4 + 4) % 4);
+}
+
+// The size is that of the frames as they are delivered, turned.
+SeenImages images_of(const cv::VideoCapture& capture) {
+  return {{},
+          int(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
+          int(capture.get(cv::CAP_PROP_FRAME_HEIGHT)),
+          quarter_turns_of(capture)};
+}
+
+std::vector<InputDecision> orientation_of(const SeenImages& images) {
+  if (images.quarter_turns == 0) return {};
+  return {{"orientation",
+           "frames turned clockwise by " + std::to_string(90 * images.quarter_turns) + " degrees",
+           "as the video's container says", ""}};
 }
 
 // A transport stream is a sequence of packets of equal size, each starting with a sync byte; it has no frame
@@ -50,6 +71,18 @@ bool ends_within_a_packet(const std::string& path) {
   return size % kPacket != 0;
 }
 
+// The rate between two frames, without the fastest and the slowest hundredth of them.
+InputDecision varying_rate(const std::vector<double>& stamps) {
+  std::vector<double> steps;
+  for (size_t i = 1; i < stamps.size(); ++i) steps.push_back(stamps[i] - stamps[i - 1]);
+  std::sort(steps.begin(), steps.end());
+  const size_t ends = steps.size() / 100;
+  return {"times", "the video's own stamps",
+          "its rate varies from " + fixed(1 / steps[steps.size() - 1 - ends], 1) + " to " +
+              fixed(1 / steps[ends], 1) + " frames a second",
+          ""};
+}
+
 // cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well
 // before its own frame count is reported as damaged; since counts are estimates, a few missing frames are
 // not.
@@ -58,19 +91,25 @@ class VideoSource : public ImageSource {
   VideoSource(const SourceOptions& options, cv::VideoCapture capture)
       : path_(options.path),
         capture_(std::move(capture)),
-        camera_(choose_or_assume_camera(options, "", size_of(capture_), &details_)),
+        decisions_(orientation_of(images_of(capture_))),
+        camera_(choose_or_assume_camera(options, "", images_of(capture_), &decisions_)),
         rate_(choose_rate(options.fps, capture_.get(cv::CAP_PROP_FPS))) {
     const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
     if (count >= 1 && count < kMostFrames) count_ = int(count);
+    use(read_video_stamps(path_), options.fps != 0);
   }
 
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return count_; }
   std::string kind() const override { return "video"; }
   Details details() const override {
-    Details all = details_;
-    all.emplace_back("times", rate_.says);
-    return all;
+    return stamps_.empty() && !rate_.decision ? Details{{"times", rate_.says}} : Details();
+  }
+  std::vector<InputDecision> decisions() const override { return decisions_; }
+  std::vector<Timestamp> times() const override {
+    std::vector<Timestamp> times;
+    for (const double s : stamps_) times.push_back(Timestamp::from_seconds(s));
+    return times;
   }
 
   std::optional<Frame> next() override {
@@ -81,11 +120,11 @@ class VideoSource : public ImageSource {
     try {
       if (!capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
         throw InputError(where, "the image does not decode", "convert the video again");
-      Frame frame{index, rate_.time(index), to_gray(pixels)};
+      Frame frame{index, time_of(index), to_gray(pixels)};
       check_image_size(frame.image, camera_.pinhole(), where);
       return frame;
     } catch (const InputError& e) {
-      throw BadFrame(index, rate_.time(index), e);
+      throw BadFrame(index, time_of(index), e);
     }
   }
   bool skip() override {
@@ -107,11 +146,36 @@ class VideoSource : public ImageSource {
   }
 
  private:
+  // Stamps are used where the rate varies; a rate that holds is more exact than they are.
+  void use(const VideoStamps& stamps, bool rate_is_given) {
+    const double own_rate = capture_.get(cv::CAP_PROP_FPS);
+    const bool varies = stamps.seconds.size() > 1 && !have_rate(stamps.seconds, own_rate);
+    if (varies) count_ = int(stamps.seconds.size());  // OpenCV's is the duration times a rate
+    if (varies && !rate_is_given) {
+      stamps_ = stamps.seconds;
+      decisions_.push_back(varying_rate(stamps_));
+    } else if (rate_.decision) {
+      decisions_.push_back(*rate_.decision);
+    }
+    if (stamps.is_16_bit_gray)
+      decisions_.push_back({"intensities", "the upper 8 of 16 bits", "that is what OpenCV gives of a video",
+                            "a camera of 10 to 14 bits then has few gray levels; convert the video to images "
+                            "(ffmpeg -i VIDEO %06d.png)"});
+  }
+
+  Timestamp time_of(int index) const {
+    if (stamps_.empty()) return rate_.time(index);
+    const size_t i = size_t(index), last = stamps_.size() - 1;
+    if (i <= last) return Timestamp::from_seconds(stamps_[i]);
+    return Timestamp::from_seconds(stamps_[last] + double(i - last) / rate_.fps);
+  }
+
   std::string path_;
   cv::VideoCapture capture_;
-  Details details_;
+  std::vector<InputDecision> decisions_;
   Camera camera_;
   Rate rate_;
+  std::vector<double> stamps_;  // of a varying rate, in seconds; else empty
   std::optional<int> count_;
   int index_ = 0;
   bool done_ = false;
@@ -119,45 +183,47 @@ class VideoSource : public ImageSource {
 
 class LiveCamera : public ImageSource {
  public:
-  LiveCamera(const SourceOptions& options, const Camera& camera, GrabImage grab, const Details& details)
-      : path_(options.path), camera_(camera), grab_(std::move(grab)), details_(details) {}
+  LiveCamera(const SourceOptions& options, const Camera& camera, GrabImage grab,
+             const std::vector<InputDecision>& decisions)
+      : path_(options.path), camera_(camera), grab_(std::move(grab)), decisions_(decisions) {}
 
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return std::nullopt; }
   std::string kind() const override { return "live camera"; }
   bool is_live() const override { return true; }
-  Details details() const override { return details_; }
+  std::vector<InputDecision> decisions() const override { return decisions_; }
 
   std::optional<Frame> next() override {
     if (done_) return std::nullopt;
     done_ = true;  // stays so if a check throws
     cv::Mat pixels;
     const bool came = grab_(&pixels) && !pixels.empty() && pixels.depth() == CV_8U;
-    const Timestamp now = Timestamp::from_nanoseconds(nanoseconds_now());
+    const Timestamp now = time_now();
     const std::string where = path_ + ", frame " + std::to_string(index_);
     if (!came)
       throw InputError(where, "the camera gives no image",
                        "check its cable, and whether another program uses it");
     Frame frame{index_, now, to_gray(pixels)};
-    if (index_ > 0) check_time_increases(previous_, frame.time, where);
     check_image_size(frame.image, camera_.pinhole(), where);
-    previous_ = frame.time;
     ++index_;
     done_ = false;
     return frame;
   }
 
  private:
-  static int64_t nanoseconds_now() {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  static int64_t nanoseconds(std::chrono::nanoseconds time) { return time.count(); }
+  // The wall clock at the start, continued by one that nobody sets: times increase whatever NTP does.
+  Timestamp time_now() const {
+    const auto since = std::chrono::steady_clock::now() - began_steady_;
+    return Timestamp::from_nanoseconds(nanoseconds(began_.time_since_epoch()) + nanoseconds(since));
   }
 
   std::string path_;
   Camera camera_;
   GrabImage grab_;
-  Details details_;
-  Timestamp previous_;
+  std::vector<InputDecision> decisions_;
+  const std::chrono::system_clock::time_point began_ = std::chrono::system_clock::now();
+  const std::chrono::steady_clock::time_point began_steady_ = std::chrono::steady_clock::now();
   int index_ = 0;
   bool done_ = false;
 };
@@ -183,21 +249,23 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const double index = parse_number(number, options.path);
   if (index < 0 || index > kLastCamera || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
-  if (!options.fov_deg) choose_camera(options, "");  // throws if there is no calibration
+  const bool states_size = !options.fov_deg && read_camera_text(camera_file_of(options, "")).has_size();
   const auto capture = std::make_shared<cv::VideoCapture>();
   if (!capture->open(int(index)))
     throw InputError(options.path, "the camera does not open", "check that it is plugged in");
-  Details details;
-  const Camera camera = choose_or_assume_camera(options, "", size_of(*capture), &details);
+  // Images are requested in the size of the calibration, if it states one.
+  std::vector<InputDecision> decisions;
+  const Camera camera =
+      choose_or_assume_camera(options, "", states_size ? SeenImages() : images_of(*capture), &decisions);
   capture->set(cv::CAP_PROP_FRAME_WIDTH, camera.pinhole().width);
   capture->set(cv::CAP_PROP_FRAME_HEIGHT, camera.pinhole().height);
   return play_live(
-      options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); }, details);
+      options, camera, [capture](cv::Mat* pixels) { return capture->read(*pixels); }, decisions);
 }
 
 std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab,
-                                       const Details& details) {
-  return std::make_unique<LiveCamera>(options, camera, std::move(grab), details);
+                                       const std::vector<InputDecision>& decisions) {
+  return std::make_unique<LiveCamera>(options, camera, std::move(grab), decisions);
 }
 
 }  // namespace edgevo

@@ -4,7 +4,6 @@
 #include <memory>
 #include <opencv2/core/mat.hpp>
 
-#include "assumed_camera.h"
 #include "edgevo/core/image_source.h"
 #include "edgevo/datasets/open_source.h"
 
@@ -21,6 +20,6 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options);
 using GrabImage = std::function<bool(cv::Mat*)>;
 /// The source behind open_live_camera(), from any grabber.
 std::unique_ptr<ImageSource> play_live(const SourceOptions& options, const Camera& camera, GrabImage grab,
-                                       const Details& details = {});
+                                       const std::vector<InputDecision>& decisions = {});
 
 }  // namespace edgevo

@@ -8,9 +8,10 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
+#include "camera_fit.h"
 #include "edgevo/core/error.h"
-#include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "image_series.h"
 #include "sequence.h"
 #include "text_file.h"
 
@@ -157,7 +158,7 @@ VirtualKitti read_release_1(const fs::path& sequence) {
   const fs::path root = sequence.parent_path().parent_path().parent_path();
   VirtualKitti result;
   result.release = "1.3.1";
-  result.images = list_images(sequence.string());
+  result.images = list_images(sequence.string(), {}, nullptr);
   const GrayImage first = read_gray_image(result.images.front());
   result.camera.set_pinhole({725, 725, 620.5, 187, first.width, first.height});  // of the release's README
   for (const std::string& image : result.images)
@@ -173,7 +174,7 @@ VirtualKitti read_release_2(const fs::path& sequence, const std::string& wanted_
   VirtualKitti result;
   result.release = "2.0.3";
   result.camera_name = choose_camera_name(sequence, wanted_camera);
-  result.images = list_images((sequence / "frames" / "rgb" / result.camera_name).string());
+  result.images = list_images((sequence / "frames" / "rgb" / result.camera_name).string(), {}, nullptr);
   const fs::path depth =
       find_in_release_2(sequence, "frames/depth/" + result.camera_name, "vkitti_2.0.3_depth");
   for (const std::string& image : result.images)
@@ -201,7 +202,8 @@ VirtualKitti read_virtual_kitti(const SourceOptions& options) {
                      "leave --sensor out");
   VirtualKitti result =
       is_release_1(sequence) ? read_release_1(sequence) : read_release_2(sequence, options.sensor_label);
-  if (!options.camera_file.empty()) result.camera = read_camera_file(options.camera_file);
+  if (!options.camera_file.empty())
+    result.camera = camera_of_file(options.camera_file, seen_images(result.images), &result.decisions);
   const double fps = options.fps > 0 ? options.fps : kFps;
   for (const std::string& image : result.images)
     result.times.push_back(Timestamp::from_seconds(frame_number(image) / fps));

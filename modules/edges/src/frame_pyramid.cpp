@@ -7,6 +7,7 @@
 
 #include "border_mask.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 #include "edgevo/core/radial.h"
 #include "edgevo/edges/edge_extraction.h"
 #include "edgevo/edges/opencv_view.h"
@@ -187,6 +188,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& 
                          " but the camera is " + std::to_string(expected.width) + "x" +
                          std::to_string(expected.height),
                      "give the camera file of these images");
+  check_pixels(image, "image");
   std::shared_ptr<const Plane<uint8_t>> likely;
   if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(image.view(), name));
   border.add(image.view());

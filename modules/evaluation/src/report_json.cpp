@@ -77,6 +77,11 @@ std::string to_json(const TrajectoryEvaluation& e) {
   out["kitti"] = kitti_json(e.kitti);
   out["local_scale"] = scale_json(e);
   out["coverage"] = coverage_json(e.coverage);
+  if (!e.judgement.empty()) {
+    out["truth_noise"] = {{"position_m", e.truth_noise.position_m},
+                          {"rotation_rad", e.truth_noise.rotation_rad}};
+    out["single_frames"] = Json::parse(judgement_json(e.judgement));
+  }
   // Paths need not be UTF-8: invalid bytes are replaced rather than refused.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The evaluation as aligned text.
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 
@@ -96,6 +97,13 @@ std::string layout(const std::vector<Row>& rows) {
   return text;
 }
 
+std::string judgement_text(const TrajectoryEvaluation& e) {
+  if (e.judgement.empty()) return {};
+  return "\nsingle frames: the motion over the next ten; noise of the ground truth " +
+         number(1000 * e.truth_noise.position_m, "%.2g") + " mm, " +
+         number(e.truth_noise.rotation_rad * 180 / M_PI, "%.2g") + " deg\n" + judgement_table(e.judgement);
+}
+
 std::string describe(const TrajectoryFacts& t) {
   return t.path + " (" + t.format + ", " + poses(t.poses) + ")";
 }
@@ -115,7 +123,7 @@ std::string to_table(const TrajectoryEvaluation& e) {
   add_relative(e, &rows);
   add_scale(e, &rows);
   add_coverage(e.coverage, &rows);
-  return head.str() + layout(rows);
+  return head.str() + layout(rows) + judgement_text(e);
 }
 
 }  // namespace edgevo

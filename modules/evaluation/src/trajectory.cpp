@@ -131,7 +131,7 @@ Trajectory trajectory_of(const Run& run) {
 }
 
 Trajectory read_trajectory(const std::string& path) {
-  return parse_trajectory(read_file(path, "give the path of a TUM or KITTI trajectory file"), path);
+  return parse_trajectory(read_text(path, "give the path of a TUM or KITTI trajectory file"), path);
 }
 
 }  // namespace edgevo

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "edgevo/core/error.h"
 
@@ -70,6 +71,18 @@ void check_not_there(const std::string& path, bool force) {
   std::error_code ignored;
   if (force || !fs::exists(fs::symlink_status(path, ignored))) return;
   throw InputError(path, "exists already", "give another name, or --force to write over it");
+}
+
+void check_file_is_ours(const std::string& path, const std::string& mark, bool force) {
+  std::error_code ignored;
+  if (force || !fs::is_regular_file(path, ignored)) return;
+  std::string begin(4096, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), std::streamsize(begin.size()));
+  begin.resize(size_t(file.gcount()));
+  if (begin.empty() || begin.find(mark) != std::string::npos) return;
+  throw InputError(path, "exists already and is something else",
+                   "give another name, or --force to write over it");
 }
 
 void check_folder_is_ours(const std::string& folder, const std::vector<std::string>& marks, bool force) {

@@ -175,9 +175,7 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
   const FrameAnchor& anchor = *row->anchor;
   const double length =
       T_world_map(frame.segment).scale * length_ratio_since(anchor.keyframe_id, anchor.moves);
-  Vector6d unit = Vector6d::Ones();
-  unit.head<3>().setConstant(length);
-  frame.covariance = unit.asDiagonal() * frame.covariance * unit.asDiagonal();
+  multiply_lengths(length, &frame);
   const auto keyframe = position_of_keyframe.find(anchor.keyframe_id);
   if (keyframe == position_of_keyframe.end()) {
     frame.T_world_cam = frame.T_world_cam_live;

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 #include "gray_conversion.h"
 
 namespace edgevo {
@@ -68,13 +69,18 @@ Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where) {
 }
 
 mrpt::img::CImage to_mrpt(const GrayImage& image) {
+  check_pixels(image, "to_mrpt()");
   const cv::Mat pixels(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
   return mrpt::img::CImage(pixels, mrpt::img::DEEP_COPY);
 }
 
-GrayImage from_mrpt(const mrpt::img::CImage& image, const std::string& where) {
-  if (image.isEmpty()) return to_gray(cv::Mat(), where);
-  return to_gray(image.asCvMatRef(), where);
+GrayImage from_mrpt(const mrpt::img::CImage& image, const std::optional<IntensityScale>& scale,
+                    const std::string& where) {
+  return to_gray(image.isEmpty() ? cv::Mat() : image.asCvMatRef(), scale, where);
+}
+
+std::optional<DeepImage> deep_from_mrpt(const mrpt::img::CImage& image, const std::string& where) {
+  return to_deep(image.isEmpty() ? cv::Mat() : image.asCvMatRef(), where);
 }
 
 SE3 T_vehicle_cam_forward() {

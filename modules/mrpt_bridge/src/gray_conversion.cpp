@@ -6,27 +6,47 @@
 #include "edgevo/core/error.h"
 
 namespace edgevo {
+namespace {
 
-GrayImage to_gray(const cv::Mat& pixels, const std::string& where) {
+void check_kind(const cv::Mat& pixels, const std::string& where) {
   if (pixels.empty()) throw InputError(where, "the image is empty", "record it again or leave the frame out");
-  if (pixels.depth() != CV_8U)
-    throw InputError(where, "the image is not 8 bits deep", "convert it to 8 bits");
+  if (pixels.depth() != CV_8U && pixels.depth() != CV_16U)
+    throw InputError(where, "its values are signed or not whole numbers",
+                     "convert it to 8 or 16 bits, unsigned");
+  const int channels = pixels.channels();
+  if (channels != 1 && channels != 3 && channels != 4)
+    throw InputError(where, "the image has " + std::to_string(channels) + " channels",
+                     "gray and colour images are read");
+}
+
+void put_gray(const cv::Mat& pixels, cv::Mat target) {
+  if (pixels.channels() == 1)
+    pixels.copyTo(target);
+  else
+    cv::cvtColor(pixels, target, pixels.channels() == 3 ? cv::COLOR_BGR2GRAY : cv::COLOR_BGRA2GRAY);
+}
+
+}  // namespace
+
+std::optional<DeepImage> to_deep(const cv::Mat& pixels, const std::string& where) {
+  check_kind(pixels, where);
+  if (pixels.depth() == CV_8U) return std::nullopt;
+  DeepImage deep{pixels.cols, pixels.rows, std::vector<uint16_t>(pixels.total())};
+  put_gray(pixels, cv::Mat(pixels.rows, pixels.cols, CV_16UC1, deep.values.data()));
+  return deep;
+}
+
+GrayImage to_gray(const cv::Mat& pixels, const std::optional<IntensityScale>& scale,
+                  const std::string& where) {
+  const std::optional<DeepImage> deep = to_deep(pixels, where);
+  if (deep.has_value() != scale.has_value())
+    throw InputError(where,
+                     std::string("the image has ") + (deep ? "16" : "8") +
+                         " bits, but the first images have " + (deep ? "8" : "16"),
+                     "convert all to the same depth");
+  if (deep) return scale_to_8_bits(*deep, *scale);
   GrayImage gray{pixels.cols, pixels.rows, std::vector<uint8_t>(pixels.total())};
-  cv::Mat target(pixels.rows, pixels.cols, CV_8UC1, gray.pixels.data());
-  switch (pixels.channels()) {
-    case 1:
-      pixels.copyTo(target);
-      break;
-    case 3:
-      cv::cvtColor(pixels, target, cv::COLOR_BGR2GRAY);
-      break;
-    case 4:
-      cv::cvtColor(pixels, target, cv::COLOR_BGRA2GRAY);
-      break;
-    default:
-      throw InputError(where, "the image has " + std::to_string(pixels.channels()) + " channels",
-                       "gray and colour images are read");
-  }
+  put_gray(pixels, cv::Mat(pixels.rows, pixels.cols, CV_8UC1, gray.pixels.data()));
   return gray;
 }
 

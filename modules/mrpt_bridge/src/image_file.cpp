@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/files/image_integrity.h"
 #include "gray_conversion.h"
@@ -14,7 +15,7 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kReplaceImage = "restore the image, or `edgevo run` it with --on-bad-frame skip";
+constexpr const char* kReplaceImage = "restore the image";
 
 std::string read_bytes(const std::string& path) {
   std::error_code ignored;
@@ -26,23 +27,37 @@ std::string read_bytes(const std::string& path) {
 
 cv::Mat decode(const std::string& bytes) try {
   const cv::Mat encoded(1, int(bytes.size()), CV_8UC1, const_cast<char*>(bytes.data()));
-  return cv::imdecode(encoded, cv::IMREAD_ANYCOLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  return cv::imdecode(encoded, cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);
 } catch (const cv::Exception&) {
   return {};
+}
+
+cv::Mat read_pixels(const std::string& path) {
+  const std::string bytes = read_bytes(path);
+  const std::string damage = image_damage(bytes);
+  if (!damage.empty()) throw InputError(path, "the image does not decode: " + damage, kReplaceImage);
+  cv::Mat pixels = decode(bytes);
+  if (pixels.empty()) throw InputError(path, "the image does not decode", kReplaceImage);
+  return pixels;
 }
 
 }  // namespace
 
 GrayImage read_gray_image(const std::string& path) {
-  const std::string bytes = read_bytes(path);
-  const std::string damage = image_damage(bytes);
-  if (!damage.empty()) throw InputError(path, "the image does not decode: " + damage, kReplaceImage);
-  const cv::Mat pixels = decode(bytes);
-  if (pixels.empty()) throw InputError(path, "the image does not decode", kReplaceImage);
-  return to_gray(pixels, path);
+  const cv::Mat pixels = read_pixels(path);
+  if (const auto deep = to_deep(pixels, path))
+    return scale_to_8_bits(*deep, *decide_intensities(*deep).scale);
+  return to_gray(pixels, std::nullopt, path);
 }
 
+GrayImage read_gray_image(const std::string& path, const std::optional<IntensityScale>& scale) {
+  return to_gray(read_pixels(path), scale, path);
+}
+
+std::optional<DeepImage> read_deep_image(const std::string& path) { return to_deep(read_pixels(path), path); }
+
 void write_png(const std::string& path, const GrayImage& image) {
+  check_pixels(image, path);
   const cv::Mat pixels(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
   std::vector<uint8_t> encoded;
   cv::imencode(".png", pixels, encoded);

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationStereoImages.h>
 
+#include "edgevo/core/time_order.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 
 namespace edgevo {
@@ -18,14 +19,13 @@ std::optional<SE3> mount(const mrpt::poses::CPose3D& T_vehicle_cam) {
 }
 
 void fill_from(const mrpt::obs::CObservationImage& o, RawlogImage* r) {
-  *r = {"image", {}, {}, false, &o.image, &o.cameraParams, mount(o.cameraPose)};
+  *r = {"image", {}, {}, &o.image, &o.cameraParams, mount(o.cameraPose)};
 }
 
 void fill_from(const mrpt::obs::CObservationStereoImages& o, RawlogImage* r) {
   *r = {"left image of a stereo pair",
         {},
         {},
-        false,
         &o.imageLeft,
         &o.leftCamera,
         mount(mrpt::poses::CPose3D(o.cameraPose))};
@@ -35,7 +35,6 @@ void fill_from(const mrpt::obs::CObservation3DRangeScan& o, RawlogImage* r) {
   *r = {"intensity image of a depth camera",
         {},
         {},
-        false,
         &o.intensityImage,
         &o.cameraParamsIntensity,
         mount(o.sensorPose + o.relativePoseIntensityWRTDepth)};
@@ -55,8 +54,8 @@ std::optional<RawlogImage> find_image(const mrpt::obs::CObservation& observation
   else
     return std::nullopt;
   result.label = observation.sensorLabel;
-  result.has_time = observation.timestamp != mrpt::Clock::time_point();
-  result.time = from_mrpt(observation.timestamp);
+  const bool has_time = observation.timestamp != mrpt::Clock::time_point();
+  result.time = has_time ? from_mrpt(observation.timestamp) : kNoTime;
   return result;
 }
 

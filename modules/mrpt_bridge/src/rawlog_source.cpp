@@ -9,6 +9,7 @@
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/time_order.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "edgevo/mrpt_bridge/rawlog_image.h"
@@ -68,7 +69,9 @@ class RawlogSource : public ImageSource {
                                : from_mrpt(chosen.camera, path_ + ", calibration of " + chosen.label +
                                                               " (or give --camera)")),
         own_calibration_(options.camera.has_value()),
+        decisions_(options.decisions),
         images_folder_(chosen.external ? find_images_folder(path_) : std::string()),
+        intensities_(decide_on_intensities(options.bits)),
         reader_(path_) {}
 
   const Camera& camera() const override { return camera_; }
@@ -83,6 +86,12 @@ class RawlogSource : public ImageSource {
     return read_vehicle_track(path_, sensor);
   }
   std::vector<std::pair<std::string, std::string>> details() const override;
+  std::vector<InputDecision> decisions() const override {
+    std::vector<InputDecision> all = decisions_;
+    if (intensities_.decision) all.push_back(*intensities_.decision);
+    if (auto clock = clock_decision(chosen_.times)) all.push_back(std::move(*clock));
+    return all;
+  }
   std::vector<Timestamp> times() const override {
     return survey_.complete ? chosen_.times : std::vector<Timestamp>();
   }
@@ -100,21 +109,25 @@ class RawlogSource : public ImageSource {
 
  private:
   std::optional<RawlogImage> advance();
-  void check(const RawlogImage& image, const std::string& where) const;
-  /// The frame without its number.
+  void check_calibration(const RawlogImage& image, const std::string& where) const;
+  std::optional<Timestamp> following_time() const;
+  /// The frame without its number; with its time as stated.
   Frame read(const RawlogImage& image, const std::string& where);
-  std::string file_of(const mrpt::img::CImage& image) const;
+  std::string file_of(const std::string& name) const;
+  Intensities decide_on_intensities(int bits) const;
 
   std::string path_;
   RawlogSurvey survey_;
   SurveyedCamera chosen_;
   Camera camera_;
   bool own_calibration_;
+  std::vector<InputDecision> decisions_;
   std::string images_folder_;
+  Intensities intensities_;
   RawlogReader reader_;
   mrpt::obs::CObservation::Ptr current_;  // owner of what a RawlogImage points into
   int index_ = 0;
-  std::optional<Timestamp> previous_;
+  TimeOrder order_;
   bool done_ = false;
 };
 
@@ -127,7 +140,7 @@ std::vector<std::pair<std::string, std::string>> RawlogSource::details() const {
   for (const auto& [name, count] : survey_.others)
     others += (others.empty() ? "" : ", ") + std::to_string(count) + " " + name;
   if (!others.empty()) result.emplace_back("other observations", others);
-  if (const std::string doubt = doubt_about_times(chosen_.times); !doubt.empty())
+  if (const std::string doubt = doubt_about_times(fill_missing(chosen_.times)); !doubt.empty())
     result.emplace_back("times", doubt);
   if (!survey_.complete) result.emplace_back("note", "the rawlog is long; counted are its first 256 MB");
   if (!survey_.damage.empty()) result.emplace_back("damage", survey_.damage);
@@ -151,43 +164,79 @@ std::optional<Frame> RawlogSource::next() {
   const auto image = advance();
   if (!image) return std::nullopt;
   const std::string where = path_ + ", frame " + std::to_string(index_) + " of " + chosen_.label;
-  done_ = true;  // stays so if check() throws
-  check(*image, where);
+  done_ = true;  // stays so if the calibration throws
+  check_calibration(*image, where);
   done_ = false;
-  previous_ = image->time;
   const int index = index_++;
+  const Timestamp time = order_.require(index, image->time, following_time(), where);
   try {
     Frame frame = read(*image, where);
     frame.index = index;
+    frame.time = time;
     return frame;
   } catch (const InputError& e) {
-    throw BadFrame(index, image->time, e);
+    throw BadFrame(index, time, e);
   }
 }
 
-void RawlogSource::check(const RawlogImage& image, const std::string& where) const {
-  if (!image.has_time) throw InputError(where, "it has no time", "record it with a time stamp");
-  if (previous_) check_time_increases(*previous_, image.time, where);
+// Time of the image at index_; nothing beyond the part of the file that was surveyed.
+std::optional<Timestamp> RawlogSource::following_time() const {
+  const size_t i = size_t(index_);
+  return i < chosen_.times.size() ? std::make_optional(chosen_.times[i]) : std::nullopt;
+}
+
+void RawlogSource::check_calibration(const RawlogImage& image, const std::string& where) const {
   if (!own_calibration_ && *image.camera != chosen_.camera)
     throw InputError(where, "the calibration differs from that of the first frame",
                      "give one for all with --camera");
 }
 
 Frame RawlogSource::read(const RawlogImage& image, const std::string& where) {
-  std::string file = file_of(*image.image);
-  GrayImage pixels = file.empty() ? from_mrpt(*image.image, where) : read_gray_image(file);
+  const bool is_file = image.image->isExternallyStored();
+  std::string file = is_file ? file_of(image.image->getExternalStorageFile()) : std::string();
+  GrayImage pixels = is_file ? read_gray_image(file, intensities_.scale)
+                             : from_mrpt(*image.image, intensities_.scale, where);
   check_image_size(pixels, camera_.pinhole(), where);
+  if (intensities_.scale) file.clear();  // holds other pixels
   return {0, image.time, std::move(pixels), std::move(file)};
 }
 
-// Path of an external image; empty for one inside the rawlog. An absolute name is kept.
-std::string RawlogSource::file_of(const mrpt::img::CImage& image) const {
-  if (!image.isExternallyStored()) return {};
-  const fs::path folder = images_folder_.empty() ? find_images_folder(path_) : images_folder_;
-  return (folder / image.getExternalStorageFile()).string();
+// Path of an external image. An absolute name is kept.
+std::string RawlogSource::file_of(const std::string& name) const {
+  return (fs::path(images_folder_.empty() ? find_images_folder(path_) : images_folder_) / name).string();
+}
+
+Intensities RawlogSource::decide_on_intensities(int bits) const {
+  if (!chosen_.external)
+    return decide_intensities(chosen_.intensities, bits,
+                              std::to_string(chosen_.intensities.images()) + " images of the rawlog");
+  std::vector<std::string> files;
+  for (const std::string& name : chosen_.some_files) files.push_back(file_of(name));
+  return decide_intensities(files, bits);
+}
+
+GrayImage first_image(const RawlogSourceOptions& options) {
+  RawlogReader reader(options.path);
+  while (const auto observation = reader.next()) {
+    const auto image = find_image(*observation);
+    if (!image || (!options.sensor_label.empty() && image->label != options.sensor_label)) continue;
+    if (!image->image->isExternallyStored()) return from_mrpt(*image->image, std::nullopt, options.path);
+    const fs::path folder = find_images_folder(options.path);
+    return read_gray_image((folder / image->image->getExternalStorageFile()).string());
+  }
+  return {};
 }
 
 }  // namespace
+
+std::pair<int, int> first_image_size(const RawlogSourceOptions& options) {
+  try {
+    const GrayImage image = first_image(options);
+    return {image.width, image.height};
+  } catch (const InputError&) {
+    return {0, 0};  // opening the source, or its first frame, says why
+  }
+}
 
 std::unique_ptr<ImageSource> open_rawlog(const RawlogSourceOptions& options) {
   const RawlogSurvey survey = survey_rawlog(options.path);

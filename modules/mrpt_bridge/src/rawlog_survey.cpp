@@ -2,6 +2,7 @@
 #include "rawlog_survey.h"
 
 #include "edgevo/core/error.h"
+#include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "gz_archive.h"
@@ -12,6 +13,23 @@ namespace {
 constexpr int64_t kSurveyLimit = int64_t(256)
                                  << 20;  // bytes of the compressed file, read in one to two seconds
 
+constexpr size_t kSampleStep = 30;  // every 30th image shows what values a camera gives
+
+// A damaged image shows nothing; it is reported when it is played.
+void add_values(const mrpt::img::CImage& image, IntensityCount* count) try {
+  if (const auto deep = deep_from_mrpt(image, "")) count->add(*deep);
+} catch (const InputError&) {
+}
+
+void add_sample(const mrpt::img::CImage& image, SurveyedCamera* camera) {
+  const size_t index = camera->times.size();
+  if (index % kSampleStep != 0) return;
+  if (image.isExternallyStored())
+    camera->some_files.push_back(image.getExternalStorageFile());
+  else if (index == 0 || camera->intensities.images() > 0)
+    add_values(image, &camera->intensities);
+}
+
 void add_image(const RawlogImage& image, RawlogSurvey* survey) {
   auto* camera = const_cast<SurveyedCamera*>(survey->find(image.label));
   if (!camera) {
@@ -19,6 +37,7 @@ void add_image(const RawlogImage& image, RawlogSurvey* survey) {
         {image.label, image.kind, {}, *image.camera, image.T_vehicle_cam, image.image->isExternallyStored()});
     camera = &survey->cameras.back();
   }
+  add_sample(*image.image, camera);
   camera->times.push_back(image.time);
 }
 

@@ -10,6 +10,7 @@
 
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
+#include "edgevo/mrpt_bridge/intensities.h"
 
 namespace edgevo {
 
@@ -22,6 +23,10 @@ struct SurveyedCamera {
   std::optional<SE3> T_vehicle_cam;
   /// True if its images are files next to the rawlog.
   bool external = false;
+  /// Values of some of its embedded images, all over what was read; empty if the first has 8 bits.
+  IntensityCount intensities = {};
+  /// Names of some of its external images, all over what was read.
+  std::vector<std::string> some_files = {};
 };
 
 struct RawlogSurvey {

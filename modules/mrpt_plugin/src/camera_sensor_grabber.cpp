@@ -8,6 +8,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/time_order.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_image.h"
@@ -98,20 +99,29 @@ class CameraSensorGrabber : public Grabber {
     const std::string where = where_ + ", image " + std::to_string(count_);
     Grab grab;
     grab.original = *image.image;
-    grab.frame = {count_, image.time, from_mrpt(*image.image, where)};
+    const CheckedTime checked = times_.check(image.time);
+    grab.stated_time = image.time;
+    grab.problem = checked.problem;
+    grab.frame = {count_, checked.time, from_mrpt(*image.image, scale_of(*image.image, where), where)};
     check_image_size(grab.frame.image, camera_->pinhole(), where);
-    if (count_ > 0) check_time_increases(previous_, image.time, where);
-    previous_ = image.time;
     ++count_;
     return grab;
+  }
+
+  // A live camera cannot be looked at beforehand: its first image decides.
+  const std::optional<IntensityScale>& scale_of(const mrpt::img::CImage& first, const std::string& where) {
+    if (count_ > 0) return scale_;
+    if (const auto deep = deep_from_mrpt(first, where)) scale_ = decide_intensities(*deep).scale;
+    return scale_;
   }
 
   std::string where_, why_ended_;
   mrpt::hwdrivers::CCameraSensor sensor_;
   std::optional<Camera> camera_;
   std::optional<SE3> mount_;
+  std::optional<IntensityScale> scale_;
   mrpt::obs::CObservation::Ptr waiting_;  // the first image, which opening has taken
-  Timestamp previous_;
+  TimeOrder times_;
   int count_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "grabber.h"
 
 #include "camera_sensor_grabber.h"
+#include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/open_source.h"
 
@@ -15,9 +16,18 @@ class RawlogGrabber : public Grabber {
   const Camera& camera() const override { return source_->camera(); }
   std::optional<SE3> T_vehicle_cam() const override { return source_->T_vehicle_cam(); }
   std::optional<Grab> next() override {
-    auto frame = source_->next();
-    if (!frame) return std::nullopt;
-    return Grab{std::move(*frame), {}};
+    std::optional<Grab> grab(std::in_place);
+    try {
+      auto frame = source_->next();
+      if (!frame) return std::nullopt;
+      grab->frame = std::move(*frame);
+    } catch (const BadFrame& e) {
+      grab->frame.index = e.index();
+      grab->frame.time = e.time();
+      grab->problem = e.what();
+    }
+    grab->stated_time = grab->frame.time;
+    return grab;
   }
 
  private:

@@ -13,9 +13,14 @@
 namespace edgevo {
 
 struct Grab {
+  /// Its time increases; that of an unusable frame is the time of the one before.
   Frame frame;
   /// The image as delivered, colour included; empty if it equals frame.image.
   mrpt::img::CImage original;
+  /// Time of the image in the clock of the recording, which may have been set back.
+  Timestamp stated_time;
+  /// Why the odometry cannot use the frame; empty if it can.
+  std::string problem;
 };
 
 class Grabber {
@@ -23,8 +28,7 @@ class Grabber {
   virtual ~Grabber() = default;
   virtual const Camera& camera() const = 0;
   virtual std::optional<SE3> T_vehicle_cam() const = 0;
-  /// The next image; nullopt at the end of a finite source. Throws InputError when an image does not arrive
-  /// or cannot be used.
+  /// The next image; nullopt at the end of a finite source. Throws InputError when no image arrives.
   virtual std::optional<Grab> next() = 0;
 };
 

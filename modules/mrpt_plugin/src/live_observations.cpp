@@ -45,7 +45,7 @@ LiveObservations::LiveObservations(const SensorConfig& config, const Camera& cam
     : config_(config), camera_(camera), T_vehicle_cam_(T_vehicle_cam) {}
 
 mrpt::serialization::CSerializable::Ptr LiveObservations::image_of(const Grab& grab) const {
-  auto obs = make_image_observation(grab.frame.time, config_.label, camera_, T_vehicle_cam_);
+  auto obs = make_image_observation(grab.stated_time, config_.label, camera_, T_vehicle_cam_);
   if (images_folder_.empty()) {
     obs->image = grab.original.isEmpty() ? to_mrpt(grab.frame.image) : grab.original;
     return obs;
@@ -73,7 +73,9 @@ std::vector<mrpt::serialization::CSerializable::Ptr> LiveObservations::make(cons
                                                                             const FrameView& view) {
   std::vector<mrpt::serialization::CSerializable::Ptr> observations{image_of(grab)};
   if (!record.T_world_cam_live) return observations;
-  const Run run = run_of(record, view);
+  FrameRecord stated = record;
+  stated.time = grab.stated_time;
+  const Run run = run_of(stated, view);
   const FrameRecord& frame = run.frames.front();
   observations.push_back(make_pose_observation(run, frame, *frame.T_world_cam_live));
   observations.push_back(make_odometry_observation(run, frame, *frame.T_world_cam_live));

@@ -19,9 +19,9 @@ class LiveObservations {
   /// Existing folder for the images; empty: they are stored inside the rawlog.
   void set_images_folder(const std::string& folder) { images_folder_ = folder; }
 
-  /// Observations of a frame: always the image; a pose if there is one; the points whenever a new keyframe
-  /// becomes the reference (EDGE_VO_POINTS: axes and origin of the vehicle, as in playback.rawlog). Throws
-  /// InputError when an image cannot be written.
+  /// Observations of a frame, at its stated time, as those of other sensors: always the image; a pose if
+  /// there is one; the points whenever a new keyframe becomes the reference (EDGE_VO_POINTS: axes and origin
+  /// of the vehicle, as in playback.rawlog). Throws InputError when an image cannot be written.
   std::vector<mrpt::serialization::CSerializable::Ptr> make(const Grab& grab, const FrameRecord& record,
                                                             const FrameView& view);
 

@@ -4,6 +4,7 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/obs/CObservationComment.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
@@ -21,8 +22,7 @@ IMPLEMENTS_GENERIC_SENSOR(CEdgeVoSensor, edgevo)
 CEdgeVoSensor::CEdgeVoSensor() { m_sensorLabel = config_.label; }
 
 CEdgeVoSensor::~CEdgeVoSensor() {
-  if (odometry_ && why_ended_.empty())
-    say(std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");
+  if (odometry_ && why_ended_.empty()) say(counts());
   try {
     if (const int appended = tail_.append_the_rest(); appended > 0)
       say(std::to_string(appended) +
@@ -34,6 +34,11 @@ CEdgeVoSensor::~CEdgeVoSensor() {
 
 void CEdgeVoSensor::say(const std::string& text) const {
   std::fprintf(stderr, "[%s] %s\n", section_.c_str(), text.c_str());
+}
+
+std::string CEdgeVoSensor::counts() const {
+  return std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose" +
+         (left_out_ > 0 ? ", " + std::to_string(left_out_) + " left out" : "");
 }
 
 // Errors of the .ini and of opening name the section, since a recording may have several.
@@ -102,21 +107,31 @@ void CEdgeVoSensor::doProcess() {
 }
 
 void CEdgeVoSensor::process(const Grab& grab) {
-  const FrameRecord record = odometry_->process(grab.frame);
+  const FrameRecord record = track(grab);
+  ++frames_;
+  if (grab.frame.image.empty()) return;
   const auto observations = observations_->make(grab, record, odometry_->frame_view());
   for (const auto& object : observations)
     if (const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object))
       tail_.add(observation);
   appendObservations(observations);
-  newest_ = grab.frame.time;
-  ++frames_;
+  newest_ = std::max(newest_, grab.stated_time);
   poses_ += record.T_world_cam_live.has_value();
 }
 
-// The comment is dated after the last frame: the grabber never writes the newest object in its buffer.
+// A recording must not end because of a single frame.
+FrameRecord CEdgeVoSensor::track(const Grab& grab) {
+  constexpr int kSaid = 10;  // a clock that stands still would fill the screen
+  if (grab.problem.empty()) return odometry_->process(grab.frame);
+  if (left_out_++ < kSaid) say("frame " + std::to_string(grab.frame.index) + " left out: " + grab.problem);
+  if (frames_ == left_out_ - 1) return {};  // no frame with a time came before
+  return odometry_->skip(grab.frame, "left out: " + grab.problem);
+}
+
+// The comment is dated after all frames: the grabber never writes the newest object in its buffer.
 void CEdgeVoSensor::end(const std::string& why) {
   why_ended_ = why;
-  say(why + ", after " + std::to_string(frames_) + " frames, " + std::to_string(poses_) + " with a pose");
+  say(why + ", after " + counts());
   auto comment = mrpt::obs::CObservationComment::Create();
   comment->timestamp = to_mrpt(Timestamp{newest_.ticks + 1});
   comment->sensorLabel = config_.label + "_END";

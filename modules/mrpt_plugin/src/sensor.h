@@ -38,9 +38,11 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   void name_section(const std::function<void()>& work) const;
   void open();
   void process(const Grab& grab);
+  FrameRecord track(const Grab& grab);
   void end(const std::string& why);
   void end_when_all_is_written();
   void say(const std::string& text) const;
+  std::string counts() const;
 
   std::string section_;
   std::unique_ptr<mrpt::config::CConfigFileBase> ini_;  // the section
@@ -50,8 +52,8 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   std::unique_ptr<Odometry> odometry_;
   std::unique_ptr<LiveObservations> observations_;
   RecordingTail tail_;
-  Timestamp newest_;
-  int frames_ = 0, poses_ = 0;
+  Timestamp newest_;  // of what was recorded
+  int frames_ = 0, poses_ = 0, left_out_ = 0;
   std::string why_ended_;  // empty while images come
 };
 

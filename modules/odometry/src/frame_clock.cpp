@@ -13,6 +13,8 @@ namespace {
 // Bounds of a frame's interval, in usual intervals: arrival times jitter by less, and a missing frame lies
 // just outside.
 constexpr double kShortest = 0.5, kLongest = 1.5;
+// Seconds: frames without a time of their own follow each other by a tick.
+constexpr double kNoStep = 1.5 / double(Timestamp::kTicksPerSecond);
 
 // The interval of frames that follow each other without a gap: the median of what lies around the lower
 // quartile, then around that median.
@@ -34,7 +36,7 @@ double usual_interval(const std::deque<double>& intervals) {
 FrameClock::Step FrameClock::tick(Timestamp time) {
   const double seconds = newest_ ? seconds_between(*newest_, time) : 0;
   newest_ = time;
-  if (!(seconds > 0)) return {};
+  if (!(seconds > kNoStep)) return {};
   const bool few = intervals_.size() < kFewIntervals;
   const double usual = few ? seconds : usual_interval(intervals_);
   intervals_.push_back(seconds);

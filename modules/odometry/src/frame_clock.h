@@ -22,8 +22,8 @@ class FrameClock {
     double seconds = 0;
   };
 
-  /// Records a frame's timestamp and returns the step to it. Timestamps that do not increase carry no
-  /// information: one frame, 0 s.
+  /// Records a frame's timestamp and returns the step to it. Timestamps that do not increase, or by a tick
+  /// only, carry no information: one frame, 0 s.
   Step tick(Timestamp time);
 
   /// Most skipped frames in a row: beyond them nothing can be predicted, and a sum of steps stays finite.

@@ -25,6 +25,7 @@ FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Referenc
                            reference.moves};
   record.segment = segment;
   record.T_world_cam_live = run_.T_world_map(segment).apply(anchor.T_cam_map.inverse());
+  record.evidence.median_depth = 1 / reference.median_idepth;
   return {std::move(record), anchor};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "collect_evidence.h"
+#include "edgevo/core/doubtful_intervals.h"
 
 namespace edgevo {
 namespace {
@@ -87,6 +88,19 @@ FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& para
   if (support == PoseSupport::kGood && weak > 0)
     return {TrackingState::kDegraded, std::to_string(weak) + " poorly observed direction(s)"};
   return {state_of(support), reason_of(support, evidence, params)};
+}
+
+FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
+  if (by_image.state == TrackingState::kLost || !(trust.p_right < kDoubtfulBelow)) return by_image;
+  return {TrackingState::kDegraded,
+          by_image.reason.empty() ? trust.reason : by_image.reason + "; " + trust.reason};
+}
+
+double covariance_factor(double p_right) {
+  constexpr double kMost = 100;  // ten times the standard deviation
+  if (!(p_right < kDoubtfulBelow)) return 1;
+  const double ratio = kDoubtfulBelow / std::max(p_right, 1e-3);
+  return std::min(ratio * ratio, kMost);
 }
 
 bool shows_edges(int edges) { return edges >= kMinEdges; }

@@ -41,6 +41,8 @@ class FrontEnd {
   ArrivedFrame find_edges(const Frame& frame, bool has_pose);
   /// Finds the pose of a frame against the reference. Writes times and evidence to its record.
   Track find_pose(const ArrivedFrame& now, bool was_lost);
+  /// Motion from the last frame with a pose to one at T_cur_ref.
+  SE3 motion_to(const SE3& T_cur_ref) const { return T_cur_ref * motion_.T_last_ref().inverse(); }
   /// Whether the map is in view (MapCoverage::look).
   std::optional<Event> look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/odometry.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "bootstrapper.h"
 #include "camera_log.h"
 #include "collect_evidence.h"
+#include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/odometry/frame_status.h"
+#include "edgevo/odometry/trust.h"
+#include "edgevo/witness/corner_witness.h"
 #include "frame_log.h"
 #include "front_end.h"
 #include "map_link.h"
@@ -20,24 +25,34 @@ struct Odometry::Impl {
   Impl(const Rectification& rectification, const OdometryParams& p, const OdometryOptions& o)
       : params(p),
         options(o),
+        camera(rectification.camera().pinhole()),
         state(p.recovery.max_frames),
         log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
         frames(rectification, log),
+        adjustments(log),
         front_end(rectification, p, o),
         map(rectification, p, o, log),
         bootstrapper(rectification.target(), p, o.seed, &map, &frames) {
     front_end.set_correction(map.initial_camera().correction);
+    if (p.health.corners) corners.emplace();
   }
 
   // ---- one frame ----
 
   FrameRecord process(const Frame& frame) {
+    const std::string where = require_next(frame, "process");
+    if (newest_time && !(*newest_time < frame.time)) refuse_time(frame, where, "is not after");
+    check_image_size(frame.image, camera, where);
+    check_pixels(frame.image, where);
+    stated_time = frame.time;
+    remember(frame.index, frame.time);
     announce_camera();
     if (front_end.postponed_keyframes() >= options.max_frames_ahead) map.wait_keyframe();
     if (state.has_map()) change_reference(frame);
     front_end.begin_frame(frame.time);
     const ArrivedFrame arrived = find_edges(frame);
     if (state.tracks(arrived.record->evidence.edges)) follow_map(arrived);
+    if (!state.has_pose()) ask_corners(arrived, std::nullopt);
     if (state.bootstraps()) bootstrap_map(arrived);
     if (!frame_announced) frames.announce();
     note_pose(*arrived.record);
@@ -45,16 +60,51 @@ struct Odometry::Impl {
     return *arrived.record;
   }
 
-  // The motion model bridges the gap, as after lost frames.
+  // The motion model bridges the gap, as after lost frames. A frame with the time of the one before has none
+  // of its own: the time of the next frame says how long the gap is.
   FrameRecord skip(const Frame& frame, const std::string& why) {
+    const std::string where = require_next(frame, "skip");
+    if (stated_time && frame.time < *stated_time) refuse_time(frame, where, "is before");
+    const bool has_time = !newest_time || *newest_time < frame.time;
+    const Timestamp time = has_time ? frame.time : Timestamp{newest_time->ticks + 1};
+    stated_time = frame.time;
+    remember(frame.index, time);
     announce_camera();
-    FrameRecord& record = frames.begin_frame(frame);
+    FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
+    trust.interrupt();
     record.state = state.when_skipped();
     record.note = why;
     frames.announce();
-    front_end.begin_frame(frame.time);
+    if (has_time) front_end.begin_frame(frame.time);
     frames.run();
     return record;
+  }
+
+  // Throws unless the frame may follow those before it. Returns the place for further messages.
+  std::string require_next(const Frame& frame, const std::string& function) const {
+    const std::string where = "Odometry::" + function + "(), frame " + std::to_string(frame.index);
+    require_open(where);
+    if (newest_index && frame.index <= *newest_index)
+      throw InputError(
+          where, "its index is not after that of the frame before (" + std::to_string(*newest_index) + ")",
+          "count the frames");
+    return where;
+  }
+
+  void require_open(const std::string& where) const {
+    if (is_finished) throw std::logic_error(where + ": finish() has ended the run; make a new Odometry");
+  }
+
+  [[noreturn]] void refuse_time(const Frame& frame, const std::string& where, const char* relation) const {
+    throw InputError(where,
+                     "its time " + to_string(frame.time) + " s " + relation + " that of the frame before (" +
+                         to_string(*newest_time) + " s)",
+                     "give frames in the order of their times; skip() those whose time is wrong");
+  }
+
+  void remember(int index, Timestamp time) {
+    newest_index = index;
+    newest_time = time;
   }
 
   // Self-calibration may have corrected the map: the next images are corrected in the same way.
@@ -91,12 +141,14 @@ struct Odometry::Impl {
     act(now.frame, state.after(event_of(status.state), now.frame.index), status.reason);
     if (!state.has_pose()) {
       now.record->state = TrackingState::kLost;
+      trust.interrupt();
       return;
     }
     if (const std::optional<Event> seen = front_end.look(now.record->evidence))
       act(now.frame, state.after(*seen, now.frame.index));
-    now.record->state = status.state;
+    ask_corners(now, front_end.motion_to(track.result.T_cur_ref));
     record_pose(track.result, now.record);
+    label(status, now.record);
     TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
     // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
     frames.announce();
@@ -104,11 +156,33 @@ struct Odometry::Impl {
     map.submit(std::move(tracked));
   }
 
+  // In this thread: the pose waits for its evidence, which takes less time than handing it over.
+  void ask_corners(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last) {
+    if (!corners) return;
+    const StageTimer timer(Stage::kWitness, &now.record->stage_ms);
+    now.record->evidence.corners = corners->add(*now.pyramid, T_cur_last);
+  }
+
   void record_pose(const TrackResult& tracked, FrameRecord* record) {
     const Reference& reference = *front_end.reference();
     record->covariance = reference.error_factor * tracked.covariance;
     frames.place(state.segment(), reference, tracked.T_cur_ref);
     newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
+  }
+
+  // The probability that the motion is right, and with it the state. What follows the state here knows
+  // nothing of it: a frame in doubt is tracked and mapped as any other.
+  void label(const FrameStatus& by_image, FrameRecord* record) {
+    for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
+      if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
+        trust.add_adjustment(*mapped->adjustment);
+    const FrameTrust found =
+        trust.add({record->evidence, state.segment(), newest_pose.T_cam_map->inverse().translation()});
+    const FrameStatus status = frame_status(by_image, found);
+    record->p_right = found.p_right;
+    record->state = status.state;
+    record->note = status.reason;
+    record->covariance *= covariance_factor(found.p_right);
   }
 
   // ---- making a map ----
@@ -146,6 +220,7 @@ struct Odometry::Impl {
 
   void begin_segment(const ArrivedFrame& now, const NewSegment& begun) {
     front_end.begin_map(begun.reference, begun.motion);
+    if (corners) corners->begin_map(begun.reference->median_idepth);
     newest_pose.T_cam_map = begun.reference->T_ref_world;
     now.record->note.clear();
     say(now.frame, "map of " + std::to_string(begun.reference->cloud.points.size()) +
@@ -177,6 +252,8 @@ struct Odometry::Impl {
   }
 
   Run finish() {
+    require_open("Odometry::finish()");
+    is_finished = true;
     announce_camera();
     const int skipped = map.finish();
     front_end.drop_map();
@@ -197,15 +274,23 @@ struct Odometry::Impl {
 
   OdometryParams params;
   OdometryOptions options;
+  Pinhole camera;
   OdometryState state;
   std::shared_ptr<MapLog> log;
   FrameLog frames;
+  MapCursor adjustments;
+  Trust trust;
   FrontEnd front_end;
   MapLink map;
   Bootstrapper bootstrapper;
+  std::optional<CornerWitness> corners;
   NewestPose newest_pose;
   bool camera_announced = false;
   bool frame_announced = false;  // the record of the newest frame as it is now
+  bool is_finished = false;
+  std::optional<int> newest_index;
+  std::optional<Timestamp> newest_time;  // of the newest record
+  std::optional<Timestamp> stated_time;  // of the newest frame, as given
 };
 
 Odometry::Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)

@@ -12,6 +12,11 @@ void RecoveryParams::visit(ParamVisitor& v) {
             "bootstrap a new map while the old one is out of view and does not explain the images");
 }
 
+void HealthParams::visit(ParamVisitor& v) {
+  v.boolean(kAdvanced, "corners", corners,
+            "follow some corners through the images as a witness of wrong poses; 0.5 ms a frame at 1241x376");
+}
+
 void OdometryParams::visit(ParamVisitor& v) {
   {
     const auto g = v.group("camera");
@@ -40,6 +45,10 @@ void OdometryParams::visit(ParamVisitor& v) {
   {
     const auto g = v.group("recovery");
     recovery.visit(v);
+  }
+  {
+    const auto g = v.group("health");
+    health.visit(v);
   }
   {
     const auto g = v.group("edge_map");

@@ -11,6 +11,8 @@ const char* name_of(Stage stage) {
       return "alignment";
     case Stage::kCorners:
       return "corners";
+    case Stage::kWitness:
+      return "witness";
     case Stage::kBootstrap:
       return "bootstrap";
     case Stage::kDepthFilter:

@@ -11,6 +11,7 @@ enum class Stage {
   kEdges,
   kAlignment,
   kCorners,
+  kWitness,
   kBootstrap,
   kDepthFilter,
   kAssociation,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/core/run_warnings.h"
@@ -63,6 +64,16 @@ void add_troubles(const Run& run, const RunInfo& info, std::vector<Advice>* list
                      ""});
 }
 
+// The intervals that are not to be trusted, the longest of them.
+void add_doubtful(const Run& run, std::vector<Advice>* list) {
+  constexpr size_t kShown = 10;
+  const std::vector<DoubtfulInterval> all = doubtful_intervals(run);
+  for (const DoubtfulInterval& interval : longest(all, kShown))
+    list->push_back({"NOT TO BE TRUSTED: " + to_string(interval), ""});
+  if (all.size() > kShown)
+    list->push_back({"And " + std::to_string(all.size() - kShown) + " shorter intervals: summary.yaml.", ""});
+}
+
 void add_camera(const Run& run, std::vector<Advice>* list) {
   if (run.camera.state == CameraRefinement::State::kApplied)
     list->push_back(
@@ -110,7 +121,9 @@ void add_uses(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
 
 std::vector<Advice> advise(const Run& run, const RunInfo& info) {
   std::vector<Advice> list;
+  for (const std::string& warning : input_warnings(info.input)) list.push_back({"WARNING: " + warning, ""});
   for (const std::string& warning : run_warnings(run)) list.push_back({"WARNING: " + warning, ""});
+  add_doubtful(run, &list);
   add_troubles(run, info, &list);
   add_camera(run, &list);
   add_scale(run, info, &list);

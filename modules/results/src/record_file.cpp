@@ -2,6 +2,7 @@
 #include "record_file.h"
 
 #include <string_view>
+#include <variant>
 
 #include "bytes.h"
 
@@ -10,6 +11,8 @@ namespace {
 
 // Bytes. A keyframe has a thousandth of that.
 constexpr uint32_t kLargestRecord = 1u << 28;
+// Kind and size before the content.
+constexpr size_t kHeadBytes = sizeof(RecoveryKind) + sizeof(uint32_t);
 
 // Begin of the first line in all versions.
 constexpr std::string_view kAnyVersion = "edgevo ";
@@ -26,7 +29,8 @@ bool RecordFile::is_of_another_version() const {
 
 bool RecordFile::next(RecoveryRecord* record) {
   std::string head, tail;
-  if (!is_whole_ || !read(sizeof(RecoveryKind) + sizeof(uint32_t), &head)) return false;
+  if (is_whole_) begin_ = std::ftell(file_.get());
+  if (!is_whole_ || !read(kHeadBytes, &head)) return false;
   ByteReader in(head);
   record->kind = in.value<RecoveryKind>();
   const auto size = in.value<uint32_t>();
@@ -34,6 +38,37 @@ bool RecordFile::next(RecoveryRecord* record) {
       size <= kLargestRecord && read(size, &record->content) && read(sizeof(uint32_t), &tail) &&
       ByteReader(tail).value<uint32_t>() == recovery_checksum(recovery_checksum(0, head), record->content);
   return is_whole_;
+}
+
+// A damaged length hides where the next record begins: the first place from where the checksum is right.
+std::vector<RecoveryRecord> RecordFile::beyond_damage() {
+  std::vector<RecoveryRecord> records;
+  if (is_whole_ || !file_ || std::fseek(file_.get(), begin_, SEEK_SET) != 0) return records;
+  std::string rest, part;
+  while (read_some(&part)) rest += part;
+  for (std::string_view left = rest; left.size() >= kHeadBytes + sizeof(uint32_t);) {
+    ByteReader in(left);
+    const auto kind = in.value<RecoveryKind>();
+    const size_t size = in.value<uint32_t>();
+    const bool is_event =
+        kind >= kFirstEventRecord && kind < kFirstEventRecord + std::variant_size_v<MapEvent>;
+    const size_t whole = kHeadBytes + size + sizeof(uint32_t);
+    if (is_event && whole <= left.size() &&
+        ByteReader(left.substr(kHeadBytes + size)).value<uint32_t>() ==
+            recovery_checksum(0, left.substr(0, kHeadBytes + size))) {
+      records.push_back({kind, std::string(left.substr(kHeadBytes, size))});
+      left.remove_prefix(whole);
+    } else {
+      left.remove_prefix(1);
+    }
+  }
+  return records;
+}
+
+bool RecordFile::read_some(std::string* bytes) {
+  bytes->resize(size_t(1) << 20);
+  bytes->resize(std::fread(bytes->data(), 1, bytes->size(), file_.get()));
+  return !bytes->empty();
 }
 
 bool RecordFile::read(size_t size, std::string* bytes) {

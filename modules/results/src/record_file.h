@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "recovery_format.h"
 
@@ -25,13 +26,18 @@ class RecordFile {
   bool is_of_another_version() const;
   /// Reads the next record. Returns false if it is incomplete, and from then on.
   bool next(RecoveryRecord* record);
+  /// The whole records beyond the one that could not be read: none if the file was merely cut off. Reads the
+  /// rest of the file into memory.
+  std::vector<RecoveryRecord> beyond_damage();
 
  private:
   bool read(size_t size, std::string* bytes);
+  bool read_some(std::string* bytes);
 
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::string first_line_;
   bool is_whole_ = false;
+  long begin_ = 0;  // of the newest record, bytes
 };
 
 }  // namespace edgevo

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/recover_run.h"
 
+#include <iterator>
+#include <set>
+#include <utility>
+
 #include "edgevo/map/run_builder.h"
 #include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_outputs.h"
 #include "edgevo/results/run_params.h"
 #include "edgevo/scale/run_scaling.h"
+#include "edgevo/scale/up_direction.h"
 
 namespace edgevo {
 namespace {
@@ -24,9 +29,15 @@ RunInfo info_of(RunInfo info, const Run& run) {
   return info;
 }
 
+// Frames that the log holds but that were not recovered.
+int frames_lost(const std::set<int>& beyond_damage, const Run& run) {
+  const int last = run.frames.empty() ? -1 : run.frames.back().index;
+  return int(std::distance(beyond_damage.upper_bound(last), beyond_damage.end()));
+}
+
 }  // namespace
 
-Run recover_run(const std::string& folder) {
+RecoveredRun recover_run(const std::string& folder) {
   RecoveryLogReader log(folder);
   const RecoveryHeader& header = log.header();
   const RunParams params = params_of(header.info);
@@ -41,11 +52,19 @@ Run recover_run(const std::string& folder) {
   builder.adopt_window();
   Run run = builder.finish();
   run.T_vehicle_cam = header.T_vehicle_cam;
+  RunInfo info = info_of(header.info, run);
+  if (const auto up = decide_up(&run)) info.input.push_back(*up);
   scaling.convert(&run);
+  const std::set<int> beyond = log.frames_beyond_damage();
+  RecoveredRun recovered{{}, frames_lost(beyond, run), !beyond.empty()};
+  if (recovered.is_damaged)
+    info.notes.emplace_back("recovery_log", "damaged: " + std::to_string(recovered.frames_lost) +
+                                                " frames that it holds could not be recovered");
   RunOutputs outputs(folder, header.info.camera, params.map, OutputOptions{true, false});
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
-  outputs.finish(run, info_of(header.info, run));
-  return run;
+  outputs.finish(run, info, recovered.is_damaged);
+  recovered.run = std::move(run);
+  return recovered;
 }
 
 }  // namespace edgevo

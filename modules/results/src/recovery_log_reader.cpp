@@ -47,6 +47,16 @@ struct RecoveryLogReader::Impl {
     return event;
   }
 
+  std::set<int> frames_beyond_damage() {
+    std::set<int> frames;
+    for (const RecoveryRecord& record : log.beyond_damage()) {
+      const std::optional<MapEvent> event = read_event(record.kind, record.content);
+      if (const auto* frame = event ? std::get_if<FrameAnchored>(&*event) : nullptr)
+        frames.insert(frame->frame.index);
+    }
+    return frames;
+  }
+
   RecordFile log, window;
   RecoveryHeader header;
   bool log_goes_on = true;
@@ -61,5 +71,6 @@ RecoveryLogReader::~RecoveryLogReader() = default;
 
 const RecoveryHeader& RecoveryLogReader::header() const { return impl_->header; }
 std::optional<MapEvent> RecoveryLogReader::next() { return impl_->next(); }
+std::set<int> RecoveryLogReader::frames_beyond_damage() { return impl_->frames_beyond_damage(); }
 
 }  // namespace edgevo

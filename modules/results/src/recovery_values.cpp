@@ -93,6 +93,7 @@ void visit_info(Visit& v, Info& info) {
   v.plain(info.camera);
   v.maybe(info.working_pinhole, [&](auto& pinhole) { v.plain(pinhole); });
   v.text(info.params_yaml);
+  v.list(info.input, [&](auto& d) { v.text(d.subject), v.text(d.value), v.text(d.reason), v.text(d.doubt); });
   v.list(info.notes, [&](auto& note) { v.text(note.first), v.text(note.second); });
 }
 
@@ -121,16 +122,27 @@ void visit_adjustment(Visit& v, Adjustment& a) {
   v.plain(a.matches_in_newest);
 }
 
+template <class Visit, class Corners>
+void visit_corners(Visit& v, Corners& c) {
+  v.plain(c.tracks), v.plain(c.agreeing_share), v.plain(c.scale), v.plain(c.scale_sigma);
+  v.plain(c.change_10), v.plain(c.change_10_sigma), v.plain(c.change_50), v.plain(c.change_50_sigma);
+  v.plain(c.motion_error), v.plain(c.motion_sigma), v.plain(c.motion_error_depths);
+  v.plain(c.rotation_deg), v.plain(c.rotation_sigma_deg);
+  v.plain(c.direction_deg), v.plain(c.direction_sigma_deg);
+}
+
 template <class Visit, class Evidence>
 void visit_evidence(Visit& v, Evidence& e) {
   const auto plain = [&](auto& value) { v.plain(value); };
-  v.plain(e.edges), v.plain(e.saturated_share), v.plain(e.edge_blur), v.plain(e.diverged);
+  v.plain(e.edges), v.plain(e.saturated_share), v.plain(e.edge_blur), v.plain(e.median_depth),
+      v.plain(e.diverged);
   v.maybe(e.visible_points, plain), v.maybe(e.matched_points, plain);
   v.plain(e.inlier_share), v.plain(e.residual_px);
   visit_numbers(v, e.pose_sigmas);
   v.plain(e.step_sigmas);
   v.maybe(e.known_points, plain), v.plain(e.lacking_share), v.plain(e.view_share);
   v.maybe(e.adjustment, [&](auto& a) { visit_adjustment(v, a); });
+  v.maybe(e.corners, [&](auto& c) { visit_corners(v, c); });
 }
 
 template <class Visit, class Frame>
@@ -138,6 +150,7 @@ void visit_frame(Visit& v, Frame& f) {
   v.plain(f.index), v.plain(f.time), v.plain(f.state), v.plain(f.segment), v.plain(f.is_keyframe);
   v.reason(f.keyframe_reason);
   visit_evidence(v, f.evidence);
+  v.plain(f.p_right);
   visit_times(v, f.stage_ms);
   visit_pose(v, f.T_world_cam_live);
   visit_numbers(v, f.covariance);

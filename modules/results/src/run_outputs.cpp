@@ -96,7 +96,7 @@ void RunOutputs::add_record(const FrameRecord& record) {
   impl_->live->add(record);
 }
 
-void RunOutputs::finish(const Run& run, const RunInfo& info) {
+void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   impl_->begin();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
@@ -108,7 +108,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info) {
   impl_->summary_reserve.release();
   export_files([](FileKind kind) { return kind == FileKind::kSummary; }, &context, &impl_->folder);
   impl_->folder.throw_first_failure();
-  remove_recovery_log(impl_->folder.path());
+  if (!keep_log) remove_recovery_log(impl_->folder.path());
 }
 
 std::string RunOutputs::earlier_run() const {

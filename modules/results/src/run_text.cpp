@@ -2,6 +2,7 @@
 #include "edgevo/results/run_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -52,6 +53,16 @@ void append_adjustment(std::string* text, const std::optional<AdjustmentEvidence
     append_count(text, count);
 }
 
+void append_corners(std::string* text, const CornerEvidence& c) {
+  append_number(text, c.agreeing_share, 3);
+  for (const double value :
+       {c.scale, c.scale_sigma, c.change_10, c.change_10_sigma, c.change_50, c.change_50_sigma,
+        c.motion_error, c.motion_sigma, c.motion_error_depths, c.rotation_deg, c.rotation_sigma_deg})
+    append_number(text, value, 4);
+  append_number(text, c.direction_deg, 2);
+  append_number(text, c.direction_sigma_deg, 2);
+}
+
 void append_evidence(std::string* text, const FrameEvidence& e) {
   append_count(text, e.visible_points);
   append_count(text, e.matched_points);
@@ -62,7 +73,10 @@ void append_evidence(std::string* text, const FrameEvidence& e) {
   append_number(text, e.view_share, 4);
   append_number(text, e.saturated_share, 4);
   append_number(text, e.edge_blur, 3);
+  append_number(text, e.median_depth, 6);
   append_adjustment(text, e.adjustment);
+  append_count(text, e.corners ? std::optional<int>(e.corners->tracks) : std::nullopt);
+  append_corners(text, e.corners.value_or(CornerEvidence()));
 }
 
 }  // namespace
@@ -85,6 +99,7 @@ std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::stri
           std::string(to_string(frame.keyframe_reason)) + ',';
   if (frame.latency_ms) append_fixed(&text, *frame.latency_ms, 3);
   append_evidence(&text, frame.evidence);
+  append_number(&text, frame.p_right, 4);
   for (const std::string& stage : stages) {
     text += ',';
     const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
@@ -147,10 +162,45 @@ std::string frames_csv(const Run& run) {
   std::string text =
       "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
       "visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,"
-      "saturated_share,edge_blur,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,adjusted_here";
+      "saturated_share,edge_blur,median_depth,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,"
+      "adjusted_here,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_change_10,"
+      "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
+      "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
+      "corner_direction_sigma,p_right";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);
+  return text;
+}
+
+namespace {
+
+void append_scientific(std::string* text, double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 6);
+  *text += ',';
+  text->append(buffer, end.ptr);
+}
+
+bool has_covariance(const FrameRecord& f) {
+  return f.T_world_cam && f.reference_keyframe >= 0 && f.covariance.allFinite() && !f.covariance.isZero(0);
+}
+
+}  // namespace
+
+std::string covariances_csv(const Run& run) {
+  std::string text = "index,reference";
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) text += ",c" + std::to_string(i) + std::to_string(j);
+  text += '\n';
+  for (const FrameRecord& f : run.frames) {
+    if (!has_covariance(f)) continue;
+    text += std::to_string(f.index) + ',' +
+            std::to_string(run.keyframes[size_t(f.reference_keyframe)].frame_index);
+    for (int i = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j) append_scientific(&text, f.covariance(i, j));
+    text += '\n';
+  }
   return text;
 }
 

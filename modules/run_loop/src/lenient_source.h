@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <deque>
 #include <map>
 #include <mutex>
 #include <string>
@@ -10,7 +11,8 @@
 namespace edgevo {
 
 /// Wraps a source and returns its bad frames (core/bad_frame.h) without image instead of throwing. A bad
-/// frame before any good one is still thrown: the source is then at fault, not the frame.
+/// image before any good frame is still thrown, as is the eleventh bad time: the source is then at fault, not
+/// the frame.
 class LenientSource : public ImageSource {
  public:
   explicit LenientSource(ImageSource& inner) : inner_(inner) {}
@@ -25,9 +27,12 @@ class LenientSource : public ImageSource {
   std::string take_reason(int frame_index);
 
  private:
+  std::optional<Frame> next_in_order();
+
   ImageSource& inner_;
   bool good_came_ = false;
-  std::mutex mutex_;  // guards reasons_
+  std::deque<Frame> waiting_;  // frames without a time before the first good one, and that one
+  std::mutex mutex_;           // guards reasons_
   std::map<int, std::string> reasons_;
 };
 

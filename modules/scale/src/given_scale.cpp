@@ -16,12 +16,10 @@ SE3 scaled(const SE3& T, double factor) { return {T.rotation(), factor * T.trans
 void scale_run(double factor, const std::string& source, Run* run) {
   if (!(factor > 0) || !std::isfinite(factor))
     throw InputError("scale", "the factor is not a positive number", "give metres per unit of the run");
-  Vector6d unit = Vector6d::Ones();
-  unit.head<3>().setConstant(factor);
   for (FrameRecord& f : run->frames) {
     if (f.T_world_cam) f.T_world_cam = scaled(*f.T_world_cam, factor);
     if (f.T_world_cam_live) f.T_world_cam_live = scaled(*f.T_world_cam_live, factor);
-    f.covariance = unit.asDiagonal() * f.covariance * unit.asDiagonal();
+    multiply_lengths(factor, &f);
   }
   for (KeyframeRecord& k : run->keyframes) {
     k.T_world_cam = scaled(k.T_world_cam, factor);

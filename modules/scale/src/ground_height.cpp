@@ -17,18 +17,20 @@ constexpr double kMaxPathPerDistance = 2;  // a point not passed after twice the
 constexpr double kDirectionHeights = 0.5;
 constexpr int kDirectionFrames = 2;  // and over at least this many frames
 constexpr double kLeastChord = 0.5;  // of that reach: below this the camera is at rest or in pure rotation
-// Sine of the angle between the direction of travel and the camera's y axis: below this the camera looks up
-// or down, or climbs.
+// Sine of the angle between the direction of travel and the camera's downward direction: below this the
+// camera looks up or down, or climbs.
 constexpr double kLeastLevel = 0.5;
+constexpr double kLevel = 0.0175;   // radians: a degree
 constexpr double kNearHeights = 4;  // a point further away is not passed yet
 
-// Axes of the path at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's y
-// axis).
+// Axes of the path at pose `j`: v forward, n down (perpendicular to v, in the plane of v and the camera's
+// downward direction).
 struct PathAxes {
   Eigen::Vector3d forward, down;
 };
 
-std::optional<PathAxes> path_axes(const Path& path, size_t j, double reach) {
+std::optional<PathAxes> path_axes(const Path& path, const Eigen::Vector3d& down_in_camera, size_t j,
+                                  double reach) {
   const auto far_enough = [&](size_t i) {
     return std::abs(path[i].distance - path[j].distance) >= reach &&
            (i > j ? i - j : j - i) >= size_t(kDirectionFrames);
@@ -39,7 +41,7 @@ std::optional<PathAxes> path_axes(const Path& path, size_t j, double reach) {
   const Eigen::Vector3d chord = path[b].T_world_cam.translation() - path[a].T_world_cam.translation();
   if (chord.norm() < kLeastChord * reach) return std::nullopt;
   const Eigen::Vector3d forward = chord.normalized();
-  const Eigen::Vector3d y = path[j].T_world_cam.R().col(1);
+  const Eigen::Vector3d y = path[j].T_world_cam.R() * down_in_camera;
   const Eigen::Vector3d down = y - y.dot(forward) * forward;
   if (down.norm() < kLeastLevel) return std::nullopt;  // not a drive over ground
   return PathAxes{forward, down.normalized()};
@@ -47,28 +49,29 @@ std::optional<PathAxes> path_axes(const Path& path, size_t j, double reach) {
 
 // The pose of the path at which the camera is level with the point; the last one if there is none and the
 // path has ended.
-std::optional<size_t> passing_pose(const Path& path, size_t host, const Eigen::Vector3d& p_world,
-                                   double height_guess, bool is_path_ended) {
+std::optional<size_t> passing_pose(const Path& path, const Eigen::Vector3d& down, size_t host,
+                                   const Eigen::Vector3d& p_world, double height_guess, bool is_path_ended) {
   const double distance = (p_world - path[host].T_world_cam.translation()).norm();
   for (size_t j = host; j < path.size(); ++j) {
     if (path[j].distance - path[host].distance > kMaxPathPerDistance * distance) return std::nullopt;
     const Eigen::Vector3d d = p_world - path[j].T_world_cam.translation();
     if (d.squaredNorm() > kNearHeights * kNearHeights * height_guess * height_guess) continue;
-    const auto axes = path_axes(path, j, kDirectionHeights * height_guess);
+    const auto axes = path_axes(path, down, j, kDirectionHeights * height_guess);
     if (axes && d.dot(axes->forward) <= 0) return j;
   }
   if (is_path_ended && !path.empty()) return path.size() - 1;
   return std::nullopt;
 }
 
-std::optional<HeightSample> look_at(const Path& path, size_t host, const Eigen::Vector3d& p_cam,
-                                    bool is_path_ended, const ScaleParams& params) {
-  const double guess = p_cam.y();  // the height, if the camera looked straight ahead
+std::optional<HeightSample> look_at(const Path& path, const Eigen::Vector3d& down, size_t host,
+                                    const Eigen::Vector3d& p_cam, bool is_path_ended,
+                                    const ScaleParams& params) {
+  const double guess = p_cam.dot(down);  // the height, if the camera looked straight ahead
   if (!(guess > 0)) return std::nullopt;
   const Eigen::Vector3d p_world = path[host].T_world_cam * p_cam;
-  const auto j = passing_pose(path, host, p_world, guess, is_path_ended);
+  const auto j = passing_pose(path, down, host, p_world, guess, is_path_ended);
   if (!j) return std::nullopt;
-  const auto axes = path_axes(path, *j, kDirectionHeights * guess);
+  const auto axes = path_axes(path, down, *j, kDirectionHeights * guess);
   if (!axes) return std::nullopt;
   const Eigen::Vector3d d = p_world - path[*j].T_world_cam.translation();
   const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
@@ -117,8 +120,16 @@ double mean_shift(const std::vector<double>& logs, double mode) {
 
 }  // namespace
 
+Eigen::Vector3d down_in_camera(const std::optional<SE3>& T_vehicle_cam) {
+  const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  if (!T_vehicle_cam) return y;
+  const Eigen::Vector3d down = T_vehicle_cam->rotation().conjugate() * -Eigen::Vector3d::UnitZ();
+  return down.dot(y) > std::cos(kLevel) ? y : down;
+}
+
 std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeRecord& keyframe,
-                                         const Path& path, bool is_path_ended, const ScaleParams& params) {
+                                         const Eigen::Vector3d& down, const Path& path, bool is_path_ended,
+                                         const ScaleParams& params) {
   const auto host = std::lower_bound(path.begin(), path.end(), keyframe.frame_index,
                                      [](const PathPose& p, int index) { return p.frame_index < index; });
   std::vector<HeightSample> samples;
@@ -126,8 +137,8 @@ std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeR
   const PointFilter filter;
   for (const EdgePoint& point : keyframe.points) {
     if (!filter.keeps(point)) continue;
-    const auto sample =
-        look_at(path, size_t(host - path.begin()), point_in_camera(pinhole, point), is_path_ended, params);
+    const auto sample = look_at(path, down, size_t(host - path.begin()), point_in_camera(pinhole, point),
+                                is_path_ended, params);
     if (sample) samples.push_back(*sample);
   }
   return samples;
@@ -157,9 +168,11 @@ std::optional<double> seen_camera_height(const Run& run, const ScaleParams& para
   std::map<int, Path> paths;  // of the keyframes, by segment
   for (const KeyframeRecord& k : run.keyframes)
     extend(k.frame_index, k.time, k.T_world_cam, &paths[k.segment]);
+  const Eigen::Vector3d down = down_in_camera(run.T_vehicle_cam);
   std::vector<HeightSample> heights;
   for (const KeyframeRecord& k : run.keyframes) {
-    const std::vector<HeightSample> more = ground_heights(run.pinhole, k, paths[k.segment], true, params);
+    const std::vector<HeightSample> more =
+        ground_heights(run.pinhole, k, down, paths[k.segment], true, params);
     heights.insert(heights.end(), more.begin(), more.end());
   }
   const auto fit = fit_height(heights, 1.0, params);

@@ -46,7 +46,8 @@ void LiveScale::extend_path(const FrameRecord& frame) {
 
 void LiveScale::add_keyframe(int id, const KeyframeRecord& keyframe) {
   if (source_.kind != ScaleSource::Kind::kCameraHeight || keyframe.segment != segment_) return;
-  for (HeightSample& height : ground_heights(pinhole_, keyframe, path_, false, params_)) {
+  for (HeightSample& height :
+       ground_heights(pinhole_, keyframe, down_in_camera(T_vehicle_cam_), path_, false, params_)) {
     height.keyframe_id = id;
     heights_.push_back(height);
   }

@@ -27,10 +27,11 @@ std::vector<Sample> in_interval(const std::vector<Sample>& sorted, double begin,
 
 std::vector<ScaleEstimate> slide_over_ground(const Run& run, int segment, const Path& path,
                                              const ScaleSource& source, const ScaleParams& params) {
+  const Eigen::Vector3d down = down_in_camera(run.T_vehicle_cam);
   std::vector<HeightSample> heights;
   for (const KeyframeRecord& k : run.keyframes) {
     if (k.segment != segment) continue;
-    const std::vector<HeightSample> more = ground_heights(run.pinhole, k, path, true, params);
+    const std::vector<HeightSample> more = ground_heights(run.pinhole, k, down, path, true, params);
     heights.insert(heights.end(), more.begin(), more.end());
   }
   std::stable_sort(heights.begin(), heights.end(),
@@ -105,9 +106,7 @@ std::map<int, Move> move_frames(const RunScale& scale, Run* run) {
   for (size_t i = 0; i < run->frames.size(); ++i) {
     FrameRecord& f = run->frames[i];
     const double factor = scale.of_frame[i].factor;
-    Vector6d unit = Vector6d::Ones();
-    unit.head<3>().setConstant(factor);
-    f.covariance = unit.asDiagonal() * f.covariance * unit.asDiagonal();
+    multiply_lengths(factor, &f);
     if (!f.T_world_cam) continue;
     const Eigen::Vector3d from = f.T_world_cam->translation(), to = chain.next(from, factor);
     f.T_world_cam = at(*f.T_world_cam, to);

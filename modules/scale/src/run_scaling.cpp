@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/run_scaling.h"
 
+#include <optional>
+
 #include "edgevo/core/error.h"
+#include "edgevo/core/time_order.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/scale/given_scale.h"
 #include "edgevo/scale/run_scale.h"
@@ -25,9 +28,14 @@ const char* sensor_data_name(VehicleSensor sensor) {
 // Number of positions recorded during the images; all of them if the times of the images are not known in
 // advance.
 size_t positions_during_images(const VehicleTrack& track, const std::vector<Timestamp>& times) {
+  std::optional<Timestamp> first, last;  // the clock may have been set back, and some may be missing
+  for (const Timestamp t : times) {
+    if (t == kNoTime) continue;
+    if (!first || t < *first) first = t;
+    if (!last || *last < t) last = t;
+  }
   size_t count = 0;
-  for (const VehiclePosition& p : track.positions)
-    count += times.empty() || (times.front() <= p.time && p.time <= times.back());
+  for (const VehiclePosition& p : track.positions) count += !first || (*first <= p.time && p.time <= *last);
   return count;
 }
 

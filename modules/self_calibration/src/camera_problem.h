@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "edgevo/bundle_adjustment/profile.h"
+#include "edgevo/core/run_warnings.h"
 #include "edgevo/edges/image_correction.h"
 
 namespace edgevo {
@@ -39,7 +40,7 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
 ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction);
 
 /// Limits that an estimate is clamped to, and at which it is not trusted. Seconds for the read-out time.
-constexpr double kMaxK1 = 0.03, kMaxReadout = 0.1;
+constexpr double kMaxK1 = kLargestResidualK1, kMaxReadout = 0.1;
 
 /// How an estimate is made, with Gaussian priors around `prior`.
 struct CameraSearch {

@@ -59,6 +59,15 @@ std::string seconds_option(const char* name, double seconds) {
   return name + digits.substr(0, digits.find_last_not_of('0') + 1);
 }
 
+// " --mount 0,20,0,0,0,0"; empty for the mount of the scene.
+std::string mount_option(const Scene& scene) {
+  if (!scene.mount) return {};
+  const CameraMount& m = *scene.mount;
+  std::string text = " --mount ";
+  for (const double value : {m.roll_deg, m.pitch_deg, m.yaw_deg}) text += fixed(value, 3) + ",";
+  return text + fixed(m.position.x(), 3) + "," + fixed(m.position.y(), 3) + "," + fixed(m.position.z(), 3);
+}
+
 std::string shutter_note(const Shutter& shutter) {
   if (shutter.rolling_s == 0 && shutter.exposure_s == 0) return {};
   return "The shutter takes time: time, pose and depth of a frame are those of the middle of the exposure of "
@@ -67,7 +76,7 @@ std::string shutter_note(const Shutter& shutter) {
 
 std::string source_text(const Scene& scene, int begin, int end) {
   const std::string shutter = seconds_option(" --rolling-shutter ", scene.shutter.rolling_s) +
-                              seconds_option(" --exposure ", scene.shutter.exposure_s);
+                              seconds_option(" --exposure ", scene.shutter.exposure_s) + mount_option(scene);
   const std::string seed = std::to_string(scene.seed),
                     frames = std::to_string(begin) + ":" + std::to_string(end);
   return "# Rendered scene `" + scene.name + "`\n\nFrames " + frames + ", seed " + seed +

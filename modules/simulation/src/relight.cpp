@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 #include "lighting_effects.h"
 #include "sensor_noise.h"
 
@@ -46,6 +47,7 @@ bool Relight::drops(int index) const {
 }
 
 GrayImage Relight::apply(const GrayImage& image, int index, double seconds) const {
+  check_pixels(image, "Relight::apply()");
   const double share = kind_ == "mixed" ? 0.6 : 1;
   LitImage lit{image.width, image.height, {}};
   to_floats(image, &lit.gray);

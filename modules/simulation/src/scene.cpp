@@ -6,6 +6,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
+#include "edgevo/core/records.h"
 #include "edgevo/files/program_folder.h"
 #include "motion.h"
 #include "scene_params.h"
@@ -94,6 +95,16 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   scene.world = std::make_shared<const World>(build_world(params, scene.seed));
   check_trajectory(scene, params.where.waypoints);
   return scene;
+}
+
+void mount_camera(const CameraMount& mount, Scene* scene) {
+  const SE3 T_own_mounted = T_zup_world().inverse() * T_vehicle_cam(mount);
+  for (SE3& T_scene_cam : scene->T_scene_cam) T_scene_cam = T_scene_cam * T_own_mounted;
+  scene->T_scene_cam_at = [own = scene->T_scene_cam_at, T_own_mounted](double seconds) {
+    return own(seconds) * T_own_mounted;
+  };
+  scene->mount = mount;
+  check_trajectory(*scene, "--mount");
 }
 
 }  // namespace edgevo

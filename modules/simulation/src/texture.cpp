@@ -2,6 +2,7 @@
 #include "edgevo/simulation/texture.h"
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 
 namespace edgevo {
 namespace {
@@ -38,6 +39,7 @@ Texture make_texture(const GrayImage& gray, const std::vector<uint8_t>& alpha) {
                      "its size " + std::to_string(gray.width) + "x" + std::to_string(gray.height) +
                          " is not a power of two",
                      "make it for example 512x512");
+  check_pixels(gray, "texture");
   Texture texture;
   texture.levels.push_back({gray.width, gray.height, gray.pixels, alpha});
   while (texture.levels.back().width > 1 && texture.levels.back().height > 1)

@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/symphony_lake/survey_geometry.h"
@@ -147,6 +148,7 @@ SurveyWriter::SurveyWriter(SurveyLocation location, const Camera& camera)
 }
 
 void SurveyWriter::write_image(int number, const GrayImage& image) const {
+  check_pixels(image, "SurveyWriter::write_image()");
   const std::string name =
       location_.newer_names ? symphony::newer_name(number) : symphony::older_name(number);
   const fs::path path = fs::path(location_.folder()) / name;

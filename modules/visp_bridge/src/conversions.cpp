@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/frame_checks.h"
 
 namespace edgevo {
 namespace {
@@ -31,6 +32,7 @@ double fitted_kdu(const Camera& camera) {
 }  // namespace
 
 vpImage<unsigned char> share_with_visp(GrayImage& image) {
+  check_pixels(image, "share_with_visp()");
   return vpImage<unsigned char>(image.pixels.data(), unsigned(image.height), unsigned(image.width), false);
 }
 

@@ -39,13 +39,25 @@ void ServoOdometry::loop() {
     waiting_.reset();
     lock.unlock();
     try {
-      odometry_.process(frame);
-      feed_->publish(odometry_.newest_pose());
+      process(std::move(frame));
     } catch (const std::exception& e) {
       feed_->fail(e.what());
       return;
     }
   }
+}
+
+// A camera whose clock is set back must not end the loop.
+void ServoOdometry::process(Frame frame) {
+  const CheckedTime checked = times_.check(frame.time);
+  frame.time = checked.time;
+  if (!checked.problem.empty() && odometry_.newest_pose().frame_index < 0) return;
+  if (!checked.problem.empty()) {
+    odometry_.skip(frame, "left out: " + checked.problem);
+    return;
+  }
+  odometry_.process(frame);
+  feed_->publish(odometry_.newest_pose());
 }
 
 void ServoOdometry::stop() {

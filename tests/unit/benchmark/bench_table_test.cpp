@@ -24,6 +24,8 @@ Trial trial(double ate_m, double cpu_ms = 20, double completion = 100) {
   t.ate_m = ate_m;
   t.ate200_m = ate_m / 2;
   t.drift_cm_per_m = 10 * ate_m;
+  t.judged_frames = 90, t.wrong_frames = 10, t.noticed_frames = 8, t.right_frames = 80, t.false_alarms = 4;
+  t.longest_unnoticed = 2, t.longest_off_scale = 3, t.roc_area = 0.9;
   return t;
 }
 
@@ -44,8 +46,13 @@ TEST(BenchTable, MedianAndMaximumOverSeeds) {
       "ate200_m_median,"
       "ate200_m_worst,drift_cm_per_m_median,drift_cm_per_m_worst,completion_percent_median,completion_"
       "percent_worst,segments_median,"
-      "segments_worst,cpu_ms_median,cpu_ms_worst\n"
-      "street,normal,3,0,50.00,0.200,0.300,0.400,0.600,0.100,0.150,2.00,3.00,100.0,90.0,1,1,20.0,30.0\n");
+      "segments_worst,wrong_frames_median,wrong_frames_worst,noticed_percent_median,noticed_percent_worst,"
+      "false_alarm_percent_median,false_alarm_percent_worst,longest_unnoticed_median,longest_unnoticed_worst,"
+      "longest_off_scale_median,longest_off_scale_worst,roc_area_median,roc_area_worst,"
+      "calibration_error_median,calibration_error_worst,nees_median_median,nees_median_worst,"
+      "cpu_ms_median,cpu_ms_worst\n"
+      "street,normal,3,0,50.00,0.200,0.300,0.400,0.600,0.100,0.150,2.00,3.00,100.0,90.0,1,1,"
+      "10,10,80.0,80.0,5.0,5.0,2,2,3,3,0.900,0.900,-,-,-,-,20.0,30.0\n");
 }
 
 TEST(BenchTable, MarkdownHoldsTheSame) {
@@ -56,13 +63,15 @@ TEST(BenchTable, MarkdownHoldsTheSame) {
       text,
       HasSubstr(
           "| street | glare | 2 of 3 | 50.0 | 0.200 (0.300) | 0.400 (0.600) | 0.100 (0.150) | 2.00 (3.00) | "
-          "100.0 (100.0) | 1 (1) | 20.0 (20.0) |\n"));
+          "100.0 (100.0) | 1 (1) | 10 (10) | 80.0 (80.0) | 5.0 (5.0) | 2 (2) | 3 (3) | 0.900 (0.900) | - (-) "
+          "| "
+          "- (-) | 20.0 (20.0) |\n"));
 }
 
 TEST(BenchTable, ALostTrialIsTheWorst) {
   const std::string one = bench_csv({}, {{"a", "normal", {trial(0.1), lost_trial(), trial(0.2)}, 0, ""}});
   EXPECT_THAT(one, HasSubstr("a,normal,3,0,50.00,0.200,-,0.400,-,"));
-  EXPECT_THAT(one, HasSubstr(",100.0,0.0,1,1,20.0,20.0"));
+  EXPECT_THAT(one, HasSubstr(",100.0,0.0,1,1,10,-,80.0,"));
   const std::string two = bench_csv({}, {{"a", "normal", {lost_trial(), lost_trial(), trial(0.2)}, 0, ""}});
   EXPECT_THAT(two, HasSubstr("a,normal,3,0,50.00,-,-,-,-,"));
   EXPECT_THAT(bench_csv({}, {{"a", "normal", {}, 5, ""}}), HasSubstr("a,normal,0,5,-,-,-,-,"));

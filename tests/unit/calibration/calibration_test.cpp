@@ -271,5 +271,25 @@ TEST(BoardText, RefusesInvalidSizes) {
   EXPECT_THAT(why(board), HasSubstr("did you mean 4x4_50?"));
 }
 
+TEST(BoardFinder, AnImageWithFewerPixelsThanItsSizeIsRefused) {
+  EXPECT_THROW(BoardFinder(chessboard()).find({640, 480, std::vector<uint8_t>(1000)}), InputError);
+}
+
+TEST_F(CalibrateCamera, LeavesOutImagesOfAnotherSizeThanMost) {
+  const test::DrawnBoard drawn(camera_, chessboard_texture(), kSquarePx / kSquare);
+  const GrayImage one = drawn.seen_from(test::board_pose(kCentre, 20, 10, {0, 0, 0.42}));
+  const GrayImage two = drawn.seen_from(test::board_pose(kCentre, -20, 10, {0.03, 0, 0.42}));
+  const GrayImage wider{one.width + 1, one.height,
+                        std::vector<uint8_t>(size_t(one.width + 1) * size_t(one.height), 100)};
+  Played source({wider, one, two});
+  const BoardViews found = collect_views(source, BoardFinder(chessboard()), [] { return true; });
+  EXPECT_EQ(found.width, one.width);
+  EXPECT_EQ(found.images, 2);
+  EXPECT_EQ(found.views.size(), 2u);
+  EXPECT_THAT(found.of_other_size, ::testing::ElementsAre(HasSubstr("image 0 (")));
+  Played half({wider, one});
+  EXPECT_THROW(collect_views(half, BoardFinder(chessboard()), [] { return true; }), InputError);
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -32,5 +32,18 @@ TEST(RunWarnings, ACalibrationAtItsLimit) {
   EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("0.0300) is at its limit")));
 }
 
+// A wrong camera file is named, and not only straight motion, even where the estimate is too uncertain.
+TEST(RunWarnings, AnUncertainCalibrationAtItsLimit) {
+  edgevo::Run run;
+  run.camera.state = CameraRefinement::State::kNotObservable;
+  run.camera.estimate = -0.03;
+  run.camera.sigma = 0.006;
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the camera file is probably wrong")));
+  EXPECT_TRUE(ran_to_limit(run.camera));
+  run.camera.estimate = 0.02;
+  EXPECT_FALSE(ran_to_limit(run.camera));
+  EXPECT_THAT(run_warnings(run), IsEmpty());
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -42,8 +42,8 @@ void write_jpeg(const std::string& path, int mm) {
 }
 
 std::string assumption(const ImageSource& source) {
-  for (const auto& [name, value] : source.details())
-    if (name == kAssumed) return value;
+  for (const InputDecision& d : source.decisions())
+    if (d.subject == "camera" && !d.doubt.empty()) return d.value + ", " + d.reason;
   return "none";
 }
 
@@ -69,8 +69,40 @@ TEST_F(AssumedCamera, HasTheGivenFieldOfView) {
   EXPECT_EQ(p.cx, 59.5);
   EXPECT_EQ(p.cy, 44.5);
   EXPECT_NEAR(field_of_view_deg(source->camera()).first, 70, 1);
-  EXPECT_THAT(assumption(*source), HasSubstr("by --fov: f 86 px, no lens distortion"));
+  EXPECT_THAT(assumption(*source),
+              HasSubstr("assumed, f 86 px, by --fov, 70.0 degrees over the width; no lens distortion"));
   EXPECT_EQ(test::read_all(*source).size(), 3u);
+}
+
+// A telephone held upright: the angle that its maker states is that of the longer side. Landscape: as ever.
+TEST_F(AssumedCamera, HasItsAngleOverTheLongerSide) {
+  for (const auto& [width, height] : {std::pair(120, 90), {90, 120}}) {
+    const Pinhole p = camera_of_field_of_view(70, width, height).pinhole();
+    EXPECT_NEAR(2 * std::atan(60 / p.fx) * 180 / M_PI, 70, 1e-9);
+  }
+  std::filesystem::create_directories(folder_ / "photos");
+  write_png(folder_ / "photos/0.png", test::make_image(0, 30, 40));
+  options_.path = folder_ / "photos";
+  options_.fov_deg = 56;
+  EXPECT_THAT(assumption(*open_source(options_)), HasSubstr("over the height, which is the longer side"));
+}
+
+// Whatever the angle: it is a doubt, and not one that depends on what self-calibration finds.
+TEST_F(AssumedCamera, IsAlwaysADoubt) {
+  for (const double fov : {30, 40, 45, 50, 56}) {
+    options_.fov_deg = fov;
+    EXPECT_THAT(input_warnings(photos(-1)->decisions()), ::testing::ElementsAre(HasSubstr("It is a guess")));
+  }
+}
+
+// `edgevo info` shows what is in a folder without a calibration, and shows no numbers of a camera.
+TEST_F(AssumedCamera, IsNotNeededForInfo) {
+  options_.any_camera = true;
+  const auto source = photos(-1);
+  const auto lines = describe(*source);
+  EXPECT_THAT(lines, ::testing::Contains(::testing::Pair("image size", "120 x 90")));
+  EXPECT_THAT(lines, ::testing::Contains(::testing::Pair("camera", HasSubstr("not known (no calibration"))));
+  EXPECT_THAT(lines, ::testing::Not(::testing::Contains(::testing::Pair("field of view", ::testing::_))));
 }
 
 TEST_F(AssumedCamera, FollowsThePhotosFocalLength) {

@@ -141,6 +141,18 @@ TEST_F(BadFolder, TimesThatDoNotIncrease) {
   EXPECT_EQ(frames_before_error(*open(), "(frame 2): its time 0.1000000 s is not after the frame before"), 2);
   write_text(folder_ / "times.txt", "0\n0.1\n0.2\n0.15\n");
   EXPECT_EQ(frames_before_error(*open(), "(frame 3): its time 0.1500000 s"), 3);
+  write_text(folder_ / "times.txt", "0\n0.1\n-\n0.3\n");
+  EXPECT_EQ(frames_before_error(*open(), "(frame 2): it has no time"), 2);
+}
+
+TEST_F(BadFolder, ABadTimeDoesNotStopTheFollowingFrames) {
+  write_text(folder_ / "times.txt", "0\n0.1\n0.1\n0.3\n");
+  const auto source = open();
+  EXPECT_EQ(frames_before_error(*source, "is not after"), 2);
+  const auto last = source->next();
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->index, 3);
+  EXPECT_FALSE(source->next());
 }
 
 TEST_F(BadFolder, CountsThatDiffer) {
@@ -153,8 +165,20 @@ TEST_F(BadFolder, TimesInAFinerUnit) {
   write_text(folder_ / "times.txt", "0\n33\n67\n100\n");
   const auto source = open();
   EXPECT_EQ(source->times()[3], Timestamp::from_seconds(0.1));
-  EXPECT_THAT(source->details(), ::testing::Contains(std::pair<std::string, std::string>(
-                                     "times", "in milliseconds, by their size and steps")));
+  ASSERT_EQ(source->decisions().size(), 1u);
+  EXPECT_EQ(to_string(source->decisions()[0]), "times: in milliseconds (33 ms from image to image)");
+}
+
+TEST_F(BadFolder, AByteOrderMarkIsNoPartOfTheFirstNumber) {
+  for (const char* name : {"times.txt", "camera.txt"})
+    write_text(folder_ / std::string(name), "\xEF\xBB\xBF" + read_text(folder_ / std::string(name)));
+  EXPECT_EQ(test::read_all(*open()).size(), 4u);
+}
+
+TEST_F(BadFolder, HiddenFilesAreNoImages) {
+  for (const char* name : {"._000000.png", ".000001.png", "Thumbs.db", ".DS_Store"})
+    write_text(folder_ / (std::string("images/") + name), std::string("\0\5\26\7Mac OS X", 12));
+  EXPECT_EQ(test::read_all(*open()).size(), 4u);
 }
 
 TEST_F(BadFolder, InvalidTime) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/camera_file.h"
 
+#include "camera_forms.h"
 #include "unit/datasets/temp_sequence.h"
 
 namespace edgevo {
@@ -112,6 +113,94 @@ TEST(CameraFile, KalibrWithOneCamera) {
               HasSubstr("f: several cameras"));
 }
 
+// ---- forms that other programs write ----
+
+struct Form {
+  const char* name;
+  const char* text;
+};
+
+const Pinhole kFormPinhole{707.5, 708.5, 601.5, 183.5, 1226, 370};
+const Distortion kFormLens{-0.31, 0.11, 0.001, 0.0002, 0.5};
+
+class CameraForm : public ::testing::TestWithParam<Form> {};
+
+TEST_P(CameraForm, IsRead) { expect_camera(parse_camera(GetParam().text, "f"), kFormPinhole, kFormLens); }
+
+#define EDGEVO_SIZE "image_width: 1226\nimage_height: 370\n"
+#define EDGEVO_FLOW "[707.5, 0.0, 601.5, 0.0, 708.5, 183.5, 0.0, 0.0, 1.0]\n"
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CameraForm,
+    ::testing::Values(
+        Form{"block_list", EDGEVO_SIZE
+             "camera_matrix:\n  rows: 3\n  cols: 3\n  data:\n  - 707.5\n  - 0.0\n  - 601.5\n  - 0.0\n  "
+             "- 708.5\n  - 183.5\n  - 0.0\n  - 0.0\n  - 1.0\ndistortion_coefficients:\n- -0.31\n- 0.11\n"
+             "- 0.001\n- 0.0002\n- 0.5\n"},
+        Form{"block_of_rows", EDGEVO_SIZE
+             "camera_matrix:\n- - 707.5\n  - 0\n  - 601.5\n- - 0\n  - 708.5\n  - 183.5\n- [0, 0, 1]\n"
+             "dist: [-0.31, 0.11, 0.001, 0.0002, 0.5]\n"},
+        Form{"nested_lists", EDGEVO_SIZE "camera_matrix: [[707.5, 0, 601.5], [0, 708.5, 183.5], [0, 0, 1]]\n"
+                                         "dist_coeff: [[-0.31, 0.11, 0.001, 0.0002, 0.5]]\n"},
+        Form{"dist_coeffs", EDGEVO_SIZE
+             "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: " EDGEVO_FLOW
+             "dist_coeffs: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ "
+             "-0.31, 0.11, 0.001, 0.0002, 0.5 ]\n"},
+        Form{"camel_case",
+             EDGEVO_SIZE "cameraMatrix: " EDGEVO_FLOW "distCoeffs: [-0.31, 0.11, 0.001, 0.0002, 0.5]\n"},
+        Form{"opencv_stereo", "%YAML:1.0\n---\nR: [1]\nT: [0]\n" EDGEVO_SIZE "M1: " EDGEVO_FLOW
+                              "D1: [-0.31, 0.11, 0.001, 0.0002, 0.5]\nM2: [2]\nD2: [3]\nalpha1: 0.\n"},
+        Form{"opencv_sample",
+             "%YAML:1.0\n---\ncalibration_time: \"Tue 11:12\"\nnr_of_frames: 25\nboard_width: 9\n"
+             "square_size: 50.\nflags: 10\nfisheye_model: 0\n" EDGEVO_SIZE "camera_matrix: " EDGEVO_FLOW
+             "distortion_coefficients: [-0.31, 0.11, 0.001, 0.0002, 0.5]\navg_reprojection_error: 0.3\n"
+             "per_view_reprojection_errors: !!opencv-matrix\n   data: [1, 2]\n"},
+        Form{"camera_info_echo",
+             "header:\n  stamp:\n    sec: 17\n  frame_id: c\nheight: 370\nwidth: 1226\n"
+             "distortion_model: plumb_bob\nd:\n- -0.31\n- 0.11\n- 0.001\n- 0.0002\n- 0.5\nk: " EDGEVO_FLOW
+             "r:\n- 1.0\n- 0.0\np: [1]\nbinning_x: 0\nbinning_y: 1\nroi:\n  x_offset: 0\n  "
+             "width: 0\n  do_rectify: false\n---\nheight: 370\nwidth: 1226\nD: [-0.31, 0.11, 0.001, "
+             "0.0002, 0.5]\nK: " EDGEVO_FLOW "---\n"},
+        Form{"rational_with_zeros",
+             EDGEVO_SIZE "distortion_model: rational_polynomial\ncamera_matrix: " EDGEVO_FLOW
+                         "D: [-0.31, 0.11, 0.001, 0.0002, 0.5, 0, 0, 0]\n"},
+        Form{"ost_txt",
+             "# oST version 5.0 parameters\n\n[image]\n\nwidth\n1226\n\nheight\n370\n\n[narrow_stereo]\n\n"
+             "camera matrix\n707.5 0 601.5\n0 708.5 183.5\n0 0 1\n\ndistortion\n-0.31 0.11 0.001 0.0002 "
+             "0.5\n\nrectification\n1 0 0\n0 1 0\n0 0 1\n"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(CameraFile, DsoCamera) {
+  const Pinhole p{707.5, 708.5, 601.5, 183.5, 1226, 370};
+  expect_camera(parse_camera("707.5 708.5 601.5 183.5 0\n1226 370\ncrop\n640 360\n", "f"), p, {});
+  expect_camera(parse_camera("Pinhole 707.5 708.5 601.5 183.5 0\n1226 370\n", "f"), p, {});
+  expect_camera(parse_camera("RadTan 707.5 708.5 601.5 183.5 -0.3 0.1 0.01 0.02\n1226 370\nnone\n", "f"), p,
+                {-0.3, 0.1, 0.01, 0.02, 0});
+  // Relative to the image, whose corner is then 0.
+  expect_camera(parse_camera("0.5 0.75 0.5 0.25 0\n640 480\nfull\n640 480\n", "f"),
+                {320, 360, 319.5, 119.5, 640, 480}, {});
+}
+
+TEST(CameraFile, WithoutASize) {
+  for (const char* text : {"707.5 0 601.5\n0 708.5 183.5\n0 0 1\n", "707.5 0 601.5 0 708.5 183.5 0 0 1",
+                           "707.5 708.5 601.5 183.5", "707.5 708.5 601.5 183.5 0 0 0 0 0.0",
+                           "K: [707.5, 0, 601.5, 0, 708.5, 183.5, 0, 0, 1]"}) {
+    const CameraText read = parse_camera_text(text, "f");
+    EXPECT_FALSE(read.has_size()) << text;
+    expect_camera(read.camera, {707.5, 708.5, 601.5, 183.5, 0, 0}, {});
+  }
+}
+
+TEST(CameraFile, SaysWhichOfTwoCamerasItTook) {
+  const std::string matrix = ": [500, 0, 320, 0, 501, 240, 0, 0, 1]\n";
+  const CameraText stereo = parse_camera_text("M1" + matrix + "M2" + matrix, "f");
+  EXPECT_THAT(stereo.note, HasSubstr("first camera of a stereo pair"));
+  EXPECT_THAT(stereo.doubt, HasSubstr("write M2 and D2"));
+  const CameraText turned = parse_camera_text("K" + matrix + "R: [0, 1, 0, -1, 0, 0, 0, 0, 1]\n", "f");
+  EXPECT_THAT(turned.note, HasSubstr("for raw images"));
+  EXPECT_EQ(parse_camera_text("K" + matrix + "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\n", "f").note, "");
+}
+
 struct Bad {
   const char* name;
   const char* text;
@@ -130,7 +219,10 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadCameraFile,
     ::testing::Values(
         Bad{"empty", "# nothing\n", "holds no calibration"},
-        Bad{"too_few", "1 2 3 4 5 6 7 8 9", "has 9 fields instead of 10"},
+        Bad{"too_few", "1 2 3 4 5 6 7", "has 7 fields instead of 10"},
+        Bad{"no_height", "20 20 12 8 0 0 0 0 24", "has 9 fields instead of 10"},
+        Bad{"no_size", "20 20 12 8", "image size is missing"},
+        Bad{"decimal_commas", "20,5 20,5 12 8 0 0 0 0 24 16", "has commas"},
         Bad{"too_many", "1 2 3 4 5 6 7 8 9 10 11 12", "has 12 fields"},
         Bad{"nan", "nan 20 12 8 0 0 0 0 24 16", "'nan' is not a finite number"},
         Bad{"infinite", "20 20 12 8 inf 0 0 0 24 16", "'inf' is not a finite number"},
@@ -155,6 +247,44 @@ INSTANTIATE_TEST_SUITE_P(
             "resolution: [640, 480]\nintrinsics: [500, 500, 320, 240]\ndistortion_coefficients: [1, 1, 1, 1, "
             "1, 1, 1, 1]\n",
             "holds 8 numbers"},
+        Bad{"yaml_fisheye_model", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nfisheye_model: 1\n",
+            "line 2: fisheye_model '1': the fisheye lens is not supported"},
+        Bad{"yaml_omni_xi", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nxi: 1.2\n", "omnidirectional lens"},
+        Bad{"yaml_binning", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nbinning_x: 2\n", "binning_x '2'"},
+        Bad{"yaml_roi", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nroi:\n  x_offset: 300\n",
+            "line 3: roi.x_offset '300': the images show a part of the sensor"},
+        Bad{"yaml_unknown_key", "image_widht: 640\ncamera_matrix: [1]\n",
+            "line 1: unknown key 'image_widht'; did you mean 'image_width'?"},
+        Bad{"yaml_unknown_far", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\nvignetting: 0.3\n",
+            "unknown key 'vignetting'; remove it"},
+        Bad{"yaml_unknown_model", "resolution: [640, 480]\ndistortion_model: plum_bob\n",
+            "'plum_bob' is not supported; did you mean 'plumb_bob'?"},
+        Bad{"yaml_two_matrices", "K: [1]\ncamera_matrix: [1]\n", "mean the same"},
+        Bad{"yaml_empty_distortion", "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\ndist_coeff:\n", "has no value"},
+        Bad{"yaml_loose_item", "width: 5\n- 5\n", "a list item belongs to no key"},
+        Bad{"yaml_two_documents",
+            "K: [500, 0, 320, 0, 501, 240, 0, 0, 1]\n---\nK: [600, 0, 320, 0, 501, 240, 0, 0, 1]\n",
+            "document 2 is another calibration"},
+        Bad{"kalibr_without_intrinsics", "cam0:\n  T_cam_imu:\n  - [1, 0]\n  - [0, 1]\n",
+            "camera_matrix is missing"},
+        Bad{"other_yaml", "FeatureDetector:\n  Type: STAR\n", "is not a camera file of a known form"},
+        Bad{"orb_slam", "%YAML:1.0\nCamera.type: \"PinHole\"\nCamera1.fx: 500\n",
+            "settings file of ORB-SLAM"},
+        Bad{"vins_mei", "model_type: MEI\nmirror_parameters:\n   xi: 2.2\n",
+            "lens 'MEI', which is not supported"},
+        Bad{"kitti", "P0: 707 0 601 0 0 707 183 0 0 0 1 0\nP1: 707 0 601 -3 0 707 183 0 0 0 1 0\n",
+            "is KITTI's calib.txt"},
+        Bad{"basalt", "{\"value0\": {\"intrinsics\": [{\"camera_type\": \"kb4\"}]}}",
+            "a calibration of Basalt"},
+        Bad{"opencv_xml", "<?xml version=\"1.0\"?>\n<opencv_storage>\n", "OpenCV's calibration as XML"},
+        Bad{"mrpt_ini", "[CAMERA_PARAMS]\nresolution = [1226 370]\n", "a calibration of MRPT"},
+        Bad{"colmap", "# CAMERA_ID\n1 OPENCV 1226 370 707 707 602 183 0 0 0 0\n", "COLMAP's cameras.txt"},
+        Bad{"dso_fov", "0.35 0.44 0.49 0.5 0.93\n1280 1024\ncrop\n640 480\n", "DSO's lens FOV"},
+        Bad{"dso_fisheye", "EquiDistant 0.35 0.44 0.49 0.5 0 0 0 0\n1280 1024\n", "DSO's lens EquiDistant"},
+        Bad{"ost_stereo",
+            "[image]\nwidth\n640\nheight\n480\ncamera matrix\n5 0 1\n0 5 1\n0 0 1\ncamera matrix\n",
+            "several cameras"},
+        Bad{"ost_torn", "[image]\nwidth\n640\nheight\n480\ncamera matrix\n5 0 1\n", "ends too early"},
         Bad{"yaml_bracket", "resolution: [640, 480\n", "a bracket is not closed"},
         Bad{"yaml_twice", "width: 1\nwidth: 2\n", "is given twice"},
         Bad{"yaml_nan", "resolution: [640, .nan]\n", "'.nan' is not a number"}),

@@ -57,6 +57,72 @@ TEST(EdgevoLayout, GivenCameraWins) {
   EXPECT_EQ(open_source(source(folder.path(), folder / "other.txt"))->camera().pinhole().fx, 30);
 }
 
+// DSO's camera.txt, and times.txt with names, whose order counts.
+TEST(EdgevoLayout, ReadsTheFilesOfDso) {
+  TempFolder folder;
+  write_images(folder / "images", 3);
+  write_text(folder / "camera.txt", "1 1 0.5 0.5 0\n24 16\ncrop\n20 10\n");
+  write_text(folder / "times.txt", "000000 17.5\n000001 17.6 0.01\n000002 17.7\n");
+  const auto s = open_source(source(folder.path()));
+  EXPECT_EQ(s->camera().pinhole().fx, 24);
+  const auto frames = read_all(*s);
+  expect_frames(frames, 3);
+  EXPECT_EQ(frames[1].time.ticks, 176000000);
+  write_text(folder / "times.txt", "000001 17.6\n000002 17.7\n");
+  const auto fewer = open_source(source(folder.path()));
+  EXPECT_THAT(input_warnings(fewer->decisions()), ::testing::Contains(HasSubstr("1 image(s) have no line")));
+  EXPECT_EQ(read_all(*fewer).size(), 2u);
+  write_text(folder / "times.txt", "000000 17.5\nb 17.6\n000002 17.7\n");
+  EXPECT_THAT(error_of([&] { open_source(source(folder.path())); }),
+              HasSubstr("times.txt, line 2: names no image of the folder: 'b'"));
+}
+
+TEST(DavisLayout, TimesNamesAndCamera) {
+  TempFolder folder;
+  write_images(folder / "images", 2);
+  write_text(folder / "images.txt", "0.0 images/000000.png\n0.04 images/000001.png\n");
+  write_text(folder / "calib.txt", "20 21 12 8 -0.13 0.09 -0.0003 0.0001 0.0\n");
+  write_text(folder / "groundtruth.txt", "0 0 0 0 0 0 0 1\n");
+  const auto s = open_source(source(folder.path()));
+  EXPECT_EQ(s->kind(), "DAVIS");
+  EXPECT_EQ(s->camera().pinhole().fy, 21);
+  EXPECT_EQ(s->camera().pinhole().width, 24);
+  EXPECT_EQ(s->ground_truth_path(), folder / "groundtruth.txt");
+  EXPECT_THAT(to_string(s->decisions().at(0)), HasSubstr("for 24x16 (the file has no image size"));
+  const auto frames = read_all(*s);
+  expect_frames(frames, 2);
+  EXPECT_EQ(frames[1].time.ticks, 400000);
+}
+
+TEST(EurocLayout, NamesItsCamerasWhereOneIsMissing) {
+  TempFolder folder;
+  fs::create_directories(folder / "mav0/cam0");
+  const auto why = [&](const char* label) {
+    SourceOptions options = source(folder.path());
+    options.sensor_label = label;
+    return error_of([&] { open_source(options); });
+  };
+  EXPECT_THAT(why(""),
+              HasSubstr("cam0/data.csv: is missing, which lists the images and their times; restore"));
+  write_text(folder / "mav0/cam1/data.csv", "1,0.png\n");
+  EXPECT_THAT(why(""), HasSubstr("no camera 'cam0'; there are cam1; did you mean --sensor cam1?"));
+}
+
+// Images without a calibration are described, and run with --fov.
+TEST(EurocLayout, NeedsNoCalibrationForInfo) {
+  TempFolder folder;
+  write_images(folder / "mav0/cam0/data", 2);
+  write_text(folder / "mav0/cam0/data.csv", "1000000000,000000.png\n2000000000,000001.png\n");
+  SourceOptions options = source(folder.path());
+  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("no calibration"));
+  options.any_camera = true;
+  EXPECT_THAT(describe(*open_source(options)),
+              ::testing::Contains(::testing::Pair("camera", HasSubstr("not known"))));
+  options.any_camera = false;
+  options.fov_deg = 90;
+  EXPECT_NEAR(open_source(options)->camera().pinhole().fx, 12, 1e-9);
+}
+
 TEST(KittiLayout, CameraTimesAndGroundTruth) {
   TempFolder folder;
   const std::string root = folder / "sequences/07";
@@ -153,7 +219,7 @@ TEST(ImageFolder, SortsNumbersByValueAndTakesTheRate) {
   EXPECT_TRUE(same_pixels(frames[4].image, make_image(10)));
   EXPECT_TRUE(same_pixels(frames[6].image, make_image(100)));
   EXPECT_EQ(frames[3].time.ticks, 1000000);  // 30 a second
-  EXPECT_THAT(open_source(options)->details().at(0).second, HasSubstr("30 frames a second assumed"));
+  EXPECT_EQ(open_source(options)->decisions().at(0).value, "30 frames a second assumed");
   options.fps = 4;
   frames = read_all(*open_source(options));
   EXPECT_EQ(frames[3].time.ticks, 7500000);

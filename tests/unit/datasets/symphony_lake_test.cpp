@@ -335,7 +335,7 @@ TEST_F(BadSurvey, Empty) {
   EXPECT_THAT(open_error(), HasSubstr("the survey is empty"));
 }
 
-TEST_F(BadSurvey, TimesThatGoBackEndTheSource) {
+TEST_F(BadSurvey, ATimeThatGoesBackIsABadFrame) {
   edit(list(), to_string(survey_time(3)), to_string(survey_time(1)));
   EXPECT_EQ(
       test::frames_before_error(*open_source(lake_source(place_.folder())), "is not after the frame before"),

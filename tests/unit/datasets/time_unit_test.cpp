@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "edgevo/core/error.h"
+
 namespace edgevo {
 namespace {
 
-std::string unit_of(const std::vector<double>& times) { return time_unit_of(times).name; }
+std::string unit_of(const std::vector<double>& times) { return time_unit_of(times).unit.name; }
 
 TEST(TimeUnit, FollowsFromTheMedianStep) {
   EXPECT_EQ(unit_of({0, 0.033, 0.067, 0.1}), "seconds");
@@ -26,28 +28,60 @@ TEST(TimeUnit, FollowsFromNumbersSince1970) {
   EXPECT_EQ(unit_of({}), "seconds");
 }
 
+// One image each six seconds since 2023, or a clock of 20 days in milliseconds and 167 images a second.
+TEST(TimeUnit, ADateThatContradictsTheStepIsADoubt) {
+  const UnitOfTimes slow = time_unit_of({1.7e9, 1.7e9 + 6, 1.7e9 + 12, 1.7e9 + 18});
+  EXPECT_STREQ(slow.unit.name, "seconds");
+  EXPECT_EQ(slow.doubt, "as milliseconds they would be 0.006 s apart; if that is right, give --time-unit ms");
+  const UnitOfTimes video = time_unit_of({1.7e9, 1.7e9 + 33, 1.7e9 + 67, 1.7e9 + 100});
+  EXPECT_STREQ(video.unit.name, "milliseconds");
+  EXPECT_EQ(video.doubt, "as seconds they would be 33 s apart; if that is right, give --time-unit s");
+}
+
+TEST(TimeUnit, ARateAboveThatOfAUsualVideoIsADoubt) {
+  EXPECT_EQ(time_unit_of({0, 33, 67, 100}).doubt, "");
+  EXPECT_EQ(time_unit_of({0, 6, 12, 18}).doubt,
+            "these are 166.7 frames a second; as seconds they would be 6 s apart; if that is right, give "
+            "--time-unit s");
+}
+
+TEST(TimeUnit, ARateThatNoCameraHasIsADoubt) {
+  EXPECT_EQ(time_unit_of({0, 1e-6, 2e-6, 3e-6}).doubt,
+            "these are 1e+06 frames a second; check the unit of the list");
+  EXPECT_EQ(time_unit_of({0, 1e-3, 2e-3, 3e-3}).doubt, "");
+}
+
+TEST(TimeUnit, TheUserMaySetIt) {
+  std::vector<Timestamp> times;
+  UnitOfTimes unit;
+  size_t bad = 0;
+  ASSERT_TRUE(parse_times({"0", "33", "67"}, "s", &times, &unit, &bad));
+  EXPECT_EQ(times[2], Timestamp::from_seconds(67));
+  EXPECT_THROW(time_unit_given("minutes"), InputError);
+}
+
 TEST(TimeUnit, NumbersAreReadExactlyToTheTick) {
   const std::vector<std::string> ns{"1403636579763555584", "1403636579813555456", "1403636579863555584"};
   std::vector<Timestamp> times;
-  TimeUnit unit{};
+  UnitOfTimes unit;
   size_t bad = 0;
-  ASSERT_TRUE(parse_times(ns, &times, &unit, &bad));
+  ASSERT_TRUE(parse_times(ns, "", &times, &unit, &bad));
   EXPECT_EQ(times[0].ticks, 14036365797635556);
   EXPECT_EQ(times[2].ticks - times[0].ticks, 1000000);
   Timestamp t;
-  ASSERT_TRUE(parse_time("-5.25", {"milliseconds", 3}, &t));
+  ASSERT_TRUE(parse_time("-5.25", {"milliseconds", "ms", 3}, &t));
   EXPECT_EQ(t.ticks, -52500);
 }
 
 TEST(TimeUnit, TheFirstInvalidTextIsNamed) {
   std::vector<Timestamp> times;
-  TimeUnit unit{};
+  UnitOfTimes unit;
   size_t bad = 0;
-  EXPECT_FALSE(parse_times({"0", "33", "noon", "x"}, &times, &unit, &bad));
+  EXPECT_FALSE(parse_times({"0", "33", "noon", "x"}, "", &times, &unit, &bad));
   EXPECT_EQ(bad, 2u);
   for (const char* text : {"", "-", ".", "1.2.3", "1-", "99999999999999999999999999"}) {
     Timestamp t;
-    EXPECT_FALSE(parse_time(text, {"milliseconds", 3}, &t)) << text;
+    EXPECT_FALSE(parse_time(text, {"milliseconds", "ms", 3}, &t)) << text;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "edgevo/datasets/open_source.h"
 #include "unit/datasets/temp_sequence.h"
+#include "unit/datasets/varying_video.h"
 
 namespace edgevo {
 namespace {
@@ -58,6 +59,65 @@ TEST_F(Video, ATruncatedFileIsReported) {
   EXPECT_GT(test::frames_before_error(*source, "the video is damaged"), 5);
 }
 
+// Sets the matrix of the track header, as a telephone does that is held upright or upside down.
+void turn_container(const std::string& path, int quarter_turns) {
+  std::string bytes = test::read_text(path);
+  const size_t at = bytes.find("tkhd") + 4 + 40;
+  ASSERT_LT(at + 36, bytes.size());
+  const int32_t one = 65536, c[] = {one, 0, -one, 0}, s[] = {0, one, 0, -one};
+  const int32_t matrix[] = {
+      c[quarter_turns], s[quarter_turns], 0, -s[quarter_turns], c[quarter_turns], 0, 0, 0, 1 << 30};
+  for (size_t i = 0; i < 9; ++i)
+    for (size_t b = 0; b < 4; ++b) bytes[at + 4 * i + b] = char(uint32_t(matrix[i]) >> (24 - 8 * b));
+  test::write_text(path, bytes);
+}
+
+// A video whose left half is dark, its top right quarter bright: where is what after turning?
+void write_marked_video(const std::string& path, int quarter_turns) {
+  cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), 20,
+                         cv::Size(64, 32), true);
+  ASSERT_TRUE(writer.isOpened());
+  cv::Mat frame(32, 64, CV_8UC3, cv::Scalar::all(20));
+  frame(cv::Rect(32, 0, 32, 16)).setTo(cv::Scalar::all(220));
+  for (int i = 0; i < 5; ++i) writer.write(frame);
+  writer.release();
+  turn_container(path, quarter_turns);
+}
+
+// The principal point of the file is in the bright quarter: it must be there in the turned image, too.
+TEST_F(Video, OfATurnedTelephoneHasATurnedCamera) {
+  options_.path = folder_ / "clip.mp4";
+  test::write_text(folder_ / "camera.txt", "60 50 38 12 0 0 0.001 0.002 64 32");
+  for (int turns = 0; turns < 4; ++turns) {
+    write_marked_video(options_.path, turns);
+    const auto source = open_source(options_);
+    const Pinhole p = source->camera().pinhole();
+    const auto frame = source->next();
+    ASSERT_TRUE(frame) << turns;
+    EXPECT_EQ(frame->image.width, p.width);
+    EXPECT_EQ(p.width, turns % 2 ? 32 : 64);
+    EXPECT_EQ(p.fx, turns % 2 ? 50 : 60);
+    const int at = int(p.cy) * p.width + int(p.cx), opposite = int(frame->image.pixels.size()) - 1 - at;
+    EXPECT_GT(frame->image.pixels[size_t(at)], 150) << turns;
+    EXPECT_LT(frame->image.pixels[size_t(opposite)], 80) << turns;
+    const auto decisions = source->decisions();
+    if (turns == 0) {
+      EXPECT_TRUE(decisions.empty());
+      continue;
+    }
+    ASSERT_EQ(decisions.size(), 2u);
+    EXPECT_EQ(decisions[0].subject, "orientation");
+    EXPECT_EQ(decisions[1].subject, "camera");
+  }
+}
+
+// `info` and `run` agree: both refuse a camera file of another shape when the source is opened.
+TEST_F(Video, RefusesACameraOfAnotherShapeOnOpening) {
+  write_video(options_.path, 3);
+  test::write_text(folder_ / "camera.txt", "40 40 16 24 0 0 0 0 32 48");
+  EXPECT_THAT(test::error_of([&] { open_source(options_); }), ::testing::HasSubstr("the images are turned"));
+}
+
 // It has no frame count: only the incomplete packet reveals the cut.
 TEST_F(Video, ATruncatedTransportStreamIsReported) {
   options_.path = folder_ / "clip.ts";
@@ -72,6 +132,26 @@ TEST_F(Video, ATruncatedTransportStreamIsReported) {
   test::write_text(options_.path, bytes.substr(0, bytes.size() * 2 / 3 / 188 * 188 + 100));
   const auto source = open_source(options_);
   EXPECT_LT(test::frames_before_error(*source, "is cut short: it ends within a packet"), int(frames));
+}
+
+// A phone that drops to a third of its rate in bad light. OpenCV writes a constant rate only: two videos of
+// different rates are joined as their packets, by FFmpeg's own library.
+TEST_F(Video, AVaryingRateIsTakenFromTheStampsAndSaid) {
+  write_video(options_.path, 30);
+  options_.path = folder_ / "varying.mkv";
+  test::write_varying_video(folder_ / "clip.avi", options_.path,
+                            [](int i) { return i < 10 ? i : 3 * i - 20; });
+  const auto source = open_source(options_);
+  ASSERT_EQ(source->decisions().size(), 1u);
+  EXPECT_EQ(to_string(source->decisions()[0]),
+            "times: the video's own stamps (its rate varies from 6.7 to 20.0 frames a second)");
+  const auto frames = test::read_all(*source);
+  ASSERT_EQ(frames.size(), 30u);
+  EXPECT_NEAR(frames[9].time.seconds(), 0.45, 1e-3);
+  EXPECT_NEAR(frames[29].time.seconds(), (3 * 29 - 20) * 0.05, 1e-3);
+  EXPECT_EQ(source->times().size(), 30u);
+  options_.fps = 10;
+  EXPECT_EQ(test::read_all(*open_source(options_))[29].time, Timestamp::from_seconds(2.9));
 }
 
 }  // namespace

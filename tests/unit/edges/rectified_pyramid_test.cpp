@@ -73,5 +73,14 @@ TEST(RectifiedPyramid, ShowsEdgesWhereTheTargetProjectsThem) {
   EXPECT_GT(on_line, 100);
 }
 
+TEST(RectifiedPyramid, AnImageWithFewerPixelsThanItsSizeIsRefused) {
+  PyramidBuilder builder(Rectification(kBarrel, kWide), EdgeParams());
+  GrayImage image = test::textured_image(320, 240, 5);
+  image.pixels.resize(1000);
+  image.pixels.shrink_to_fit();
+  EXPECT_THROW(builder.build(image), InputError);
+  EXPECT_THROW(builder.build(Frame{0, {}, image}), InputError);
+}
+
 }  // namespace
 }  // namespace edgevo

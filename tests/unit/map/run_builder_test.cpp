@@ -24,6 +24,7 @@ FrameAnchored frame(int index, std::optional<FrameAnchor> anchor = std::nullopt,
   e.frame.index = index;
   e.frame.time = Timestamp::from_seconds(0.1 * index);
   e.frame.covariance = Matrix6d::Ones();
+  e.frame.evidence.median_depth = 1;
   e.anchor = anchor;
   if (!anchor) return e;
   e.frame.segment = segment;
@@ -99,6 +100,7 @@ TEST(RunBuilder, AMoveChangesTheUnitOfEarlierFramesOnly) {
     const Matrix6d& covariance = run.frames[size_t(i)].covariance;
     EXPECT_NEAR(covariance(2, 2), unit * unit, 1e-12) << i;
     EXPECT_NEAR(covariance(2, 5), unit, 1e-12) << i;
+    EXPECT_NEAR(run.frames[size_t(i)].evidence.median_depth, unit, 1e-12) << i;
     EXPECT_NEAR(covariance(5, 5), 1, 1e-12) << "angles have no unit of length, " << i;
     EXPECT_EQ(run.frames[size_t(i)].T_world_cam_live->translation().z(), 1) << "live poses never change";
   }

@@ -182,5 +182,36 @@ TEST(BadRawlog, OutputThatCannotBeOpened) {
               HasSubstr("/nowhere/x.rawlog: cannot be written: No such file"));
 }
 
+TEST(BadRawlog, BadTimesDoNotStopTheFollowingFrames) {
+  TempFolder folder;
+  RawlogWriter writer(folder / "x.rawlog");
+  for (int i = 0; i < 12; ++i) {
+    auto o = embedded(i);
+    if (i == 3) o.timestamp = mrpt::Clock::time_point();
+    if (i >= 6) o.timestamp -= std::chrono::seconds(30);  // the clock is set back
+    writer.write(o);
+  }
+  writer.close();
+  const auto source = test::open(folder / "x.rawlog");
+  ASSERT_EQ(source->decisions().size(), 1u);
+  EXPECT_EQ(source->decisions().front().value, "set back at frame 6");
+  std::vector<int> good, bad;
+  Timestamp last{-1};
+  for (bool more = true; more;) try {
+      const auto frame = source->next();
+      more = frame.has_value();
+      if (!more) break;
+      EXPECT_LT(last, frame->time);
+      last = frame->time;
+      good.push_back(frame->index);
+    } catch (const BadFrame& e) {
+      EXPECT_EQ(e.what_is_bad(), BadFrame::What::kTime);
+      bad.push_back(e.index());
+    }
+  EXPECT_EQ(bad, (std::vector<int>{3, 6, 7, 8}));
+  EXPECT_EQ(good.size(), 8u);
+  EXPECT_EQ(last, test::frame_time(11)) << "as if the clock had gone on";
+}
+
 }  // namespace
 }  // namespace edgevo

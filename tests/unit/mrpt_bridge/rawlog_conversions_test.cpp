@@ -5,6 +5,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
 #include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/mrpt_bridge/image_file.h"
 
 namespace edgevo {
 namespace {
@@ -65,11 +66,16 @@ TEST(MrptConversions, OtherLensModelsAreRefused) {
 TEST(MrptConversions, PixelsAreExact) {
   GrayImage image{5, 3, {}};
   for (int i = 0; i < 15; ++i) image.pixels.push_back(uint8_t(17 * i));
-  const GrayImage back = from_mrpt(to_mrpt(image), "here");
+  const GrayImage back = from_mrpt(to_mrpt(image), std::nullopt, "here");
   EXPECT_EQ(back.width, 5);
   EXPECT_EQ(back.height, 3);
   EXPECT_EQ(back.pixels, image.pixels);
-  EXPECT_THROW(from_mrpt(mrpt::img::CImage(), "here"), InputError);
+  EXPECT_THROW(from_mrpt(mrpt::img::CImage(), std::nullopt, "here"), InputError);
+}
+
+TEST(MrptConversions, AnImageWithFewerPixelsThanItsSizeIsRefused) {
+  EXPECT_THROW(to_mrpt(GrayImage{64, 48, std::vector<uint8_t>(1000)}), InputError);
+  EXPECT_THROW(write_png("never.png", {64, 48, std::vector<uint8_t>(1000)}), InputError);
 }
 
 }  // namespace

@@ -168,6 +168,21 @@ TEST(Odometry, EveryTrackedFrameHasEvidence) {
   }
 }
 
+TEST(Odometry, CornersAgreeWithRightPosesAndCanBeSwitchedOff) {
+  int agreeing = 0, compared = 0;
+  for (const FrameRecord& f : whole_sweep().frames) {
+    if (!f.evidence.corners || std::isnan(f.evidence.corners->change_10)) continue;
+    const CornerEvidence& c = *f.evidence.corners;
+    ++compared;
+    agreeing += std::abs(c.change_10) < 3 * c.change_10_sigma && c.rotation_deg < 3;
+  }
+  EXPECT_GT(compared, kSweepFrames / 3);
+  EXPECT_GE(agreeing, 0.95 * compared);
+  OdometryParams params;
+  params.health.corners = false;
+  for (const FrameRecord& f : run_sweep(30, {}, 0, 0, params).frames) EXPECT_FALSE(f.evidence.corners);
+}
+
 TEST(Odometry, KeyframesHaveTheEvidenceOfTheirAdjustment) {
   int adjusted = 0;
   for (const FrameRecord& f : whole_sweep().frames) {

@@ -115,7 +115,7 @@ TEST(KilledRun, IsRecoveredWithThePastThatHadMoved) {
   for (const int frames : {ended.moved_at + 1, ended.moved_at + 2, kFrames}) {
     const test::TempFolder folder;
     ASSERT_EQ(signal_of_killed(frames, folder / "out"), SIGKILL);
-    const edgevo::Run recovered = recover_run(folder / "out");
+    const edgevo::Run recovered = recover_run(folder / "out").run;
     EXPECT_GT(recovered.keyframes.size(), kMovedWith);
     test::expect_same_map(recovered, track(frames, true).run);
   }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <mrpt/containers/yaml.h>
 
+#include "edgevo/core/output_file.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/results/recovery_log.h"
@@ -65,7 +66,7 @@ TEST_F(InterruptedRuns, ARunKeepsItsEventsOnDiskUntilItsFilesAreWritten) {
   const std::string killed = temp_ / "killed";
   fs::copy(folder_, killed, fs::copy_options::recursive);
   const edgevo::Run run = builder.finish();
-  test::expect_same_run(recover_run(killed), run);
+  test::expect_same_run(recover_run(killed).run, run);
   outputs.finish(run, {});
   EXPECT_FALSE(fs::exists(folder_ / kRecoveryLog));
 }
@@ -75,7 +76,7 @@ TEST_F(InterruptedRuns, AllFilesOfARunAreWritten) {
   const std::vector<std::string> whole = names_in(folder_.string());
   fs::remove_all(folder_);
   leave_a_run();
-  const edgevo::Run run = recover_run(folder_.string());
+  const edgevo::Run run = recover_run(folder_.string()).run;
   EXPECT_EQ(run.frames.size(), 40u);
   EXPECT_EQ(names_in(folder_.string()), whole) << "the same files, without the recovery log";
   for (const std::string& name : whole)
@@ -97,12 +98,12 @@ TEST_F(InterruptedRuns, ThePastMovesAsInARunThatEndedThere) {
   std::vector<MapEvent> events;
   for (size_t i = 0; i < frames; ++i)
     for (const auto& event : events_.frames()[i]) events.push_back(*event);
-  test::expect_same_run(recover_run(folder_.string()), test::run_from(made_.run.pinhole, events));
+  test::expect_same_run(recover_run(folder_.string()).run, test::run_from(made_.run.pinhole, events));
 }
 
 TEST_F(InterruptedRuns, AGivenScaleIsApplied) {
   leave_a_run("factor=3");
-  const edgevo::Run run = recover_run(folder_.string());
+  const edgevo::Run run = recover_run(folder_.string()).run;
   EXPECT_TRUE(run.is_metric());
   EXPECT_NEAR(run.frames[39].T_world_cam->translation().z() - run.frames[38].T_world_cam->translation().z(),
               0.6, 0.01);
@@ -114,6 +115,28 @@ TEST_F(InterruptedRuns, TheNextRunMayReplaceIt) {
   recover_run(folder_.string());
   write(folder_, made_.run, made_.camera);
   EXPECT_EQ(lines_of(content(folder_ / "frames.csv")).size(), 46u);
+}
+
+// Not cut off, as a killed program leaves it, but damaged on the disk.
+TEST_F(InterruptedRuns, ADamagedLogIsReportedAndKept) {
+  leave_a_run();
+  const std::string log = (folder_ / kRecoveryLog).string(), whole = content(log);
+  for (const double share : {0.3, 0.5, 0.7}) {
+    std::string bytes = whole;
+    bytes[size_t(share * double(bytes.size()))] ^= 1;
+    write_file(log, bytes);
+    const RecoveredRun recovered = recover_run(folder_.string());
+    EXPECT_TRUE(recovered.is_damaged);
+    EXPECT_LT(recovered.run.frames.size(), 40u);
+    EXPECT_NEAR(double(recovered.run.frames.size()) + recovered.frames_lost, 40, 1)
+        << "one may be the damage";
+    EXPECT_EQ(content(log), bytes) << "it may still be needed";
+    EXPECT_THAT(content(folder_ / "summary.yaml"), HasSubstr("could not be recovered"));
+  }
+  write_file(log, whole.substr(0, whole.size() / 2));
+  const RecoveredRun cut_off = recover_run(folder_.string());
+  EXPECT_FALSE(cut_off.is_damaged);
+  EXPECT_FALSE(fs::exists(log));
 }
 
 }  // namespace

@@ -357,7 +357,7 @@ TEST_F(RecoveryLogs, OtherFilesAreRefused) {
   EXPECT_THAT(message_of([&] { read(); }), HasSubstr("holds no interrupted run"));
   put("a letter");
   EXPECT_THAT(message_of([&] { read(); }), HasSubstr("is incomplete or no recovery log"));
-  for (const char* other : {"edgevo run journal 1\n", "edgevo recovery log 3\n"}) {
+  for (const char* other : {"edgevo run journal 1\n", "edgevo recovery log 2\n"}) {
     put(other + std::string(100, 'x'));
     EXPECT_THAT(
         message_of([&] { read(); }),

@@ -141,5 +141,32 @@ TEST(RunOdometry, EndsAtABadFirstFrame) {
   EXPECT_TRUE(result.broken);
 }
 
+// Times that cannot be used; a source whose first frames have none may still have others.
+class TimelessSource : public BlankSource {
+ public:
+  explicit TimelessSource(int bad_first) : bad_first_(bad_first) {}
+  std::optional<Frame> next() override {
+    auto frame = BlankSource::next();
+    if (frame && frame->index < bad_first_)
+      throw BadFrame(frame->index, {}, InputError("a frame", "has no time", "record one"),
+                     BadFrame::What::kTime);
+    return frame;
+  }
+
+ private:
+  int bad_first_;
+};
+
+TEST(RunOdometry, SkipsFirstFramesWithoutATimeButNotWhereAllAre) {
+  RunLoopOptions options;
+  options.on_bad_frame = OnBadFrame::kSkip;
+  TimelessSource few(3), all(100);
+  const RunResult result = run_odometry(few, {}, options, keep_going);
+  EXPECT_FALSE(result.broken);
+  EXPECT_EQ(result.run.frames.size(), 100u);
+  EXPECT_EQ(result.skipped, 3);
+  EXPECT_TRUE(run_odometry(all, {}, options, keep_going).broken);
+}
+
 }  // namespace
 }  // namespace edgevo

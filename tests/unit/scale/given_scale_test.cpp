@@ -19,6 +19,7 @@ Run small_run() {
   frame.T_world_cam = SE3(Eigen::Quaterniond(0.9, 0.1, 0.2, 0.1), {1, 2, 3});
   frame.T_world_cam_live = SE3(Eigen::Quaterniond::Identity(), {0, 0, 4});
   frame.covariance = Matrix6d::Identity();
+  frame.evidence.median_depth = 4;
   run.frames.push_back(frame);
   KeyframeRecord keyframe;
   keyframe.T_world_cam = *frame.T_world_cam;
@@ -45,6 +46,7 @@ TEST(ScaleRun, ScalesEveryLengthAndNoAngle) {
   EXPECT_DOUBLE_EQ(run.frames[0].T_world_cam_live->translation().z(), 10);
   EXPECT_DOUBLE_EQ(run.frames[0].covariance(0, 0), 6.25);
   EXPECT_DOUBLE_EQ(run.frames[0].covariance(3, 3), 1);
+  EXPECT_DOUBLE_EQ(run.frames[0].evidence.median_depth, 10);
   const auto world_point = [](const edgevo::Run& r) {
     return r.keyframes[0].T_world_cam * point_in_camera(r.pinhole, r.keyframes[0].points[0]);
   };

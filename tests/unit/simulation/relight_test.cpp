@@ -11,6 +11,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/simulation/relit_source.h"
 #include "edgevo/simulation/rendered_source.h"
+#include "edgevo/simulation/texture.h"
 
 namespace edgevo {
 namespace {
@@ -124,6 +125,11 @@ TEST(Relight, UnknownKindOffersTheNearest) {
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr("did you mean glare?"));
   }
+}
+
+TEST(Relight, AnImageWithFewerPixelsThanItsSizeIsRefused) {
+  EXPECT_THROW(Relight("mixed", 1).apply({64, 48, std::vector<uint8_t>(1000)}, 0, 0), InputError);
+  EXPECT_THROW(make_texture({64, 64, std::vector<uint8_t>(1000)}), InputError);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/records.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene_renderer.h"
 #include "support/temp_folder.h"
@@ -265,6 +266,22 @@ TEST(RenderedSource, EmptyRangeIsRefused) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("desk"));
   EXPECT_THROW(RenderedSource(renderer, 5, 5), InputError);
   EXPECT_THROW(RenderedSource(renderer, 0, 100000), InputError);
+}
+
+// The camera turns on the vehicle that its own camera would be; the way stays.
+TEST(MountedScene, LooksWhereTheMountSays) {
+  Scene level = load_scene("rotation"), mounted = level;
+  mount_camera(parse_camera_mount("0,20,0,0,0,0.1", ""), &mounted);
+  for (int i = 0; i < level.size(); i += 40) {
+    const SE3 T_vehicle_cam =
+        T_zup_world() * level.T_scene_cam[size_t(i)].inverse() * mounted.T_scene_cam[size_t(i)];
+    const Eigen::Vector3d axis = T_vehicle_cam.R().col(2);
+    EXPECT_NEAR(axis.z(), -std::sin(20 * 3.14159265358979 / 180), 1e-9);
+    EXPECT_NEAR(axis.y(), 0, 1e-9);
+    EXPECT_LT((T_vehicle_cam.translation() - Eigen::Vector3d(0, 0, 0.1)).norm(), 1e-9);
+  }
+  const double t = seconds_between(mounted.times[0], mounted.times[5]);
+  EXPECT_LT((mounted.T_scene_cam_at(t).inverse() * mounted.T_scene_cam[5]).log().norm(), 1e-9);
 }
 
 }  // namespace

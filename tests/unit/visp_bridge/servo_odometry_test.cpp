@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "edgevo/simulation/scene_renderer.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "edgevo/visp_bridge/servo_params.h"
@@ -14,6 +17,7 @@ namespace edgevo {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const SceneRenderer& desk() {
   static const SceneRenderer renderer(load_scene("desk"));
@@ -24,7 +28,7 @@ const SceneRenderer& desk() {
 bool wait_for(const ServoFeed& feed, int index) {
   return test::wait_until([&] {
     const ServoPose pose = feed.pose(Timestamp::from_seconds(0));
-    return pose.frame_index >= index || pose.reason.find("image:") == 0;
+    return pose.frame_index >= index || pose.reason.find("Odometry::process()") == 0;
   });
 }
 
@@ -72,6 +76,28 @@ TEST(ServoOdometry, AnInvalidImageIsReportedByTheFeed) {
   ASSERT_TRUE(wait_for(feed, 0));
   EXPECT_THAT(feed.pose(Timestamp::from_seconds(0)).reason, HasSubstr("5x3"));
   EXPECT_TRUE(odometry.finish().frames.empty());
+}
+
+TEST(ServoOdometry, AClockThatIsSetBackDoesNotEndTheLoop) {
+  ServoFeed feed;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed);
+  const GrayImage image = desk().render_image(0);
+  const auto push = [&](double s) {
+    odometry.push(image, Timestamp::from_seconds(s));
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  for (int k = 0; k < 40; ++k) push(5 + 0.01 * k);
+  for (int k = 0; k < 400; ++k) push(2 + 0.01 * k);
+  const edgevo::Run run = odometry.finish();
+  EXPECT_EQ(int(run.frames.size()) + odometry.replaced(), 440);
+  EXPECT_EQ(run.frames.back().index, 439);
+  EXPECT_LT(Timestamp::from_seconds(5), run.frames.back().time);
+  EXPECT_THAT(run.frames.back().note, Not(HasSubstr("left out")));
+}
+
+TEST(ServoOdometry, AnImageWithFewerPixelsThanItsSizeIsRefused) {
+  GrayImage image{64, 48, std::vector<uint8_t>(1000)};
+  EXPECT_THROW(share_with_visp(image), InputError);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // EuRoC (ASL): mav0/camN/{data.csv, data/, sensor.yaml}, mav0/state_groundtruth_estimate0/data.csv; times in
 // ns.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "assumed_camera.h"
 #include "camera_yaml.h"
 #include "edgevo/core/error.h"
 #include "layout.h"
@@ -30,15 +32,31 @@ bool is_euroc_layout(const std::string& folder) {
   return fs::is_directory(mav_folder(folder) / "cam0", ignored);
 }
 
+// Names of the cameras, those with a list of images, in order.
+std::vector<std::string> euroc_cameras(const fs::path& mav) {
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(mav, ignored))
+    if (!existing((entry.path() / "data.csv").string()).empty() &&
+        entry.path().filename().string().rfind("cam", 0) == 0)
+      found.push_back(entry.path().filename().string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 // ".../mav0/cam0" of the chosen camera.
 std::string euroc_camera_folder(const SourceOptions& options) {
   const std::string name = options.sensor_label.empty() ? "cam0" : options.sensor_label;
-  const fs::path folder = mav_folder(options.path) / name;
-  if (existing((folder / "data.csv").string()).empty())
-    throw InputError(options.path,
-                     "no camera '" + name + "' (" + (folder / "data.csv").string() + " is missing)",
-                     "name one of its cameras with --sensor, such as cam0");
-  return folder.string();
+  const fs::path mav = mav_folder(options.path), list = mav / name / "data.csv";
+  if (!existing(list.string()).empty()) return (mav / name).string();
+  const std::vector<std::string> found = euroc_cameras(mav);
+  if (found.empty())
+    throw InputError(list.string(), "is missing, which lists the images and their times",
+                     "restore it, or give the folder of the images with --camera and --fps");
+  std::string all;
+  for (const std::string& camera : found) all += (all.empty() ? "" : ", ") + camera;
+  throw InputError(options.path, "no camera '" + name + "'; there are " + all,
+                   "did you mean --sensor " + nearest_name(name, found) + "?");
 }
 
 // Mount of the camera in the body frame (the IMU's; not x forward, z up): T_BS of its sensor.yaml.
@@ -71,7 +89,8 @@ Sequence read_euroc_layout(const SourceOptions& options) {
     sequence.images.push_back((camera_folder / "data" / fields[1]).string());
   }
   if (sequence.images.empty()) throw InputError(list, "names no images", "restore data.csv");
-  sequence.camera = choose_camera(options, (camera_folder / "sensor.yaml").string());
+  sequence.camera = choose_or_assume_camera(options, (camera_folder / "sensor.yaml").string(),
+                                            seen_images(sequence.images), &sequence.decisions);
   sequence.details.emplace_back("camera folder", camera_folder.filename().string());
   if (const std::string truth = euroc_ground_truth_path(options.path); !truth.empty())
     sequence.details.emplace_back("ground truth", truth + " (EuRoC format)");

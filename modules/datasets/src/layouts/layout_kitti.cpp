@@ -4,9 +4,10 @@
 #include <array>
 #include <filesystem>
 
+#include "camera_fit.h"
 #include "edgevo/core/error.h"
-#include "edgevo/datasets/camera_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "image_series.h"
 #include "layout.h"
 #include "text_file.h"
 #include "tum_text.h"
@@ -76,13 +77,14 @@ Sequence read_kitti_layout(const SourceOptions& options) {
   const std::string images = (root / name).string(), times = (root / "times.txt").string();
   Sequence sequence;
   sequence.kind = "KITTI odometry";
-  sequence.images = list_images(images);
-  sequence.times = read_times(times, &sequence.details);
+  sequence.images = list_images(images, options, &sequence.decisions);
+  sequence.times = read_times(times, options, &sequence.decisions);
   check_counts(sequence.images, sequence.times, times, images);
-  sequence.camera = options.camera_file.empty()
-                        ? camera_from_projection(read_kitti_projection(options, name),
-                                                 sequence.images.front(), (root / "calib.txt").string())
-                        : read_camera_file(options.camera_file);
+  sequence.camera =
+      options.camera_file.empty()
+          ? camera_from_projection(read_kitti_projection(options, name), sequence.images.front(),
+                                   (root / "calib.txt").string())
+          : camera_of_file(options.camera_file, seen_images(sequence.images), &sequence.decisions);
   sequence.details.emplace_back("camera folder", name);
   if (const std::string poses = kitti_poses_path(options.path); !poses.empty())
     sequence.details.emplace_back("ground truth", poses + " (KITTI format)");
@@ -95,7 +97,7 @@ std::string kitti_ground_truth(const SourceOptions& options) {
   const std::string poses = kitti_poses_path(options.path);
   if (poses.empty()) return {};
   const std::string times_path = (fs::path(options.path) / "times.txt").string();
-  const auto times = read_times(times_path, nullptr);
+  const auto times = read_times(times_path, options, nullptr);
   const auto lines = split_lines(read_text_file(poses), poses);
   if (lines.size() != times.size())
     throw InputError(poses,
@@ -117,6 +119,6 @@ std::string kitti_ground_truth(const SourceOptions& options) {
 
 }  // namespace
 
-Layout kitti_layout() { return {is_kitti_layout, read_kitti_layout, true, kitti_ground_truth}; }
+Layout kitti_layout() { return {is_kitti_layout, read_kitti_layout, true, kitti_ground_truth, true}; }
 
 }  // namespace edgevo

@@ -8,8 +8,8 @@ namespace edgevo {
 const Layout* layout_of(const std::string& folder) {
   // In the order in which they are tried.
   static const Layout kLayouts[] = {
-      edgevo_layout(), kitti_layout(),         tum_layout(),
-      euroc_layout(),  virtual_kitti_layout(), symphony_layout(),
+      davis_layout(), edgevo_layout(),        kitti_layout(),    tum_layout(),
+      euroc_layout(), virtual_kitti_layout(), symphony_layout(),
   };
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder, ignored)) return nullptr;

@@ -10,7 +10,6 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/datasets/camera_file.h"
 #include "edgevo/symphony_lake/survey_geometry.h"
 #include "layout.h"
 #include "symphony_archive.h"
@@ -200,10 +199,11 @@ std::string symphony_ground_truth(const SourceOptions& options) {
 // ---- all of it ----
 
 Camera survey_camera(const SurveyRows& survey, const SourceOptions& options, Sequence* sequence) {
-  if (!options.camera_file.empty()) return read_camera_file(options.camera_file);
+  const SeenImages images = seen_images(sequence->images);
+  if (!options.camera_file.empty()) return camera_of_file(options.camera_file, images, &sequence->decisions);
   if (survey.has_camera) return camera_of_rows(survey, options, &sequence->details);
   if (options.fov_deg || options.any_camera)
-    return choose_or_assume_camera(options, "", {sequence->images.front()}, &sequence->details);
+    return choose_or_assume_camera(options, "", images, &sequence->decisions);
   throw InputError(
       survey.path,
       "its " + std::to_string(survey.columns) + " columns are fewer than the 13 that include the camera",

@@ -3,8 +3,8 @@
 // its page.
 #include <filesystem>
 
+#include "assumed_camera.h"
 #include "edgevo/core/error.h"
-#include "edgevo/datasets/camera_file.h"
 #include "layout.h"
 #include "text_file.h"
 #include "time_unit.h"
@@ -31,13 +31,16 @@ const Published kPublished[] = {
 };
 
 Camera tum_camera(const SourceOptions& options, Sequence* sequence) {
-  if (!options.camera_file.empty()) return read_camera_file(options.camera_file);
+  const SeenImages images = seen_images(sequence->images);
+  if (!options.camera_file.empty()) return camera_of_file(options.camera_file, images, &sequence->decisions);
   const std::string folder = fs::path(fs::weakly_canonical(options.path)).filename().string();
   for (const Published& published : kPublished) {
     if (folder.find(published.name) == std::string::npos) continue;
     sequence->details.emplace_back("calibration", std::string("published for ") + published.name);
     return published.camera;
   }
+  if (options.fov_deg || options.any_camera)
+    return choose_or_assume_camera(options, "", images, &sequence->decisions);
   throw InputError(options.path, "the folder's name holds none of freiburg1, freiburg2, freiburg3",
                    "give the camera's file with --camera");
 }
@@ -48,26 +51,31 @@ bool is_tum_layout(const std::string& folder) {
 
 Sequence read_tum_layout(const SourceOptions& options) {
   const fs::path root = options.path;
-  const std::string list = (root / "rgb.txt").string();
   Sequence sequence;
   sequence.kind = "TUM RGB-D";
-  std::vector<TextLine> times;
-  for (const TextLine& line : split_lines(read_text_file(list), list)) {
-    const auto fields = split_fields(line.text);
-    Timestamp is_number;
-    if (fields.size() != 2 || !parse_time(fields[0], kAnyUnit, &is_number))
-      throw InputError(line.where, "is not a time and a file name", "restore rgb.txt");
-    times.push_back({fields[0], line.where});
-    sequence.images.push_back((root / fields[1]).string());
-  }
-  sequence.times = parse_times_of(times, &sequence.details);
-  if (sequence.images.empty()) throw InputError(list, "names no images", "restore rgb.txt");
+  read_times_and_names(options, "rgb.txt", &sequence);
   sequence.camera = tum_camera(options, &sequence);
   sequence.ground_truth_path = existing((root / "groundtruth.txt").string());
   return sequence;
 }
 
 }  // namespace
+
+void read_times_and_names(const SourceOptions& options, const std::string& name, Sequence* sequence) {
+  const fs::path root = options.path;
+  const std::string list = (root / name).string();
+  std::vector<TextLine> times;
+  for (const TextLine& line : split_lines(read_text_file(list), list)) {
+    const auto fields = split_fields(line.text);
+    Timestamp is_number;
+    if (fields.size() != 2 || !parse_time(fields[0], kAnyUnit, &is_number))
+      throw InputError(line.where, "is not a time and a file name", "restore " + name);
+    times.push_back({fields[0], line.where});
+    sequence->images.push_back((root / fields[1]).string());
+  }
+  sequence->times = parse_times_of(times, options, &sequence->decisions);
+  if (sequence->images.empty()) throw InputError(list, "names no images", "restore " + name);
+}
 
 Layout tum_layout() { return {is_tum_layout, read_tum_layout, false, nullptr}; }
 

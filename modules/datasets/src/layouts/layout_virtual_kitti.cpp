@@ -14,6 +14,7 @@ Sequence read_virtual_kitti_layout(const SourceOptions& options) {
   sequence.images = std::move(v.images);
   sequence.times = std::move(v.times);
   sequence.camera = v.camera;
+  sequence.decisions = std::move(v.decisions);
   if (!v.camera_name.empty()) sequence.details.emplace_back("camera folder", v.camera_name);
   if (!v.poses_path.empty())
     sequence.details.emplace_back("ground truth", v.poses_path + " (Virtual KITTI format)");

@@ -18,6 +18,8 @@ const std::vector<Exporter>& exporters() {
       {"trajectory_kitti.txt", "final poses as 3x4 matrices, one line for EVERY frame", Kind::kText,
        export_kitti_trajectory},
       {"frames.csv", "one row for every frame; timing columns last", Kind::kText, export_frames},
+      {"covariances.csv", "covariance of each pose relative to its keyframe", Kind::kText,
+       export_covariances},
       {"scale.csv", "the metric scale over time, if it was measured", Kind::kText, export_scale, has_scale},
       {"edges.ply", "3D edges: points and lines", Kind::kMrpt, export_points},
       {"edge_segments.csv", "3D lines, one row each: ends, length, direction, uncertainty, observers",

@@ -14,6 +14,7 @@ void export_kitti_trajectory(ExportContext* context, const std::string& path);
 
 // frame_tables.cpp
 void export_frames(ExportContext* context, const std::string& path);
+void export_covariances(ExportContext* context, const std::string& path);
 void export_scale(ExportContext* context, const std::string& path);
 bool has_scale(const ExportContext& context);
 

@@ -9,6 +9,10 @@ void export_frames(ExportContext* context, const std::string& path) {
   write_file(path, frames_csv(context->run));
 }
 
+void export_covariances(ExportContext* context, const std::string& path) {
+  write_file(path, covariances_csv(context->run));
+}
+
 void export_scale(ExportContext* context, const std::string& path) {
   write_file(path, scale_csv(context->run));
 }

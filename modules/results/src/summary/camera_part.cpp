@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/run_warnings.h"
 #include "summary_parts.h"
 
 namespace edgevo {
@@ -12,6 +13,10 @@ std::string calibration_statement(const CameraRefinement& c) {
     case State::kTooEarly:
       return "the run was too short for an estimate";
     case State::kNotObservable:
+      if (ran_to_limit(c))
+        return "the estimate ran to its limit: the camera file may be wrong, in the focal length most of "
+               "all, "
+               "or the motion was too straight, too slow or too short";
       return "the motion was too straight, too slow or too short for an estimate";
     case State::kInsignificant:
       return "no significant residual distortion: the camera file was left alone";

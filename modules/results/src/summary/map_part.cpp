@@ -9,7 +9,7 @@ void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   const OccupancyGrid& grid = report.grid ? *report.grid : none;
   y->open("map");
   y->text("axes", "x forward, y left, z up");
-  y->text("up", run.T_vehicle_cam ? "of the vehicle (mount given by the source)"
+  y->text("up", run.T_vehicle_cam ? "of the vehicle, by the mount of the camera"
                                   : "of the first camera, assumed to look straight forward");
   y->integer("points", map.points.total);
   y->integer("points_exported", map.points.kept);

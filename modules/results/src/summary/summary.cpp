@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <set>
 
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/core/run_warnings.h"
 #include "edgevo_build_info.h"
@@ -42,6 +43,20 @@ void write_source(const RunInfo& info, YamlWriter* y) {
   y->close();
 }
 
+void write_input(const std::vector<InputDecision>& decisions, YamlWriter* y) {
+  if (decisions.empty()) return;
+  y->open("input");
+  for (const InputDecision& d : decisions)
+    y->text(d.subject, d.value + (d.reason.empty() ? "" : " (" + d.reason + ")"));
+  y->close();
+}
+
+std::vector<std::string> all_warnings(const SummaryInput& input) {
+  std::vector<std::string> warnings = input_warnings(input.info.input);
+  for (std::string& warning : run_warnings(input.run)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
 void write_scale(const Run& run, YamlWriter* y) {
   y->open("scale");
   y->text("source", run.scale_source);
@@ -69,9 +84,16 @@ void write_frames(const Run& run, YamlWriter* y) {
   y->integer("tracking", in_state(TrackingState::kTracking));
   y->integer("degraded", in_state(TrackingState::kDegraded));
   y->integer("lost", in_state(TrackingState::kLost));
+  y->integer("doubtful", count(run).doubtful);
   y->integer("with_pose", posed);
   y->number("coverage", run.frames.empty() ? 0.0 : double(posed) / double(run.frames.size()), 4);
   y->close();
+}
+
+std::vector<std::string> doubtful_in_words(const Run& run) {
+  std::vector<std::string> lines;
+  for (const DoubtfulInterval& interval : doubtful_intervals(run)) lines.push_back(to_string(interval));
+  return lines;
 }
 
 // Sum of the distances between frames within segments.
@@ -104,6 +126,7 @@ std::string summary_yaml(const SummaryInput& input) {
   YamlWriter y;
   write_versions(&y);
   write_source(input.info, &y);
+  write_input(input.info.input, &y);
   write_camera(input.info.camera, &y);
   write_self_calibration(input.run.camera, &y);
   write_scale(input.run, &y);
@@ -112,8 +135,9 @@ std::string summary_yaml(const SummaryInput& input) {
   write_map(input.run, input.map, &y);
   write_timing(input, &y);
   write_realtime(input.run, &y);
+  y.list("not_to_be_trusted", doubtful_in_words(input.run));
   y.list("not_written", input.not_written);
-  y.list("warnings", run_warnings(input.run));
+  y.list("warnings", all_warnings(input));
   if (!input.info.notes.empty()) y.open("notes");
   for (const auto& [key, value] : input.info.notes) y.text(key, value);
   if (!input.info.notes.empty()) y.close();

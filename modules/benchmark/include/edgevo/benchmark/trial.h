@@ -37,6 +37,17 @@ struct Trial {
   /// CPU time per frame of edges, alignment and corners, and of all other stages, milliseconds.
   double track_ms = 0, map_ms = 0;
 
+  // Judgement of the single frames of the live trajectory (evaluation/judgement_figures.h).
+
+  /// Number of frames evaluated, wrong, and wrong and noticed.
+  int judged_frames = 0, wrong_frames = 0, noticed_frames = 0;
+  /// Number of right frames, and of those with an alarm.
+  int right_frames = 0, false_alarms = 0;
+  /// Longest intervals of wrong frames, and of frames whose scale is off, without a word, frames.
+  int longest_unnoticed = 0, longest_off_scale = 0;
+  /// Area under the ROC, expected calibration error of p_right, median NEES; -1: unknown.
+  double roc_area = -1, calibration_error = -1, nees_median = -1;
+
   /// Visits the fields, for the file of a trial (core/params.h).
   void visit(KeyVisitor& v);
 };
@@ -46,5 +57,7 @@ Trial trial_of(const Run& run, double cpu_s);
 
 /// Adds the error figures to a trial.
 void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial);
+/// Adds the judgement of its frames to a trial.
+void add_judgement(const JudgementFigures& figures, Trial* trial);
 
 }  // namespace edgevo

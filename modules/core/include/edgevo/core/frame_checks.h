@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Checks that every image source runs on each frame before returning it.
+// Checks of images: by every source on each frame before returning it, and by whatever takes an image.
 #include <string>
 
 #include "edgevo/core/camera.h"
@@ -19,13 +19,15 @@ inline void check_image_size(const GrayImage& image, const Pinhole& camera, cons
                    "give the calibration of these images (--camera)");
 }
 
-/// Throws InputError, prefixed with `where` (the frame), when `time` is not after `previous`.
-inline void check_time_increases(Timestamp previous, Timestamp time, const std::string& where) {
-  if (previous < time) return;
-  throw InputError(
-      where,
-      "its time " + to_string(time) + " s is not after the frame before (" + to_string(previous) + " s)",
-      "put the frames in the order of their times, or skip this interval with --frames A:B");
+/// Throws InputError, prefixed with `where` (the image or the function that was given it), unless the image
+/// has exactly width * height pixels.
+inline void check_pixels(const GrayImage& image, const std::string& where) {
+  const bool has_size = image.width >= 0 && image.height >= 0;
+  if (has_size && image.pixels.size() == size_t(image.width) * size_t(image.height)) return;
+  throw InputError(where,
+                   "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                       " with " + std::to_string(image.pixels.size()) + " pixels",
+                   "give width * height pixels");
 }
 
 }  // namespace edgevo

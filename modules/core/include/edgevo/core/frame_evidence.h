@@ -24,6 +24,37 @@ struct AdjustmentEvidence {
   int matches_in_newest = 0;
 };
 
+/// What corners that are followed through the images say about the poses. They move by themselves: rotation,
+/// direction and relative lengths come from the corners alone, so that a map whose unit changes cannot
+/// deceive them. "The ten frames" are the last ten up to this one, "the fifty before" those before the ten.
+struct CornerEvidence {
+  /// Value of an unknown number.
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  /// Number of corners that were followed into this image.
+  int tracks = 0;
+  /// Share of those seen for at least eight frames that agree with the poses by the epipolar constraint, 0 to
+  /// 1.
+  double agreeing_share = kUnknown;
+  /// Natural logarithm of the corners' length of the ten frames over that of the poses; its origin is
+  /// arbitrary and moves when the corners have to start anew. And its standard deviation.
+  double scale = kUnknown, scale_sigma = kUnknown;
+  /// Change of `scale` from the fifty frames before to the ten: 0 while the unit of the map holds, log 2 if
+  /// the poses' steps have shrunk to a half. And its standard deviation.
+  double change_10 = kUnknown, change_10_sigma = kUnknown;
+  /// The same from the fifty frames before the last fifty to the last fifty: a unit that creeps.
+  double change_50 = kUnknown, change_50_sigma = kUnknown;
+  /// Distance between the poses' motion over the ten frames, in the scale of the fifty before, and that of
+  /// the corners: as a share of the longer of the two, its standard deviation, and in median depths of the
+  /// corners.
+  double motion_error = kUnknown, motion_sigma = kUnknown, motion_error_depths = kUnknown;
+  /// Angle between the rotations over the ten frames, and the standard deviation of the corners', degrees.
+  double rotation_deg = kUnknown, rotation_sigma_deg = kUnknown;
+  /// Angle between the directions of the motion over the ten frames, 0 to 180, and its standard deviation,
+  /// degrees; large where the camera moves too little.
+  double direction_deg = kUnknown, direction_sigma_deg = kUnknown;
+};
+
 /// Evidence on one frame.
 struct FrameEvidence {
   /// Number of edge pixels on the finest level.
@@ -32,6 +63,9 @@ struct FrameEvidence {
   double saturated_share = std::numeric_limits<double>::quiet_NaN();
   /// Blur of the edges, 0 to 1: 0.46 for a sharp step, more for blurred ones (edges/image_quality.h).
   double edge_blur = std::numeric_limits<double>::quiet_NaN();
+  /// Median depth of the map as its newest keyframe sees it, in the unit of the run (during the run in that
+  /// of the segment's map, as the covariance); NaN without a pose.
+  double median_depth = std::numeric_limits<double>::quiet_NaN();
 
   /// Whether the alignment ended at a pose that is not finite.
   bool diverged = false;
@@ -60,6 +94,9 @@ struct FrameEvidence {
 
   /// Adjustment of the window with this frame as the new keyframe; nothing if there was none.
   std::optional<AdjustmentEvidence> adjustment;
+
+  /// What corners say about the pose; nothing without a pose, and with health.corners off.
+  std::optional<CornerEvidence> corners;
 
   /// Value of `pose_sigmas` for a pose without a covariance.
   static std::array<double, 6> unknown_sigmas() {

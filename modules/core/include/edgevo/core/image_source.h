@@ -9,6 +9,7 @@
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
+#include "edgevo/core/input_decision.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/vehicle_track.h"
 
@@ -37,14 +38,16 @@ class ImageSource {
   virtual VehicleTrack vehicle_track(VehicleSensor) const { return {}; }
   /// Further facts for `edgevo info`, as name and value.
   virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
+  /// What the source took its input to be where that is not stated.
+  virtual std::vector<InputDecision> decisions() const { return {}; }
   /// Times of all frames if they are known without decoding the images; else empty.
   virtual std::vector<Timestamp> times() const { return {}; }
   /// Path of the ground truth in the TUM format next to the images; empty if there is none.
   virtual std::string ground_truth_path() const { return {}; }
 
   /// The next frame in time order; nullopt at the end. Throws BadFrame (bad_frame.h) for an image that does
-  /// not decode or differs in size from the camera model, after which next() may be called again; InputError
-  /// for times that do not increase, which ends the source.
+  /// not decode or differs in size from the camera model, or a time that is missing or does not increase,
+  /// after which next() may be called again; another InputError ends the source.
   virtual std::optional<Frame> next() = 0;
   /// Skips the next frame without decoding its image; false at the end.
   virtual bool skip() { return next().has_value(); }

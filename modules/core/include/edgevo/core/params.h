@@ -143,8 +143,10 @@ using VisitParams = std::function<void(ParamVisitor&)>;
 /// discard the struct.
 void read_params(const std::string& yaml_text, const std::string& where, const VisitParams& visit);
 
-/// As read_params(), from a file. Also throws InputError if it cannot be read.
-void read_params_file(const std::string& path, const VisitParams& visit);
+/// As read_params(), from a file. Also throws InputError if it cannot be read. Of a file with a block
+/// `parameters:` at its left margin, such as a run's summary.yaml, that block is read; returns whether it was
+/// one.
+bool read_params_file(const std::string& path, const VisitParams& visit);
 
 /// Sets one dotted key ("mapping.window.keyframes=9"), as on the command line; same errors as read_params().
 void set_param(const std::string& assignment, const VisitParams& visit);

@@ -7,6 +7,15 @@
 
 namespace edgevo {
 
+/// Multiplies the lengths in a frame's covariance and in its evidence by `factor` > 0; the poses are
+/// unchanged.
+inline void multiply_lengths(double factor, FrameRecord* frame) {
+  Vector6d unit = Vector6d::Ones();
+  unit.head<3>().setConstant(factor);
+  frame->covariance = unit.asDiagonal() * frame->covariance * unit.asDiagonal();
+  frame->evidence.median_depth *= factor;
+}
+
 /// Multiplies the depths of a keyframe's points and lines and their standard deviations by `factor` > 0; the
 /// pose is unchanged.
 inline void multiply_depths(double factor, KeyframeRecord* k) {

@@ -6,6 +6,7 @@
 // World frame: the axes of the first camera of the run (x right, y down, z forward), origin at its first
 // pose. Map files re-express it z up by T_zup_world below. Unit: arbitrary unless Run::scale_source says
 // metres.
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,6 +40,9 @@ struct FrameRecord {
   int reference_keyframe = -1;
   /// Measurements that the tracking state rests on.
   FrameEvidence evidence;
+  /// Probability, 0 to 1, that the motion of the camera around this frame is right (odometry/trust.h); NaN:
+  /// not known, as while there is no map.
+  double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Name and CPU time, milliseconds, of each stage that ran.
   std::vector<std::pair<std::string, double>> stage_ms;
   /// Final pose, re-expressed from the final keyframe poses.

@@ -19,6 +19,8 @@ struct RunCounts {
   int with_pose = 0;
   /// Number of frames in state LOST.
   int lost = 0;
+  /// Number of doubtful frames (doubtful_intervals.h), LOST ones included.
+  int doubtful = 0;
   /// Number of connected segments of trajectory.
   int segments = 0;
   /// Number of keyframes of all segments.
@@ -30,6 +32,11 @@ struct RunCounts {
 
   /// Whether fewer than half of the frames have a pose.
   bool mostly_failed() const { return 2 * with_pose < frames; }
+  /// Number of poses that are doubtful: a LOST frame claims none.
+  int doubtful_poses() const { return doubtful - lost; }
+  /// Whether more than a quarter of the poses are doubtful. At most 2 % of right ones are, and a run that is
+  /// right has never had more than a fifth (share/lab/archive/2026-11-26_trust.md).
+  bool is_largely_doubtful() const { return 4 * doubtful_poses() > with_pose; }
 };
 /// Counts the contents of a run.
 RunCounts count(const Run& run);

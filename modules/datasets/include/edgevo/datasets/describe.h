@@ -10,7 +10,8 @@
 namespace edgevo {
 
 /// Kind, frames, image size, camera, field of view, duration, rate, gaps in time, mount, ground truth, and
-/// the source's own details. Reads no image. A gap is a time step longer than 2.5 times the median step.
+/// the source's decisions and own details. A camera that is not known has no numbers. Reads no image. A gap
+/// is a time step longer than 2.5 times the median step.
 std::vector<std::pair<std::string, std::string>> describe(const ImageSource& source);
 
 /// Horizontal and vertical field of view in degrees, distortion included.

@@ -6,7 +6,9 @@
 //   camera:N              a live camera, by OpenCV; needs a camera file; ends when the user stops it
 //   *.rawlog              an MRPT rawlog (mrpt_bridge/rawlog_source.h)
 //   folder with images/   `edgevo` layout: images/, times.txt (seconds, one line an image), camera.txt,
-//                         and groundtruth_tum.txt if there is ground truth
+//                         and groundtruth_tum.txt if there is ground truth; DSO's times.txt (`name time`)
+//                         and camera.txt, too
+//   folder with images.txt  of the DAVIS data set: time and file a line, calib.txt, groundtruth.txt
 //   folder with image_N/  and calib.txt: KITTI odometry, sequences/NN; sensor_label image_0 .. image_3,
 //                         by default the first that is there
 //   folder with rgb.txt   TUM RGB-D; the published calibration where the folder's name holds
@@ -14,18 +16,19 @@
 //   folder with mav0/     EuRoC (ASL); sensor_label cam0 (default), cam1
 //   Virtual KITTI         a sequence's folder of either release (virtual_kitti.h); 2.0.3: sensor_label
 //                         Camera_0 (default), Camera_1
-//   folder of images      needs a camera file; times from the names (ns or seconds) or from fps
+//   folder of images      needs a camera file; times from the names (name_times.h in src) or from fps
 //   any other file        a video, by OpenCV; needs a camera file
 // A camera file given by the user takes precedence over the source's own calibration. If there is neither,
-// --fov or the focal length in a photo's EXIF data gives an initial camera.
+// --fov or the focal length in a photo's EXIF data gives an initial camera. A file for images of the same
+// shape is scaled to these; what was decided, and whether the camera is plausible, is in decisions().
 //
 // Frames come out as the camera took them (gray, distorted) in time order, numbered from 0 in the whole
-// source. Opening reads lists and calibration, not the images (but the first one, where the calibration does
-// not state the size).
+// source. Opening reads lists, calibration and the first image, for its size.
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "edgevo/core/camera_mount.h"
 #include "edgevo/core/image_source.h"
 
 namespace edgevo {
@@ -46,16 +49,26 @@ struct SourceOptions {
   int every = 1;
   /// Frame rate in frames/s for sources without times; 0: the video's own rate, else 30.
   double fps = 0;
-  /// Horizontal field of view in degrees for a source without a calibration.
+  /// Number of significant bits of images of more than 8 (mrpt_bridge/intensities.h); 0: from the images.
+  int bits = 0;
+  /// Names of the images to use among those of a folder, with the wildcards * and ?; empty: those of its only
+  /// series.
+  std::string images;
+  /// Unit of the times in a list or in the names of images, "s", "ms", "us" or "ns"; empty: from the times.
+  std::string time_unit;
+  /// Field of view over the longer side of the images, degrees, for a source without a calibration.
   std::optional<double> fov_deg;
-  /// True if only the images are needed: the camera may then be unknown and is made up.
+  /// True if only the images are needed: the camera may then be unknown and is made up, which is a decision
+  /// "camera: not known".
   bool any_camera = false;
+  /// True if images of a folder may have any size, each its own; camera() is for the first.
+  bool any_size = false;
+  /// Mount of the camera, in place of that of the camera file or the source.
+  std::optional<CameraMount> mount;
   /// Scale of the images (scaled_source.h); 0: the default for their width.
   double image_scale = 1;
 };
 
-/// Name in ImageSource::details() that notifies the user how the camera was guessed.
-constexpr const char* kAssumed = "camera assumed";
 /// Name in ImageSource::details() that notifies the user from and to which size images were scaled.
 constexpr const char* kScaled = "images scaled";
 

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/input_decision.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/datasets/open_source.h"
@@ -36,6 +37,8 @@ struct VirtualKitti {
   std::string camera_name;
   /// Camera of the images, without distortion.
   Camera camera;
+  /// What was decided about the camera, if a file was given for it.
+  std::vector<InputDecision> decisions;
   /// Paths of the images, in order.
   std::vector<std::string> images;
   /// Path of each image's depth; existence is checked when it is read.

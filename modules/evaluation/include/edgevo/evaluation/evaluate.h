@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "edgevo/evaluation/absolute_error.h"
+#include "edgevo/evaluation/judgement_figures.h"
 #include "edgevo/evaluation/relative_error.h"
 #include "edgevo/evaluation/trajectory.h"
 
@@ -77,6 +78,11 @@ struct TrajectoryEvaluation {
   int scale_window_frames = 0;
   /// Local scale, estimate over ground truth, relative to the whole run.
   std::vector<ScalePoint> scale_curve;
+  /// Judgement of the single frames, which needs more of a run than its trajectory (judge_folder()); empty
+  /// unless the caller adds it.
+  std::vector<NamedFigures> judgement;
+  /// Noise of the ground truth, with `judgement`.
+  TruthNoise truth_noise;
 };
 
 /// Computes all figures. Throws InputError for fewer than three matches, a trajectory whose positions all

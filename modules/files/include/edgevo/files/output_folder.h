@@ -15,6 +15,10 @@ void check_apart(const std::string& source, const std::string& output);
 /// Throws InputError if `path` exists already, unless `force`.
 void check_not_there(const std::string& path, bool force);
 
+/// Throws InputError if the file `path` exists and does not hold `mark`, a text by which a command recognises
+/// its own earlier output, among its first 4 kB. Does nothing with `force`.
+void check_file_is_ours(const std::string& path, const std::string& mark, bool force);
+
 /// Throws InputError unless the folder does not exist, is empty or contains one of `marks`: file names by
 /// which a command recognises its own earlier output. Does nothing with `force`.
 void check_folder_is_ours(const std::string& folder, const std::vector<std::string>& marks, bool force);

@@ -11,12 +11,14 @@
 #include <mrpt/img/TCamera.h>
 #include <mrpt/poses/CPose3D.h>
 
+#include <optional>
 #include <string>
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
+#include "edgevo/mrpt_bridge/intensities.h"
 
 namespace edgevo {
 
@@ -36,12 +38,19 @@ mrpt::img::TCamera to_mrpt(const Camera& camera);
 /// none and plumb-bob with k1 k2 p1 p2 k3, and for values that Camera::check rejects.
 Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where);
 
-/// A deep copy as an 8-bit gray CImage.
+/// A deep copy as an 8-bit gray CImage. Throws InputError unless it has width * height pixels.
 mrpt::img::CImage to_mrpt(const GrayImage& image);
 /// Pixels of an image in memory (for one stored externally see rawlog_source.h). Colour is converted to gray
-/// with OpenCV's weights, exactly as read_gray_image() does. Throws InputError for an empty image or one
-/// deeper than 8 bits.
-GrayImage from_mrpt(const mrpt::img::CImage& image, const std::string& where);
+/// with OpenCV's weights, and more than 8 bits are scaled by `scale`, exactly as read_gray_image() does.
+/// Throws InputError for an empty image or one of another depth.
+GrayImage from_mrpt(const mrpt::img::CImage& image, const std::optional<IntensityScale>& scale,
+                    const std::string& where);
+/// The same for images of 8 bits.
+inline GrayImage from_mrpt(const mrpt::img::CImage& image, const std::string& where) {
+  return from_mrpt(image, std::nullopt, where);
+}
+/// The values of an image in memory of more than 8 bits; nullopt for one of 8. Throws InputError as above.
+std::optional<DeepImage> deep_from_mrpt(const mrpt::img::CImage& image, const std::string& where);
 
 /// Mount of a camera at the vehicle's origin that looks straight ahead: p_vehicle = T p_cam, with the vehicle
 /// x forward, y left, z up. In MRPT: CPose3D(0, 0, 0, -90 deg, 0, -90 deg).

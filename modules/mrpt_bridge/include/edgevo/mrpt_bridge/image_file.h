@@ -5,18 +5,26 @@
 //
 // Colour becomes gray by OpenCV's cvtColor weights on the decoded pixels (not by the JPEG decoder's own luma
 // plane), hence a colour image embedded in a rawlog gives the same gray values as the file it was made from.
-// Sixteen bits are truncated to eight. The orientation tag of a JPEG is ignored: pixels stay as the sensor
-// delivered them. Threads: pure functions.
+// More than 8 bits are scaled to 8 (intensities.h). The orientation tag of a JPEG is ignored: pixels stay as
+// the sensor delivered them. Threads: pure functions.
+#include <optional>
 #include <string>
 
 #include "edgevo/core/image.h"
+#include "edgevo/mrpt_bridge/intensities.h"
 
 namespace edgevo {
 
 /// Reads PNG, JPEG, BMP, PGM, TIFF, ... Throws InputError for a file that is missing, truncated (PNG and JPEG
 /// are checked to their end, so a half-written last image is reported rather than padded with gray) or not an
 /// image. Cost: decoding, about 5 ms for a 1241x376 PNG.
+/// An image of more than 8 bits is scaled by its own values.
 GrayImage read_gray_image(const std::string& path);
+/// The same for an image of a sequence: `scale` is that of the sequence, or nothing if its images have 8
+/// bits. Throws InputError for an image of another depth, too.
+GrayImage read_gray_image(const std::string& path, const std::optional<IntensityScale>& scale);
+/// The values of an image of more than 8 bits; nullopt for one of 8. Throws InputError as above.
+std::optional<DeepImage> read_deep_image(const std::string& path);
 
 /// Writes an 8-bit gray PNG, lossless. Throws InputError (disk full, no such folder, ...); the partial file
 /// is then removed, which also leaves room on a full disk to close the other files of a run.

@@ -19,10 +19,8 @@ struct RawlogImage {
   const char* kind = "";
   /// Label of the sensor.
   std::string label;
-  /// Time of the observation.
+  /// Time of the observation; kNoTime if it has none.
   Timestamp time;
-  /// False if the observation has no time.
-  bool has_time = false;
   /// The image; not null.
   const mrpt::img::CImage* image = nullptr;
   /// Calibration of the image; not null.

@@ -16,6 +16,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "edgevo/core/image_source.h"
 
@@ -29,13 +31,21 @@ struct RawlogSourceOptions {
   std::string sensor_label;
   /// Calibration that replaces that of the observations.
   std::optional<Camera> camera;
+  /// What was decided about that calibration, for decisions().
+  std::vector<InputDecision> decisions = {};
+  /// Number of significant bits of images of more than 8 (intensities.h); 0: from the images.
+  int bits = 0;
 };
+
+/// Width and height of the camera's first image, pixels; zeros if it has none or it does not decode.
+std::pair<int, int> first_image_size(const RawlogSourceOptions& options);
 
 /// Opens the source. Throws InputError: no such file, wrong checksum, no images, several cameras and no label
 /// (the message lists them), an unknown label, a calibration that is missing or has a lens model other than
-/// plumb-bob, no folder with the external images. next() throws InputError for a missing image file, an image
-/// without time, times that do not increase, a size that differs from the camera's, a calibration that
-/// changes, a rawlog that is truncated or holds an unknown class; always after the frames before it.
+/// plumb-bob, no folder with the external images. next() throws BadFrame for a missing image file, a time
+/// that is missing or does not increase (core/time_order.h), a size that differs from the camera's; and
+/// InputError for a calibration that changes, a rawlog that is truncated or holds an unknown class; always
+/// after the frames before it.
 std::unique_ptr<ImageSource> open_rawlog(const RawlogSourceOptions& options);
 
 }  // namespace edgevo

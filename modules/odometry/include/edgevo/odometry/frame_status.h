@@ -9,6 +9,7 @@
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/tracking_state.h"
 #include "edgevo/odometry/status_params.h"
+#include "edgevo/odometry/trust.h"
 
 namespace edgevo {
 
@@ -40,6 +41,13 @@ struct FrameStatus {
 /// Status of a frame that was tracked: the support of its pose, or, where that is good, DEGRADED if a
 /// direction has a standard deviation above `weak_sigma`.
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
+/// Status of a frame that has a pose, in view of the trust in its motion: DEGRADED below kDoubtfulBelow
+/// (core/doubtful_intervals.h), with the reason for the doubt after that of the image. A label only: tracking
+/// and mapping go by the image.
+FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust);
+/// Factor on the covariance of a pose with this p_right: 1 from kDoubtfulBelow on, (kDoubtfulBelow / p)^2
+/// below, at most 100.
+double covariance_factor(double p_right);
 
 /// Whether an image with that many edge pixels shows something to follow.
 bool shows_edges(int edges);

@@ -64,12 +64,16 @@ class Odometry {
                     const OdometryOptions& options = {});
   ~Odometry();
 
-  /// Processes the next frame, in time order. The record holds what is known now; poses found later
-  /// (bootstrap) and final poses come with finish(). Throws InputError if the image does not have the
-  /// camera's size.
+  /// Processes the next frame. The record holds what is known now; poses found later (bootstrap) and final
+  /// poses come with finish(). Throws InputError, and nothing has happened, unless index and time are after
+  /// those of the frame before and the image has the camera's size and that many pixels; std::logic_error
+  /// after finish().
   FrameRecord process(const Frame& frame);
-  /// Records a frame that is not processed because the program is behind its camera: it gets a record without
-  /// a pose, with `why` as its note, and the motion model counts it. The image is not used.
+  /// Records a frame that is not processed, e.g. because the program is behind its camera: it gets a record
+  /// without a pose, with `why` as its note, and the motion model counts it. The image is not used. A frame
+  /// whose own time is wrong is given that of the frame before; its record is a tick later than that one's.
+  /// Throws InputError for a time before that, or an index that is not after it; std::logic_error after
+  /// finish().
   FrameRecord skip(const Frame& frame, const std::string& why);
 
   /// View of the map from the newest frame. Call in the thread of process(). Cost: one projection per point,
@@ -78,7 +82,8 @@ class Odometry {
   /// The result of the last process() call, with the map that it used. Call in the thread of process().
   const NewestPose& newest_pose() const;
 
-  /// Ends the run and returns everything. Call once, also after an exception from the source.
+  /// Ends the run and returns everything, also after an exception from the source. Throws std::logic_error if
+  /// called again.
   Run finish();
 
  private:

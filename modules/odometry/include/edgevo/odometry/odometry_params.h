@@ -23,6 +23,15 @@ struct RecoveryParams {
   void visit(ParamVisitor& v);
 };
 
+/// Witnesses of wrong poses.
+struct HealthParams {
+  /// Follow corners next to the edges (witness/corner_witness.h).
+  bool corners = true;
+
+  /// Names, ranges and texts of the fields (core/params.h).
+  void visit(ParamVisitor& v);
+};
+
 /// All parameters of a run, group by group.
 struct OdometryParams {
   /// Camera properties that the camera file does not contain.
@@ -41,6 +50,8 @@ struct OdometryParams {
   KeyframeParams keyframe;
   /// Relocalisation.
   RecoveryParams recovery;
+  /// Witnesses.
+  HealthParams health;
   /// Map of lines.
   EdgeMapParams edge_map;
 

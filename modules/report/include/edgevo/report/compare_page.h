@@ -29,6 +29,9 @@ struct ComparedRun {
   Trajectory trajectory;
 };
 
+/// By this a page is recognised, in its first line.
+constexpr const char* kComparePageMark = "<title>edgevo compare</title>";
+
 /// The page for one run or hundreds of them. Size: 2 kB a run, and 5 kB for each of the first 40 with the
 /// same ground truth. The error figures are those of `edgevo eval`. Cost: one evaluate() a run.
 std::string compare_html(const std::vector<ComparedRun>& runs);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/input_decision.h"
 
 namespace edgevo {
 
@@ -26,6 +27,8 @@ struct RunInfo {
   std::string params_yaml;
   /// Whether the run was ended early, by Ctrl-C or a failing source; it is then the part up to there.
   bool interrupted = false;
+  /// What the source took its input to be.
+  std::vector<InputDecision> input;
   /// Further remarks, as name and text.
   std::vector<std::pair<std::string, std::string>> notes;
 };

@@ -13,9 +13,19 @@
 
 namespace edgevo {
 
+/// What a recovery log gave.
+struct RecoveredRun {
+  /// The run, as far as it was recovered.
+  Run run;
+  /// Number of frames that the log holds beyond the place where it is damaged.
+  int frames_lost = 0;
+  /// Whether the log is damaged, and not merely cut off; it is then kept.
+  bool is_damaged = false;
+};
+
 /// Writes the files that RunOutputs::finish() would have written into the run's own folder and removes the
-/// recovery log. Returns the run. Throws InputError: no interrupted run in `folder`, an unreadable recovery
-/// log, or a file that cannot be written.
-Run recover_run(const std::string& folder);
+/// recovery log, unless it is damaged. Throws InputError: no interrupted run in `folder`, an unreadable
+/// recovery log, or a file that cannot be written.
+RecoveredRun recover_run(const std::string& folder);
 
 }  // namespace edgevo

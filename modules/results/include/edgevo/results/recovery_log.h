@@ -11,6 +11,7 @@
 // are on disk.
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,9 @@ class RecoveryLogReader {
   const RecoveryHeader& header() const;
   /// The next event; nothing after the last one that is complete. The stored window comes last.
   std::optional<MapEvent> next();
+  /// Once next() has returned nothing: indices of the frames recorded beyond the place where the log is
+  /// damaged; empty if it was merely cut off. They cannot be used, since what they build on is missing.
+  std::set<int> frames_beyond_damage();
 
  private:
   struct Impl;

@@ -31,6 +31,8 @@
 
 namespace edgevo {
 
+struct RecoveredRun;
+
 /// Options of the output folder.
 struct OutputOptions {
   /// Write into a folder that holds other files, or an interrupted run.
@@ -64,13 +66,14 @@ class RunOutputs {
 
   /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
   /// missing, and the first failure is thrown at the end (InputError).
-  void finish(const Run& run, const RunInfo& info);
+  void finish(const Run& run, const RunInfo& info) { finish(run, info, false); }
 
   /// Folder with the files of an earlier run, which are kept because this run has no pose; empty: none.
   std::string earlier_run() const;
 
  private:
-  friend Run recover_run(const std::string& folder);
+  friend RecoveredRun recover_run(const std::string& folder);
+  void finish(const Run& run, const RunInfo& info, bool keep_log);
   /// Takes over the folder of an interrupted run, with images of the frames up to `last_frame`.
   void adopt(int last_frame);
 

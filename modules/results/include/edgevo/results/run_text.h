@@ -35,8 +35,8 @@ std::string trajectory_kitti(const Run& run);
 /// frames.csv, one row for each frame:
 ///   index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,
 ///   visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,
-///   saturated_share,edge_blur,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,adjusted_here,
-///   ms_<stage>...
+///   saturated_share,edge_blur,median_depth,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,
+///   adjusted_here,p_right,ms_<stage>...
 /// time is in seconds; segment -1: none; keyframe 0 or 1; keyframe_rule: the reason for a keyframe, or empty
 /// (with keyframe 0: mapping was busy with another; "return": tracking went back to an older keyframe).
 /// visible_points to adjusted_here are the evidence (core/frame_evidence.h), pose_sigma the largest of
@@ -47,6 +47,11 @@ std::string trajectory_kitti(const Run& run);
 std::string frames_csv(const Run& run);
 /// One row of frames.csv, with the times of `stages`.
 std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::string>& stages);
+
+/// covariances.csv, one row for each frame with a known covariance: index of the frame, reference (index of
+/// the frame of the keyframe that it was tracked against), and the upper triangle of FrameRecord::covariance,
+/// row by row: c00, c01, ..., c55.
+std::string covariances_csv(const Run& run);
 
 /// scale.csv, the metric scale, one row for each frame:
 /// index,time,factor,sigma,samples,live_factor,live_sigma. Factors are metres per unit of the odometry,

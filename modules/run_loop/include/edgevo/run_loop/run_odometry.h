@@ -13,12 +13,12 @@
 
 namespace edgevo {
 
-/// What to do with a frame whose image is unusable (core/bad_frame.h).
+/// What to do with a frame whose image or time is unusable (core/bad_frame.h).
 enum class OnBadFrame {
   /// End the run, as if the source had failed.
   kStop,
   /// Skip the frame: its row gives the reason, and the motion is predicted across the gap. An unusable first
-  /// frame ends the run all the same.
+  /// image ends the run all the same.
   kSkip
 };
 
@@ -29,7 +29,7 @@ struct RunResult {
   /// CPU seconds of the odometry in all threads. Excludes `on_frame`; includes reading images only in a
   /// realtime run.
   double cpu_s = 0;
-  /// Number of frames skipped because their images were unusable.
+  /// Number of frames skipped because their images or times were unusable.
   int skipped = 0;
   /// Reason why the first of the skipped frames was unusable; empty if none was skipped.
   std::string first_skipped;
@@ -53,7 +53,7 @@ struct RunLoopOptions {
   OdometryOptions odometry;
   /// Rate at which a realtime run receives its frames.
   Pace pace;
-  /// What to do with a frame whose image is unusable.
+  /// What to do with a frame whose image or time is unusable.
   OnBadFrame on_bad_frame = OnBadFrame::kStop;
   /// Polled before each frame and while waiting for one; true ends the run. Empty: never.
   std::function<bool()> stop;

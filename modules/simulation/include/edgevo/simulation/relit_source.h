@@ -24,6 +24,7 @@ class RelitSource : public ImageSource {
   std::string kind() const override { return source_->kind() + ", relit"; }
   std::string label() const override { return source_->label(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return source_->details(); }
+  std::vector<InputDecision> decisions() const override { return source_->decisions(); }
   /// Times of the source; empty if frames may be dropped.
   std::vector<Timestamp> times() const override;
   std::string ground_truth_path() const override { return source_->ground_truth_path(); }

@@ -16,6 +16,10 @@ class RenderedSource : public ImageSource {
   explicit RenderedSource(std::shared_ptr<const SceneRenderer> renderer, int begin = 0, int end = -1);
 
   const Camera& camera() const override { return renderer_->camera(); }
+  std::optional<SE3> T_vehicle_cam() const override {
+    const std::optional<CameraMount>& mount = renderer_->scene().mount;
+    return mount ? std::make_optional(edgevo::T_vehicle_cam(*mount)) : std::nullopt;
+  }
   std::optional<int> size() const override { return end_ - begin_; }
   std::string kind() const override { return "rendered scene " + renderer_->scene().name; }
   std::vector<std::pair<std::string, std::string>> details() const override;

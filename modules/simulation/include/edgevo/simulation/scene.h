@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/camera_mount.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/simulation/world.h"
@@ -48,6 +49,8 @@ struct Scene {
   std::vector<Timestamp> times;
   /// Pose at any time in seconds, for exposures of finite duration.
   std::function<SE3(double)> T_scene_cam_at;
+  /// Mount of the camera, if it is not that of the scene (mount_camera()).
+  std::optional<CameraMount> mount;
   /// Shutter, by default global and instantaneous.
   Shutter shutter;
   /// Standard deviation of the sensor noise, gray levels.
@@ -64,6 +67,10 @@ struct Scene {
 /// unknown kind of texture, value out of range, no frames, a trajectory through a wall. Cost: about a second,
 /// for textures and shadows.
 Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed = std::nullopt);
+
+/// Turns the camera of `scene` on the vehicle that its own camera would be, level and looking straight ahead
+/// at the vehicle's origin. Throws InputError if the camera then passes through a wall.
+void mount_camera(const CameraMount& mount, Scene* scene);
 
 /// Names that load_scene accepts without a path, sorted.
 std::vector<std::string> scene_names();

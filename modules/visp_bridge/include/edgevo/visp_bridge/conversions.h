@@ -20,7 +20,8 @@
 namespace edgevo {
 
 /// A ViSP image that shares the pixels of `image` without a copy. `image` must outlive it and keep its size.
-/// A copy of the result owns its pixels, as copies of a vpImage do.
+/// A copy of the result owns its pixels, as copies of a vpImage do. Throws InputError unless it has width *
+/// height pixels.
 vpImage<unsigned char> share_with_visp(GrayImage& image);
 
 /// A ViSP image with a copy of the pixels; rows of the view may have a stride.

@@ -17,6 +17,7 @@
 #include <optional>
 #include <thread>
 
+#include "edgevo/core/time_order.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/visp_bridge/servo_feed.h"
 
@@ -33,6 +34,8 @@ class ServoOdometry {
   ServoOdometry& operator=(const ServoOdometry&) = delete;
 
   /// Adds an image without a copy: let the grabber write into share_with_visp(image), then move `image` here.
+  /// An image whose time is not after those before is skipped; after a lasting step back of the clock its
+  /// times are shifted (core/time_order.h).
   void push(GrayImage image, Timestamp time);
   /// Adds a copy of a gray image.
   void push(const vpImage<unsigned char>& image, Timestamp time);
@@ -47,11 +50,13 @@ class ServoOdometry {
 
  private:
   void loop();
+  void process(Frame frame);
   void stop();
 
   ServoFeed* feed_;
   /// Used by the thread only, until it has ended.
   Odometry odometry_;
+  TimeOrder times_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::optional<Frame> waiting_;

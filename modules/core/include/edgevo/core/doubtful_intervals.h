@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The parts of a run that are not to be trusted, and why: for the closing lines of `edgevo run`, its exit
+// code, summary.yaml and the report.
+#include <string>
+#include <vector>
+
+#include "edgevo/core/records.h"
+
+namespace edgevo {
+
+/// Value of FrameRecord::p_right below which a frame is doubtful. At most 2 % of the frames whose motion is
+/// right have a lower one, on cameras that the fit had not seen (split conformal;
+/// share/training/fit_trust.cpp).
+inline constexpr double kDoubtfulBelow = 0.2469;
+
+/// Whether the motion around the frame is not to be trusted: p_right is known and below kDoubtfulBelow, or
+/// the frame is LOST.
+bool is_doubtful(const FrameRecord& frame);
+
+/// Frames in a row that are not to be trusted.
+struct DoubtfulInterval {
+  /// Indices in the source of the first and the last frame.
+  int first_frame = 0, last_frame = 0;
+  /// Number of doubtful frames among them.
+  int frames = 0;
+  /// The commonest note among these frames: what spoke against the poses. Notes that differ only in their
+  /// numbers count as one; the first of them is given.
+  std::string reason;
+};
+
+/// The doubtful intervals of the run, in time order. Intervals that are at most ten frames apart are one: it
+/// takes that long to see whether a motion is right. Cost: linear.
+std::vector<DoubtfulInterval> doubtful_intervals(const Run& run);
+
+/// The `most` intervals with the most doubtful frames, in time order.
+std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, size_t most);
+
+/// The interval in words: "frames 42 to 124: scale of the corners fell by 0.4 in 12 frames".
+std::string to_string(const DoubtfulInterval& interval);
+
+/// The commonest reason of all frames that are doubtful or have no pose, as DoubtfulInterval::reason; empty
+/// if there is none.
+std::string commonest_doubt(const Run& run);
+
+}  // namespace edgevo

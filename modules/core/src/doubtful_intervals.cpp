@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/doubtful_intervals.h"
+
+#include <algorithm>
+#include <map>
+
+namespace edgevo {
+namespace {
+
+constexpr int kJoinedFrames = 10;  // right frames between two intervals that are one
+
+// The note without its numbers.
+std::string kind_of(const std::string& note) {
+  std::string kind;
+  for (const char c : note)
+    if (!(c >= '0' && c <= '9') && c != '.' && c != '-') kind += c;
+  return kind;
+}
+
+// Counts notes by their kind.
+class Reasons {
+ public:
+  void add(const std::string& note) {
+    if (note.empty()) return;
+    Entry& entry = kinds_[kind_of(note)];
+    if (entry.frames++ == 0) entry.first = note;
+  }
+  std::string commonest() const {
+    const auto most = std::max_element(kinds_.begin(), kinds_.end(), [](const auto& a, const auto& b) {
+      return a.second.frames < b.second.frames;
+    });
+    return most == kinds_.end() ? "" : most->second.first;
+  }
+
+ private:
+  struct Entry {
+    int frames = 0;
+    std::string first;
+  };
+  std::map<std::string, Entry> kinds_;
+};
+
+}  // namespace
+
+bool is_doubtful(const FrameRecord& frame) {
+  return frame.state == TrackingState::kLost || frame.p_right < kDoubtfulBelow;  // false for NaN
+}
+
+std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
+  std::vector<DoubtfulInterval> intervals;
+  Reasons reasons;
+  int last = -1;  // position of the last doubtful frame
+  const auto close = [&] {
+    if (!intervals.empty()) intervals.back().reason = reasons.commonest();
+    reasons = {};
+  };
+  for (size_t i = 0; i < run.frames.size(); ++i) {
+    const FrameRecord& frame = run.frames[i];
+    if (!is_doubtful(frame)) continue;
+    if (last < 0 || int(i) - last > kJoinedFrames + 1) {
+      close();
+      intervals.push_back({frame.index, frame.index, 0, ""});
+    }
+    intervals.back().last_frame = frame.index;
+    ++intervals.back().frames;
+    reasons.add(frame.note);
+    last = int(i);
+  }
+  close();
+  return intervals;
+}
+
+std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, size_t most) {
+  if (intervals.size() <= most) return intervals;
+  std::stable_sort(intervals.begin(), intervals.end(),
+                   [](const auto& a, const auto& b) { return a.frames > b.frames; });
+  intervals.resize(most);
+  std::sort(intervals.begin(), intervals.end(),
+            [](const auto& a, const auto& b) { return a.first_frame < b.first_frame; });
+  return intervals;
+}
+
+std::string to_string(const DoubtfulInterval& interval) {
+  const std::string frames =
+      interval.first_frame == interval.last_frame
+          ? "frame " + std::to_string(interval.first_frame)
+          : "frames " + std::to_string(interval.first_frame) + " to " + std::to_string(interval.last_frame);
+  return interval.reason.empty() ? frames : frames + ": " + interval.reason;
+}
+
+std::string commonest_doubt(const Run& run) {
+  Reasons reasons;
+  for (const FrameRecord& frame : run.frames)
+    if (is_doubtful(frame) || !frame.T_world_cam) reasons.add(frame.note);
+  return reasons.commonest();
+}
+
+}  // namespace edgevo

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/time_order.h"
+
+#include <algorithm>
+
+namespace edgevo {
+namespace {
+
+// Differences of times within 7,000 years around 1970 do not overflow; others are no times.
+constexpr int64_t kMostTicks = int64_t(1) << 61;
+// A sequence that starts at 0 and goes on in a later year: the 0 stands for no time.
+constexpr int64_t kYear = int64_t(365) * 86400 * Timestamp::kTicksPerSecond;
+
+bool is_time(Timestamp t) { return t.ticks > -kMostTicks && t.ticks < kMostTicks; }
+
+std::string seconds_text(int64_t ticks) { return to_string(Timestamp{ticks}) + " s"; }
+
+}  // namespace
+
+CheckedTime TimeOrder::check(Timestamp stated, std::optional<Timestamp> following) {
+  if (!is_time(stated)) return bad("it has no time");
+  const Timestamp time{stated.ticks + shift_};
+  if (!is_time(time)) return bad("it has no time");
+  const bool knows_following = following && is_time(*following) && is_time({following->ticks + shift_});
+  const Timestamp after{knows_following ? following->ticks + shift_ : 0};
+  if (!last_) {
+    if (stated.ticks == 0 && knows_following && after.ticks > kYear) return bad("it has no time (0)");
+  } else if (time.ticks - last_->ticks <= bad_since_) {
+    return check_late(time);
+  } else if (knows_following && *last_ < after && is_far_beyond(time, after)) {
+    late_.clear();
+    return bad("its time " + to_string(time) + " s is after that of the next frame (" + to_string(after) +
+               " s)");
+  }
+  late_.clear();
+  last_ = time;
+  bad_since_ = 0;
+  return {time, {}};
+}
+
+// A time beyond that of the next frame is at fault itself, unless it is so near that the two were swapped.
+bool TimeOrder::is_far_beyond(Timestamp time, Timestamp following) const {
+  constexpr int64_t kFar = 4;  // steps
+  return following < time && (time.ticks - last_->ticks) / kFar > following.ticks - last_->ticks;
+}
+
+CheckedTime TimeOrder::check_late(Timestamp time) {
+  if (!late_.empty() && time <= late_.back()) late_.clear();
+  late_.push_back(time);
+  if (late_.size() == kLasting) return set_base();
+  return bad("its time " + to_string(time) + " s is not after the frame before (" + to_string(*last_) +
+             " s)");
+}
+
+CheckedTime TimeOrder::bad(const std::string& problem) {
+  ++bad_since_;
+  return {last_.value_or(Timestamp{}), problem};
+}
+
+// The first of the late frames continues the series one of its own steps after the last good frame.
+CheckedTime TimeOrder::set_base() {
+  const int64_t back = last_->ticks - late_.front().ticks;
+  const int64_t shift = back + (late_[1].ticks - late_[0].ticks);
+  last_ = Timestamp{late_.back().ticks + shift};
+  bad_since_ = -1;  // this frame has a time again
+  shift_ += shift;
+  late_.clear();
+  return bad("the clock was set back by " + seconds_text(back) + " " + std::to_string(kLasting - 1) +
+             " frames before: from here on " + seconds_text(shift_) + " are added to all times");
+}
+
+Timestamp TimeOrder::require(int frame_index, Timestamp stated, std::optional<Timestamp> following,
+                             const std::string& where) {
+  const CheckedTime checked = check(stated, following);
+  if (checked.problem.empty()) return checked.time;
+  throw BadFrame(frame_index, checked.time,
+                 InputError(where, checked.problem, "give each frame a time after that of the one before"),
+                 BadFrame::What::kTime);
+}
+
+std::vector<Timestamp> fill_missing(std::vector<Timestamp> times) {
+  const auto first = std::find_if(times.begin(), times.end(), is_time);
+  Timestamp last = first == times.end() ? Timestamp{} : *first;
+  for (Timestamp& t : times) t = last = is_time(t) ? t : last;
+  return times;
+}
+
+std::optional<InputDecision> clock_decision(const std::vector<Timestamp>& times) {
+  TimeOrder order;
+  int steps = 0;
+  size_t first = 0;
+  for (size_t i = 0; i < times.size(); ++i) {
+    const double before = order.shift_s();
+    order.check(times[i], i + 1 < times.size() ? std::make_optional(times[i + 1]) : std::nullopt);
+    if (order.shift_s() != before && steps++ == 0) first = i + 1 - TimeOrder::kLasting;
+  }
+  if (steps == 0) return std::nullopt;
+  const std::string more = steps > 1 ? " and " + std::to_string(steps - 1) + " time(s) more" : "";
+  return InputDecision{"clock", "set back at frame " + std::to_string(first) + more,
+                       "the times of " + std::to_string(TimeOrder::kLasting) +
+                           " frames in a row are before those of earlier frames",
+                       "these frames are skipped, and an offset is added to all later times (see the notes "
+                       "in frames.csv); correct the times for an exact synchronisation"};
+}
+
+}  // namespace edgevo

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// From a calibration file to the camera of the available images, which may be smaller than those it was made
+// with, or turned.
+#include <string>
+#include <vector>
+
+#include "camera_forms.h"
+#include "edgevo/core/camera.h"
+#include "edgevo/core/input_decision.h"
+
+namespace edgevo {
+
+/// What is known of the images of a source before they are read.
+struct SeenImages {
+  /// Files by which to find their size: the first, one in the middle, the last; empty: a video.
+  std::vector<std::string> paths;
+  /// Size of the images, pixels; 0: to be read from the files, or not known.
+  int width = 0, height = 0;
+  /// Clockwise quarter turns, 0 to 3, by which a video's frames have been turned on decoding.
+  int quarter_turns = 0;
+};
+
+/// The images in a list of files.
+SeenImages seen_images(const std::vector<std::string>& paths);
+
+/// Reads the size of the images unless it is known: that of the first if it is `width` x `height`, else the
+/// one that most of `paths` have. Stays 0 if none of them decodes.
+void find_size(int width, int height, SeenImages* images);
+
+/// A camera for images scaled to width x height. Pixel centres are whole numbers: the border is at -0.5.
+Camera scaled_camera(const Camera& camera, int width, int height);
+/// A camera for images turned clockwise by `quarter_turns` times 90 degrees.
+Camera turned_camera(const Camera& camera, int quarter_turns);
+
+/// Reads a calibration file of any form. Throws InputError.
+CameraText read_camera_text(const std::string& path);
+
+/// The camera of a calibration file for these images. A missing size is theirs; a calibration for images of
+/// the same shape is scaled, one for images as they were before they were turned is turned; `decisions` says
+/// so. Throws InputError that names both sizes where the shapes differ.
+Camera camera_of_file(const std::string& path, SeenImages images, std::vector<InputDecision>* decisions);
+
+}  // namespace edgevo

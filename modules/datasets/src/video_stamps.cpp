@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "video_stamps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/log.h>
+}
+
+namespace edgevo {
+namespace {
+
+struct CloseInput {
+  void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
+};
+struct FreePacket {
+  void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+};
+
+// Silences FFmpeg's messages about a damaged file: it is reported at its frames.
+class QuietFfmpeg {
+ public:
+  QuietFfmpeg() : level_(av_log_get_level()) { av_log_set_level(AV_LOG_QUIET); }
+  ~QuietFfmpeg() { av_log_set_level(level_); }
+  QuietFfmpeg(const QuietFfmpeg&) = delete;
+  QuietFfmpeg& operator=(const QuietFfmpeg&) = delete;
+
+ private:
+  int level_;
+};
+
+std::unique_ptr<AVFormatContext, CloseInput> open_input(const std::string& path) {
+  AVFormatContext* context = nullptr;
+  if (avformat_open_input(&context, path.c_str(), nullptr, nullptr) < 0) return nullptr;
+  std::unique_ptr<AVFormatContext, CloseInput> input(context);
+  if (avformat_find_stream_info(context, nullptr) < 0) return nullptr;
+  return input;
+}
+
+// Stamps of the packets of a stream in the order of the file; empty if one has none.
+std::vector<int64_t> packet_stamps(AVFormatContext* input, int stream) {
+  std::vector<int64_t> stamps;
+  const std::unique_ptr<AVPacket, FreePacket> packet(av_packet_alloc());
+  while (av_read_frame(input, packet.get()) >= 0) {
+    const bool is_shown = packet->stream_index == stream && (packet->flags & AV_PKT_FLAG_DISCARD) == 0;
+    const int64_t stamp = packet->pts;
+    av_packet_unref(packet.get());
+    if (!is_shown) continue;
+    if (stamp == AV_NOPTS_VALUE) return {};
+    stamps.push_back(stamp);
+  }
+  return stamps;
+}
+
+}  // namespace
+
+VideoStamps read_video_stamps(const std::string& path) {
+  const QuietFfmpeg quiet;
+  const auto input = open_input(path);
+  if (!input) return {};
+  const int index = av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+  if (index < 0) return {};
+  const AVStream& stream = *input->streams[index];
+  VideoStamps result;
+  const int format = stream.codecpar->format;
+  result.is_16_bit_gray = format == AV_PIX_FMT_GRAY16LE || format == AV_PIX_FMT_GRAY16BE;
+  std::vector<int64_t> stamps = packet_stamps(input.get(), index);
+  std::sort(stamps.begin(), stamps.end());  // frames are stored in the order of decoding
+  if (std::adjacent_find(stamps.begin(), stamps.end()) != stamps.end()) return result;
+  for (const int64_t stamp : stamps)
+    result.seconds.push_back(double(stamp - stamps.front()) * av_q2d(stream.time_base));
+  return result;
+}
+
+bool have_rate(const std::vector<double>& seconds, double fps) {
+  constexpr double kResolution = 1e-3, kShare = 0.01;
+  const double tolerance = std::max(kResolution, kShare / fps);
+  for (size_t i = 0; i < seconds.size(); ++i)
+    if (std::abs(seconds[i] - double(i) / fps) > tolerance) return false;
+  return true;
+}
+
+}  // namespace edgevo

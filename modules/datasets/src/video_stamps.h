@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The time stamps that a video's container holds for its frames. OpenCV gives that of a packet instead of a
+// frame, and none for the last frames.
+#include <string>
+#include <vector>
+
+namespace edgevo {
+
+struct VideoStamps {
+  /// Seconds since the first frame, in the order in which the frames are shown; empty if the container holds
+  /// none that increase.
+  std::vector<double> seconds;
+  /// True if the pixels have more than 8 bits of gray, of which OpenCV gives the upper ones.
+  bool is_16_bit_gray = false;
+};
+
+/// Reads the stamps of the first video stream. Decodes nothing: the cost is that of reading the file. Empty
+/// for a file that does not open.
+VideoStamps read_video_stamps(const std::string& path);
+
+/// Whether the frames are the same time apart, within the resolution of a container (a millisecond) or a
+/// hundredth of a frame.
+bool have_rate(const std::vector<double>& seconds, double fps);
+
+}  // namespace edgevo

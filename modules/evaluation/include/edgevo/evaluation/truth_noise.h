@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Noise of a ground truth, estimated from itself: a camera moves smoothly from sample to sample, so the third
+// differences of its positions (and those of its orientations) are mostly noise. White noise of standard
+// deviation s per axis gives third differences of sqrt(20) s. A median over the samples ignores jumps.
+//
+// A camera that really jerks between two samples raises the estimate: it is an upper bound. For a truth
+// without noise (a rendered scene) it is what the path's own third differences leave, micrometres.
+#include "edgevo/evaluation/trajectory.h"
+
+namespace edgevo {
+
+/// Standard deviations per axis of one true pose.
+struct TruthNoise {
+  /// Of the position, metres.
+  double position_m = 0;
+  /// Of the orientation, radians.
+  double rotation_rad = 0;
+};
+
+/// Noise of `truth`; zero for fewer than eight samples. Cost: linear.
+TruthNoise truth_noise(const Trajectory& truth);
+
+}  // namespace edgevo

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/evaluation/judgement_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kCalibrationBins = 10;
+
+struct Scored {
+  double score;
+  bool is_wrong;
+};
+
+std::optional<double> percent(int part, int whole) {
+  return whole > 0 ? std::optional(100.0 * part / whole) : std::nullopt;
+}
+
+void count(const RunJudgement& run, JudgementFigures* f) {
+  ++f->runs;
+  f->frames += int(run.frames.size());
+  for (const FrameVerdict& v : run.frames) {
+    f->frames_judged += v.is_judged, f->below_noise += v.below_noise;
+    if (!v.is_judged || v.aftermath) continue;
+    f->wrong += v.wrong, f->noticed += v.noticed;
+    f->right += !v.wrong, f->false_alarms += !v.wrong && v.alarm;
+  }
+  f->longest_unnoticed = std::max(f->longest_unnoticed, run.longest_unnoticed);
+  f->longest_off_scale = std::max(f->longest_off_scale, run.longest_off_scale);
+  f->is_roc_of_state |= !run.has_p_right;
+}
+
+// Area under the ROC by ranks.
+std::optional<double> roc_of(std::vector<Scored> scored) {
+  std::sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.score < b.score; });
+  double area = 0, wrong_below = 0, right = 0;
+  for (size_t i = 0; i < scored.size();) {
+    double wrong_here = 0, right_here = 0;
+    const double score = scored[i].score;
+    for (; i < scored.size() && scored[i].score == score; ++i)
+      (scored[i].is_wrong ? wrong_here : right_here) += 1;
+    area += right_here * (wrong_below + 0.5 * wrong_here);
+    wrong_below += wrong_here, right += right_here;
+  }
+  return wrong_below > 0 && right > 0 ? std::optional(area / wrong_below / right) : std::nullopt;
+}
+
+std::optional<double> calibration_error(const std::vector<RunJudgement>& runs) {
+  struct Bin {
+    double p = 0, right = 0;
+  };
+  std::array<Bin, kCalibrationBins> bins;
+  int total = 0;
+  for (const RunJudgement& run : runs)
+    for (const FrameVerdict& v : run.frames) {
+      if (!v.is_judged || std::isnan(v.p_end)) continue;
+      Bin& bin = bins[size_t(std::clamp(int(v.p_end * kCalibrationBins), 0, kCalibrationBins - 1))];
+      bin.p += v.p_end, bin.right += !v.wrong;
+      ++total;
+    }
+  double error = 0;
+  for (const Bin& bin : bins) error += std::abs(bin.p - bin.right);  // of sums: weighted by the frames
+  return total > 0 ? std::optional(error / total) : std::nullopt;
+}
+
+std::optional<NeesFigures> nees_of(const std::vector<RunJudgement>& runs) {
+  std::vector<double> all;
+  for (const RunJudgement& run : runs) all.insert(all.end(), run.nees.begin(), run.nees.end());
+  if (all.empty()) return std::nullopt;
+  return NeesFigures{int(all.size()), quantile(all, 0.05), quantile(all, 0.5), quantile(all, 0.95)};
+}
+
+}  // namespace
+
+JudgementFigures figures_of(const std::vector<RunJudgement>& runs) {
+  JudgementFigures f;
+  std::vector<Scored> scored;
+  for (const RunJudgement& run : runs) {
+    count(run, &f);
+    for (const FrameVerdict& v : run.frames)
+      if (v.is_judged && !v.aftermath) scored.push_back({v.score, v.wrong});
+  }
+  f.recall_percent = percent(f.noticed, f.wrong);
+  f.false_alarm_percent = percent(f.false_alarms, f.right);
+  f.roc = roc_of(std::move(scored));
+  f.calibration_error = calibration_error(runs);
+  f.nees = nees_of(runs);
+  return f;
+}
+
+namespace {
+
+RunJudgements both(const std::vector<ClaimedFrame>& live, const std::vector<ClaimedFrame>& final,
+                   const Trajectory& truth, const JudgementRules& rules) {
+  RunJudgements j{judge_frames(live, truth, rules), judge_frames(final, truth, rules)};
+  j.live.nees = j.final.nees;
+  return j;
+}
+
+}  // namespace
+
+RunJudgements judge_run(const Run& run, const Trajectory& truth, const JudgementRules& rules) {
+  return both(claims_of(run, PoseSource::kLive), claims_of(run, PoseSource::kFinal), truth, rules);
+}
+
+RunJudgements judge_folder(const std::string& folder, const Trajectory& truth, const JudgementRules& rules) {
+  return both(read_claims(folder, PoseSource::kLive), read_claims(folder, PoseSource::kFinal), truth, rules);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The probability that the motion of the last ten frames is right, from witnesses that fail differently. Each
+// measures one thing that speaks against the motion (Doubt), as a number from 0 (nothing) to 3 that grows
+// with the suspicion. The sum of the doubts, with weights of at least 0, goes through a table that makes it a
+// probability: more doubt never makes p_right larger. Weights and table are fitted to runs with ground truth
+// by share/training/fit_trust.cpp and are in src/trust_table.h.
+//
+// "Right" is what evaluation/frame_judge.h calls so: over ten frames, the translation in the scale of the
+// fifty before, and the rotation.
+#include <array>
+#include <optional>
+#include <string>
+
+#include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/se3.h"
+#include "edgevo/odometry/recent_values.h"
+
+namespace edgevo {
+
+/// What can speak against a motion.
+enum class Doubt {
+  /// The motion over ten frames differs from that of the corners: share of its length, and degrees.
+  kCornerMotion,
+  /// The unit of the map has changed, or creeps, as the corners see it.
+  kCornerScale,
+  /// Corners break the epipolar constraint.
+  kCornerAgreement,
+  /// There are too few corners, or they move too little, to check the motion.
+  kNoWitness,
+  /// Fewer inliers, or larger residuals, than usual in this run.
+  kSupport,
+  /// Steps longer or shorter than usual, in the unit of the map.
+  kStep,
+  /// A direction of the pose that the image hardly constrains.
+  kWeakDirection,
+  /// The adjustment moves keyframes by more than tracking thought possible.
+  kAdjustment,
+  /// Few inliers, few points of known depth, or little of the map in view.
+  kStarvation,
+  /// Blurred or saturated images.
+  kImage,
+};
+/// Number of doubts.
+inline constexpr size_t kDoubts = 10;
+/// A value for each doubt, in the order of the enum, 0 to 3.
+using Doubts = std::array<double, kDoubts>;
+
+/// A frame that has a pose, as the trust in it is built.
+struct TrustFrame {
+  /// Evidence; its adjustment is not read.
+  const FrameEvidence& evidence;
+  /// Segment of the map.
+  int segment = 0;
+  /// Centre of the camera in the segment's map, in the unit of FrameEvidence::median_depth.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+};
+
+/// Trust in a frame.
+struct FrameTrust {
+  /// Probability that the motion of the last ten frames is right, 0 to 1.
+  double p_right = 0;
+  /// What speaks against it.
+  Doubts doubts{};
+  /// The largest contribution in words: "scale fell by 0.40 within 10 frames".
+  std::string reason;
+};
+
+/// Builds the trust in each frame from its evidence and from what is usual in the run so far. For the
+/// tracking thread; deterministic. Cost: 10 us a frame.
+class Trust {
+ public:
+  /// Adds a frame with a pose, in time order.
+  FrameTrust add(const TrustFrame& frame);
+  /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
+  /// order of their keyframes.
+  void add_adjustment(const AdjustmentEvidence& adjustment) { moved_.add(adjustment.moved); }
+  /// A new segment, or a frame without a pose: the next step has no length.
+  void interrupt() { last_centre_.reset(); }
+
+ private:
+  /// A doubt is the mean over so many frames: as long as the motion that counts.
+  static constexpr size_t kFrames = 10;
+  /// What is usual is the median over so many frames.
+  static constexpr size_t kUsualFrames = 200, kUsualSteps = 50;
+
+  void begin_segment(int segment);
+  double step_of(const TrustFrame& frame);
+
+  int segment_ = -1;
+  std::optional<Eigen::Vector3d> last_centre_;
+  RecentValues shares_{kUsualFrames}, residuals_{kUsualFrames}, blurs_{kUsualFrames},
+      saturated_{kUsualFrames}, steps_{kUsualSteps};
+  RecentValues support_{kFrames}, weak_{kFrames}, starvation_{kFrames}, image_{kFrames};
+  RecentValues moved_{3};
+};
+
+/// Probability of a right motion given the doubts, 0 to 1: that of their sum, at most p_right_limit().
+double p_right(const Doubts& doubts);
+/// 0.1 where one doubt decides alone, else 1. Corners that contradict the motion by far, 1.6 times what
+/// makes it wrong beyond their standard deviation, do: where a map turns over, every other witness is
+/// content. And no independent witness means not healthy: without corners and without information from the
+/// image.
+double p_right_limit(const Doubts& doubts);
+
+}  // namespace edgevo

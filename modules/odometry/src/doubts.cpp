@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "doubts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+// 0 for a value that is unknown or negative.
+double limited(double value) { return value > 0 ? std::min(value, kMostDoubt) : 0.0; }
+
+// A difference less its standard deviation, which may be unknown.
+double beyond(double difference, double sigma) {
+  return std::abs(difference) - (std::isfinite(sigma) ? sigma : 0.0);
+}
+
+// Corners know a length only if the camera has moved enough: not in a rotation on the spot.
+bool knows_lengths(const CornerEvidence& c) {
+  constexpr double kMostSigma = 0.3;  // of the logarithm of the scale
+  return c.change_10_sigma <= kMostSigma;
+}
+
+}  // namespace
+
+double doubt_of_corner_motion(const CornerEvidence& c) {
+  constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;  // of evaluation/frame_judge.h
+  constexpr double kSigmas = 2.5;
+  const double of_length = limited(beyond(c.motion_error, kSigmas * c.motion_sigma) / kWrongShare);
+  const double of_depth =
+      std::isfinite(c.motion_error_depths) ? limited(c.motion_error_depths / kWrongDepths) : of_length;
+  // A wrong rotation breaks the epipolar constraint: where hardly a corner does, it is the witness that is
+  // wrong.
+  constexpr double kContradicting = 0.2;
+  const double credible =
+      c.agreeing_share <= 1 ? std::min(1.0, (1 - c.agreeing_share) / kContradicting) : 1.0;
+  const double turn = credible * limited(beyond(c.rotation_deg, c.rotation_sigma_deg) / kWrongDeg);
+  return std::max(knows_lengths(c) ? std::min(of_length, of_depth) : 0.0, turn);
+}
+
+double doubt_of_corner_scale(const CornerEvidence& c) {
+  constexpr double kWrong = 0.223;  // log 1.25
+  return std::max(limited(beyond(c.change_10, c.change_10_sigma) / kWrong),
+                  limited(beyond(c.change_50, c.change_50_sigma) / kWrong));
+}
+
+double doubt_of_corner_agreement(const CornerEvidence& c) { return limited(2 * (1 - c.agreeing_share)); }
+
+double doubt_without_witness(const std::optional<CornerEvidence>& c) {
+  constexpr int kFewCorners = 15;
+  constexpr double kTells = 0.1, kDoesNotTell = 0.25, kShort = 0.02;
+  if (!c || c->tracks < kFewCorners) return 1;
+  if (c->motion_error_depths < kShort && std::isfinite(c->rotation_deg)) return 0;
+  if (!std::isfinite(c->motion_sigma) || !knows_lengths(*c)) return 1;
+  return std::clamp((c->motion_sigma - kTells) / (kDoesNotTell - kTells), 0.0, 1.0);
+}
+
+double doubt_of_support(double inlier_share, double usual_share, double residual_px, double usual_px) {
+  const double drop = 2 * std::log(usual_share / std::max(inlier_share, 1e-3));
+  const double rise = 2 * std::log(residual_px / usual_px);
+  return std::max(limited(drop), limited(rise));
+}
+
+double doubt_of_step(double recent, double usual, double median_depth) {
+  constexpr double kSmall = 0.002;  // median depths a frame: a fifth of it is 2 % of the depth in ten frames
+  const double small = std::isfinite(median_depth) ? kSmall * median_depth : 0.1 * usual;
+  return limited(std::abs(std::log((recent + small) / (usual + small))));
+}
+
+double doubt_of_weak_direction(double pose_sigma) {
+  constexpr double kUsual = 1e-3;
+  if (!std::isfinite(pose_sigma)) return kMostDoubt;
+  return limited(std::log10(pose_sigma / kUsual));
+}
+
+double doubt_of_adjustment(double moved) { return limited(std::log(moved)); }
+
+double doubt_of_starvation(const FrameEvidence& e) {
+  constexpr double kManyInliers = 0.7, kFewInliers = 0.4, kManyPoints = 300, kWellInView = 0.3;
+  const double outliers = limited((kManyInliers - e.inlier_share) / (kManyInliers - kFewInliers));
+  const double lack = e.known_points ? limited(0.5 * std::log(kManyPoints / (*e.known_points + 1))) : 0.0;
+  const double away = limited((kWellInView - e.view_share) / kWellInView);
+  return limited(outliers + lack + away);
+}
+
+double doubt_of_image(double blur, double usual_blur, double saturated_share, double usual_saturated) {
+  constexpr double kSharp = 0.5, kBlurred = 0.1, kSaturated = 0.3;
+  const double bound = std::isfinite(usual_blur) ? std::max(usual_blur, kSharp) : kSharp;
+  return limited(limited((blur - bound) / kBlurred) +
+                 limited((saturated_share - usual_saturated) / kSaturated));
+}
+
+}  // namespace edgevo

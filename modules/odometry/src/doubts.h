@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// One function for each witness of a wrong motion (odometry/trust.h): from a measurement to a doubt, 0 to 3,
+// that grows with the suspicion. A measurement that is unknown (NaN) is no suspicion by itself; that nothing
+// could be checked is a doubt of its own, doubt_without_witness().
+#include <optional>
+
+#include "edgevo/core/frame_evidence.h"
+
+namespace edgevo {
+
+/// Largest value of a doubt: one witness alone does not decide by any amount.
+inline constexpr double kMostDoubt = 3;
+
+/// Difference between the motion over ten frames and that of the corners, beyond 2.5 standard deviations of
+/// its length and one of its rotation: 1 where the motion counts as wrong (a quarter of its length and 2 % of
+/// the depth, or 3 degrees). Without a scale (standard deviation of change_10 above 0.3: a rotation on the
+/// spot) only the rotation counts.
+double doubt_of_corner_motion(const CornerEvidence& c);
+/// Change of the map's unit over the last ten, or the last fifty frames, beyond one standard deviation: 1 for
+/// a factor of 1.25 either way.
+double doubt_of_corner_scale(const CornerEvidence& c);
+/// Share of the corners that break the epipolar constraint: 1 for a half.
+double doubt_of_corner_agreement(const CornerEvidence& c);
+/// 1 without corners, or if the standard deviation of their motion is a quarter of it or more; less for a
+/// smaller one, 0 from a tenth on. A motion that is too short to be wrong needs no witness of its length.
+double doubt_without_witness(const std::optional<CornerEvidence>& c);
+/// Natural logarithm of the inlier share's drop, or the residual's rise, against what is usual in the run,
+/// times 2.
+double doubt_of_support(double inlier_share, double usual_share, double residual_px, double usual_px);
+/// Natural logarithm of the recent mean step over the usual one, either way. Steps that are small against the
+/// median depth do not count.
+double doubt_of_step(double recent, double usual, double median_depth);
+/// Decimal logarithm of the largest standard deviation of the pose over 0.001 (median depths, radians); 3 for
+/// an unknown one.
+double doubt_of_weak_direction(double pose_sigma);
+/// Natural logarithm of the squared move of keyframes over the expected one.
+double doubt_of_adjustment(double moved);
+/// Lack of support, summed up: inlier share (0 at 0.7, 1 at 0.4), points of known depth (0 at 300, 1 at 40),
+/// and share of the map in view (0 at 0.3, 1 at 0).
+double doubt_of_starvation(const FrameEvidence& evidence);
+/// Blur above what is usual in the run and above that of sharp edges, and saturated pixels beyond the usual
+/// share (1: 30 % more).
+double doubt_of_image(double blur, double usual_blur, double saturated_share, double usual_saturated);
+
+}  // namespace edgevo

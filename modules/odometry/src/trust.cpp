@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/odometry/trust.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "doubts.h"
+#include "edgevo/core/doubtful_intervals.h"
+#include "trust_table.h"
+
+namespace edgevo {
+namespace {
+
+// p_right where one doubt decides alone.
+constexpr double kAtMostInDoubt = 0.1;
+
+static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_intervals.h");
+static_assert(kAtMostInDoubt < kDoubtfulBelow, "such a frame is doubtful");
+
+template <class... Numbers>
+std::string format(const char* pattern, Numbers... numbers) {
+  char text[120];
+  std::snprintf(text, sizeof text, pattern, numbers...);
+  return text;
+}
+
+double weighted_sum(const Doubts& doubts) {
+  double sum = 0;
+  for (const trust_table::Term& term : trust_table::kTerms) sum += term.weight * doubts[size_t(term.doubt)];
+  return sum;
+}
+
+Doubt largest_contribution(const Doubts& doubts) {
+  if (p_right_limit(doubts) < 1)
+    return doubts[size_t(Doubt::kCornerMotion)] > 0 ? Doubt::kCornerMotion : Doubt::kNoWitness;
+  const auto most = std::max_element(
+      trust_table::kTerms.begin(), trust_table::kTerms.end(), [&](const auto& a, const auto& b) {
+        return a.weight * doubts[size_t(a.doubt)] < b.weight * doubts[size_t(b.doubt)];
+      });
+  return most->doubt;
+}
+
+std::string motion_in_words(const CornerEvidence& c) {
+  constexpr double kWrongDeg = 3;
+  if (c.rotation_deg > kWrongDeg)
+    return format("rotation over 10 frames differs from the corners' by %.1f degrees", c.rotation_deg);
+  return format("motion over 10 frames differs from the corners' by %.0f %%", 100 * c.motion_error);
+}
+
+std::string scale_in_words(const CornerEvidence& c) {
+  const bool sudden = !(std::abs(c.change_10) < std::abs(c.change_50));
+  const double change = sudden ? c.change_10 : c.change_50;
+  const int frames = sudden ? 10 : 50;
+  return change > 0 ? format("scale fell by %.2f within %d frames", 1 - std::exp(-change), frames)
+                    : format("scale grew by a factor of %.2f within %d frames", std::exp(-change), frames);
+}
+
+std::string in_words(Doubt doubt, const FrameEvidence& e) {
+  const CornerEvidence c = e.corners.value_or(CornerEvidence());
+  switch (doubt) {
+    case Doubt::kCornerMotion:
+      return motion_in_words(c);
+    case Doubt::kCornerScale:
+      return scale_in_words(c);
+    case Doubt::kCornerAgreement:
+      return format("%.0f %% of the corners contradict the motion", 100 * (1 - c.agreeing_share));
+    case Doubt::kNoWitness:
+      return format("too few corners to check the motion (%d)", c.tracks);
+    case Doubt::kSupport:
+      return format("less support than usual (inlier share %.2f; residual %.2f px)", e.inlier_share,
+                    e.residual_px);
+    case Doubt::kStep:
+      return "steps unlike those before";
+    case Doubt::kWeakDirection:
+      return format("a direction is hardly observable (sigma %.4f)", e.pose_sigmas.back());
+    case Doubt::kAdjustment:
+      return "keyframes were tracked worse than expected";
+    case Doubt::kStarvation:
+      return format("too few points to rely on (%d of known depth; inlier share %.2f)",
+                    e.known_points.value_or(0), e.inlier_share);
+    case Doubt::kImage:
+      return "blurred or saturated images";
+  }
+  return {};
+}
+
+double p_right_of_sum(double sum) {
+  const auto& knots = trust_table::kKnots;
+  if (sum <= knots.front().sum) return knots.front().p_right;
+  for (size_t i = 1; i < knots.size(); ++i) {
+    if (sum > knots[i].sum) continue;
+    const double share = (sum - knots[i - 1].sum) / (knots[i].sum - knots[i - 1].sum);
+    return knots[i - 1].p_right + share * (knots[i].p_right - knots[i - 1].p_right);
+  }
+  return knots.back().p_right;
+}
+
+}  // namespace
+
+double p_right_limit(const Doubts& doubts) {
+  constexpr double kContradiction = 1.6;  // no right frame of the corpus on a camera that moves evenly
+  constexpr double kNoInformation = 2;    // a standard deviation of a tenth of the depth
+  const auto of = [&](Doubt doubt) { return doubts[size_t(doubt)]; };
+  const bool is_contradicted = of(Doubt::kCornerMotion) >= kContradiction;
+  const bool is_alone = of(Doubt::kNoWitness) >= 1 && of(Doubt::kWeakDirection) >= kNoInformation;
+  return is_contradicted || is_alone ? kAtMostInDoubt : 1.0;
+}
+
+double p_right(const Doubts& doubts) {
+  return std::min(p_right_of_sum(weighted_sum(doubts)), p_right_limit(doubts));
+}
+
+void Trust::begin_segment(int segment) {
+  segment_ = segment;
+  last_centre_.reset();
+  steps_.clear();  // in another unit
+  moved_.clear();
+}
+
+// NaN at the beginning of a segment, and over a gap.
+double Trust::step_of(const TrustFrame& frame) {
+  if (frame.segment != segment_) begin_segment(frame.segment);
+  const double step =
+      last_centre_ ? (frame.centre - *last_centre_).norm() : std::numeric_limits<double>::quiet_NaN();
+  last_centre_ = frame.centre;
+  return step;
+}
+
+FrameTrust Trust::add(const TrustFrame& frame) {
+  constexpr size_t kRecentSteps = 5;
+  const FrameEvidence& e = frame.evidence;
+  steps_.add(step_of(frame));
+  shares_.add(e.inlier_share), residuals_.add(e.residual_px), blurs_.add(e.edge_blur);
+  saturated_.add(e.saturated_share);
+  support_.add(doubt_of_support(e.inlier_share, shares_.median(), e.residual_px, residuals_.median()));
+  weak_.add(doubt_of_weak_direction(e.pose_sigmas.back()));
+  starvation_.add(doubt_of_starvation(e));
+  image_.add(doubt_of_image(e.edge_blur, blurs_.median(), e.saturated_share, saturated_.median()));
+
+  FrameTrust trust;
+  const CornerEvidence corners = e.corners.value_or(CornerEvidence());
+  const auto set = [&](Doubt doubt, double value) { trust.doubts[size_t(doubt)] = value > 0 ? value : 0; };
+  set(Doubt::kCornerMotion, doubt_of_corner_motion(corners));
+  set(Doubt::kCornerScale, doubt_of_corner_scale(corners));
+  set(Doubt::kCornerAgreement, doubt_of_corner_agreement(corners));
+  set(Doubt::kNoWitness, doubt_without_witness(e.corners));
+  set(Doubt::kSupport, support_.mean());
+  set(Doubt::kStep, doubt_of_step(steps_.mean(kRecentSteps), steps_.median(), e.median_depth));
+  set(Doubt::kWeakDirection, weak_.mean());
+  set(Doubt::kAdjustment, doubt_of_adjustment(moved_.mean()));
+  set(Doubt::kStarvation, starvation_.mean());
+  set(Doubt::kImage, image_.mean());
+  trust.p_right = edgevo::p_right(trust.doubts);
+  if (trust.p_right < kDoubtfulBelow) trust.reason = in_words(largest_contribution(trust.doubts), e);
+  return trust;
+}
+
+}  // namespace edgevo

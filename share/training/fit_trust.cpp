@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (odometry/trust.h) to runs with
+// ground truth. RUNS.txt: written by trust_corpus.py. TABLE.h: the weights and the calibration, for
+// modules/odometry/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded.
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/evaluation/judgement_figures.h"
+#include "monotone_fit.h"
+#include "trust_runs.h"
+#include "trust_table_text.h"
+
+namespace edgevo::training {
+namespace {
+
+constexpr double kRidge = 2;  // in samples
+constexpr int kBins = 16;     // of the calibration
+constexpr double kFalseAlarms = 0.02;
+
+// The evaluated motions of ten frames of a run: doubts at their end.
+std::vector<EvaluatedMotion> samples_of(const TrustRun& run) {
+  std::vector<EvaluatedMotion> samples;
+  for (size_t i = 0; i < run.judgement.frames.size(); ++i) {
+    const FrameVerdict& v = run.judgement.frames[i];
+    if (!v.is_judged || v.end < 0 || size_t(v.end) != i + 10 || !run.doubts[size_t(v.end)]) continue;
+    samples.push_back({*run.doubts[size_t(v.end)], v.wrong});
+  }
+  return samples;
+}
+
+using Runs = std::vector<const TrustRun*>;
+
+// Every camera weighs as much as any other.
+std::vector<EvaluatedMotion> pooled(const Runs& runs) {
+  std::map<std::string, std::vector<EvaluatedMotion>> by_camera;
+  for (const TrustRun* run : runs)
+    for (const EvaluatedMotion& s : samples_of(*run)) by_camera[run->camera].push_back(s);
+  std::vector<EvaluatedMotion> all;
+  size_t total = 0;
+  for (const auto& camera : by_camera) total += camera.second.size();
+  for (auto& [camera, samples] : by_camera)
+    for (EvaluatedMotion& s : samples) {
+      s.weight = double(total) / double(by_camera.size()) / double(samples.size());
+      all.push_back(s);
+    }
+  return all;
+}
+
+FittedTrust fit_to(const Runs& runs) {
+  const std::vector<EvaluatedMotion> samples = pooled(runs);
+  FittedTrust fitted;
+  fitted.sum = fit_logistic(samples, kRidge);
+  fitted.knots = calibrate(fitted.sum, samples, kBins);
+  return fitted;
+}
+
+double p_right_by(const FittedTrust& fitted, const Doubts& doubts) {
+  return std::min(p_right_at(fitted.knots, fitted.sum.sum(doubts)), p_right_limit(doubts));
+}
+
+// The claims of a run with p_right by a fit; below `bound` the state is DEGRADED.
+RunJudgement evaluated_by(const TrustRun& run, const FittedTrust& fitted, double bound) {
+  std::vector<ClaimedFrame> claims = run.claims;
+  for (size_t i = 0; i < claims.size(); ++i)
+    if (run.doubts[i]) claims[i].p_right = p_right_by(fitted, *run.doubts[i]);
+  JudgementRules rules;
+  rules.p_threshold = bound;
+  return judge_frames(claims, run.truth, rules);
+}
+
+// p_right of the frames that are right and follow no wrong one.
+void add_right(const TrustRun& run, const FittedTrust& fitted, std::vector<double>* p) {
+  for (size_t i = 0; i < run.judgement.frames.size(); ++i) {
+    const FrameVerdict& v = run.judgement.frames[i];
+    if (v.is_judged && !v.wrong && !v.aftermath && run.doubts[i])
+      p->push_back(p_right_by(fitted, *run.doubts[i]));
+  }
+}
+
+struct Fold {
+  std::string camera;
+  Runs runs;           // of the camera that is excluded
+  FittedTrust fitted;  // to the others
+};
+
+std::vector<Fold> folds_of(const std::vector<TrustRun>& runs) {
+  std::set<std::string> cameras;
+  for (const TrustRun& run : runs) cameras.insert(run.camera);
+  std::vector<Fold> folds;
+  for (const std::string& camera : cameras) {
+    Fold fold{camera, {}, {}};
+    Runs others;
+    for (const TrustRun& run : runs) (run.camera == camera ? fold.runs : others).push_back(&run);
+    fold.fitted = fit_to(others);
+    folds.push_back(std::move(fold));
+  }
+  return folds;
+}
+
+std::string report_of(const std::vector<Fold>& folds, const FittedTrust& fitted) {
+  std::vector<NamedFigures> cameras, single;
+  std::vector<RunJudgement> all, by_image;
+  for (const Fold& fold : folds) {
+    std::vector<RunJudgement> of_camera;
+    for (const TrustRun* run : fold.runs) {
+      of_camera.push_back(evaluated_by(*run, fold.fitted, fitted.bound));
+      single.push_back({run->name, figures_of({of_camera.back()})});
+      by_image.push_back(run->judgement);
+    }
+    cameras.push_back({fold.camera, figures_of(of_camera)});
+    all.insert(all.end(), of_camera.begin(), of_camera.end());
+  }
+  cameras.push_back({"all", figures_of(all)});
+  cameras.push_back({"all, by the image alone", figures_of(by_image)});
+  std::string text = "Doubtful below p_right " + fixed(fitted.bound, 4) + ".\n\n| doubt | weight |";
+  for (const Fold& fold : folds) text += " without " + fold.camera + " |";
+  text += "\n|---|---|";
+  for (size_t i = 0; i < folds.size(); ++i) text += "---|";
+  for (size_t k = 0; k < kDoubts; ++k) {
+    text += std::string("\n| ") + name_of(Doubt(k)) + " | " + fixed(fitted.sum.weights[k], 3) + " |";
+    for (const Fold& fold : folds) text += " " + fixed(fold.fitted.sum.weights[k], 3) + " |";
+  }
+  return text + "\n\nCameras excluded of the fit:\n\n" + judgement_markdown(cameras) +
+         "\nEach run, its camera excluded:\n\n" + judgement_markdown(single);
+}
+
+int fit(const std::string& list, const std::string& table, const std::string& report) {
+  const std::vector<TrustRun> runs = read_trust_runs(list);
+  const std::vector<Fold> folds = folds_of(runs);
+  Runs all;
+  for (const TrustRun& run : runs) all.push_back(&run);
+  FittedTrust fitted = fit_to(all);
+  std::vector<double> right;
+  for (const Fold& fold : folds)
+    for (const TrustRun* run : fold.runs) add_right(*run, fold.fitted, &right);
+  fitted.bound = conformal_lower_bound(right, kFalseAlarms);
+  write_file(table, trust_table_text(fitted, runs.size(), folds.size()));
+  write_file(report, report_of(folds, fitted));
+  std::printf("%zu runs, %zu cameras, %zu right frames; doubtful below %.4f\n", runs.size(), folds.size(),
+              right.size(), fitted.bound);
+  return 0;
+}
+
+}  // namespace
+}  // namespace edgevo::training
+
+int main(int argc, char** argv) {
+  if (argc != 4) {
+    std::fprintf(stderr, "usage: edgevo_fit_trust RUNS.txt TABLE.h REPORT.md\n");
+    return 2;
+  }
+  try {
+    return edgevo::training::fit(argv[1], argv[2], argv[3]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "edgevo_fit_trust: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A logistic sum with weights that are not negative, its calibration by isotonic regression, and a bound by
+// split conformal prediction: what edgevo_fit_trust is made of.
+#include <array>
+#include <vector>
+
+#include "edgevo/odometry/trust.h"
+
+namespace edgevo::training {
+
+/// A motion of ten frames that was evaluated.
+struct EvaluatedMotion {
+  Doubts doubts{};
+  bool is_wrong = false;
+  /// Weight in the fit, > 0.
+  double weight = 1;
+};
+
+/// Weights of the doubts, all at least 0, and the bias: log odds of a wrong motion = bias + sum.
+struct LogisticSum {
+  Doubts weights{};
+  double bias = 0;
+
+  /// The sum without the bias.
+  double sum(const Doubts& doubts) const;
+};
+
+/// Minimises the weighted log loss plus `ridge` times half the square of the weights, by coordinate descent;
+/// convex, so that the result does not depend on where it begins. Deterministic.
+LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge);
+
+/// Probability of a right motion at a sum of doubts.
+struct Knot {
+  double sum = 0, p_right = 1;
+};
+/// Isotonic regression of "right" on the sum: the samples in bins of equal weight (`bins` of them, and as
+/// many again in the upper tenth), pooled until p_right does not rise with the sum. p_right stays within
+/// 0.005 and 0.995. Knots of ascending sum; equal neighbours are excluded.
+std::vector<Knot> calibrate(const LogisticSum& fit, const std::vector<EvaluatedMotion>& samples, int bins);
+/// p_right at a sum: linear between the knots, constant outside.
+double p_right_at(const std::vector<Knot>& knots, double sum);
+
+/// The value that at most `share` of further values like these are below, by split conformal prediction: the
+/// value of rank floor(share (n + 1)), from 1; below all values if that is 0.
+double conformal_lower_bound(std::vector<double> values, double share);
+
+}  // namespace edgevo::training

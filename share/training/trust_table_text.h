@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <string>
+#include <vector>
+
+#include "monotone_fit.h"
+
+namespace edgevo::training {
+
+/// The fitted trust in a frame.
+struct FittedTrust {
+  /// Weights of the doubts; the calibration takes the place of the bias.
+  LogisticSum sum;
+  /// p_right at sums of doubts.
+  std::vector<Knot> knots;
+  /// p_right below which a frame is doubtful.
+  double bound = 0;
+};
+
+/// Name of a doubt in the table.
+const char* name_of(Doubt doubt);
+/// Text of modules/odometry/src/trust_table.h.
+std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t cameras);
+
+}  // namespace edgevo::training

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The probability of a right motion: never higher for more doubt, not high without a witness, and on made
+// runs high while all is well, low soon after the unit of the map has changed.
+#include "edgevo/odometry/trust.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/odometry/frame_status.h"
+#include "trust_table.h"
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kStep = 0.8, kDepth = 15;
+
+FrameEvidence good_evidence() {
+  FrameEvidence e;
+  e.edges = 20000;
+  e.saturated_share = 0.01, e.edge_blur = 0.47, e.median_depth = kDepth;
+  e.visible_points = 1800, e.matched_points = 1700;
+  e.inlier_share = 0.93, e.residual_px = 0.5;
+  e.pose_sigmas.fill(5e-4);
+  e.step_sigmas = 0.5;
+  e.known_points = 1500, e.lacking_share = 0.05, e.view_share = 0.8;
+  CornerEvidence c;
+  c.tracks = 90, c.agreeing_share = 0.97;
+  c.scale = 0, c.scale_sigma = 0.02;
+  c.change_10 = 0.01, c.change_10_sigma = 0.03, c.change_50 = 0, c.change_50_sigma = 0.03;
+  c.motion_error = 0.03, c.motion_sigma = 0.03, c.motion_error_depths = 0.01;
+  c.rotation_deg = 0.05, c.rotation_sigma_deg = 0.05;
+  c.direction_deg = 1, c.direction_sigma_deg = 1;
+  e.corners = c;
+  return e;
+}
+
+// A drive along z.
+class Drive {
+ public:
+  FrameTrust go(const FrameEvidence& evidence, double step = kStep, int frames = 1) {
+    FrameTrust newest;
+    for (int i = 0; i < frames; ++i) {
+      z_ += step;
+      newest = trust.add({evidence, segment, {0, 0, z_}});
+    }
+    return newest;
+  }
+  Trust trust;
+  int segment = 0;
+
+ private:
+  double z_ = 0;
+};
+
+TEST(PRight, NeverRisesWithADoubt) {
+  for (size_t k = 0; k < kDoubts; ++k) {
+    Doubts doubts{};
+    double before = p_right(doubts);
+    for (doubts[k] = 0.1; doubts[k] <= 3; doubts[k] += 0.1) {
+      const double p = p_right(doubts);
+      EXPECT_LE(p, before) << trust_table::kTerms[k].name;
+      before = p;
+    }
+  }
+}
+
+TEST(PRight, IsAProbability) {
+  Doubts all;
+  all.fill(3);
+  EXPECT_LT(p_right(all), kDoubtfulBelow);
+  EXPECT_GE(p_right(all), 0);
+  EXPECT_GT(p_right(Doubts{}), kDoubtfulBelow);
+  EXPECT_LE(p_right(Doubts{}), 1);
+}
+
+TEST(TrustTable, HasATermForEachDoubtInOrderAndNoneSpeaksForAMotion) {
+  for (size_t k = 0; k < kDoubts; ++k) {
+    EXPECT_EQ(size_t(trust_table::kTerms[k].doubt), k);
+    EXPECT_GE(trust_table::kTerms[k].weight, 0) << trust_table::kTerms[k].name;
+  }
+  for (size_t i = 1; i < trust_table::kKnots.size(); ++i) {
+    EXPECT_GT(trust_table::kKnots[i].sum, trust_table::kKnots[i - 1].sum);
+    EXPECT_LE(trust_table::kKnots[i].p_right, trust_table::kKnots[i - 1].p_right);
+  }
+}
+
+TEST(Trust, IsHighOnADriveThatIsRight) {
+  Drive drive;
+  const FrameTrust trust = drive.go(good_evidence(), kStep, 100);
+  EXPECT_GT(trust.p_right, 0.9);
+  EXPECT_EQ(trust.reason, "");
+}
+
+TEST(Trust, IsLowWhenTheUnitOfTheMapHasFallen) {
+  Drive drive;
+  drive.go(good_evidence(), kStep, 100);
+  FrameEvidence fallen = good_evidence();
+  fallen.corners->change_10 = -std::log(0.4);
+  fallen.corners->motion_error = 0.6, fallen.corners->motion_error_depths = 0.3;
+  const FrameTrust trust = drive.go(fallen, 0.4 * kStep, 10);
+  EXPECT_LT(trust.p_right, kDoubtfulBelow);
+  EXPECT_NE(trust.reason, "");
+}
+
+TEST(PRight, CornersThatContradictByFarDecideAlone) {
+  Doubts doubts{};
+  doubts[size_t(Doubt::kCornerMotion)] = 1.6;
+  EXPECT_LT(p_right(doubts), kDoubtfulBelow);
+}
+
+TEST(Trust, IsLowerWithoutAnyWitness) {
+  Drive with, without;
+  const double high = with.go(good_evidence(), kStep, 50).p_right;
+  FrameEvidence alone = good_evidence();
+  alone.corners.reset();
+  alone.pose_sigmas = FrameEvidence::unknown_sigmas();
+  EXPECT_LT(without.go(alone, kStep, 50).p_right, std::min(high, kDoubtfulBelow))
+      << "no corners and no information: nothing says that the motion is right";
+}
+
+TEST(Trust, DoesNotMeasureAStepAcrossAGapOrASegment) {
+  Drive drive;
+  drive.go(good_evidence(), kStep, 60);
+  drive.trust.interrupt();
+  EXPECT_NEAR(drive.go(good_evidence(), 100).doubts[size_t(Doubt::kStep)], 0, 1e-9);
+  drive.segment = 1;
+  EXPECT_NEAR(drive.go(good_evidence(), 100).doubts[size_t(Doubt::kStep)], 0, 1e-9);
+}
+
+TEST(Trust, IsTheSameForTheSameFrames) {
+  Drive a, b;
+  for (int i = 0; i < 30; ++i) {
+    FrameEvidence e = good_evidence();
+    e.inlier_share -= 0.01 * i;
+    EXPECT_EQ(a.go(e).p_right, b.go(e).p_right);
+  }
+}
+
+TEST(Status, IsDegradedInDoubtAndSaysWhy) {
+  FrameTrust doubtful;
+  doubtful.p_right = kDoubtfulBelow - 1e-6, doubtful.reason = "scale fell";
+  const FrameStatus degraded = frame_status({TrackingState::kTracking, ""}, doubtful);
+  EXPECT_EQ(degraded.state, TrackingState::kDegraded);
+  EXPECT_EQ(degraded.reason, "scale fell");
+  EXPECT_THAT(frame_status({TrackingState::kDegraded, "weak"}, doubtful).reason,
+              HasSubstr("weak; scale fell"));
+  EXPECT_EQ(frame_status({TrackingState::kLost, "gone"}, doubtful).reason, "gone");
+  FrameTrust sure;
+  sure.p_right = kDoubtfulBelow;
+  EXPECT_EQ(frame_status({TrackingState::kTracking, ""}, sure).state, TrackingState::kTracking);
+}
+
+TEST(Covariance, GrowsWithDoubtToAHundredfoldAtMost) {
+  EXPECT_EQ(covariance_factor(1), 1);
+  EXPECT_EQ(covariance_factor(kDoubtfulBelow), 1);
+  EXPECT_NEAR(covariance_factor(kDoubtfulBelow / 2), 4, 1e-9);
+  EXPECT_EQ(covariance_factor(0), 100);
+  EXPECT_EQ(covariance_factor(std::nan("")), 1);
+}
+
+}  // namespace
+}  // namespace edgevo
