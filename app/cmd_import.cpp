@@ -28,7 +28,7 @@ void check_output(const ImportArguments& args) {
 
 int import(const ImportArguments& args) {
   check_output(args);
-  const auto source = open_source(args.source);
+  const auto source = open_source_with_notices(args.source);
   const std::string truth = ground_truth_tum(args.source, *source);
   int count = 0;
   {

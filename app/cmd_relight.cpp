@@ -42,7 +42,7 @@ int write_folder(RelitSource& source, const RelightOptions& options, const std::
 int relight(const RelightOptions& options) {
   check_sequence_output(options.source.path, options.out, options.force);
   const Relight effect(options.kind, options.seed);
-  auto opened = open_source(options.source);
+  auto opened = open_source_with_notices(options.source);
   const std::string truth = ground_truth_tum(options.source, *opened);
   RelitSource source(std::move(opened), effect);
   int count = 0;

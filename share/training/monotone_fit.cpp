@@ -102,13 +102,7 @@ std::vector<Knot> calibrate(const LogisticSum& fit, const std::vector<EvaluatedM
 }
 
 double p_right_at(const std::vector<Knot>& knots, double sum) {
-  if (sum <= knots.front().sum) return knots.front().p_right;
-  for (size_t i = 1; i < knots.size(); ++i) {
-    if (sum > knots[i].sum) continue;
-    const double share = (sum - knots[i - 1].sum) / (knots[i].sum - knots[i - 1].sum);
-    return knots[i - 1].p_right + share * (knots[i].p_right - knots[i - 1].p_right);
-  }
-  return knots.back().p_right;
+  return edgevo::p_right_at(knots.data(), knots.size(), sum);
 }
 
 double conformal_lower_bound(std::vector<double> values, double share) {

@@ -30,15 +30,12 @@ struct LogisticSum {
 /// convex, so that the result does not depend on where it begins. Deterministic.
 LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge);
 
-/// Probability of a right motion at a sum of doubts.
-struct Knot {
-  double sum = 0, p_right = 1;
-};
+using Knot = TrustKnot;
 /// Isotonic regression of "right" on the sum: the samples in bins of equal weight (`bins` of them, and as
 /// many again in the upper tenth), pooled until p_right does not rise with the sum. p_right stays within
 /// 0.005 and 0.995. Knots of ascending sum; equal neighbours are excluded.
 std::vector<Knot> calibrate(const LogisticSum& fit, const std::vector<EvaluatedMotion>& samples, int bins);
-/// p_right at a sum: linear between the knots, constant outside.
+/// As edgevo::p_right_at().
 double p_right_at(const std::vector<Knot>& knots, double sum);
 
 /// The value that at most `share` of further values like these are below, by split conformal prediction: the

@@ -51,7 +51,7 @@ std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t came
   text +=
       "}};\n\n/// Probability of a right motion at a sum of weighted doubts; linear in between, constant "
       "outside.\n"
-      "struct Knot {\n  double sum, p_right;\n};\nconstexpr std::array<Knot, " +
+      "constexpr std::array<TrustKnot, " +
       std::to_string(fitted.knots.size()) + "> kKnots{{\n";
   for (const Knot& knot : fitted.knots)
     text += "    {" + fixed(knot.sum, 4) + ", " + fixed(knot.p_right, 4) + "},\n";

@@ -6,6 +6,7 @@
 
 #include "assumed_camera.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/wrapped_source.h"
 #include "edgevo/datasets/describe.h"
 
 namespace edgevo {
@@ -84,40 +85,27 @@ std::string doubt_about_lens(const Camera& camera) {
          "belongs to other images.";
 }
 
-class DoubtedSource : public ImageSource {
+class DoubtedSource : public WrappedSource {
  public:
   DoubtedSource(std::unique_ptr<ImageSource> inner, std::string doubt)
-      : inner_(std::move(inner)), doubt_(std::move(doubt)) {}
+      : WrappedSource(std::move(inner)), doubt_(std::move(doubt)) {}
 
-  const Camera& camera() const override { return inner_->camera(); }
-  std::optional<SE3> T_vehicle_cam() const override { return inner_->T_vehicle_cam(); }
-  std::optional<int> size() const override { return inner_->size(); }
-  std::string kind() const override { return inner_->kind(); }
-  bool is_live() const override { return inner_->is_live(); }
-  std::string label() const override { return inner_->label(); }
-  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
-  std::vector<std::pair<std::string, std::string>> details() const override { return inner_->details(); }
   std::vector<InputDecision> decisions() const override {
-    std::vector<InputDecision> all = inner_->decisions();
+    std::vector<InputDecision> all = inner().decisions();
     for (InputDecision& d : all)
       if (d.subject == "camera") {
         d.doubt += (d.doubt.empty() ? "" : " ") + doubt_;
         return all;
       }
-    const Pinhole p = inner_->camera().pinhole();
+    const Pinhole p = inner().camera().pinhole();
     all.push_back({"camera",
                    "fx " + fixed(p.fx, 1) + ", fy " + fixed(p.fy, 1) + ", cx " + fixed(p.cx, 1) + ", cy " +
                        fixed(p.cy, 1) + " px",
                    "for " + size_text(p.width, p.height), doubt_});
     return all;
   }
-  std::vector<Timestamp> times() const override { return inner_->times(); }
-  std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
-  std::optional<Frame> next() override { return inner_->next(); }
-  bool skip() override { return inner_->skip(); }
 
  private:
-  std::unique_ptr<ImageSource> inner_;
   std::string doubt_;
 };
 

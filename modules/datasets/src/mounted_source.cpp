@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/datasets/mounted_source.h"
 
+#include "edgevo/core/wrapped_source.h"
+
 namespace edgevo {
 namespace {
 
@@ -16,33 +18,21 @@ InputDecision decide(const ImageSource& source, const CameraMount& mount, const 
   return decision;
 }
 
-class MountedSource : public ImageSource {
+class MountedSource : public WrappedSource {
  public:
   MountedSource(std::unique_ptr<ImageSource> inner, const CameraMount& mount, const std::string& given_by)
-      : inner_(std::move(inner)),
+      : WrappedSource(std::move(inner)),
         T_vehicle_cam_(edgevo::T_vehicle_cam(mount)),
-        decision_(decide(*inner_, mount, given_by)) {}
+        decision_(decide(this->inner(), mount, given_by)) {}
 
-  const Camera& camera() const override { return inner_->camera(); }
   std::optional<SE3> T_vehicle_cam() const override { return T_vehicle_cam_; }
-  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
-  std::optional<int> size() const override { return inner_->size(); }
-  std::string kind() const override { return inner_->kind(); }
-  bool is_live() const override { return inner_->is_live(); }
-  std::string label() const override { return inner_->label(); }
-  std::vector<std::pair<std::string, std::string>> details() const override { return inner_->details(); }
   std::vector<InputDecision> decisions() const override {
-    auto all = inner_->decisions();
+    auto all = inner().decisions();
     all.push_back(decision_);
     return all;
   }
-  std::vector<Timestamp> times() const override { return inner_->times(); }
-  std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
-  std::optional<Frame> next() override { return inner_->next(); }
-  bool skip() override { return inner_->skip(); }
 
  private:
-  std::unique_ptr<ImageSource> inner_;
   SE3 T_vehicle_cam_;
   InputDecision decision_;
 };

@@ -7,6 +7,7 @@
 #include "camera_fit.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/wrapped_source.h"
 #include "edgevo/datasets/open_source.h"
 
 namespace edgevo {
@@ -25,39 +26,28 @@ GrayImage scaled(const GrayImage& image, int width, int height) {
 
 std::string size_of(const Pinhole& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }
 
-class ScaledSource : public ImageSource {
+class ScaledSource : public WrappedSource {
  public:
   ScaledSource(std::unique_ptr<ImageSource> inner, int width, int height)
-      : inner_(std::move(inner)), camera_(scaled_camera(inner_->camera(), width, height)) {}
+      : WrappedSource(std::move(inner)), camera_(scaled_camera(this->inner().camera(), width, height)) {}
 
   const Camera& camera() const override { return camera_; }
-  std::optional<SE3> T_vehicle_cam() const override { return inner_->T_vehicle_cam(); }
-  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
-  std::optional<int> size() const override { return inner_->size(); }
-  std::string kind() const override { return inner_->kind(); }
-  bool is_live() const override { return inner_->is_live(); }
-  std::string label() const override { return inner_->label(); }
   std::vector<std::pair<std::string, std::string>> details() const override {
-    auto all = inner_->details();
+    auto all = inner().details();
     all.emplace_back(kScaled,
-                     "from " + size_of(inner_->camera().pinhole()) + " to " + size_of(camera_.pinhole()));
+                     "from " + size_of(inner().camera().pinhole()) + " to " + size_of(camera_.pinhole()));
     return all;
   }
-  std::vector<InputDecision> decisions() const override { return inner_->decisions(); }
-  std::vector<Timestamp> times() const override { return inner_->times(); }
-  std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
 
   std::optional<Frame> next() override {
-    auto frame = inner_->next();
+    auto frame = inner().next();
     if (!frame) return std::nullopt;
     frame->image = scaled(frame->image, camera_.pinhole().width, camera_.pinhole().height);
     frame->image_path.clear();
     return frame;
   }
-  bool skip() override { return inner_->skip(); }
 
  private:
-  std::unique_ptr<ImageSource> inner_;
   Camera camera_;
 };
 

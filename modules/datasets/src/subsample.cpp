@@ -5,53 +5,46 @@
 #include <climits>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/wrapped_source.h"
 
 namespace edgevo {
 namespace {
 
-class SubsampledSource : public ImageSource {
+class SubsampledSource : public WrappedSource {
  public:
   SubsampledSource(std::unique_ptr<ImageSource> inner, const SourceOptions& options)
-      : inner_(std::move(inner)),
+      : WrappedSource(std::move(inner)),
         next_(options.first),
         last_(options.last.value_or(INT_MAX)),
         every_(options.every) {
-    details_ = inner_->details();
+    details_ = this->inner().details();
     details_.emplace_back("frames taken", range(options));
   }
 
-  const Camera& camera() const override { return inner_->camera(); }
-  std::optional<SE3> T_vehicle_cam() const override { return inner_->T_vehicle_cam(); }
-  VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
   std::optional<int> size() const override {
-    const auto all = inner_->size();
+    const auto all = inner().size();
     if (!all) return std::nullopt;
     const int end = std::min(*all, last_);
     return std::max(0, (end - first_ + every_ - 1) / every_);
   }
-  std::string kind() const override { return inner_->kind(); }
-  bool is_live() const override { return inner_->is_live(); }
-  std::string label() const override { return inner_->label(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return details_; }
-  std::vector<InputDecision> decisions() const override { return inner_->decisions(); }
   std::vector<Timestamp> times() const override {
-    const auto all = inner_->times();
+    const auto all = inner().times();
     std::vector<Timestamp> taken;
     for (size_t i = size_t(first_); i < std::min(all.size(), size_t(last_)); i += size_t(every_))
       taken.push_back(all[i]);
     return taken;
   }
-  std::string ground_truth_path() const override { return inner_->ground_truth_path(); }
 
   std::optional<Frame> next() override {
     if (!advance()) return std::nullopt;
     ++position_;
-    return inner_->next();
+    return inner().next();
   }
   bool skip() override {
     if (!advance()) return false;
     ++position_;
-    return inner_->skip();
+    return inner().skip();
   }
 
  private:
@@ -64,12 +57,11 @@ class SubsampledSource : public ImageSource {
   bool advance() {
     if (next_ >= last_) return false;
     for (; position_ < next_; ++position_)
-      if (!inner_->skip()) return false;
+      if (!inner().skip()) return false;
     next_ = next_ > INT_MAX - every_ ? INT_MAX : next_ + every_;
     return true;
   }
 
-  std::unique_ptr<ImageSource> inner_;
   std::vector<std::pair<std::string, std::string>> details_;
   int position_ = 0;  // next frame of the inner source
   int next_;          // next selected frame

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "edgevo/core/image_source.h"
 
@@ -28,6 +29,8 @@ class Grabber {
   virtual ~Grabber() = default;
   virtual const Camera& camera() const = 0;
   virtual std::optional<SE3> T_vehicle_cam() const = 0;
+  /// What the input was taken to be (ImageSource::decisions()).
+  virtual std::vector<InputDecision> decisions() const { return {}; }
   /// The next image; nullopt at the end of a finite source. Throws InputError when no image arrives.
   virtual std::optional<Grab> next() = 0;
 };

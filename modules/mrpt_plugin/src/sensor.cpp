@@ -78,6 +78,8 @@ void CEdgeVoSensor::open() {
   config_ = read_sensor_config(*ini_, section_);
   m_sensorLabel = config_.label;
   grabber_ = open_grabber(*ini_, section_, config_.calibration_file);
+  for (const InputDecision& decision : grabber_->decisions()) say(to_string(decision));
+  for (const std::string& warning : input_warnings(grabber_->decisions())) say("WARNING: " + warning);
   OdometryOptions options;
   options.seed = uint64_t(config_.seed);
   options.realtime = config_.realtime;

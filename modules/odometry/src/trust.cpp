@@ -84,18 +84,17 @@ std::string in_words(Doubt doubt, const FrameEvidence& e) {
   return {};
 }
 
-double p_right_of_sum(double sum) {
-  const auto& knots = trust_table::kKnots;
-  if (sum <= knots.front().sum) return knots.front().p_right;
-  for (size_t i = 1; i < knots.size(); ++i) {
+}  // namespace
+
+double p_right_at(const TrustKnot* knots, size_t count, double sum) {
+  if (sum <= knots[0].sum) return knots[0].p_right;
+  for (size_t i = 1; i < count; ++i) {
     if (sum > knots[i].sum) continue;
     const double share = (sum - knots[i - 1].sum) / (knots[i].sum - knots[i - 1].sum);
     return knots[i - 1].p_right + share * (knots[i].p_right - knots[i - 1].p_right);
   }
-  return knots.back().p_right;
+  return knots[count - 1].p_right;
 }
-
-}  // namespace
 
 double p_right_limit(const Doubts& doubts) {
   constexpr double kContradiction = 1.6;  // no right frame of the corpus on a camera that moves evenly
@@ -107,7 +106,8 @@ double p_right_limit(const Doubts& doubts) {
 }
 
 double p_right(const Doubts& doubts) {
-  return std::min(p_right_of_sum(weighted_sum(doubts)), p_right_limit(doubts));
+  return std::min(p_right_at(trust_table::kKnots.data(), trust_table::kKnots.size(), weighted_sum(doubts)),
+                  p_right_limit(doubts));
 }
 
 void Trust::begin_segment(int segment) {

@@ -31,10 +31,7 @@ constexpr std::array<Term, kDoubts> kTerms{{
 }};
 
 /// Probability of a right motion at a sum of weighted doubts; linear in between, constant outside.
-struct Knot {
-  double sum, p_right;
-};
-constexpr std::array<Knot, 20> kKnots{{
+constexpr std::array<TrustKnot, 20> kKnots{{
     {0.0783, 0.9950}, {0.3175, 0.9950}, {0.5385, 0.9950}, {0.7231, 0.9914}, {0.9388, 0.9850},
     {1.1749, 0.9796}, {1.4334, 0.9792}, {1.7353, 0.9672}, {2.1242, 0.9192}, {2.7294, 0.8650},
     {3.4596, 0.6752}, {4.2718, 0.5637}, {4.9230, 0.4447}, {5.1430, 0.3452}, {5.3245, 0.3424},

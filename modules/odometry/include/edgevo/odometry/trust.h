@@ -95,6 +95,14 @@ class Trust {
   RecentValues moved_{3};
 };
 
+/// Probability of a right motion at a weighted sum of doubts.
+struct TrustKnot {
+  /// The sum, and the probability, 0 to 1.
+  double sum = 0, p_right = 1;
+};
+/// Probability at a sum: linear between `count` knots of ascending sum, constant outside.
+double p_right_at(const TrustKnot* knots, size_t count, double sum);
+
 /// Probability of a right motion given the doubts, 0 to 1: that of their sum, at most p_right_limit().
 double p_right(const Doubts& doubts);
 /// 0.1 where one doubt decides alone, else 1. Corners that contradict the motion by far, 1.6 times what
