@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -7,6 +8,7 @@
 #include "commands.h"
 #include "edgevo/calibration/calibrate_camera.h"
 #include "edgevo/calibration/calibration_picture.h"
+#include "edgevo/calibration/camera_difference.h"
 #include "edgevo/calibration/run_calibration.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
@@ -24,6 +26,8 @@ struct CalibrateArguments {
   std::string source, out, camera_file;
   std::string chessboard, charuco, dictionary;
   double square_m = 1, marker_m = 0;
+  std::optional<CalibratedLens> lens;
+  std::string format = "ros";
   SourceOptions images;
   bool force = false;
 };
@@ -35,6 +39,12 @@ RunCalibration calibration_from(const CalibrateArguments& args) {
   if (camera.width != run.camera.width || camera.height != run.camera.height)
     throw InputError(args.camera_file, "its image size is not that of the run",
                      "give the camera file that the run used");
+  constexpr double kSame_px = 0.1;  // summary.yaml has nine digits
+  if (const double difference = largest_difference_px(run.camera, camera); difference > kSame_px)
+    throw InputError(args.camera_file,
+                     "is another camera than that of the run: points differ by up to " +
+                         (difference < 1e4 ? fixed(difference, 1) + " px" : "the whole image"),
+                     "give the camera file that the run used, or run again with this one");
   run.camera = camera;
   return run;
 }
@@ -61,15 +71,21 @@ void print_change(const Camera& before, const FoldedCamera& after) {
       after.max_shift_px, after.max_error_px, after.rms_error_px);
 }
 
-void print_use(const std::string& file) {
-  std::printf("%s: a camera file for --camera, MRPT, OpenCV and ROS\n", file.c_str());
+void print_use(const CalibrateArguments& args, const Camera& camera) {
+  std::string programs = "ROS";
+  if (args.format == "kalibr") programs = "Kalibr";
+  if (args.format == "orb_slam") programs = "ORB-SLAM";
+  if (args.format == "opencv") programs = "OpenCV";
+  if (args.format == "ros" && camera.plumb_bob()) programs = "MRPT, OpenCV and ROS";
+  std::printf("%s: a camera file for --camera, %s\n", args.out.c_str(), programs.c_str());
 }
 
 int calibrate_from_run(const CalibrateArguments& args) {
   const RunCalibration run = calibration_from(args);
   const FoldedCamera corrected = corrected_camera(run);
   const std::string found = finding(run.refinement);
-  write_file(args.out, camera_yaml(corrected.camera, "Self-calibration of edgevo: " + found));
+  write_file(args.out,
+             camera_file_text(corrected.camera, args.format, "Self-calibration of edgevo: " + found));
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
   if (run.refinement.correction.k1 != 0) print_change(run.camera, corrected);
   if (run.refinement.correction.readout_s != 0)
@@ -77,7 +93,7 @@ int calibrate_from_run(const CalibrateArguments& args) {
         "rolling shutter, read-out time %.4f s: camera files cannot hold it; pass it with --set "
         "camera.readout_s=%.4f\n",
         run.refinement.correction.readout_s, run.refinement.correction.readout_s);
-  print_use(args.out);
+  print_use(args, corrected.camera);
   return 0;
 }
 
@@ -121,6 +137,23 @@ void print_left_out(const BoardViews& views) {
               views.of_other_size.size() > kMostNames ? ", ..." : "");
 }
 
+// "residuals by lens: plumb_bob 1.913 px, fisheye 0.104 px, rational 0.231 px"
+void print_tried(const std::vector<TriedLens>& tried) {
+  std::string text;
+  for (const TriedLens& t : tried)
+    text += std::string(text.empty() ? "" : ", ") + to_string(t.lens) + " " +
+            (std::isnan(t.rms_px) ? "does not fit" : fixed(t.rms_px, 3) + " px");
+  std::printf("residuals by lens: %s\n", text.c_str());
+}
+
+// Nullopt for "auto".
+std::optional<CalibratedLens> lens_of_option(const std::string& name) {
+  for (const CalibratedLens lens :
+       {CalibratedLens::kPlumbBob, CalibratedLens::kFisheye, CalibratedLens::kRational})
+    if (name == to_string(lens)) return lens;
+  return std::nullopt;
+}
+
 void print_calibration(const CameraCalibration& c, const BoardViews& views) {
   const Pinhole p = c.camera.pinhole();
   print_left_out(views);
@@ -128,23 +161,26 @@ void print_calibration(const CameraCalibration& c, const BoardViews& views) {
               views.seen, views.images, c.views.size(), c.skipped.size());
   std::printf("fx %.2f fy %.2f +- %.2f px, cx %.2f cy %.2f +- %.2f px (one standard deviation)\n", p.fx, p.fy,
               c.sigma_f_px, p.cx, p.cy, c.sigma_c_px);
-  const Distortion d = c.camera.distortion();
-  std::printf("k1 %.5f k2 %.5f p1 %.5f p2 %.5f k3 %.5f; residuals %.3f px rms\n", d.k1, d.k2, d.p1, d.p2,
-              d.k3, c.rms_px);
+  std::string lens;
+  for (const auto& [name, value] : coefficients_of(c.camera.model))
+    lens += name + " " + fixed(value, 5) + " ";
+  std::printf("%s: %sresiduals %.3f px rms\n", to_string(c.camera.model), lens.c_str(), c.rms_px);
+  if (c.tried.size() > 1) print_tried(c.tried);
   for (const std::string& what : c.lacking) std::printf("missing: %s\n", what.c_str());
 }
 
 int calibrate_from_board(const CalibrateArguments& args) {
   const BoardViews views = views_from(args);
-  const CameraCalibration c = calibrate_camera(views, args.source);
+  const CameraCalibration c = calibrate_camera(views, args.source, args.lens);
   const std::string picture = picture_path(args.out);
   write_file(args.out,
-             camera_yaml(c.camera, "Calibrated by edgevo: " + std::to_string(c.views.size()) +
-                                       " views of a board, residuals " + fixed(c.rms_px, 3) + " px rms"));
+             camera_file_text(c.camera, args.format,
+                              "Calibrated by edgevo: " + std::to_string(c.views.size()) +
+                                  " views of a board, residuals " + fixed(c.rms_px, 3) + " px rms"));
   write_file(picture, calibration_picture(c));
   print_calibration(c, views);
   std::printf("%s: corners and residuals\n", picture.c_str());
-  print_use(args.out);
+  print_use(args, c.camera);
   return 0;
 }
 
@@ -173,6 +209,13 @@ void add_board_options(CLI::App& command, CalibrateArguments* args) {
       .add_option("--dictionary", args->dictionary,
                   "dictionary of the markers, as in OpenCV: 4x4_50 (default), 6x6_250, ...")
       ->needs(charuco);
+  command
+      .add_option_function<std::string>(
+          "--model", [args](const std::string& name) { args->lens = lens_of_option(name); },
+          "lens: plumb_bob, fisheye (Kannala-Brandt), rational, or auto (default: plumb_bob, unless another "
+          "has "
+          "clearly smaller residuals)")
+      ->check(CLI::IsMember({"auto", "plumb_bob", "fisheye", "rational"}));
   command.add_option("--every", args->images.every, "use only every N-th image of a video")
       ->check(whole_number(1));
 }
@@ -195,6 +238,10 @@ void add_calibrate_command(CLI::App& app, Action* action) {
       ->check(path_given());
   command->add_option("--camera", args->camera_file,
                       "camera file that the run used (default: the camera in its summary.yaml)");
+  command
+      ->add_option("--format", args->format,
+                   "format of the camera file: ros (default), kalibr, orb_slam or opencv")
+      ->check(CLI::IsMember(camera_file_formats()));
   add_board_options(*command, args.get());
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return calibrate(*args); }; });

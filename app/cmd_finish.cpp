@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
 #include <memory>
 
 #include "commands.h"
@@ -14,6 +15,7 @@ namespace {
 int finish(const std::string& out) {
   const RecoveredRun recovered = recover_run(out);
   const Run& run = recovered.run;
+  if (!recovered.map_note.empty()) std::fprintf(stderr, "%s\n", recovered.map_note.c_str());
   print_run(run, out);
   if (recovered.is_damaged)
     throw InputError(

@@ -35,7 +35,7 @@ int import(const ImportArguments& args) {
     Progress progress("importing", source->size());
     count = write_rawlog(*source, args.rawlog, truth, [&](int done) { progress.update(done); });
   }
-  std::printf("%s\n", describe_rawlog(args.rawlog, count, !truth.empty()).c_str());
+  std::printf("%s\n", describe_rawlog(args.rawlog, count, !truth.empty(), source->camera()).c_str());
   return 0;
 }
 

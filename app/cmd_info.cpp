@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "commands.h"
+#include "edgevo/core/bad_frame.h"
+#include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/describe.h"
 #include "progress.h"
 #include "source_options.h"
@@ -14,31 +18,69 @@ void print(const std::string& name, const std::string& value) {
   std::printf("%-18s %s\n", name.c_str(), value.c_str());
 }
 
-void check_every_frame(ImageSource& source) {
-  int count = 0;
-  {
-    Progress progress("checking", source.size());
-    while (source.next()) progress.update(++count);
+// The frames that a run would skip. A source that cannot go on after a fault throws it.
+std::vector<std::string> find_bad_frames(ImageSource& source, int* frames) {
+  std::vector<std::string> bad;
+  Progress progress("checking", source.size());
+  for (bool more = true; more;) {
+    try {
+      more = source.next().has_value();
+    } catch (const BadFrame& e) {
+      bad.emplace_back(e.what());
+    }
+    if (more) progress.update(++*frames);
   }
-  print("check", "all " + std::to_string(count) + " images decode, sizes and times are right");
+  return bad;
+}
+
+void check_every_frame(const std::string& path, ImageSource& source) {
+  constexpr size_t kMostShown = 10;
+  int frames = 0;
+  const std::vector<std::string> bad = find_bad_frames(source, &frames);
+  if (bad.empty())
+    return print("check", "all " + std::to_string(frames) + " images decode, sizes and times are right");
+  for (size_t i = 0; i < std::min(kMostShown, bad.size()); ++i) print("BAD", bad[i]);
+  throw InputError(path,
+                   std::to_string(bad.size()) + " of " + std::to_string(frames) +
+                       " frames cannot be used; the first: " + bad.front(),
+                   "a run skips them");
+}
+
+// Whether the name is that of a camera file, not of a video or a rawlog.
+bool names_camera_file(const std::string& path) {
+  static const std::vector<std::string> kEndings{".yaml", ".yml", ".txt", ".json", ".ini",
+                                                 ".xml",  ".cfg", ".bin", ".db"};
+  std::error_code ignored;
+  const std::string ending = std::filesystem::path(path).extension().string();
+  return std::filesystem::is_regular_file(path, ignored) &&
+         std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+int info_of_camera(const std::string& path, const std::string& sensor) {
+  const Camera camera = read_camera_file(path, sensor);
+  camera.check(path);
+  print("camera file", path);
+  for (const auto& [name, value] : describe(camera)) print(name, value);
+  return 0;
 }
 
 // The contents are shown without a calibration, too.
 int info(SourceOptions options, bool check) {
+  if (names_camera_file(options.path)) return info_of_camera(options.path, options.sensor_label);
   options.any_camera = true;
   const auto source = open_source(options);
   print("source", options.path);
   for (const auto& [name, value] : describe(*source)) print(name, value);
   std::fflush(stdout);
-  if (check) check_every_frame(*source);
+  if (check) check_every_frame(options.path, *source);
   return 0;
 }
 
 }  // namespace
 
 void add_info_command(CLI::App& app, Action* action) {
-  CLI::App* command =
-      app.add_subcommand("info", "show the contents of a source: frames, camera, times, labels");
+  CLI::App* command = app.add_subcommand(
+      "info", "show the contents of a source (frames, camera, times, labels) or of a camera file");
   auto options = std::make_shared<SourceOptions>();
   auto check = std::make_shared<bool>(false);
   add_source_options(*command, options.get());

@@ -84,14 +84,20 @@ MapReport write_maps(const Run& run, const MapParams& params, const std::string&
 }
 
 int map(const MapArguments& args) {
-  const MapParams params = params_from(args);
+  MapParams params = params_from(args);
   check_output(args);
   Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
   if (args.mount) run.T_vehicle_cam = T_vehicle_cam(*args.mount);
+  if (const std::string note = coarsen_to_fit(run, free_memory(), &params.occupancy); !note.empty())
+    std::fprintf(stderr, "%s\n", note.c_str());
   check_map_size(run, params.occupancy, free_memory(), args.run);
   print_size(run, params);
   const MapReport report = write_maps(run, params, args.out);
   print_map(run, report, args.out);
+  if (report.octree.occupied_voxels == 0)
+    throw InputError(args.run,
+                     "the map is empty: no point lies within a range of " + fixed(report.octree.max_range, 4),
+                     "raise --max-range");
   return 0;
 }
 

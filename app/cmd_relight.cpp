@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/results/rawlog_output.h"
 #include "edgevo/simulation/folder_export.h"
@@ -24,7 +25,8 @@ struct RelightOptions {
 int write_folder(RelitSource& source, const RelightOptions& options, const std::string& truth,
                  Progress& progress) {
   clear_sequence(options.out);
-  FolderWriter writer(options.out, source.camera());
+  const Camera& camera = source.camera();
+  FolderWriter writer(options.out, camera, camera.plumb_bob() ? "" : camera_yaml(camera, ""));
   int count = 0;
   while (const std::optional<Frame> frame = source.next()) {
     writer.add(*frame);

@@ -3,8 +3,10 @@
 #include <memory>
 
 #include "commands.h"
+#include "edgevo/core/closest_lens.h"
 #include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/files/output_folder.h"
@@ -27,7 +29,8 @@ constexpr int kDone = 0, kMostlyFailed = 3;
 
 struct RunArguments {
   SourceOptions source;
-  std::string out, params_file, detector, edge_model, edge_folder, edge_map, scale = "none";
+  TargetRequest target;
+  std::string out, params_file, detector, edge_model, edge_folder, edge_map, mask, scale = "none";
   std::vector<std::string> settings;
   uint64_t seed = 1;
   bool realtime = false, quiet = false, view = false;
@@ -45,6 +48,7 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.detector.empty()) set_param("edges.detector=" + args.detector, visit);
   if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
   if (!args.edge_folder.empty()) params.odometry.edges.folder = args.edge_folder;
+  if (!args.mask.empty()) params.odometry.edges.mask = args.mask;
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
   return params;
 }
@@ -53,6 +57,17 @@ OnBadFrame parse_on_bad_frame(const std::string& text) {
   if (text == "skip") return OnBadFrame::kSkip;
   if (text == "stop") return OnBadFrame::kStop;
   throw InputError("--on-bad-frame " + text, "is neither stop nor skip", "give one of them");
+}
+
+// The pinhole to work in, and what it is, unless it is that of the camera file.
+std::optional<InputDecision> choose_pinhole(const RunArguments& args, const Camera& camera,
+                                            OdometryOptions* options) {
+  if (args.target.is_empty() && camera.plumb_bob()) return std::nullopt;
+  options->working_pinhole = target_pinhole(camera, args.target);
+  InputDecision decision = describe_target(camera, *options->working_pinhole);
+  if (!args.quiet)
+    std::fprintf(stderr, "edgevo: %s: %s\n", args.source.path.c_str(), to_string(decision).c_str());
+  return decision;
 }
 
 OdometryOptions odometry_options(const RunArguments& args) {
@@ -77,15 +92,28 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.notes = {{"seed", std::to_string(args.seed)},
                 {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
   for (const auto& notice : source_notices(source)) info.notes.push_back(notice);
+  if (!info.camera.plumb_bob())
+    info.notes.emplace_back("playback_camera",
+                            "kannala_brandt, at most " +
+                                fixed(closest_kannala_brandt(info.camera).max_error_px, 3) +
+                                " px from the lens");
   return info;
 }
+
+// The newest mask of what is fixed to the camera.
+using OwnPartMask = std::shared_ptr<const Plane<uint8_t>>;
 
 // Work after each frame: store its image for the playback and its record on disk, update the scale, the
 // window and the progress line.
 std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
                                                             MapCursor& scale_events, RunView* view,
-                                                            std::optional<Progress>& progress) {
+                                                            std::optional<Progress>& progress,
+                                                            OwnPartMask& own) {
   return [&, view, done = 0](const ProcessedFrame& frame) mutable {
+    // A view is a projection of all points, and the mask hardly ever changes.
+    constexpr int kFramesBetween = 10;
+    if (frame.record.index % kFramesBetween == 0)
+      if (const FrameView newest = frame.view(); newest.pyramid) own = newest.pyramid->own_mask;
     if (!outputs.add_frame(frame.frame, frame.frame.image_path)) return false;
     outputs.add_record(frame.record);
     for (const auto& event : scale_events.read()) scaling.apply(*event);
@@ -104,7 +132,8 @@ std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& 
 }
 
 RunResult run_over(const RunArguments& args, ImageSource& source, const OdometryParams& params,
-                   const OdometryOptions& odometry, RunScaling& scaling, RunOutputs& outputs) {
+                   const OdometryOptions& odometry, RunScaling& scaling, RunOutputs& outputs,
+                   OwnPartMask* own) {
   RunLoopOptions options;
   options.odometry = odometry;
   options.pace = args.pace;
@@ -116,7 +145,7 @@ RunResult run_over(const RunArguments& args, ImageSource& source, const Odometry
   const auto view = view_from(args, source, odometry.map_log);
   MapCursor scale_events(odometry.map_log);
   return run_odometry(source, params, options,
-                      after_each_frame(outputs, scaling, scale_events, view.get(), progress));
+                      after_each_frame(outputs, scaling, scale_events, view.get(), progress, *own));
 }
 
 // A run without a frame writes nothing and leaves the folder as it was.
@@ -139,11 +168,22 @@ void look_for_up(const RunArguments& args, Run* run, RunInfo* info) {
   const std::optional<InputDecision> up = decide_up(run);
   if (!up) return;
   info->input.push_back(*up);
-  if (args.quiet) return;
-  if (run->T_vehicle_cam)
-    std::fprintf(stderr, "edgevo: %s: %s\n", args.source.path.c_str(), to_string(*up).c_str());
-  for (const std::string& warning : input_warnings({*up}))
-    std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
+  if (!args.quiet && (run->T_vehicle_cam || !up->doubt.empty())) print_decisions(args.source.path, {*up});
+}
+
+void note_mask(const OwnPartMask& own, RunInfo* info) {
+  if (!own) return;
+  info->own_mask = {own->width(), own->height(), {}};
+  int masked = 0;
+  for (int y = 0; y < own->height(); ++y)
+    for (int x = 0; x < own->width(); ++x) {
+      info->own_mask.pixels.push_back(own->at(x, y) ? 0 : 255);
+      masked += own->at(x, y) != 0;
+    }
+  char text[80];
+  std::snprintf(text, sizeof text, "%.0f %% of the image is fixed to the camera and left out: mask.png",
+                100.0 * masked / double(info->own_mask.pixels.size()));
+  info->notes.emplace_back("mask", text);
 }
 
 void print_end(const RunResult& result) {
@@ -172,19 +212,24 @@ int run(const RunArguments& args) {
   const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source, args.quiet);
   OdometryOptions odometry = odometry_options(args);
   odometry.map_log = std::make_shared<MapLog>();
+  const std::optional<InputDecision> pinhole = choose_pinhole(args, source->camera(), &odometry);
   RunScaling scaling(scale, *source, rectification_of(source->camera(), odometry).target(), params.scale);
   RunInfo info = describe(args, *source, params, odometry);
+  if (pinhole) info.input.push_back(*pinhole);
   RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
   outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()}, odometry.map_log);
   listen_to_signals();
-  RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs);
+  OwnPartMask own;
+  RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs, &own);
   Run& tracked = result.run;
   if (tracked.frames.empty()) throw_without_frames(args, result);
   look_for_up(args, &tracked, &info);
   scaling.convert(&tracked);
   note_end(result, &info);
+  note_mask(own, &info);
   outputs.finish(tracked, info);
   if (!args.quiet) print_end(result);
+  if (!args.quiet && !outputs.map_note().empty()) std::fprintf(stderr, "%s\n", outputs.map_note().c_str());
   if (!args.quiet) print_run(tracked, args.out);
   if (result.broken) std::rethrow_exception(result.broken);
   if (!tracked.scale.problem.empty())
@@ -203,6 +248,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   add_source_options(*command, &args->source);
   add_mount(*command, &args->source.mount);
   add_image_scale(*command, &args->source);
+  add_rectification(*command, &args->target);
   command
       ->add_option("-o,--out", args->out,
                    "folder for the results, created if missing; an earlier run in it is kept until this one "
@@ -223,6 +269,11 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
       ->add_option("--edge-model", args->edge_model,
                    "model for the detectors structured (a forest in OpenCV's format) and network (an .onnx "
                    "with its .yaml next to it), instead of the one shipped with edgevo")
+      ->check(path_given());
+  command
+      ->add_option(
+          "--mask", args->mask,
+          "PNG of the size of the images: what is black there, such as a part of the vehicle, is left out")
       ->check(path_given());
   command
       ->add_option("--edge-folder", args->edge_folder,

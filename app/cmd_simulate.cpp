@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/datasets/camera_file.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/results/rawlog_output.h"
@@ -25,7 +26,7 @@ constexpr const char* kSurveys = "symphony_lake";
 constexpr const char* kNewSurveys = "symphony_lake_new";
 
 struct SimulateOptions {
-  std::string scene, out, frames, season, survey, layout = "edgevo";
+  std::string scene, out, camera_file, frames, season, survey, layout = "edgevo";
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
   std::optional<CameraMount> mount;
@@ -54,14 +55,24 @@ Scene scene_from(const SimulateOptions& options) {
       load_scene(options.season.empty() ? options.scene : options.scene + ":" + options.season, options.seed);
   scene.shutter.rolling_s = options.rolling_shutter_s.value_or(scene.shutter.rolling_s);
   scene.shutter.exposure_s = options.exposure_s.value_or(scene.shutter.exposure_s);
+  if (!options.camera_file.empty()) {
+    scene.camera = read_camera_file(options.camera_file);
+    scene.has_given_camera = true;
+  }
   if (options.mount) mount_camera(*options.mount, &scene);
   return scene;
+}
+
+// Empty for a lens that the usual line of numbers can hold.
+std::string camera_text_for(const Camera& camera) {
+  return camera.plumb_bob() ? std::string() : camera_yaml(camera, "");
 }
 
 void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range,
                   Progress& progress) {
   range.depth = options.depth;
   range.edges = options.edges;
+  range.camera_text = camera_text_for(renderer.camera());
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
   export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
 }
@@ -76,7 +87,7 @@ std::string write_as_rawlog(const std::shared_ptr<const SceneRenderer>& renderer
   const int count = write_rawlog(source, options.out,
                                  ground_truth_tum(*renderer, range.begin, range.begin + *source.size()),
                                  [&](int done) { progress.update(done); });
-  return describe_rawlog(options.out, count, true);
+  return describe_rawlog(options.out, count, true, source.camera());
 }
 
 void write_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
@@ -154,6 +165,9 @@ void add_simulate_command(CLI::App& app, Action* action) {
       ->check(path_given());
   command->add_option("--seed", options->seed, "seed of world and motion (default: that of the scene)")
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
+  command->add_option(
+      "--camera", options->camera_file,
+      "camera file of another lens or size, up to a whole sphere (default: that of the scene)");
   command->add_option("--frames", options->frames, "render frames A to B-1, as A:B");
   command->add_option(
       "--season", options->season,

@@ -35,6 +35,9 @@ void add_eval_command(CLI::App& app, Action* action,
                       std::function<Trajectory(const std::string& path)> truth_of_source, EvalRuns eval_runs);
 void add_simulate_command(CLI::App& app, Action* action);
 void add_relight_command(CLI::App& app, Action* action);
+void add_overlay_command(CLI::App& app, Action* action);
+/// Adds `mask`, which copies the mask that a run has found.
+void add_mask_command(CLI::App& app, Action* action);
 void add_study_command(CLI::App& app, Action* action);
 void add_calibrate_command(CLI::App& app, Action* action);
 void add_map_command(CLI::App& app, Action* action);

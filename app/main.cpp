@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
   edgevo::app::add_finish_command(app, &action);
   edgevo::app::add_import_command(app, &action);
   edgevo::app::add_info_command(app, &action);
+  edgevo::app::add_mask_command(app, &action);
   edgevo::app::add_eval_command(
       app, &action, edgevo::app::source_truth,
       [](const auto& paths, const auto& options, bool json, const auto& truth_reading) {
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
       });
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
+  edgevo::app::add_overlay_command(app, &action);
   edgevo::app::add_edges_command(app, &action);
   edgevo::app::add_study_command(app, &action);
   edgevo::app::add_calibrate_command(app, &action);

@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "source_options.h"
 
+#include <charconv>
 #include <cstdio>
 
+#include "edgevo/core/error.h"
 #include "edgevo/datasets/source_folder.h"
 #include "option_checks.h"
 
 namespace edgevo::app {
+namespace {
+
+// "WxH", both from 64, below which edges are too few, to 8192 pixels.
+void parse_size(const std::string& text, TargetRequest* request) {
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, request->width);
+  const char* const rest = width.ptr + (width.ptr != end && *width.ptr == 'x');
+  const auto height = std::from_chars(rest, end, request->height);
+  const auto is_side = [](int side) { return side >= 64 && side <= 8192; };
+  if (width.ec != std::errc() || height.ec != std::errc() || rest == width.ptr || height.ptr != end ||
+      !is_side(request->width) || !is_side(request->height))
+    throw InputError("--rectify-size " + text, "is not WIDTHxHEIGHT with sides from 64 to 8192 pixels",
+                     "write for example --rectify-size 640x480");
+}
+
+}  // namespace
 
 void add_source_options(CLI::App& command, SourceOptions* options) {
   command
@@ -17,15 +35,20 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
       ->required();
   CLI::Option* camera =
       command.add_option("--camera", options->camera_file,
-                         "calibration: `fx fy cx cy k1 k2 p1 p2 width height [k3]`, YAML of ROS, OpenCV or "
-                         "Kalibr, ost.txt, a 3x3 matrix");
+                         "calibration: `fx fy cx cy k1 k2 p1 p2 width height [k3]`, or a file of ROS, "
+                         "OpenCV, Kalibr, ORB-SLAM, Basalt, COLMAP, DSO, MRPT, ViSP");
+  command
+      .add_option("--camera-scale", options->camera_scale,
+                  "size of the images over that of the calibration, if they were scaled (default: from both)")
+      ->check(number_between(0.01, 100));
   command
       .add_option("--fov", options->fov_deg,
                   "field of view in degrees over the longer side of the images, instead of a calibration; "
                   "assumes a lens without distortion")
       ->check(number_between(1, 179))
       ->excludes(camera);
-  command.add_option("--sensor", options->sensor_label, "camera to use, if the source has several");
+  command.add_option("--sensor", options->sensor_label,
+                     "camera to use, if the source or --camera has several");
   command.add_option_function<std::string>(
       "--frames", [options](const std::string& text) { set_frame_range(text, options); },
       "use only frames A to B-1, as A:B");
@@ -60,6 +83,18 @@ void add_image_scale(CLI::App& command, SourceOptions* options) {
       ->check(number_between(0.01, 1));
 }
 
+void add_rectification(CLI::App& command, TargetRequest* request) {
+  command
+      .add_option(
+          "--rectify-fov", request->view_deg,
+          "degrees from side to side of the pinhole images that the method works in, at most (default: "
+          "those of the camera file; 120 for a fisheye or another wide lens)")
+      ->check(number_between(10, 150));
+  command.add_option_function<std::string>(
+      "--rectify-size", [request](const std::string& text) { parse_size(text, request); },
+      "their size, WIDTHxHEIGHT (default: as sharp in the middle as the lens)");
+}
+
 std::vector<std::pair<std::string, std::string>> source_notices(const ImageSource& source) {
   std::vector<std::pair<std::string, std::string>> notices;
   for (const auto& detail : source.details())
@@ -67,15 +102,19 @@ std::vector<std::pair<std::string, std::string>> source_notices(const ImageSourc
   return notices;
 }
 
+void print_decisions(const std::string& path, const std::vector<InputDecision>& decisions) {
+  for (const InputDecision& decision : decisions)
+    std::fprintf(stderr, "edgevo: %s: %s\n", path.c_str(), to_string(decision).c_str());
+  for (const std::string& warning : input_warnings(decisions))
+    std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
+}
+
 std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet) {
   auto source = open_source(options);
   if (quiet) return source;
   for (const auto& [name, value] : source_notices(*source))
     std::fprintf(stderr, "edgevo: %s: %s %s\n", options.path.c_str(), name.c_str(), value.c_str());
-  for (const InputDecision& decision : source->decisions())
-    std::fprintf(stderr, "edgevo: %s: %s\n", options.path.c_str(), to_string(decision).c_str());
-  for (const std::string& warning : input_warnings(source->decisions()))
-    std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
+  print_decisions(options.path, source->decisions());
   return source;
 }
 

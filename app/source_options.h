@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "edgevo/core/target_pinhole.h"
 #include "edgevo/datasets/open_source.h"
 
 namespace edgevo::app {
@@ -19,8 +20,14 @@ void add_mount(CLI::App& command, std::optional<CameraMount>* mount);
 /// Adds --image-scale; its default depends on the width of the images.
 void add_image_scale(CLI::App& command, SourceOptions* options);
 
+/// Adds --rectify-fov and --rectify-size.
+void add_rectification(CLI::App& command, TargetRequest* request);
+
 /// What to report about a source, as name and value: assumptions about its camera and scaling of its images.
 std::vector<std::pair<std::string, std::string>> source_notices(const ImageSource& source);
+
+/// Prints what was decided about the input at `path` to stderr, one line each, and the doubts as warnings.
+void print_decisions(const std::string& path, const std::vector<InputDecision>& decisions);
 
 /// Calls open_source() and prints the notices to stderr, one line each.
 std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet = false);

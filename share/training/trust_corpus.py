@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the runs that the trust in a frame is fitted to: trust_corpus.py EDGEVO DATA OUT [--tier N].
+"""Makes the runs that the trust in a frame is fitted to: trust_corpus.py EDGEVO DATA OUT [--tier N] [--jobs N].
 
 EDGEVO: the program. DATA: the folder of the real sequences (datasets/README.md). OUT: one folder a run, the changed
 sequences under OUT/data, and OUT/runs.txt, the list that edgevo_fit_trust reads: run folder, ground truth, camera.
@@ -8,11 +8,14 @@ The corpus contains failures on purpose: skipped frames, changed and extreme lig
 points. Runs that are there already are kept, so that a stopped corpus goes on where it was.
 """
 import argparse
+import collections
+import concurrent.futures
 import math
 import os
 import shutil
 import subprocess
 import sys
+import threading
 
 # Folder of DATA, or a rendered scene, and the camera that took it: what is excluded together to evaluate the fit.
 REAL = {'kitti00': ('kitti00_first300', 'kitti'), 'kitti05': ('kitti05_first300', 'kitti'),
@@ -59,6 +62,9 @@ VARIANTS = [
 ]
 
 
+MAKING = collections.defaultdict(threading.Lock)  # a changed sequence is made by one thread, the others wait for it
+
+
 def call(command):
     return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
@@ -80,7 +86,7 @@ def truth_of(name, source, data):
     angle = math.sqrt(sum(t * t for t in turn))
     back = tuple(-t / angle * math.sin(angle / 2) for t in turn) + (math.cos(angle / 2),)
     turned = os.path.abspath(f'{data}/{os.path.basename(source)}.truth.txt')
-    with open(turned, 'w') as out:
+    with MAKING[turned], open(turned, 'w') as out:
         for row in (r.split() for r in open(truth) if r.strip() and not r.startswith('#')):
             out.write(' '.join(row[:4] + [f'{q:.9f}' for q in product([float(q) for q in row[4:8]], back)]) + '\n')
     return turned
@@ -120,22 +126,27 @@ def play_backward(source, target):
             out.write(' '.join([f'{mirror - float(row[0]):.6f}'] + row[1:]) + '\n')
 
 
+def change_once(edgevo, name, source, target, change, seed):
+    if change.startswith('focal'):
+        scale_focal_length(source, target, float(change[5:]))
+    elif change == 'backward':
+        play_backward(source, target)
+    else:
+        done = call([edgevo, 'relight', source, '-o', target, '--kind', change, '--seed', str(seed)])
+        if done.returncode:
+            sys.exit(f'{name}: {done.stderr.strip()}')
+
+
 def changed(edgevo, data, name, source, changes):
     """Folder of a sequence with its changes applied one after another; each is made once."""
     for i, change in enumerate(changes):
         name += '_' + change
         target, made = f'{data}/{name}', f'{data}/{name}.made'
-        if not os.path.exists(made):
-            shutil.rmtree(target, ignore_errors=True)
-            if change.startswith('focal'):
-                scale_focal_length(source, target, float(change[5:]))
-            elif change == 'backward':
-                play_backward(source, target)
-            else:
-                done = call([edgevo, 'relight', source, '-o', target, '--kind', change, '--seed', str(i + 1)])
-                if done.returncode:
-                    sys.exit(f'{name}: {done.stderr.strip()}')
-            open(made, 'w').close()
+        with MAKING[target]:
+            if not os.path.exists(made):
+                shutil.rmtree(target, ignore_errors=True)
+                change_once(edgevo, name, source, target, change, i + 1)
+                open(made, 'w').close()
         source = target
     return source
 
@@ -143,12 +154,13 @@ def changed(edgevo, data, name, source, changes):
 def rendered(edgevo, data, name):
     scene, seed, _ = RENDERED[name]
     target, made = f'{data}/{name}', f'{data}/{name}.made'
-    if not os.path.exists(made):
-        shutil.rmtree(target, ignore_errors=True)
-        done = call([edgevo, 'simulate', scene, '-o', target] + (['--seed', str(seed)] if seed else []))
-        if done.returncode:
-            sys.exit(f'{name}: {done.stderr.strip()}')
-        open(made, 'w').close()
+    with MAKING[target]:
+        if not os.path.exists(made):
+            shutil.rmtree(target, ignore_errors=True)
+            done = call([edgevo, 'simulate', scene, '-o', target] + (['--seed', str(seed)] if seed else []))
+            if done.returncode:
+                sys.exit(f'{name}: {done.stderr.strip()}')
+            open(made, 'w').close()
     return target
 
 
@@ -179,32 +191,42 @@ def plan(last_tier):
     return sorted((j for j in jobs if j[0] <= last_tier), key=lambda j: j[0])
 
 
+def make(args, data, job):
+    """Makes the run of a job with what it needs; its line of runs.txt, empty if there is none."""
+    _, name, camera, is_real, (_, variant, changes, options, seed) = job
+    source = f'{args.data}/{REAL[name][0]}' if is_real else rendered(args.edgevo, data, name)
+    source = changed(args.edgevo, data, name, source, changes)
+    out = f'{args.out}/{name}.{variant}.{seed}'
+    if not args.prepare:
+        run(args.edgevo, source, out, options, seed)
+    if not os.path.exists(f'{out}/summary.yaml'):
+        return ''
+    return f'{os.path.abspath(out)} {truth_of(name, source, data)} {camera}\n'
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('edgevo')
     parser.add_argument('data')
     parser.add_argument('out')
     parser.add_argument('--tier', type=int, default=3, help='1: some 40 runs, 2: 120, 3: all')
+    parser.add_argument('--jobs', type=int, default=1, help='runs at a time')
     parser.add_argument('--list', action='store_true', help='print the runs and end')
     parser.add_argument('--prepare', action='store_true', help='make the changed sequences only')
     args = parser.parse_args()
     data = f'{args.out}/data'
     os.makedirs(data, exist_ok=True)
-    listed = {}
-    for tier, name, camera, is_real, (_, variant, changes, options, seed) in plan(args.tier):
-        if args.list:
+    jobs = plan(args.tier)
+    if args.list:
+        for tier, name, camera, _, (_, variant, _, _, seed) in jobs:
             print(tier, name, variant, seed, camera)
-            continue
-        source = f'{args.data}/{REAL[name][0]}' if is_real else rendered(args.edgevo, data, name)
-        source = changed(args.edgevo, data, name, source, changes)
-        if args.prepare:
-            continue
-        out = f'{args.out}/{name}.{variant}.{seed}'
-        run(args.edgevo, source, out, options, seed)
-        if os.path.exists(f'{out}/summary.yaml'):
-            listed[out] = f'{os.path.abspath(out)} {truth_of(name, source, data)} {camera}\n'
+        return
+    with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        made = pool.map(lambda job: make(args, data, job), jobs)
         with open(f'{args.out}/runs.txt', 'w') as file:
-            file.writelines(listed.values())
+            for line in made:
+                file.write(line)
+                file.flush()
 
 
 if __name__ == '__main__':

@@ -76,6 +76,8 @@ image middle 10 && printf 'P5\n-5 -5\n0\n' >"$picture"
 survives "nine bad images of twelve" "$edgevo" run middle -o out --quiet
 check "rows of them" "$(rows out)" -eq 12
 survives "info --check of them" "$edgevo" info middle --check
+complains "middle: [0-9]* of 12 frames cannot be used; the first: .*000002.png" "$edgevo" info middle --check
+check "each is named" "$("$edgevo" info middle --check 2>/dev/null | grep -c '^BAD .*0000[01][0-9].png')" -ge 7
 survives "import of them" "$edgevo" import middle middle.rawlog
 survives "relight of them" "$edgevo" relight middle -o relit
 survives "edges of them" "$edgevo" edges middle -o edges --detector canny --jobs 1

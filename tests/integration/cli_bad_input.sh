@@ -74,7 +74,7 @@ sequence() { rm -rf "$1" && copy_sequence "$desk" "$1" 0 5; }
 sequence lines && echo "1.0" >>lines/times.txt
 source_of "6 times for 5 images" lines
 sequence noon && sed -i '3s/.*/noon/' noon/times.txt
-source_of "times.txt, line 3: is not a time" noon
+source_of "times.txt, line 3: 'noon' is not a time" noon
 sequence piped && rm piped/times.txt && mkfifo piped/times.txt
 source_of "times.txt" piped
 sequence cameras && rm cameras/camera.txt && mkfifo cameras/camera.txt

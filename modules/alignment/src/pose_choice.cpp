@@ -33,17 +33,36 @@ SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, c
   return misled ? start : T_cur_ref;
 }
 
-SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
-                    const AlignmentParams& params) {
-  constexpr int kSteps = 6;  // in each direction: neighbours differ by an eighth of the length
+// Translation from 1 / `most` to `most` times its length that the edges of a level fit best.
+SE3 search_length(const FramePyramid& current, const ReferenceCloud& cloud, int level, double most,
+                  const SE3& start, const AlignmentParams& params) {
+  constexpr int kSteps = 6;  // in each direction
   SE3 best = start;
   double least = std::numeric_limits<double>::infinity();
   for (int i = -kSteps; i <= kSteps; ++i) {
-    const SE3 T_cur_ref(start.rotation(), std::exp2(double(i) / kSteps) * start.translation());
-    const double cost = edge_cost(current, cloud, coarsest_edge_level(current), params, T_cur_ref);
+    const SE3 T_cur_ref(start.rotation(), std::pow(most, double(i) / kSteps) * start.translation());
+    const double cost = edge_cost(current, cloud, level, params, T_cur_ref);
     if (cost < least) least = cost, best = T_cur_ref;
   }
   return best;
+}
+
+// Neighbours differ by an eighth of the length.
+SE3 start_by_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
+                    const AlignmentParams& params) {
+  return search_length(current, cloud, coarsest_edge_level(current), 2, start, params);
+}
+
+// The length to a fiftieth, of a start that is right to an eighth.
+PoseCandidate align_length(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
+                           const AlignmentParams& params) {
+  constexpr double kNear = 1.13;
+  PoseCandidate found;
+  found.T_cur_ref = search_length(current, cloud, 0, kNear, start, params);
+  SE3 aligned = found.T_cur_ref;  // where the edges would have it; only its statistics count
+  found.stats = align_edges(current, cloud, 0, params, &aligned);
+  if (found.T_cur_ref.is_finite()) found.evidence = weigh_evidence(current, cloud, found.T_cur_ref, params);
+  return found;
 }
 
 SE3 start_of_edges(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& h,
@@ -60,13 +79,16 @@ SE3 start_of_edges(const FramePyramid& current, const ReferenceCloud& cloud, con
 
 PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, const PoseHypothesis& h,
                     const AlignmentParams& params) {
+  using Refinement = PoseHypothesis::Refinement;
+  if (h.refinement == Refinement::kNearLength) return align_length(current, cloud, h.T_cur_ref, params);
+  if (h.refinement == Refinement::kLength)
+    return align_length(current, cloud, start_by_length(current, cloud, h.T_cur_ref, params), params);
   PoseCandidate found;
   found.T_cur_ref = start_of_edges(current, cloud, h, params);
   found.has_prior = h.translation_sigma.has_value();
   TranslationPrior prior;
   if (h.translation_sigma) prior = {h.T_cur_ref, *h.translation_sigma};
-  const int coarsest =
-      h.refinement == PoseHypothesis::Refinement::kFinestEdges ? 0 : coarsest_edge_level(current);
+  const int coarsest = h.refinement == Refinement::kFinestEdges ? 0 : coarsest_edge_level(current);
   for (int level = coarsest; level >= 0; --level)
     found.stats =
         align_edges(current, cloud, level, params, &found.T_cur_ref, found.has_prior ? &prior : nullptr);

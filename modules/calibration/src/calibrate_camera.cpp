@@ -2,12 +2,15 @@
 #include "edgevo/calibration/calibrate_camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/calib3d.hpp>
+#include <utility>
 
 #include "coverage.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
+#include "lens_solution.h"
 
 namespace edgevo {
 namespace {
@@ -16,64 +19,17 @@ namespace {
 // with redundancy for bad views.
 constexpr size_t kLeastViews = 8;
 constexpr double kOutlier = 3;          // times the residual of the median view
-constexpr double kSignificant = 3;      // standard deviations
 constexpr double kMostSigmaF = 0.02;    // of f: a rotation by 90 degrees would be off by two degrees
 constexpr double kMostRmsShare = 1e-3;  // of the image's width: ten times the accuracy of corners
 
-struct Solution {
-  cv::Mat K, lens, sigmas;
-  std::vector<cv::Mat> rotations, translations;
-  double rms = 0;
-};
+using Views = std::vector<BoardView>;
 
-std::vector<std::vector<cv::Point2f>> image_points(const std::vector<BoardView>& views) {
-  std::vector<std::vector<cv::Point2f>> points(views.size());
-  for (size_t v = 0; v < views.size(); ++v)
-    for (const Eigen::Vector2f& p : views[v].px) points[v].emplace_back(p.x(), p.y());
-  return points;
-}
-
-std::vector<std::vector<cv::Point3f>> board_points(const std::vector<BoardView>& views) {
-  std::vector<std::vector<cv::Point3f>> points(views.size());
-  for (size_t v = 0; v < views.size(); ++v)
-    for (const Eigen::Vector2f& p : views[v].p_board) points[v].emplace_back(p.x(), p.y(), 0.f);
-  return points;
-}
-
-Solution solve_with(const std::vector<BoardView>& views, const BoardViews& all, int flags) {
-  Solution s;
-  cv::Mat sigmas_of_poses, rms_of_views;
-  s.rms = cv::calibrateCamera(board_points(views), image_points(views), {all.width, all.height}, s.K, s.lens,
-                              s.rotations, s.translations, s.sigmas, sigmas_of_poses, rms_of_views, flags);
-  return s;
-}
-
-double sigma(const Solution& s, int i) { return s.sigmas.at<double>(i); }
-
-// OpenCV's order: fx fy cx cy k1 k2 p1 p2 k3.
-Solution solve(const std::vector<BoardView>& views, const BoardViews& all) {
-  constexpr int kK3 = 4, kSigmaOfK3 = 8;
-  Solution full = solve_with(views, all, 0);
-  if (std::abs(full.lens.at<double>(kK3)) > kSignificant * sigma(full, kSigmaOfK3)) return full;
-  return solve_with(views, all, cv::CALIB_FIX_K3);
-}
-
-Camera camera_of(const Solution& s, const BoardViews& all) {
-  const auto K = [&](int row, int column) { return s.K.at<double>(row, column); };
-  const auto k = [&](int i) { return s.lens.at<double>(i); };
-  Camera camera;
-  camera.set_pinhole({K(0, 0), K(1, 1), K(0, 2), K(1, 2), all.width, all.height});
-  camera.set_distortion({k(0), k(1), k(2), k(3), k(4)});
-  return camera;
-}
-
-ViewFit fit_of(const BoardView& view, const Solution& s, size_t i) {
+ViewFit fit_of(const BoardView& view, const LensSolution& s, size_t i) {
   ViewFit fit{view.frame, 0, view.px, {}, Eigen::Vector3d::UnitZ()};
-  std::vector<cv::Point2f> projected;
-  cv::projectPoints(board_points({view}).front(), s.rotations[i], s.translations[i], s.K, s.lens, projected);
+  const std::vector<cv::Point2d> projected = s.project(view, i);
   double squares = 0;
   for (size_t c = 0; c < projected.size(); ++c) {
-    fit.residual_px.push_back(view.px[c] - Eigen::Vector2f(projected[c].x, projected[c].y));
+    fit.residual_px.push_back(view.px[c] - Eigen::Vector2f(float(projected[c].x), float(projected[c].y)));
     squares += double(fit.residual_px.back().squaredNorm());
   }
   fit.rms_px = std::sqrt(squares / double(projected.size()));
@@ -84,19 +40,18 @@ ViewFit fit_of(const BoardView& view, const Solution& s, size_t i) {
   return fit;
 }
 
-std::vector<ViewFit> fits_of(const std::vector<BoardView>& views, const Solution& s) {
+std::vector<ViewFit> fits_of(const Views& views, const LensSolution& s) {
   std::vector<ViewFit> fits;
   for (size_t i = 0; i < views.size(); ++i) fits.push_back(fit_of(views[i], s, i));
   return fits;
 }
 
 // The views without the outliers; all of them if too few would remain.
-std::vector<BoardView> without_outliers(const std::vector<BoardView>& views, const Solution& s,
-                                        std::vector<int>* skipped) {
+Views without_outliers(const Views& views, const LensSolution& s, std::vector<int>* skipped) {
   std::vector<double> rms;
   for (const ViewFit& fit : fits_of(views, s)) rms.push_back(fit.rms_px);
   const double most = kOutlier * quantile(rms, 0.5);
-  std::vector<BoardView> kept;
+  Views kept;
   for (size_t i = 0; i < views.size(); ++i)
     if (rms[i] <= most) kept.push_back(views[i]);
   if (kept.size() < kLeastViews) return views;
@@ -124,7 +79,7 @@ void check_result(const CameraCalibration& c, const std::string& where) {
   if (!(c.rms_px <= kMostRmsShare * p.width))
     throw InputError(
         where, "the corners are " + fixed(c.rms_px, 2) + " px (rms) from where this lens model puts them",
-        "check the board's size and that it is flat; a fisheye is not supported");
+        "check the board's size and that it is flat; a lens of a wide view may need another --model");
   if (!(c.sigma_f_px <= kMostSigmaF * f) || !is_tilted(c.views))
     throw InputError(where,
                      "the views do not determine the focal length (" + fixed(f, 1) + " +- " +
@@ -133,22 +88,83 @@ void check_result(const CameraCalibration& c, const std::string& where) {
   c.camera.check(where);
 }
 
+// A lens with the views that it keeps.
+struct Candidate {
+  LensSolution lens;
+  Views views;
+  std::vector<int> skipped;
+};
+
+std::optional<Candidate> fit_lens(CalibratedLens kind, const BoardViews& all) {
+  auto s = solve_lens(kind, all.views, all.width, all.height);
+  if (!s) return std::nullopt;
+  Candidate c{*s, {}, {}};
+  c.views = without_outliers(all.views, *s, &c.skipped);
+  if (c.skipped.empty()) return c;
+  s = solve_lens(kind, c.views, all.width, all.height);
+  if (!s) return std::nullopt;
+  c.lens = *s;
+  return c;
+}
+
+// Bayesian information criterion for equal views: a model with more parameters must lower the residuals by
+// more than chance would, and by a twentieth, since residuals of corners are not independent.
+bool is_better(const LensSolution& a, const LensSolution& b, size_t corners) {
+  constexpr double kNoticeable = 0.95;
+  const auto criterion = [&](const LensSolution& s) {
+    const double n = 2.0 * double(corners);
+    return 2 * n * std::log(std::max(s.rms_px, 1e-9)) + s.parameters() * std::log(n);
+  };
+  return a.rms_px < kNoticeable * b.rms_px && criterion(a) < criterion(b);
+}
+
+size_t count_corners(const Views& views) {
+  size_t count = 0;
+  for (const BoardView& view : views) count += view.px.size();
+  return count;
+}
+
+// The models in the order of preference: the later ones must be better.
+Candidate choose_lens(std::optional<CalibratedLens> kind, const BoardViews& all, const std::string& where,
+                      std::vector<TriedLens>* tried) {
+  std::optional<Candidate> best;
+  for (const CalibratedLens k :
+       {CalibratedLens::kPlumbBob, CalibratedLens::kFisheye, CalibratedLens::kRational}) {
+    if (kind && *kind != k) continue;
+    auto candidate = fit_lens(k, all);
+    tried->push_back({k, candidate ? candidate->lens.rms_px : std::nan("")});
+    if (candidate && (!best || is_better(candidate->lens, best->lens, count_corners(all.views))))
+      best = std::move(candidate);
+  }
+  if (!best)
+    throw InputError(where, "no lens model fits the corners",
+                     "check the board's size, or try another --model");
+  return std::move(*best);
+}
+
 }  // namespace
 
-CameraCalibration calibrate_camera(const BoardViews& all, const std::string& where) {
+CameraCalibration calibrate_camera(const BoardViews& all, const std::string& where,
+                                   std::optional<CalibratedLens> kind) {
   check_count(all, where);
   CameraCalibration c;
-  Solution s = solve(all.views, all);
-  const std::vector<BoardView> views = without_outliers(all.views, s, &c.skipped);
-  if (!c.skipped.empty()) s = solve(views, all);
-  c.camera = camera_of(s, all);
-  c.rms_px = s.rms;
-  c.sigma_f_px = std::max(sigma(s, 0), sigma(s, 1));
-  c.sigma_c_px = std::max(sigma(s, 2), sigma(s, 3));
-  c.views = fits_of(views, s);
+  const Candidate best = choose_lens(kind, all, where, &c.tried);
+  const LensSolution& s = best.lens;
+  c.skipped = best.skipped;
+  c.camera = s.camera(all.width, all.height);
+  c.rms_px = s.rms_px;
+  c.sigma_f_px = std::max(s.sigmas[0], s.sigmas[1]);
+  c.sigma_c_px = std::max(s.sigmas[2], s.sigmas[3]);
+  c.views = fits_of(best.views, s);
   check_result(c, where);
   c.lacking = what_is_lacking(c.views, all.width, all.height);
   return c;
+}
+
+const char* to_string(CalibratedLens kind) {
+  return kind == CalibratedLens::kPlumbBob  ? "plumb_bob"
+         : kind == CalibratedLens::kFisheye ? "fisheye"
+                                            : "rational";
 }
 
 }  // namespace edgevo

@@ -86,7 +86,11 @@ RunCalibration read_run_calibration(const std::string& run_folder) {
   RunCalibration run;
   run.path = (std::filesystem::path(run_folder) / "summary.yaml").string();
   std::string state;
-  read_params(camera_groups(read_file(run.path, kRemedy)), run.path, [&](ParamVisitor& v) {
+  const std::string groups = camera_groups(read_file(run.path, kRemedy));
+  if (groups.find("\n  lens: ") != std::string::npos)
+    throw InputError(run.path, "the lens is not plumb-bob: what a run finds cannot be folded into its model",
+                     "calibrate from a board (edgevo calibrate --chessboard)");
+  read_params(groups, run.path, [&](ParamVisitor& v) {
     visit_camera(v, &run.camera);
     visit_refinement(v, &state, &run.refinement);
   });

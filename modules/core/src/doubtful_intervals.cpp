@@ -2,6 +2,7 @@
 #include "edgevo/core/doubtful_intervals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace edgevo {
@@ -78,6 +79,23 @@ std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, s
   std::sort(intervals.begin(), intervals.end(),
             [](const auto& a, const auto& b) { return a.first_frame < b.first_frame; });
   return intervals;
+}
+
+std::vector<size_t> most_doubtful_frames(const Run& run, size_t most) {
+  const auto by_index = [](const FrameRecord& frame, int index) { return frame.index < index; };
+  const auto is_worse = [](const FrameRecord& a, const FrameRecord& b) {
+    return std::isfinite(a.p_right) && !(a.p_right >= b.p_right);
+  };
+  std::vector<size_t> worst;
+  for (const DoubtfulInterval& interval : longest(doubtful_intervals(run), most)) {
+    const auto begin = std::lower_bound(run.frames.begin(), run.frames.end(), interval.first_frame, by_index);
+    const auto end = std::lower_bound(begin, run.frames.end(), interval.last_frame + 1, by_index);
+    auto lowest = begin;
+    for (auto frame = begin; frame != end; ++frame)
+      if (is_worse(*frame, *lowest)) lowest = frame;
+    worst.push_back(size_t(lowest - run.frames.begin()));
+  }
+  return worst;
 }
 
 std::string to_string(const DoubtfulInterval& interval) {

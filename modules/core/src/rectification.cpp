@@ -6,15 +6,23 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/radial.h"
+#include "edgevo/core/target_pinhole.h"
 
 namespace edgevo {
 namespace {
 
 constexpr uint8_t kMissing = 255;
 
+// Largest radius of normalised coordinates that the lens shows.
+double max_tangent(const Camera& camera) {
+  const double angle = camera.max_angle();
+  return angle < M_PI / 2 ? std::tan(angle) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
-Rectification::Rectification(const Camera& camera) : camera_(camera), target_(camera.pinhole()) {}
+Rectification::Rectification(const Camera& camera)
+    : camera_(camera), target_(target_pinhole(camera)), masks_outside_(!camera.plumb_bob()) {}
 
 Rectification::Rectification(const Camera& camera, const Pinhole& target)
     : camera_(camera), target_(target), masks_outside_(true) {}
@@ -37,12 +45,12 @@ RectificationMaps Rectification::maps(double k1) const {
   const size_t size = size_t(target_.width) * target_.height;
   maps.x.reserve(size);
   maps.y.reserve(size);
-  const double max_tangent = std::tan(camera_.max_angle());
+  const double largest = max_tangent(camera_);
   for (int v = 0; v < target_.height; ++v)
     for (int u = 0; u < target_.width; ++u) {
       const Eigen::Vector2d x_file = add_radial(k1, target_.ray({double(u), double(v)}).head<2>());
       const Eigen::Vector2d raw = raw_pixel(x_file);
-      if (is_missing(x_file, raw, max_tangent)) {
+      if (is_missing(x_file, raw, largest)) {
         maps.missing.resize(size);
         maps.missing[maps.x.size()] = kMissing;
       }

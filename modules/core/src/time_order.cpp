@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "edgevo/core/order_statistics.h"
+#include "edgevo/core/output_file.h"
+
 namespace edgevo {
 namespace {
 
@@ -85,6 +88,8 @@ std::vector<Timestamp> fill_missing(std::vector<Timestamp> times) {
   return times;
 }
 
+namespace {
+
 std::optional<InputDecision> clock_decision(const std::vector<Timestamp>& times) {
   TimeOrder order;
   int steps = 0;
@@ -101,6 +106,32 @@ std::optional<InputDecision> clock_decision(const std::vector<Timestamp>& times)
                            " frames in a row are before those of earlier frames",
                        "these frames are skipped, and an offset is added to all later times (see the notes "
                        "in frames.csv); correct the times for an exact synchronisation"};
+}
+
+std::optional<InputDecision> pause_decision(const std::vector<Timestamp>& times) {
+  constexpr double kShortest_s = 1, kSteps = 10;
+  std::vector<double> steps;
+  for (size_t i = 1; i < times.size(); ++i) steps.push_back(seconds_between(times[i - 1], times[i]));
+  if (steps.size() < 2) return std::nullopt;
+  const double usual = median(steps), shortest = std::max(kShortest_s, kSteps * usual);
+  const auto longest = std::max_element(steps.begin(), steps.end());
+  if (*longest < shortest) return std::nullopt;
+  const auto pauses = std::count_if(steps.begin(), steps.end(), [&](double s) { return s >= shortest; });
+  return InputDecision{"pauses",
+                       std::to_string(pauses) + "; the longest is " + fixed(*longest, 1) +
+                           " s, before frame " + std::to_string(longest - steps.begin() + 1),
+                       "the median step is " + fixed(usual, 3) + " s",
+                       "if the camera moved meanwhile, the path goes on from a guess; run the parts on their "
+                       "own (--frames) if that matters"};
+}
+
+}  // namespace
+
+std::vector<InputDecision> time_decisions(const std::vector<Timestamp>& times) {
+  std::vector<InputDecision> decisions;
+  if (auto clock = clock_decision(times)) decisions.push_back(std::move(*clock));
+  if (auto pause = pause_decision(fill_missing(times))) decisions.push_back(std::move(*pause));
+  return decisions;
 }
 
 }  // namespace edgevo

@@ -45,11 +45,11 @@ Guess guess_from_fov(double fov_deg, const SeenImages& images) {
 }
 
 std::optional<Guess> guess_from_exif(const SeenImages& images) {
-  const auto mm = images.paths.empty() ? std::nullopt : focal_length_35mm(images.paths.front());
-  if (!mm) return std::nullopt;
+  const auto f = exif_focal_length_px(images);
+  if (!f) return std::nullopt;
+  const int mm = *focal_length_35mm(images.paths.front());
   return Guess{
-      *mm / kFilmDiagonal * std::hypot(images.width, images.height),
-      "by EXIF's focal length, " + std::to_string(*mm) + " mm in terms of 35 mm film, over the diagonal"};
+      *f, "by EXIF's focal length, " + std::to_string(mm) + " mm in terms of 35 mm film, over the diagonal"};
 }
 
 void read_size(SeenImages* images) {
@@ -107,11 +107,16 @@ std::optional<int> focal_length_35mm(const std::string& image_path) {
   return mm > 0 ? std::optional<int>(mm) : std::nullopt;  // 0: unknown
 }
 
+std::optional<double> exif_focal_length_px(const SeenImages& images) {
+  const auto mm = images.paths.empty() ? std::nullopt : focal_length_35mm(images.paths.front());
+  if (!mm || images.width == 0) return std::nullopt;
+  return *mm / kFilmDiagonal * std::hypot(images.width, images.height);
+}
+
 Camera choose_or_assume_camera(const SourceOptions& options, const std::string& own, const SeenImages& images,
                                std::vector<InputDecision>* decisions) {
   if (const std::optional<Camera> assumed = assume(options, own, images, decisions)) return *assumed;
-  const std::string file = camera_file_of(options, own);
-  return camera_of_file(file, images, decisions);
+  return camera_of_file(camera_file_of(options, own), images, decisions);
 }
 
 }  // namespace edgevo

@@ -33,4 +33,7 @@ bool knows_camera(const ImageSource& source);
 /// file states none.
 std::optional<int> focal_length_35mm(const std::string& image_path);
 
+/// The same of the first of the images, pixels, by their diagonal.
+std::optional<double> exif_focal_length_px(const SeenImages& images);
+
 }  // namespace edgevo

@@ -3,9 +3,12 @@
 
 #include <cmath>
 
+#include "camera_fit.h"
 #include "camera_forms.h"
 #include "camera_numbers.h"
 #include "camera_yaml.h"
+#include "dialects/colmap_database.h"
+#include "dialects/dialect.h"
 #include "edgevo/core/error.h"
 #include "text_file.h"
 
@@ -18,6 +21,51 @@ bool is_yaml(const std::string& text, const std::string& where) {
   return false;
 }
 
+CameraText checked(CameraText text, const std::string& where) {
+  check_camera_text(text, where);
+  return text;
+}
+
+// What begins an image by mistake given as the calibration; nullptr: it is none.
+const char* image_format(const std::string& text) {
+  if (begins_with(text, "\x89PNG")) return "a PNG image";
+  if (begins_with(text, "\xff\xd8\xff")) return "a JPEG image";
+  if (begins_with(text, "P5") || begins_with(text, "P6")) return "a PNM image";
+  if (begins_with(text, "II*") || begins_with(text, "MM")) return "a TIFF image";
+  return nullptr;
+}
+
+void refuse_binary(const std::string& text, const std::string& where) {
+  const bool is_binary = text.find('\0') != std::string::npos;
+  const char* const format = is_binary ? image_format(text) : nullptr;
+  if (!is_binary) return;
+  throw InputError(where, std::string("is ") + (format ? format : "not text") + ", not a calibration",
+                   "give the camera file, and the images as SOURCE");
+}
+
+NamedCameras cameras_of_text(const std::string& text, const std::string& where) {
+  if (const Dialect* dialect = dialect_of(text)) return dialect->cameras(text, where);
+  refuse_binary(text, where);
+  if (!is_yaml(text, where))
+    return {{"camera", [=] { return checked(parse_camera_numbers(text, where), where); }}};
+  const auto documents = parse_yaml_documents(text, where);
+  if (documents.size() == 1)
+    if (const YamlDialect* dialect = dialect_of(documents.front()))
+      return dialect->cameras(documents.front(), where);
+  return {{"camera", [=] { return camera_of_yaml_documents(documents, where); }}};
+}
+
+NamedCameras cameras_of_file(const std::string& path) {
+  if (is_sqlite_file(path)) return colmap_database_cameras(path);
+  return cameras_of_text(read_text_file(path), path);
+}
+
+Camera with_size(const CameraText& text, const std::string& where) {
+  if (!text.has_size())
+    throw InputError(where, "the image size is missing", "give image_width and image_height in pixels");
+  return text.camera;
+}
+
 }  // namespace
 
 int image_side(double value, const std::string& where) {
@@ -28,26 +76,28 @@ int image_side(double value, const std::string& where) {
   return int(value);
 }
 
-CameraText parse_camera_text(const std::string& text, const std::string& where) {
-  refuse_other_forms(text, where);
-  CameraText result =
-      is_yaml(text, where) ? parse_camera_yaml(text, where) : parse_camera_numbers(text, where);
-  check_camera_text(result, where);
-  return result;
+CameraText parse_camera_text(const std::string& text, const std::string& where, const std::string& sensor) {
+  return chosen_camera(cameras_of_text(text, where), sensor, where);
 }
 
-Camera parse_camera(const std::string& text, const std::string& where) {
-  const CameraText result = parse_camera_text(text, where);
-  if (!result.has_size())
-    throw InputError(where, "the image size is missing", "give image_width and image_height in pixels");
-  return result.camera;
+CameraText read_camera_text(const std::string& path, const std::string& sensor) {
+  return chosen_camera(cameras_of_file(path), sensor, path);
 }
 
-Camera read_camera_file(const std::string& path) { return parse_camera(read_text_file(path), path); }
+bool has_several_cameras(const std::string& path) { return cameras_of_file(path).size() > 1; }
+
+Camera parse_camera(const std::string& text, const std::string& where, const std::string& sensor) {
+  return with_size(parse_camera_text(text, where, sensor), where);
+}
+
+Camera read_camera_file(const std::string& path, const std::string& sensor) {
+  return with_size(read_camera_text(path, sensor), path);
+}
 
 std::optional<CameraMount> read_camera_mount(const std::string& path) {
+  if (is_sqlite_file(path)) return std::nullopt;
   const std::string text = read_text_file(path);
-  return is_yaml(text, path) ? parse_yaml_mount(text, path) : std::nullopt;
+  return !dialect_of(text) && is_yaml(text, path) ? parse_yaml_mount(text, path) : std::nullopt;
 }
 
 }  // namespace edgevo

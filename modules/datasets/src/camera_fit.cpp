@@ -6,7 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "assumed_camera.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "text_file.h"
 
@@ -42,6 +44,11 @@ bool is_scaled(Size a, Size b) {
          std::abs(double(b.first) / a.first - 1) > kLeastChange;
 }
 
+// Whether the sides differ by their rounding only.
+bool is_rounded(Size a, Size b) {
+  return std::abs(a.first - b.first) <= 1 && std::abs(a.second - b.second) <= 1;
+}
+
 // Distance of the principal point from the middle of images of that size, as a share of the sides.
 double off_centre(const Pinhole& p, Size size) {
   return std::hypot(p.cx / size.first - 0.5, p.cy / size.second - 0.5);
@@ -53,8 +60,9 @@ void add_phrase(std::string* list, const std::string& item, const char* separato
 
 class CameraFit {
  public:
-  CameraFit(const std::string& path, CameraText text, const SeenImages& images)
-      : path_(path),
+  CameraFit(const CameraFile& file, CameraText text, const SeenImages& images)
+      : path_(file.path),
+        scale_(file.scale),
         text_(std::move(text)),
         size_(images.width, images.height),
         turns_(images.quarter_turns),
@@ -64,6 +72,7 @@ class CameraFit {
   }
 
   Camera camera() {
+    if (scale_ > 0) apply_scale();
     if (size_.first > 0) {
       if (!text_.has_size()) take_size();
       fit();
@@ -76,6 +85,21 @@ class CameraFit {
   const InputDecision& decision() const { return decision_; }
 
  private:
+  // What the user says about the size of the images.
+  void apply_scale() {
+    const Pinhole p = text_.camera.pinhole();
+    text_.camera.set_pinhole({scale_ * p.fx, scale_ * p.fy, scale_ * (p.cx + 0.5) - 0.5,
+                              scale_ * (p.cy + 0.5) - 0.5, int(std::lround(scale_ * p.width)),
+                              int(std::lround(scale_ * p.height))});
+    add_phrase(&decision_.value, "scaled by " + fixed(scale_, 4) + ", as --camera-scale says");
+    if (!text_.has_size() || size_.first == 0) return;
+    for (const Size& size : {size_, unturned_})
+      if (is_rounded(size_of(text_.camera), size)) return set_size(size);
+    throw InputError(path_,
+                     "at --camera-scale " + fixed(scale_, 4) + " it is for images of " +
+                         to_text(size_of(text_.camera)) + ", but these have " + to_text(size_),
+                     "correct the scale, or calibrate these images if they were cut out of larger ones");
+  }
   void take_size() {
     const Pinhole p = text_.camera.pinhole();
     const bool turned = turns_ % 2 && off_centre(p, unturned_) < off_centre(p, size_);
@@ -130,10 +154,12 @@ class CameraFit {
                      "the image is " + to_text(size_) + ", but the camera model is for " + to_text(own) +
                          (is_turned ? ": the images are turned" : ", of another shape"),
                      is_turned ? "turn the images back, or give the calibration of turned ones (--camera)"
-                               : "give the calibration of these images (--camera)");
+                               : "give the calibration of these images (--camera); of images cut out of "
+                                 "larger ones, with their size and cx, cy less the corner");
   }
 
   std::string path_;
+  double scale_;
   CameraText text_;
   Size size_;
   int turns_;
@@ -141,11 +167,19 @@ class CameraFit {
   InputDecision decision_{"camera", "", "", ""};
 };
 
-// x' = -y, y' = x: the new right is the old up.
-Camera turned_clockwise(const Camera& camera) {
+// What the images' EXIF data say against the focal length. Both agree to some per cent, as manufacturers take
+// "35 mm equivalent" over the diagonal or the width.
+std::string doubt_by_exif(const Camera& camera, const SeenImages& images) {
+  constexpr double kAgree = 1.25;
+  const bool is_rectilinear = camera.plumb_bob() || std::holds_alternative<RationalModel>(camera.model);
+  if (!is_rectilinear) return {};
+  const std::optional<double> exif = exif_focal_length_px(images);
+  if (!exif) return {};
   const Pinhole p = camera.pinhole();
-  const Distortion d = camera.distortion();
-  return Camera({p.fy, p.fx, p.height - 1 - p.cy, p.cx, p.height, p.width}, {d.k1, d.k2, d.p2, -d.p1, d.k3});
+  const double f = std::sqrt(p.fx * p.fy);
+  if (std::max(f / *exif, *exif / f) < kAgree) return {};
+  return "The EXIF data of the images say a focal length of about " + fixed(*exif, 0) + " px, not " +
+         fixed(f, 0) + ": the file is of another camera or zoom, or the images were cut out of larger ones.";
 }
 
 }  // namespace
@@ -168,28 +202,17 @@ void find_size(int width, int height, SeenImages* images) {
   images->width = size.first, images->height = size.second;
 }
 
-Camera scaled_camera(const Camera& camera, int width, int height) {
-  const Pinhole p = camera.pinhole();
-  const double x = double(width) / p.width, y = double(height) / p.height;
-  Camera small = camera;
-  small.set_pinhole({p.fx * x, p.fy * y, (p.cx + 0.5) * x - 0.5, (p.cy + 0.5) * y - 0.5, width, height});
-  return small;
-}
-
-Camera turned_camera(const Camera& camera, int quarter_turns) {
-  Camera turned = camera;
-  for (int i = 0; i < quarter_turns; ++i) turned = turned_clockwise(turned);
-  return turned;
-}
-
-CameraText read_camera_text(const std::string& path) { return parse_camera_text(read_text_file(path), path); }
-
-Camera camera_of_file(const std::string& path, SeenImages images, std::vector<InputDecision>* decisions) {
-  CameraText text = read_camera_text(path);
+Camera camera_of_file(const CameraFile& file, SeenImages images, std::vector<InputDecision>* decisions) {
+  CameraText text = read_camera_text(file.path, file.sensor);
   find_size(text.camera.width, text.camera.height, &images);
-  CameraFit fit(path, std::move(text), images);
+  CameraFit fit(file, std::move(text), images);
   Camera camera = fit.camera();
-  if (!fit.decision().value.empty()) decisions->push_back(fit.decision());
+  InputDecision decision = fit.decision();
+  if (const std::string doubt = doubt_by_exif(camera, images); !doubt.empty()) {
+    if (decision.value.empty()) decision.value = "that of " + file.path;
+    add_phrase(&decision.doubt, doubt, " ");
+  }
+  if (!decision.value.empty()) decisions->push_back(decision);
   return camera;
 }
 

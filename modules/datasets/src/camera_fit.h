@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "camera_change.h"
 #include "camera_forms.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/input_decision.h"
@@ -28,17 +29,21 @@ SeenImages seen_images(const std::vector<std::string>& paths);
 /// one that most of `paths` have. Stays 0 if none of them decodes.
 void find_size(int width, int height, SeenImages* images);
 
-/// A camera for images scaled to width x height. Pixel centres are whole numbers: the border is at -0.5.
-Camera scaled_camera(const Camera& camera, int width, int height);
-/// A camera for images turned clockwise by `quarter_turns` times 90 degrees.
-Camera turned_camera(const Camera& camera, int quarter_turns);
+/// Reads a calibration file of any form; `sensor` names one of several cameras. Throws InputError.
+CameraText read_camera_text(const std::string& path, const std::string& sensor = "");
 
-/// Reads a calibration file of any form. Throws InputError.
-CameraText read_camera_text(const std::string& path);
+/// A calibration file and what the user says about it.
+struct CameraFile {
+  std::string path;
+  /// Name of one of its cameras, if it has several.
+  std::string sensor;
+  /// Size of the images over that of the calibration; 0: not given.
+  double scale = 0;
+};
 
 /// The camera of a calibration file for these images. A missing size is theirs; a calibration for images of
 /// the same shape is scaled, one for images as they were before they were turned is turned; `decisions` says
 /// so. Throws InputError that names both sizes where the shapes differ.
-Camera camera_of_file(const std::string& path, SeenImages images, std::vector<InputDecision>* decisions);
+Camera camera_of_file(const CameraFile& file, SeenImages images, std::vector<InputDecision>* decisions);
 
 }  // namespace edgevo

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "camera_numbers.h"
 #include "edgevo/core/error.h"
@@ -121,100 +120,12 @@ CameraText parse_ost(const TextLines& lines, const std::string& where) {
   return text;
 }
 
-// ---- DSO ----
-
-const std::set<std::string>& dso_lenses() {
-  static const std::set<std::string> names{"Pinhole", "FOV",         "ATAN",
-                                           "RadTan",  "EquiDistant", "KannalaBrandt"};
-  return names;
-}
-
-// The lens, and the size of the images on a line of its own; what follows is how DSO cuts the images.
-bool is_dso(const TextLines& lines) {
-  if (lines.size() < 2 || split_fields(lines[1].text).size() != 2) return false;
-  const auto first = split_fields(lines[0].text);
-  return dso_lenses().count(first[0]) || first.size() == 5 || first.size() == 8;
-}
-
-// DSO gives focal lengths and principal point relative to the image where the latter is below 1; there the
-// corner of the image is 0, here its first pixel's centre.
-void make_absolute(Pinhole* p) {
-  if (!(p->cx < 1 && p->cy < 1)) return;
-  p->fx *= p->width, p->fy *= p->height;
-  p->cx = p->cx * p->width - 0.5, p->cy = p->cy * p->height - 0.5;
-}
-
-CameraText parse_dso(const TextLines& lines) {
-  auto fields = split_fields(lines[0].text);
-  std::string lens = fields.size() == 8 ? "RadTan" : "FOV";  // an FOV lens of angle 0 is a pinhole
-  if (dso_lenses().count(fields[0])) {
-    lens = fields[0];
-    fields.erase(fields.begin());
-  }
-  const bool radtan = lens == "RadTan", pinhole = lens == "Pinhole" || lens == "FOV" || lens == "ATAN";
-  const size_t count = radtan ? 8 : 5;
-  std::vector<double> v;
-  for (const std::string& field : fields) v.push_back(parse_number(field, lines[0].where));
-  if (!radtan && !(pinhole && v.size() == 5 && v[4] == 0))
-    throw InputError(lines[0].where,
-                     "is DSO's lens " + (lens == "ATAN" ? "FOV" : lens) + ", which is not supported",
-                     kUndistortImages);
-  if (v.size() != count)
-    throw InputError(lines[0].where, "has " + std::to_string(v.size()) + " numbers",
-                     "write DSO's RadTan fx fy cx cy k1 k2 p1 p2");
-  const auto size = parse_numbers(lines[1], 2, "width and height");
-  Pinhole p{v[0], v[1], v[2], v[3], image_side(size[0], lines[1].where), image_side(size[1], lines[1].where)};
-  make_absolute(&p);
-  CameraText text;
-  text.camera = radtan ? Camera(p, {v[4], v[5], v[6], v[7], 0}) : Camera(p);
-  text.note = "DSO's camera.txt; how it cuts and scales the images is not followed";
-  return text;
-}
-
-// ---- forms that are not read ----
-
-bool is_colmap(const TextLines& lines) {
-  static const std::set<std::string> models{"SIMPLE_PINHOLE",
-                                            "PINHOLE",
-                                            "SIMPLE_RADIAL",
-                                            "RADIAL",
-                                            "OPENCV",
-                                            "OPENCV_FISHEYE",
-                                            "FULL_OPENCV",
-                                            "FOV",
-                                            "SIMPLE_RADIAL_FISHEYE",
-                                            "RADIAL_FISHEYE",
-                                            "THIN_PRISM_FISHEYE"};
-  const auto fields = lines.empty() ? std::vector<std::string>() : split_fields(lines[0].text);
-  return fields.size() > 4 && models.count(fields[1]);
-}
-
 }  // namespace
-
-void refuse_form(const std::string& where, const std::string& kind, const char* remedy) {
-  throw InputError(where, "is " + kind + ", which is not read", remedy);
-}
-
-void refuse_other_forms(const std::string& text, const std::string& where) {
-  const size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-  if (first == std::string::npos) return;
-  if (text[first] == '{')
-    refuse_form(where, contains(text, "camera_type") ? "a calibration of Basalt (JSON)" : "JSON");
-  if (text[first] == '<')
-    refuse_form(where,
-                contains(text, "opencv_storage") ? "OpenCV's calibration as XML"
-                : contains(text, "<camera>")     ? "a calibration of ViSP (XML)"
-                                                 : "XML",
-                contains(text, "opencv_storage") ? "let OpenCV write it as .yaml" : kWriteNumbers);
-  if (contains(text, "[CAMERA_PARAMS")) refuse_form(where, "a calibration of MRPT (.ini)");
-}
 
 CameraText parse_camera_numbers(const std::string& text, const std::string& where) {
   const TextLines lines = split_lines(text, where);
   if (lines.empty()) throw InputError(where, "holds no calibration", std::string("write ") + kNumbersFormat);
-  if (is_colmap(lines)) refuse_form(where, "COLMAP's cameras.txt");
   if (is_ost(lines)) return parse_ost(lines, where);
-  if (is_dso(lines)) return parse_dso(lines);
   if (is_matrix_file(lines)) return parse_matrix_file(lines);
   if (lines.size() > 1 && split_fields(lines[0].text).size() != split_fields(lines[1].text).size())
     throw InputError(lines[1].where, "is no part of a calibration of a known form", kWriteNumbers);
@@ -222,8 +133,22 @@ CameraText parse_camera_numbers(const std::string& text, const std::string& wher
   return parse_line(lines[0]);
 }
 
+// Width and height of another orientation than the matrix.
+void refuse_swapped_size(const Pinhole& p, const std::string& where) {
+  const bool is_outside = p.cx >= p.width || p.cy >= p.height;
+  if (!is_outside || !(p.cx > 0 && p.cy > 0 && p.cx < p.height && p.cy < p.width)) return;
+  const auto text = [](int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+  };
+  throw InputError(
+      where,
+      "the matrix is one of " + text(p.height, p.width) + " images, the size is " + text(p.width, p.height),
+      "exchange width and height, or give the calibration of upright images");
+}
+
 void check_camera_text(const CameraText& text, const std::string& where) {
   Camera camera = text.camera;
+  if (text.has_size()) refuse_swapped_size(camera.pinhole(), where);
   if (!text.has_size()) camera.width = camera.height = kLargestSide;
   camera.check(where);
 }

@@ -20,24 +20,21 @@ struct CameraText {
   bool has_size() const { return camera.width > 0; }
 };
 
-/// Parses a calibration of any form that is read, with or without a size. Throws InputError opened by
-/// `where`; for a form of another program that is not read, the message names it.
-CameraText parse_camera_text(const std::string& text, const std::string& where);
+/// Parses a calibration of any form that is text, with or without a size; `sensor` names one of several
+/// cameras. Throws InputError opened by `where`; for a form of another program that is not read, the message
+/// names it.
+CameraText parse_camera_text(const std::string& text, const std::string& where,
+                             const std::string& sensor = "");
 
-/// Parses a calibration without keys: numbers on one line, a 3x3 matrix, ROS's ost.txt, DSO's camera.txt.
+/// Whether a calibration file has several cameras, of which --sensor chooses one. Throws InputError.
+bool has_several_cameras(const std::string& path);
+
+/// Parses a calibration without keys: numbers on one line, a 3x3 matrix, ROS's ost.txt.
 CameraText parse_camera_numbers(const std::string& text, const std::string& where);
 
 /// What to do with a calibration that is not read, or not supported.
 constexpr const char* kWriteNumbers = "write `fx fy cx cy k1 k2 p1 p2 width height` on one line";
 constexpr const char* kUndistortImages = "undistort the images beforehand";
-
-/// Throws InputError: the file is a calibration of that kind.
-[[noreturn]] void refuse_form(const std::string& where, const std::string& kind,
-                              const char* remedy = kWriteNumbers);
-
-/// Throws InputError if the text is a calibration of another program that is not read, recognised without
-/// parsing it.
-void refuse_other_forms(const std::string& text, const std::string& where);
 
 /// Camera::check(), of which the size may be missing.
 void check_camera_text(const CameraText& text, const std::string& where);

@@ -25,6 +25,32 @@ bool has_group(const YamlValues& values, const std::string& group) {
 
 }  // namespace
 
+void fail_count(const std::string& where, const std::string& key, size_t found, const std::string& expected) {
+  throw InputError(where, key + " holds " + std::to_string(found) + " numbers", "write " + expected);
+}
+
+std::string only_key(const YamlValues& values, const Keys& keys, const std::string& where) {
+  std::string found;
+  for (const std::string& name : keys)
+    for (const std::string& key : {name, name + ".data"}) {
+      if (!values.count(key)) continue;
+      if (!found.empty())
+        throw InputError(where, quote(found) + " and " + quote(key) + " mean the same", "keep one");
+      found = key;
+    }
+  return found;
+}
+
+std::vector<double> numbers_of(const YamlValues& values, const Keys& keys, const std::string& where) {
+  const std::string key = only_key(values, keys, where);
+  if (key.empty()) return {};
+  const YamlValue& value = values.at(key);
+  if (!value.is_given)
+    throw InputError(where + ", line " + std::to_string(value.line), quote(key) + " has no value",
+                     "write its numbers, or leave the key out");
+  return yaml_numbers(values, {key}, where);
+}
+
 // "k", "d": camera_info. "m1", "d1": OpenCV's stereo sample. The others: names in use for OpenCV's files.
 const Keys& camera_matrix_keys() {
   static const Keys keys{"camera_matrix", "k", "m1", "cameramatrix", "intrinsic_matrix", "mtx"};
@@ -46,9 +72,11 @@ const Keys& distortion_keys() {
 }
 
 const Keys& used_camera_keys() {
-  static const Keys keys = joined(camera_matrix_keys(), distortion_keys(),
-                                  {"intrinsics", "resolution", "image_width", "image_height", "width",
-                                   "height", "distortion_model", "camera_model", "mount"});
+  static const Keys keys =
+      joined(camera_matrix_keys(), distortion_keys(),
+             {"intrinsics", "resolution", "image_width", "image_height", "width", "height",
+              "distortion_model", "camera_model", "fisheye_model", "xi", "binning_x", "binning_y",
+              "roi.x_offset", "roi.y_offset", "roi.width", "roi.height", "mount"});
   return keys;
 }
 
@@ -79,35 +107,26 @@ const Keys& ignored_stereo_keys() {
 }
 
 const std::vector<CameraKeyWithDefault>& camera_keys_with_default() {
-  const std::string cut = "the images show a part of the sensor",
-                    cut_remedy = "give the calibration of these images, with width and height of their own";
   static const std::vector<CameraKeyWithDefault> keys{
-      {"fisheye_model", {"0", "false"}, "the fisheye lens is not supported", kUndistortImages},
-      {"xi", {}, "the omnidirectional lens is not supported", kUndistortImages},
-      {"binning_x", {"0", "1"}, "the images are smaller than the sensor", cut_remedy},
-      {"binning_y", {"0", "1"}, "the images are smaller than the sensor", cut_remedy},
-      {"roi.x_offset", {"0"}, cut, cut_remedy},
-      {"roi.y_offset", {"0"}, cut, cut_remedy},
-      {"roi.width", {"0"}, cut, cut_remedy},
-      {"roi.height", {"0"}, cut, cut_remedy},
-      {"roi.do_rectify", {"false", "False", "0"}, "the images are rectified", cut_remedy},
+      {"roi.do_rectify",
+       {"false", "False", "0"},
+       "the images are rectified",
+       "give the camera of the projection_matrix, without distortion"},
   };
   return keys;
 }
 
+std::string remedy_for_key(const std::string& key) {
+  static const std::set<std::string> matrix{"fx", "fy", "cx", "cy", "f", "focal_length", "principal_point"},
+      lens{"k1", "k2", "k3", "k4", "p1", "p2"}, mount{"roll", "pitch", "yaw"};
+  if (matrix.count(key)) return "write camera_matrix: [fx, 0, cx, 0, fy, cy, 0, 0, 1]";
+  if (lens.count(key)) return "write distortion_coefficients: [k1, k2, p1, p2, k3] and distortion_model";
+  if (mount.count(key) || key.rfind("mount.", 0) == 0)
+    return "write mount: [roll, pitch, yaw] in degrees, or with x, y, z in metres behind them";
+  return {};
+}
+
 void refuse_other_settings(const YamlValues& values, const std::string& where) {
-  if (has_key(values, "camera.fx") || has_key(values, "camera1.fx"))
-    refuse_form(where, "a settings file of ORB-SLAM, stella_vslam or the like");
-  if (has_key(values, "camera.model") || has_key(values, "camera.setup"))
-    refuse_form(where, "a settings file of stella_vslam");
-  if (const auto it = values.find("model_type"); it != values.end()) {
-    const std::string lens = it->second.texts.empty() ? "" : it->second.texts.front();
-    if (lens == "PINHOLE") refuse_form(where, "a camera of CamOdoCal (VINS-Mono), lens PINHOLE");
-    throw InputError(where,
-                     "is a camera of CamOdoCal (VINS-Mono, KITTI-360) with the lens " + quote(lens) +
-                         ", which is not supported",
-                     kUndistortImages);
-  }
   for (const char* key : {"p0", "p1", "p2", "p3", "p_rect_00", "p_rect_02"})
     if (const auto it = values.find(key); it != values.end() && it->second.texts.size() == 1 &&
                                           it->second.texts.front().find(' ') != std::string::npos)

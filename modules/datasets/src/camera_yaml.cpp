@@ -6,43 +6,17 @@
 
 #include "camera_keys.h"
 #include "camera_numbers.h"
+#include "camera_region.h"
+#include "camera_yaml_lens.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/suggestion.h"
+#include "lens_text.h"
 #include "text_file.h"
 
 namespace edgevo {
 namespace {
 
 using Keys = std::vector<std::string>;
-
-[[noreturn]] void fail_count(const std::string& where, const std::string& key, size_t found,
-                             const std::string& expected) {
-  throw InputError(where, key + " holds " + std::to_string(found) + " numbers", "write " + expected);
-}
-
-// The key of `keys` that the file has, with or without ROS's and OpenCV's `data` below it; empty if none.
-// Two of them would contradict one another.
-std::string only_key(const YamlValues& values, const Keys& keys, const std::string& where) {
-  std::string found;
-  for (const std::string& name : keys)
-    for (const std::string& key : {name, name + ".data"}) {
-      if (!values.count(key)) continue;
-      if (!found.empty())
-        throw InputError(where, quote(found) + " and " + quote(key) + " mean the same", "keep one");
-      found = key;
-    }
-  return found;
-}
-
-std::vector<double> numbers_of(const YamlValues& values, const Keys& keys, const std::string& where) {
-  const std::string key = only_key(values, keys, where);
-  if (key.empty()) return {};
-  const YamlValue& value = values.at(key);
-  if (!value.is_given)
-    throw InputError(where + ", line " + std::to_string(value.line), quote(key) + " has no value",
-                     "write its numbers, or leave the key out");
-  return yaml_numbers(values, {key}, where);
-}
 
 // ---- keys ----
 
@@ -78,6 +52,8 @@ void check_key(const std::string& key, const YamlValue& value, bool is_stereo, c
   const Keys& used = used_camera_keys();
   if (std::count(used.begin(), used.end(), key) || is_matrix_part(key)) return;
   if (is_one_of(key, ignored_camera_keys()) || (is_stereo && is_one_of(key, ignored_stereo_keys()))) return;
+  if (const std::string remedy = remedy_for_key(key); !remedy.empty())
+    throw InputError(where, "unknown key " + quote(key), remedy);
   Keys known = used;
   known.insert(known.end(), ignored_camera_keys().begin(), ignored_camera_keys().end());
   for (const auto& k : camera_keys_with_default()) known.push_back(k.key);
@@ -93,7 +69,7 @@ void check_keys(const YamlValues& values, const std::string& where) {
 
 // ---- values ----
 
-void read_size(const YamlValues& values, const std::string& where, Pinhole* p) {
+void read_size(const YamlValues& values, const std::string& where, Camera* camera) {
   auto size = numbers_of(values, {"resolution"}, where);
   if (size.empty()) {
     size = numbers_of(values, {"image_width", "width"}, where);
@@ -102,54 +78,8 @@ void read_size(const YamlValues& values, const std::string& where, Pinhole* p) {
   }
   if (size.empty()) return;
   if (size.size() != 2) fail_count(where, "the image size", size.size(), "width and height in pixels");
-  p->width = image_side(size[0], where);
-  p->height = image_side(size[1], where);
-}
-
-void read_matrix(const YamlValues& values, const std::string& where, Pinhole* p) {
-  Keys either = camera_matrix_keys();
-  either.push_back("intrinsics");
-  if (only_key(values, either, where) == "intrinsics") {
-    const auto four = numbers_of(values, {"intrinsics"}, where);
-    if (four.size() != 4) fail_count(where, "intrinsics", four.size(), "fx, fy, cx, cy");
-    p->fx = four[0], p->fy = four[1], p->cx = four[2], p->cy = four[3];
-    return;
-  }
-  const auto m = numbers_of(values, camera_matrix_keys(), where);
-  if (m.empty())
-    throw InputError(where, "camera_matrix is missing (Kalibr: intrinsics)",
-                     "give it as 3x3 numbers, row by row");
-  if (m.size() != 9) fail_count(where, "camera_matrix", m.size(), "3x3 numbers, row by row");
-  if (m[1] != 0 || m[3] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1)
-    throw InputError(where, "camera_matrix is not [fx 0 cx, 0 fy cy, 0 0 1]", "calibrate without skew");
-  p->fx = m[0], p->fy = m[4], p->cx = m[2], p->cy = m[5];
-}
-
-void check_model(const YamlValues& values, const std::string& where) {
-  static const Keys lenses{"plumb_bob",      "radtan", "radial-tangential",
-                           "pinhole-radtan", "none",   "rational_polynomial"};
-  for (const auto& [key, allowed] :
-       {std::pair("distortion_model", lenses), std::pair("camera_model", Keys{"pinhole"})}) {
-    const auto it = values.find(key);
-    if (it == values.end() || it->second.texts.empty() || it->second.texts.front().empty()) continue;
-    const std::string& name = it->second.texts.front();
-    if (std::count(allowed.begin(), allowed.end(), name)) continue;
-    const std::string suggestion = did_you_mean(name, allowed);
-    throw InputError(where, std::string(key) + " " + quote(name) + " is not supported",
-                     suggestion.empty()
-                         ? "use a pinhole camera with plumb_bob, or undistort the images beforehand"
-                         : suggestion);
-  }
-}
-
-void read_distortion(const YamlValues& values, const std::string& where, Distortion* d) {
-  auto k = numbers_of(values, distortion_keys(), where);
-  while (k.size() > 5 && k.back() == 0) k.pop_back();  // the rational model with its denominator at 1
-  if (k.size() > 5) fail_count(where, "distortion_coefficients", k.size(), "k1, k2, p1, p2, k3");
-  if (!k.empty() && k.size() < 4)
-    fail_count(where, "distortion_coefficients", k.size(), "k1, k2, p1, p2, k3");
-  k.resize(5, 0.0);
-  *d = {k[0], k[1], k[2], k[3], k[4]};
+  camera->width = image_side(size[0], where);
+  camera->height = image_side(size[1], where);
 }
 
 // A rotation that ROS's rectification_matrix states: zeros (unset) and the identity are none.
@@ -176,59 +106,33 @@ void add_notes(const YamlValues& values, const std::string& where, CameraText* t
 
 // ---- documents ----
 
-// Kalibr groups each camera under its own name: cam0, cam1, ...
-std::string camera_name_of(const std::string& key) {
-  const size_t dot = key.find('.');
-  if (dot == std::string::npos || dot < 4 || key.rfind("cam", 0) != 0) return {};
-  const bool is_numbered = key.find_first_not_of("0123456789", 3) == dot;
-  return is_numbered ? key.substr(0, dot) : std::string();
-}
-
-YamlValues without_camera_name(const YamlValues& values, const std::string& where) {
-  YamlValues result;
-  std::set<std::string> names;
-  for (const auto& [key, value] : values) {
-    const std::string name = camera_name_of(key);
-    if (!name.empty()) names.insert(name);
-    if (names.size() > 1) throw InputError(where, "several cameras", "keep the one that took the images");
-    result[name.empty() ? key : key.substr(name.size() + 1)] = value;
-  }
-  return result;
-}
-
-CameraText camera_of(const YamlValues& document, const std::string& where) {
-  const YamlValues values = without_camera_name(document, where);
-  refuse_other_settings(values, where);
-  check_model(values, where);
-  check_keys(values, where);
-  Pinhole pinhole;
-  Distortion distortion;
-  read_size(values, where, &pinhole);
-  read_matrix(values, where, &pinhole);
-  read_distortion(values, where, &distortion);
-  CameraText text;
-  text.camera = Camera(pinhole, distortion);
-  add_notes(values, where, &text);
-  check_camera_text(text, where);
-  return text;
-}
-
 bool is_same(const Camera& a, const Camera& b) {
-  const Distortion d = a.distortion(), e = b.distortion();
-  return a.pinhole() == b.pinhole() && d.k1 == e.k1 && d.k2 == e.k2 && d.p1 == e.p1 && d.p2 == e.p2 &&
-         d.k3 == e.k3;
+  const StatedLens lens = stated_lens(a.model), other = stated_lens(b.model);
+  return a.pinhole() == b.pinhole() && lens.kind == other.kind && lens.coefficients == other.coefficients;
 }
 
 }  // namespace
 
+CameraText camera_of_yaml_values(const YamlValues& values, const std::string& where) {
+  refuse_other_settings(values, where);
+  check_lens_names(values, where);
+  check_keys(values, where);
+  CameraText text;
+  read_size(values, where, &text.camera);
+  text.camera.model = lens_of_yaml(values, where);
+  add_notes(values, where, &text);
+  apply_region(values, where, &text);
+  check_camera_text(text, where);
+  return text;
+}
+
 // `ros2 topic echo` writes one document for each message; all have the same camera.
-CameraText parse_camera_yaml(const std::string& text, const std::string& where) {
-  const std::vector<YamlValues> documents = parse_yaml_documents(text, where);
+CameraText camera_of_yaml_documents(const std::vector<YamlValues>& documents, const std::string& where) {
   if (documents.empty())
     throw InputError(where, "holds no calibration", "give camera_matrix and image_width");
-  const CameraText first = camera_of(documents.front(), where);
+  CameraText first = camera_of_yaml_values(documents.front(), where);
   for (size_t i = 1; i < documents.size(); ++i)
-    if (!is_same(camera_of(documents[i], where).camera, first.camera))
+    if (!is_same(camera_of_yaml_values(documents[i], where).camera, first.camera))
       throw InputError(where, "document " + std::to_string(i + 1) + " is another calibration than the first",
                        "keep the one of these images");
   return first;
@@ -236,10 +140,8 @@ CameraText parse_camera_yaml(const std::string& text, const std::string& where) 
 
 std::optional<CameraMount> parse_yaml_mount(const std::string& text, const std::string& where) {
   const std::vector<YamlValues> documents = parse_yaml_documents(text, where);
-  if (documents.empty()) return std::nullopt;
-  const YamlValues values = without_camera_name(documents.front(), where);
-  if (!values.count("mount")) return std::nullopt;
-  return camera_mount(yaml_numbers(values, {"mount"}, where), where + ": mount");
+  if (documents.empty() || !documents.front().count("mount")) return std::nullopt;
+  return camera_mount(yaml_numbers(documents.front(), {"mount"}, where), where + ": mount");
 }
 
 }  // namespace edgevo

@@ -36,8 +36,11 @@ YamlValues parse_flat_yaml(const std::string& text, const std::string& where);
 std::vector<double> yaml_numbers(const YamlValues& values, const std::vector<std::string>& keys,
                                  const std::string& where);
 
-/// Parses a calibration in YAML. Throws InputError.
-CameraText parse_camera_yaml(const std::string& text, const std::string& where);
+/// A calibration of ROS, OpenCV, EuRoC, edgevo or one camera of Kalibr by its keys. Throws InputError.
+CameraText camera_of_yaml_values(const YamlValues& values, const std::string& where);
+
+/// The same of documents that all have the same camera. Throws InputError.
+CameraText camera_of_yaml_documents(const std::vector<YamlValues>& documents, const std::string& where);
 
 /// The mount in a calibration in YAML; nullopt if it has none. Throws InputError.
 std::optional<CameraMount> parse_yaml_mount(const std::string& text, const std::string& where);

@@ -7,7 +7,9 @@
 #include "assumed_camera.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/target_pinhole.h"
 #include "edgevo/core/time_order.h"
+#include "lens_text.h"
 
 namespace edgevo {
 namespace {
@@ -23,10 +25,15 @@ std::string number(double value) {
   return text;
 }
 
-std::string describe_distortion(const Distortion& d) {
-  if (d.is_zero()) return "none";
-  return "k1 " + number(d.k1) + ", k2 " + number(d.k2) + ", p1 " + number(d.p1) + ", p2 " + number(d.p2) +
-         ", k3 " + number(d.k3) + " (plumb-bob)";
+// "k1 0.1, k2 -0.2, p1 0, p2 0, k3 0 (plumb-bob)"
+std::string describe_distortion(const CameraModel& model) {
+  const StatedLens lens = stated_lens(model);
+  if (lens.kind == LensKind::kPinhole) return "none";
+  const std::vector<std::string> names = coefficient_names(lens.kind);
+  std::string text;
+  for (size_t i = 0; i < lens.coefficients.size(); ++i)
+    text += (i == 0 ? "" : ", ") + names[i] + " " + number(lens.coefficients[i]);
+  return text + " (" + (lens.kind == LensKind::kPlumbBob ? "plumb-bob" : to_string(model)) + ")";
 }
 
 // Angle between the optical axis and a pixel, radians.
@@ -36,15 +43,12 @@ double angle_to_axis(const Camera& camera, const Eigen::Vector2d& px) {
 }
 
 void describe_camera(const ImageSource& source, Lines* lines) {
-  const Camera camera = source.camera();
-  const Pinhole p = camera.pinhole();
-  lines->emplace_back("image size", std::to_string(p.width) + " x " + std::to_string(p.height));
-  if (!knows_camera(source)) return;
-  lines->emplace_back("camera", "fx " + number(p.fx) + ", fy " + number(p.fy) + ", cx " + number(p.cx) +
-                                    ", cy " + number(p.cy) + " px");
-  lines->emplace_back("distortion", describe_distortion(camera.distortion()));
-  const auto [horizontal, vertical] = field_of_view_deg(camera);
-  lines->emplace_back("field of view", fixed(horizontal, 1) + " x " + fixed(vertical, 1) + " deg");
+  const Camera& camera = source.camera();
+  if (knows_camera(source)) {
+    for (const auto& line : describe_numbers(camera)) lines->push_back(line);
+    return;
+  }
+  lines->emplace_back("image size", std::to_string(camera.width) + " x " + std::to_string(camera.height));
 }
 
 void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* lines) {
@@ -72,10 +76,14 @@ void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* li
 void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
   if (times.size() < 2) return;
   std::vector<double> steps;
-  for (size_t i = 1; i < times.size(); ++i) steps.push_back(seconds_between(times[i - 1], times[i]));
+  double duration = 0;  // of a clock that was set back: without the step
+  for (size_t i = 1; i < times.size(); ++i) {
+    steps.push_back(seconds_between(times[i - 1], times[i]));
+    duration += std::max(steps.back(), 0.0);
+  }
   const double usual = median(std::move(steps));
-  lines->emplace_back("duration", fixed(seconds_between(times.front(), times.back()), 3) + " s, from " +
-                                      to_string(times.front()) + " to " + to_string(times.back()));
+  lines->emplace_back("duration", fixed(duration, 3) + " s, from " + to_string(times.front()) + " to " +
+                                      to_string(times.back()));
   if (usual > 0)
     lines->emplace_back("rate", fixed(1.0 / usual, 2) + " Hz (median step " + fixed(1e3 * usual, 2) + " ms)");
   if (usual > 0) describe_gaps(times, usual, lines);
@@ -91,15 +99,41 @@ std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {
          " deg up (vehicle x forward, y left, z up)";
 }
 
+// A decision on something that has a line of its own is added to it.
+void describe_decision(const InputDecision& d, Lines* lines) {
+  const std::string text = d.value + (d.reason.empty() ? "" : " (" + d.reason + ")");
+  const auto own =
+      std::find_if(lines->begin(), lines->end(), [&](const auto& line) { return line.first == d.subject; });
+  if (own == lines->end())
+    lines->emplace_back(d.subject, text);
+  else
+    own->second += "; " + text;
+  if (!d.doubt.empty()) lines->emplace_back("WARNING", d.subject + ": " + d.doubt);
+}
+
 }  // namespace
 
 std::pair<double, double> field_of_view_deg(const Camera& camera) {
+  if (!camera.plumb_bob()) {
+    const ViewAngles view = view_angles(camera);
+    return {kDegrees * view.horizontal(), kDegrees * view.vertical()};
+  }
   const Pinhole p = camera.pinhole();
   // The image reaches half a pixel beyond the centres of its border pixels.
   const double horizontal =
       angle_to_axis(camera, {-0.5, p.cy}) + angle_to_axis(camera, {p.width - 0.5, p.cy});
   const double vertical = angle_to_axis(camera, {p.cx, -0.5}) + angle_to_axis(camera, {p.cx, p.height - 0.5});
   return {kDegrees * horizontal, kDegrees * vertical};
+}
+
+std::vector<std::pair<std::string, std::string>> describe_numbers(const Camera& camera) {
+  const Pinhole p = camera.pinhole();
+  const auto [horizontal, vertical] = field_of_view_deg(camera);
+  return {{"image size", std::to_string(p.width) + " x " + std::to_string(p.height)},
+          {"camera", "fx " + number(p.fx) + ", fy " + number(p.fy) + ", cx " + number(p.cx) + ", cy " +
+                         number(p.cy) + " px"},
+          {"distortion", describe_distortion(camera.model)},
+          {"field of view", fixed(horizontal, 1) + " x " + fixed(vertical, 1) + " deg"}};
 }
 
 std::vector<std::pair<std::string, std::string>> describe(const ImageSource& source) {
@@ -109,10 +143,7 @@ std::vector<std::pair<std::string, std::string>> describe(const ImageSource& sou
   describe_camera(source, &lines);
   describe_times(fill_missing(source.times()), &lines);
   lines.emplace_back("mount", describe_mount(source.T_vehicle_cam()));
-  for (const InputDecision& d : source.decisions()) {
-    lines.emplace_back(d.subject, d.value + (d.reason.empty() ? "" : " (" + d.reason + ")"));
-    if (!d.doubt.empty()) lines.emplace_back("WARNING", d.doubt);
-  }
+  for (const InputDecision& decision : source.decisions()) describe_decision(decision, &lines);
   const Lines own = source.details();
   const bool has_truth_detail =
       std::any_of(own.begin(), own.end(), [](const auto& line) { return line.first == "ground truth"; });

@@ -28,6 +28,7 @@ constexpr const char* kLiveCamera = "camera:";
 
 void refuse_label(const SourceOptions& options) {
   if (options.sensor_label.empty()) return;
+  if (!options.camera_file.empty() && has_several_cameras(options.camera_file)) return;
   throw InputError(options.path,
                    "no sensor '" + options.sensor_label + "': it has one camera, without a name",
                    "omit --sensor");
@@ -60,7 +61,7 @@ std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
     return SeenImages{{}, width, height, 0};
   };
   if (!options.camera_file.empty())
-    rawlog.camera = camera_of_file(options.camera_file, images(), &rawlog.decisions);
+    rawlog.camera = camera_of_file(camera_file_of(options, ""), images(), &rawlog.decisions);
   try {
     return open_rawlog(rawlog);
   } catch (const InputError&) {  // most likely it has no calibration
@@ -108,6 +109,15 @@ std::unique_ptr<ImageSource> with_mount(std::unique_ptr<ImageSource> source, con
   return mount ? mount_source(std::move(source), *mount, file) : std::move(source);
 }
 
+// --camera-scale, where no camera file was read to which it applies.
+void refuse_camera_scale(const SourceOptions& options, const ImageSource& source) {
+  if (options.camera_scale == 0) return;
+  for (const InputDecision& d : source.decisions())
+    if (d.value.find("--camera-scale") != std::string::npos) return;
+  throw InputError("--camera-scale", "is of no use: the camera of " + options.path + " is not from a file",
+                   "omit it, or give the file with --camera");
+}
+
 int parse_frame_number(const std::string& text, const std::string& where) {
   const double value = parse_number(text, where);
   if (value < 0 || value > std::numeric_limits<int>::max() || value != int(value))
@@ -141,6 +151,7 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
   if (options.fov_deg && !assumes_camera(*source))
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
                      "omit it, or give another calibration with --camera");
+  refuse_camera_scale(options, *source);
   const double scale =
       options.image_scale == 0 ? usual_image_scale(source->camera().pinhole().width) : options.image_scale;
   source = with_mount(with_camera_doubt(std::move(source)), options);

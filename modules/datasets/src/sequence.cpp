@@ -31,7 +31,7 @@ class SequenceSource : public ImageSource {
   std::vector<std::pair<std::string, std::string>> details() const override { return sequence_.details; }
   std::vector<InputDecision> decisions() const override {
     std::vector<InputDecision> all = sequence_.decisions;
-    if (auto clock = clock_decision(sequence_.times)) all.push_back(std::move(*clock));
+    for (InputDecision& d : time_decisions(sequence_.times)) all.push_back(std::move(d));
     return all;
   }
   std::vector<Timestamp> times() const override { return sequence_.times; }
@@ -95,7 +95,8 @@ std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& lines, const 
   UnitOfTimes unit;
   size_t bad = 0;
   if (!parse_times(texts, options.time_unit, &parsed, &unit, &bad))
-    throw InputError(lines[stated[bad]].where, "is not a time", "write seconds, one number a line");
+    throw InputError(lines[stated[bad]].where, quote(texts[bad]) + " is not a time",
+                     "write seconds, one number a line");
   if (decisions && (unit.unit.decimals > 0 || !unit.doubt.empty()))
     decisions->push_back({"times", std::string("in ") + unit.unit.name, unit.reason, unit.doubt});
   std::vector<Timestamp> times(lines.size(), kNoTime);
@@ -112,9 +113,9 @@ void check_counts(const std::vector<std::string>& images, const std::vector<Time
                    "give one time for each image");
 }
 
-std::string camera_file_of(const SourceOptions& options, const std::string& own) {
-  if (!options.camera_file.empty()) return options.camera_file;
-  if (!existing(own).empty()) return own;
+CameraFile camera_file_of(const SourceOptions& options, const std::string& own) {
+  const std::string path = options.camera_file.empty() ? existing(own) : options.camera_file;
+  if (!path.empty()) return {path, options.sensor_label, options.camera_scale};
   throw InputError(options.path, "no calibration" + (own.empty() ? "" : " (" + own + " is missing)"),
                    "give the camera's file with --camera (edgevo calibrate --chessboard makes one), or its "
                    "angle with --fov");

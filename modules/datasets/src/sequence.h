@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "camera_fit.h"
 #include "edgevo/core/image_source.h"
 #include "edgevo/core/input_decision.h"
 #include "edgevo/datasets/open_source.h"
@@ -57,9 +58,8 @@ std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& times, const 
 void check_counts(const std::vector<std::string>& images, const std::vector<Timestamp>& times,
                   const std::string& times_path, const std::string& images_folder);
 
-/// Path of the camera file given by the user, else `own` if it exists, else an InputError that requests
-/// --camera.
-std::string camera_file_of(const SourceOptions& options, const std::string& own);
+/// The camera file given by the user, else `own` if it exists, else an InputError that requests --camera.
+CameraFile camera_file_of(const SourceOptions& options, const std::string& own);
 
 /// `path` if that file exists, else empty.
 std::string existing(const std::string& path);

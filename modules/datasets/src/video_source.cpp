@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
@@ -69,6 +70,11 @@ bool ends_within_a_packet(const std::string& path) {
   for (const std::streamoff at : {std::streamoff(0), kPacket, 2 * kPacket})
     if (!file.seekg(at) || file.get() != kSync) return false;
   return size % kPacket != 0;
+}
+
+// FFmpeg opens an image as a video of one frame; a stream of JPEG images is a video.
+bool is_single_image(const std::string& path) {
+  return cv::haveImageReader(path) && read_video_stamps(path).seconds.size() <= 1;
 }
 
 // The rate between two frames, without the fastest and the slowest hundredth of them.
@@ -232,6 +238,8 @@ class LiveCamera : public ImageSource {
 
 std::unique_ptr<ImageSource> open_video(const SourceOptions& options) {
   const QuietOpenCv quiet;
+  if (is_single_image(options.path))
+    throw InputError(options.path, "is a single image", "give the folder of the images, or a video");
   cv::VideoCapture capture;
   try {
     capture.open(options.path, cv::CAP_FFMPEG);
@@ -249,7 +257,8 @@ std::unique_ptr<ImageSource> open_live_camera(const SourceOptions& options) {
   const double index = parse_number(number, options.path);
   if (index < 0 || index > kLastCamera || index != std::floor(index))
     throw InputError(options.path, "is not a camera", "write camera:N with N from 0");
-  const bool states_size = !options.fov_deg && read_camera_text(camera_file_of(options, "")).has_size();
+  const bool states_size =
+      !options.fov_deg && read_camera_text(camera_file_of(options, "").path, options.sensor_label).has_size();
   const auto capture = std::make_shared<cv::VideoCapture>();
   if (!capture->open(int(index)))
     throw InputError(options.path, "the camera does not open", "check that it is plugged in");

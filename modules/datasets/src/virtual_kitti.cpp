@@ -203,7 +203,8 @@ VirtualKitti read_virtual_kitti(const SourceOptions& options) {
   VirtualKitti result =
       is_release_1(sequence) ? read_release_1(sequence) : read_release_2(sequence, options.sensor_label);
   if (!options.camera_file.empty())
-    result.camera = camera_of_file(options.camera_file, seen_images(result.images), &result.decisions);
+    result.camera =
+        camera_of_file(camera_file_of(options, ""), seen_images(result.images), &result.decisions);
   const double fps = options.fps > 0 ? options.fps : kFps;
   for (const std::string& image : result.images)
     result.times.push_back(Timestamp::from_seconds(frame_number(image) / fps));

@@ -12,6 +12,8 @@
 #include "edgevo/edges/edge_extraction.h"
 #include "edgevo/edges/opencv_view.h"
 #include "edgevo/files/image_names.h"
+#include "fixed_parts.h"
+#include "own_mask.h"
 #include "undistortion.h"
 
 namespace edgevo {
@@ -44,6 +46,16 @@ Plane<uint8_t> halved(const Plane<uint8_t>& from, const Pinhole& size) {
   return half;
 }
 
+double share_of(const std::shared_ptr<const Plane<uint8_t>>& mask) {
+  if (!mask) return 0;
+  return double(cv::countNonZero(as_mat(*mask))) / (double(mask->width()) * mask->height());
+}
+
+// What is known about an image besides its gray values.
+struct KnownAreas {
+  std::shared_ptr<const Plane<uint8_t>> border, own, likely;
+};
+
 }  // namespace
 
 struct PyramidBuilder::Impl {
@@ -56,7 +68,9 @@ struct PyramidBuilder::Impl {
   std::optional<Undistortion> undistortion;    // empty if raw images need no change
   std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
   BorderMask border;                           // of the raw images
-  Plane<uint8_t> missing;                      // of the rectified images: mask of pixels without a source
+  FixedParts fixed;
+  OwnMask own;
+  Plane<uint8_t> missing;  // of the rectified images: mask of pixels without a source
 
   const Pinhole& target() const { return rectification.target(); }
   bool has_area() const { return rectification.camera().width > 1 && rectification.camera().height > 1; }
@@ -106,7 +120,7 @@ struct PyramidBuilder::Impl {
             p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
         const Eigen::Vector2d shift =
             raw_pixel(add_rolling(rectification, correction.readout_s, motion, x)) - raw_pixel(x);
-        grid.set(column, row, float(shift.x()), float(shift.y()));
+        if (shift.allFinite()) grid.set(column, row, float(shift.x()), float(shift.y()));  // else 0
       }
     return grid;
   }
@@ -115,30 +129,41 @@ struct PyramidBuilder::Impl {
     return rectification.raw_pixel(add_radial(correction.k1, x));
   }
 
-  // `border`: border mask of the finest level, or empty; `likely`: probability on this level, or empty.
-  void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& likely,
-                  PyramidLevel* level) const {
+  // `border`, `own`: masks of the finest level, or empty; `likely`: probability on this level, or empty.
+  // `watch`: look for parts that are fixed to the camera.
+  void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& own,
+                  const Plane<uint8_t>& likely, bool watch, PyramidLevel* level) {
     Gradient gradient = compute_gradient(level->gray.view());
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     if (!missing.empty()) clear_masked(missing, l, &mask);
+    if (!own.empty()) {
+      // Also behind the mask: it is taken back if its edges move after all.
+      if (watch) look_for_fixed_parts(l, extract_edges(mask, gradient, params.min_chain));
+      clear_masked(own, l, &mask);
+    }
     level->edges = extract_edges(mask, gradient, params.min_chain);
+    if (watch && own.empty()) look_for_fixed_parts(l, level->edges);
     level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
+  }
+
+  void look_for_fixed_parts(int l, const ImageEdges& edges) {
+    if (!fixed.add(edges)) return;
+    if (fixed.area())
+      own.set_found(raw_area(*fixed.area(), l, rectification, correction));
+    else
+      own.clear_found();
   }
 
   std::shared_ptr<const FramePyramid> take(const GrayImage& image, const std::string& name,
                                            const ImageMotion& motion);
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion,
-                                            std::shared_ptr<const Plane<uint8_t>> border,
-                                            std::shared_ptr<const Plane<uint8_t>> likely);
+                                            KnownAreas known, bool watch);
 };
 
-double FramePyramid::masked_share() const {
-  if (!border_mask) return 0;
-  return double(cv::countNonZero(as_mat(*border_mask))) /
-         (double(border_mask->width()) * border_mask->height());
-}
+double FramePyramid::masked_share() const { return share_of(border_mask); }
+double FramePyramid::own_share() const { return share_of(own_mask); }
 
 PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                                const EdgeDetectorTable& detectors)
@@ -153,8 +178,18 @@ PyramidBuilder PyramidBuilder::for_rebuilding(const Rectification& rectification
 PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                                std::unique_ptr<EdgeDetector> detector,
                                std::unique_ptr<EdgeProbability> probability)
-    : impl_(
-          new Impl{rectification, {}, params, std::move(detector), std::move(probability), {}, {}, {}, {}}) {
+    : impl_(new Impl{rectification,
+                     {},
+                     params,
+                     std::move(detector),
+                     std::move(probability),
+                     {},
+                     {},
+                     {},
+                     {},
+                     OwnMask(params.mask, rectification.camera().pinhole().width,
+                             rectification.camera().pinhole().height),
+                     {}}) {
   rectification.check("camera");
   impl_->make_maps();
 }
@@ -192,25 +227,27 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& 
   std::shared_ptr<const Plane<uint8_t>> likely;
   if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(image.view(), name));
   border.add(image.view());
-  return build(image, motion, border.mask(), std::move(likely));
+  return build(image, motion, {border.mask(), own.mask(), std::move(likely)}, params.find_own_parts);
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
                                                             const ImageMotion& motion) {
-  return impl_->build(old.source, motion, old.border_mask, old.probability);
+  return impl_->build(old.source, motion, {old.border_mask, old.own_mask, old.probability}, false);
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(
-    const GrayImage& image, const ImageMotion& motion, std::shared_ptr<const Plane<uint8_t>> border,
-    std::shared_ptr<const Plane<uint8_t>> likely) {
+std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image,
+                                                                const ImageMotion& motion, KnownAreas known,
+                                                                bool watch) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
-  pyramid->border_mask = std::move(border);
-  pyramid->probability = std::move(likely);
+  pyramid->border_mask = std::move(known.border);
+  pyramid->own_mask = std::move(known.own);
+  pyramid->probability = std::move(known.likely);
   pyramid->correction = correction;
   pyramid->levels.resize(size_t(params.levels));
   const Plane<uint8_t> border_here =
       pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
+  if (pyramid->own_mask) pyramid->own_area = undistort(pyramid->own_mask->view(), motion);
   Plane<uint8_t> likely_here =
       pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
@@ -223,8 +260,12 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(
       halve(pyramid->levels[size_t(l - 1)].gray, &level.gray);
       if (!likely_here.empty() && l < params.edge_levels) likely_here = halved(likely_here, level.pinhole);
     }
-    if (l < params.edge_levels) find_edges(l, border_here, likely_here, &level);
+    if (l < params.edge_levels)
+      find_edges(l, border_here, pyramid->own_area, likely_here, watch && l == params.edge_levels - 1,
+                 &level);
   }
+  pyramid->may_show_own_part = watch && fixed.is_undecided();
+  if (watch) pyramid->view_motion = fixed.motion();
   return pyramid;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/map/corrected_pixel.h"
 
@@ -116,6 +117,21 @@ std::vector<TimedPose> RunBuilder::last_poses(int segment, int last_frame, size_
     if (f.T_world_cam_live && f.segment == segment && f.index <= last_frame)
       poses.push_back({f.time, *f.T_world_cam_live});
   }
+  std::reverse(poses.begin(), poses.end());
+  return poses;
+}
+
+std::vector<TimedPose> RunBuilder::last_sure_poses(int segment, int last_frame, size_t count) const {
+  std::vector<TimedPose> poses;
+  for (auto row = rows_.rbegin(); row != rows_.rend() && poses.size() < count; ++row) {
+    const FrameRecord& f = row->frame;
+    if (f.index > last_frame || f.segment > segment) continue;
+    if (f.segment == segment && f.T_world_cam_live && !is_doubtful(f))
+      poses.push_back({f.time, *f.T_world_cam_live});
+    else
+      poses.clear();
+  }
+  if (poses.size() < count) return {};
   std::reverse(poses.begin(), poses.end());
   return poses;
 }

@@ -9,8 +9,8 @@
 #include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
-#include "opencv_pose.h"
 #include "two_view_motion.h"
+#include "view_fit.h"
 
 namespace edgevo {
 namespace {
@@ -30,27 +30,13 @@ constexpr int kMaxFirstCorners = 1200;      // followed from the first view
 constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix
 // Share of the corners that must agree with the essential matrix.
 constexpr double kMinInlierShare = 0.6;
-// Depth in units of the baseline below which a triangulated corner counts as behind the camera.
-constexpr double kMinCornerDepth = 1e-6;
+// Views between and corners by which motions are compared: more add little.
+constexpr size_t kComparedViews = 6, kComparedCorners = 300;
 
 std::string sentence(const char* pattern, double a, double b) {
   char text[160];
   std::snprintf(text, sizeof text, pattern, a, b);
   return text;
-}
-
-// Inverse depths in both cameras of a corner seen at rays a (first) and b (last); false behind a camera or
-// without parallax.
-bool triangulate(const SE3& T_last_first, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                 double* idepth_first, double* idepth_last) {
-  // depth_b b = depth_a R a + t, least squares over the two depths.
-  Eigen::Matrix<double, 3, 2> A;
-  A << b, -(T_last_first.R() * a);
-  const Eigen::Vector2d depth = (A.transpose() * A).ldlt().solve(A.transpose() * T_last_first.translation());
-  if (!(depth.x() > kMinCornerDepth) || !(depth.y() > kMinCornerDepth)) return false;
-  *idepth_last = 1.0 / depth.x();
-  *idepth_first = 1.0 / depth.y();
-  return true;
 }
 
 // Triangulated corners of the two views.
@@ -71,11 +57,13 @@ struct Bootstrap::Impl {
   std::vector<Corners> corners_in_view;  // for each view, pixels of the corners that are still alive
   size_t first_corners = 0;              // followed from the first view on
   int disagreeing = 0;                   // frames in a row
+  std::optional<SE3> chosen_before;      // from the first view to the one before the newest
   cv::Mat previous;
 
   void reset() {
     views.clear();
     corners_in_view.clear();
+    chosen_before.reset();
   }
 
   // Makes `view` the first one. Returns false if it shows too few corners; the next frame is tried then.
@@ -83,6 +71,7 @@ struct Bootstrap::Impl {
     reset();
     disagreeing = 0;
     Corners corners = find_corners(image, kMaxFirstCorners);
+    drop_own(*view.pyramid, &corners);
     for (size_t k = corners.size(); k > 1; --k) std::swap(corners[k - 1], corners[random.below(int(k))]);
     first_corners = corners.size();
     view.placed = true;
@@ -164,21 +153,80 @@ struct Bootstrap::Impl {
     if (disparity < needed)
       return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
                                      disparity, needed)};
-    const std::vector<TwoViewMotion> motions =
-        estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
+    const std::vector<TwoViewMotion> motions = possible_motions();
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
+    const Choice choice = views.size() > 2 ? choose_by_views(motions) : choose_by_error(motions);
+    const int agreeing = cv::countNonZero(choice.best.inliers);
+    const bool too_few = agreeing < kMinInlierShare * double(a.size());
+    disagreeing = too_few ? disagreeing + 1 : 0;
+    if (too_few)
+      return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
+                                     100.0 * agreeing / double(a.size()), 100 * kMinInlierShare)};
+    if (choice.is_ambiguous)
+      return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
+    return build_result(choice.best.T_last_first, choice.best.inliers);
+  }
+
+  // Those of RANSAC and of a plane, and the one that the frame before chose.
+  std::vector<TwoViewMotion> possible_motions() {
+    const Corners &a = corners_in_view.front(), &b = corners_in_view.back();
+    std::vector<TwoViewMotion> motions =
+        estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
+    for (TwoViewMotion& m : estimate_motions_of_plane(pinhole, a, b, kBootstrapRansacPx))
+      motions.push_back(std::move(m));
+    if (chosen_before) motions.push_back(measure_motion(pinhole, a, b, kBootstrapRansacPx, *chosen_before));
+    return without_repeats(std::move(motions));
+  }
+
+  struct Choice {
+    TwoViewMotion best;
+    bool is_ambiguous = false;
+  };
+
+  static Choice choose_by_error(const std::vector<TwoViewMotion>& motions) {
     const TwoViewMotion& best =
         *std::min_element(motions.begin(), motions.end(),
                           [](const auto& m, const auto& n) { return m.median_error_px < n.median_error_px; });
-    const int agreeing = cv::countNonZero(best.inliers);
-    const bool disagree = agreeing < kMinInlierShare * double(a.size());
-    disagreeing = disagree ? disagreeing + 1 : 0;
-    if (disagree)
-      return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
-                                     100.0 * agreeing / double(a.size()), 100 * kMinInlierShare)};
-    if (is_ambiguous(best, motions))
-      return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
-    return build_result(best.T_last_first, best.inliers);
+    return {best, is_ambiguous(best, motions)};
+  }
+
+  // The motion that the views between allow. It is ambiguous while another one fits them about as well.
+  Choice choose_by_views(const std::vector<TwoViewMotion>& motions) {
+    constexpr double kRefuted = 1.1;  // times the best error
+    const std::vector<Corners> views = fitted_views();
+    std::vector<ViewFit> fits;
+    for (const TwoViewMotion& m : motions)
+      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first)) fits.push_back(*fit);
+    if (fits.empty()) return choose_by_error(motions);
+    const ViewFit& best = *std::min_element(
+        fits.begin(), fits.end(), [](const auto& f, const auto& g) { return f.error_px < g.error_px; });
+    chosen_before = best.T_last_first;
+    Choice choice{of_two_views(best.T_last_first)};
+    choice.is_ambiguous = std::any_of(fits.begin(), fits.end(), [&](const ViewFit& other) {
+      return other.error_px < kRefuted * best.error_px &&
+             disagree(other.T_last_first, best.T_last_first, choice.best.parallax_rad);
+    });
+    return choice;
+  }
+
+  // The motion refined to the first and the last view, by which depths are triangulated, unless that leads
+  // away to the wrong motion of a plane.
+  TwoViewMotion of_two_views(const SE3& T_last_first) const {
+    const Corners &a = corners_in_view.front(), &b = corners_in_view.back();
+    TwoViewMotion as_it_is = measure_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
+    TwoViewMotion refined = refined_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
+    return disagree(refined.T_last_first, T_last_first, as_it_is.parallax_rad) ? as_it_is : refined;
+  }
+
+  // The first view, some between in even steps, and the last, each with the same corners.
+  std::vector<Corners> fitted_views() const {
+    const size_t last = corners_in_view.size() - 1, steps = std::min(last, kComparedViews + 1);
+    std::vector<Corners> views;
+    for (size_t k = 0; k <= steps; ++k) {
+      const Corners& all = corners_in_view[k * last / steps];
+      views.emplace_back(all.begin(), all.begin() + std::min(all.size(), kComparedCorners));
+    }
+    return views;
   }
 
   // Triangulates the inliers that lie in front of both cameras.
@@ -237,15 +285,8 @@ struct Bootstrap::Impl {
     for (size_t v = 1; v + 1 < views.size(); ++v) {
       Corners image;
       for (int i : used) image.push_back(corners_in_view[v][i]);
-      const SE3 guess = SE3::exp(whole * (double(v) / double(views.size() - 1)));
-      cv::Mat R(3, 3, CV_64F), rvec, tvec(3, 1, CV_64F);
-      for (int i = 0; i < 9; ++i) R.at<double>(i / 3, i % 3) = guess.R()(i / 3, i % 3);
-      for (int i = 0; i < 3; ++i) tvec.at<double>(i) = guess.translation()[i];
-      cv::Rodrigues(R, rvec);
-      views[v].placed = cv::solvePnP(object, image, camera_matrix(pinhole), cv::noArray(), rvec, tvec, true);
-      if (!views[v].placed) continue;
-      cv::Rodrigues(rvec, R);
-      views[v].T_cam_first = to_se3(R, to_vector(tvec));
+      views[v].T_cam_first = SE3::exp(whole * (double(v) / double(views.size() - 1)));
+      views[v].placed = place_view(pinhole, object, image, &views[v].T_cam_first);
     }
   }
 };

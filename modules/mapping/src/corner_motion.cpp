@@ -42,8 +42,9 @@ std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const Fra
                                                const FramePyramid& to, const SE3& T_to_from,
                                                const CornerParams& params, Random* random) {
   const cv::Mat image_from = equalised(from);
-  PredictedCorners corners =
-      predict_corners(pinhole, find_corners(image_from, kMaxFollowedCorners), T_to_from.R());
+  Corners start = find_corners(image_from, kMaxFollowedCorners);
+  drop_own(from, &start);
+  PredictedCorners corners = predict_corners(pinhole, start, T_to_from.R());
   const std::vector<bool> found = follow_corners(image_from, equalised(to), corners.from, &corners.to);
   Corners first, last;
   for (size_t i = 0; i < found.size(); ++i)

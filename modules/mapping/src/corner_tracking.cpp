@@ -43,6 +43,12 @@ Corners find_corners(const cv::Mat& image, int count) {
   return corners;
 }
 
+void drop_own(const FramePyramid& pyramid, Corners* corners) {
+  corners->erase(std::remove_if(corners->begin(), corners->end(),
+                                [&](const cv::Point2f& c) { return pyramid.is_own(c.x, c.y); }),
+                 corners->end());
+}
+
 std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from,
                                  Corners* to) {
   std::vector<bool> found(from.size());

@@ -16,6 +16,9 @@ cv::Mat equalised(const FramePyramid& pyramid);
 /// Finds at most `count` corners, spread over the image, strongest first.
 Corners find_corners(const cv::Mat& image, int count);
 
+/// Drops corners on parts that are fixed to the camera.
+void drop_own(const FramePyramid& pyramid, Corners* corners);
+
 /// Follows the corners `from` of one image into another. `to` holds where the search starts, or is empty: at
 /// `from`. Returns one flag per corner: found in the image, and found again at its start when followed back.
 std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from,

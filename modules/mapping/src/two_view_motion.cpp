@@ -22,6 +22,8 @@ constexpr double kConverged = 1e-9;
 // Probability that a RANSAC run draws at least one sample of five right corners; the other runs find what it
 // misses.
 constexpr double kConfidence = 0.999;
+// Distance from a plane's homography, times that of the essential matrix: corners near a plane count, too.
+constexpr double kPlanePx = 3;
 using Vector5d = Eigen::Matrix<double, 5, 1>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
@@ -67,6 +69,43 @@ bool may_lie_in_front(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vecto
   return T.translation().cross(y).dot(normal) < 0 && T.translation().cross(Rx).dot(normal) < 0;
 }
 
+std::vector<Eigen::Vector3d> rays_of(const Pinhole& pinhole, const std::vector<cv::Point2f>& corners) {
+  std::vector<Eigen::Vector3d> rays;
+  for (const cv::Point2f& p : corners) rays.push_back(pinhole.ray({p.x, p.y}));
+  return rays;
+}
+
+void find_inliers(const SE3& T, const std::vector<Eigen::Vector3d>& first,
+                  const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
+                  cv::Mat* inliers) {
+  for (size_t i = 0; i < first.size(); ++i)
+    inliers->at<uchar>(int(i)) = sampson_distance(T, first[i], last[i], focal_px) < ransac_px &&
+                                 may_lie_in_front(T, first[i], last[i], ransac_px / focal_px);
+}
+
+// Motions that a homography between the views allows: two, as long as all its corners lie in front.
+std::vector<SE3> motions_of_homography(const cv::Mat& H, const cv::Mat& K,
+                                       const std::vector<Eigen::Vector3d>& rays_first,
+                                       const cv::Mat& on_plane) {
+  constexpr double kInFront = 0.9;  // of its corners: the sign of the normal is certain
+  constexpr double kNoMotion = 1e-6;
+  std::vector<cv::Mat> rotations, translations, normals;
+  cv::decomposeHomographyMat(H, K, rotations, translations, normals);
+  std::vector<SE3> motions;
+  for (size_t m = 0; m < rotations.size(); ++m) {
+    const Eigen::Vector3d t = to_vector(translations[m]), normal = to_vector(normals[m]);
+    int all = 0, in_front = 0;
+    for (size_t i = 0; i < rays_first.size(); ++i) {
+      if (!on_plane.at<uchar>(int(i))) continue;
+      ++all;
+      in_front += normal.dot(rays_first[i]) > 0;
+    }
+    if (t.norm() > kNoMotion && in_front > kInFront * all)
+      motions.push_back(to_se3(rotations[m], t.normalized()));
+  }
+  return motions;
+}
+
 // Refines the motion of a five-corner sample over all corners that agree with it, found anew in each round:
 // the more agree, the less depends on the sample.
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
@@ -81,11 +120,21 @@ SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
       y.push_back(last[i]);
     }
     T = refine_motion(T, x, y, focal_px, 0.5 * ransac_px);
-    for (size_t i = 0; i < first.size(); ++i)
-      inliers->at<uchar>(int(i)) = sampson_distance(T, first[i], last[i], focal_px) < ransac_px &&
-                                   may_lie_in_front(T, first[i], last[i], ransac_px / focal_px);
+    find_inliers(T, first, last, focal_px, ransac_px, inliers);
   }
   return T;
+}
+
+// A motion refined from a start, over the corners that agree with it.
+TwoViewMotion refined(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                      const std::vector<cv::Point2f>& last, double ransac_px, const SE3& start,
+                      cv::Mat inliers) {
+  const std::vector<Eigen::Vector3d> rays_first = rays_of(pinhole, first), rays_last = rays_of(pinhole, last);
+  TwoViewMotion m;
+  m.inliers = std::move(inliers);
+  m.T_last_first = refine_over_inliers(start, rays_first, rays_last, pinhole.fx, ransac_px, &m.inliers);
+  measure(rays_first, rays_last, pinhole.fx, &m);
+  return m;
 }
 
 }  // namespace
@@ -130,9 +179,6 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
                                             const std::vector<cv::Point2f>& last, double ransac_px,
                                             int trials, Random* random) {
   const cv::Mat K = camera_matrix(pinhole);
-  std::vector<Eigen::Vector3d> rays_first, rays_last;
-  for (const cv::Point2f& p : first) rays_first.push_back(pinhole.ray({p.x, p.y}));
-  for (const cv::Point2f& p : last) rays_last.push_back(pinhole.ray({p.x, p.y}));
   std::vector<TwoViewMotion> motions;
   std::vector<int> order(first.size());
   std::iota(order.begin(), order.end(), 0);
@@ -144,27 +190,68 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
     const cv::Mat E = cv::findEssentialMat(from, to, K, cv::RANSAC, kConfidence, ransac_px, found);
     if (E.rows != 3) continue;
     cv::recoverPose(E, from, to, K, R, t, found);
-    TwoViewMotion m;
-    m.inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
-    for (size_t k = 0; k < order.size(); ++k) m.inliers.at<uchar>(order[k]) = found.at<uchar>(int(k)) != 0;
-    m.T_last_first = refine_over_inliers(to_se3(R, to_vector(t).normalized()), rays_first, rays_last,
-                                         pinhole.fx, ransac_px, &m.inliers);
-    measure(rays_first, rays_last, pinhole.fx, &m);
-    motions.push_back(std::move(m));
+    cv::Mat inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
+    for (size_t k = 0; k < order.size(); ++k) inliers.at<uchar>(order[k]) = found.at<uchar>(int(k)) != 0;
+    motions.push_back(
+        refined(pinhole, first, last, ransac_px, to_se3(R, to_vector(t).normalized()), inliers));
   }
   return motions;
 }
 
-bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions) {
-  constexpr double kFitsToo = 1.5;            // times the best median error: it cannot distinguish them
+std::vector<TwoViewMotion> estimate_motions_of_plane(const Pinhole& pinhole,
+                                                     const std::vector<cv::Point2f>& first,
+                                                     const std::vector<cv::Point2f>& last, double ransac_px) {
+  cv::Mat on_plane;
+  const cv::Mat H = cv::findHomography(first, last, cv::RANSAC, kPlanePx * ransac_px, on_plane);
+  std::vector<TwoViewMotion> motions;
+  if (H.rows != 3) return motions;
+  for (const SE3& T : motions_of_homography(H, camera_matrix(pinhole), rays_of(pinhole, first), on_plane))
+    motions.push_back(refined(pinhole, first, last, ransac_px, T, on_plane.clone()));
+  return motions;
+}
+
+TwoViewMotion refined_motion(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                             const std::vector<cv::Point2f>& last, double ransac_px, const SE3& start) {
+  return refined(pinhole, first, last, ransac_px, start,
+                 measure_motion(pinhole, first, last, ransac_px, start).inliers);
+}
+
+TwoViewMotion measure_motion(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                             const std::vector<cv::Point2f>& last, double ransac_px,
+                             const SE3& T_last_first) {
+  const std::vector<Eigen::Vector3d> rays_first = rays_of(pinhole, first), rays_last = rays_of(pinhole, last);
+  TwoViewMotion m;
+  m.T_last_first = T_last_first;
+  m.inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
+  find_inliers(T_last_first, rays_first, rays_last, pinhole.fx, ransac_px, &m.inliers);
+  measure(rays_first, rays_last, pinhole.fx, &m);
+  return m;
+}
+
+std::vector<TwoViewMotion> without_repeats(std::vector<TwoViewMotion> motions) {
+  constexpr double kSameShare = 0.02;  // of the parallax
+  constexpr double kSameDirection = 0.05;
+  std::vector<TwoViewMotion> distinct;
+  for (TwoViewMotion& m : motions)
+    if (std::none_of(distinct.begin(), distinct.end(), [&](const TwoViewMotion& d) {
+          return (d.T_last_first.translation() - m.T_last_first.translation()).norm() < kSameDirection &&
+                 (d.T_last_first * m.T_last_first.inverse()).angle() < kSameShare * d.parallax_rad;
+        }))
+      distinct.push_back(std::move(m));
+  return distinct;
+}
+
+bool disagree(const SE3& a, const SE3& b, double parallax_rad) {
   constexpr double kMaxRotationShare = 0.25;  // of the parallax: depths would be wrong by as much
-  for (const TwoViewMotion& m : motions) {
-    const double rotation = (m.T_last_first * best.T_last_first.inverse()).angle();
-    const double parallax = std::min(m.parallax_rad, best.parallax_rad);
-    const bool fits = m.median_error_px < kFitsToo * best.median_error_px;
-    if (fits && rotation > kMaxRotationShare * parallax) return true;
-  }
-  return false;
+  return (a * b.inverse()).angle() > kMaxRotationShare * parallax_rad;
+}
+
+bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions) {
+  constexpr double kFitsToo = 1.5;  // times the best median error: it cannot distinguish them
+  return std::any_of(motions.begin(), motions.end(), [&](const TwoViewMotion& m) {
+    return m.median_error_px < kFitsToo * best.median_error_px &&
+           disagree(m.T_last_first, best.T_last_first, std::min(m.parallax_rad, best.parallax_rad));
+  });
 }
 
 }  // namespace edgevo

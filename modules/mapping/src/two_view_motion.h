@@ -27,6 +27,26 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
                                             const std::vector<cv::Point2f>& last, double ransac_px,
                                             int trials, Random* random);
 
+/// The motions that a plane through most corners allows: two between two views, of which one is wrong; one
+/// is known from the other by further views only (view_fit.h). May be empty.
+std::vector<TwoViewMotion> estimate_motions_of_plane(const Pinhole& pinhole,
+                                                     const std::vector<cv::Point2f>& first,
+                                                     const std::vector<cv::Point2f>& last, double ransac_px);
+
+/// A motion as it is, with its inliers, error and parallax.
+TwoViewMotion measure_motion(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                             const std::vector<cv::Point2f>& last, double ransac_px, const SE3& T_last_first);
+
+/// The motion refined from `start` over the corners that agree with it.
+TwoViewMotion refined_motion(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
+                             const std::vector<cv::Point2f>& last, double ransac_px, const SE3& start);
+
+/// The motions without those that repeat an earlier one.
+std::vector<TwoViewMotion> without_repeats(std::vector<TwoViewMotion> motions);
+
+/// True if the rotations differ by more than a share of the parallax that depths would come from.
+bool disagree(const SE3& a, const SE3& b, double parallax_rad);
+
 /// True if motions that fit about as well as `best` disagree on the rotation by more than a share of the
 /// parallax that depths would come from: with little parallax a wrong rotation with a wrong translation fits
 /// nearly as well as the right ones (share/lab/archive/2026-11-22_bootstrap.md).

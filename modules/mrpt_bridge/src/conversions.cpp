@@ -6,8 +6,10 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 
+#include "edgevo/core/closest_lens.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/output_file.h"
 #include "gray_conversion.h"
 
 namespace edgevo {
@@ -39,31 +41,47 @@ Timestamp from_mrpt(mrpt::Clock::time_point t) {
   return {t.time_since_epoch().count() - kUnixEpochInMrptTicks};
 }
 
-mrpt::img::TCamera to_mrpt(const Camera& camera) {
+ClosestMrptCamera closest_mrpt(const Camera& camera) {
+  ClosestMrptCamera closest;
+  mrpt::img::TCamera& c = closest.camera;
   const Pinhole p = camera.pinhole();
-  const Distortion d = camera.distortion();
-  mrpt::img::TCamera result;
-  result.ncols = uint32_t(p.width);
-  result.nrows = uint32_t(p.height);
-  result.setIntrinsicParamsFromValues(p.fx, p.fy, p.cx, p.cy);
-  result.setDistortionPlumbBob(d.k1, d.k2, d.p1, d.p2, d.k3);
-  return result;
+  c.ncols = uint32_t(p.width);
+  c.nrows = uint32_t(p.height);
+  c.setIntrinsicParamsFromValues(p.fx, p.fy, p.cx, p.cy);
+  if (const auto d = camera.plumb_bob()) {
+    c.setDistortionPlumbBob(d->k1, d->k2, d->p1, d->p2, d->k3);
+    return closest;
+  }
+  const ClosestLens lens = closest_kannala_brandt(camera);
+  const auto& k = std::get<KannalaBrandtModel>(lens.camera.model);
+  c.setDistortionKannalaBrandt(k.k1, k.k2, k.k3, k.k4);
+  closest.max_error_px = lens.max_error_px;
+  return closest;
+}
+
+mrpt::img::TCamera to_mrpt(const Camera& camera) {
+  constexpr double kSame = 0.5;  // pixels: less than a calibration leaves in the corners
+  const ClosestMrptCamera closest = closest_mrpt(camera);
+  if (closest.max_error_px <= kSame) return closest.camera;
+  throw InputError(
+      "camera",
+      std::string("MRPT knows the lenses plumb_bob and kannala_brandt; the closest to this one (") +
+          to_string(camera.model) + ") is up to " + fixed(closest.max_error_px, 1) + " px off",
+      "rectify the images first, or calibrate as kannala_brandt (edgevo calibrate --model fisheye)");
 }
 
 Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where) {
   using mrpt::img::DistortionModel;
   Camera result;
+  const Distortion d{camera.k1(), camera.k2(), camera.p1(), camera.p2(), camera.k3()};
+  if (camera.distortion == DistortionModel::kannala_brandt)
+    result.model = KannalaBrandtModel{{}, camera.k1(), camera.k2(), camera.k3(), camera.k4()};
+  else if (camera.distortion == DistortionModel::plumb_bob &&
+           (camera.k4() != 0 || camera.k5() != 0 || camera.k6() != 0))
+    result.model = RationalModel{{}, {d, camera.k4(), camera.k5(), camera.k6(), 0, 0, 0, 0}};
   result.set_pinhole(
       {camera.fx(), camera.fy(), camera.cx(), camera.cy(), int(camera.ncols), int(camera.nrows)});
-  if (camera.distortion == DistortionModel::kannala_brandt)
-    throw InputError(where, "the lens model kannala_brandt is not supported",
-                     "undistort the images beforehand");
-  if (camera.distortion == DistortionModel::plumb_bob) {
-    if (camera.k4() != 0 || camera.k5() != 0 || camera.k6() != 0)
-      throw InputError(where, "the lens model has the coefficients k4 k5 k6",
-                       "calibrate with k1 k2 p1 p2 k3 only");
-    result.set_distortion({camera.k1(), camera.k2(), camera.p1(), camera.p2(), camera.k3()});
-  }
+  if (camera.distortion == DistortionModel::plumb_bob && result.plumb_bob()) result.set_distortion(d);
   result.check(where);
   return result;
 }

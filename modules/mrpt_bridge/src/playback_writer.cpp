@@ -115,6 +115,7 @@ void PlaybackWriter::finish(const Run& run, const PointFilter& filter) const {
     if (!frame.T_world_cam || !frame.T_world_cam->is_finite()) continue;
     out.write(*make_pose_observation(run, frame, *frame.T_world_cam));
     out.write(*make_odometry_observation(run, frame, *frame.T_world_cam));
+    if (const auto doubt = make_doubt_observation(frame)) out.write(*doubt);
     if (const auto keyframe = keyframes.find(frame.index); keyframe != keyframes.end())
       out.write(*make_edge_scan(*keyframe->second, run.pinhole, filter, T_vehicle_cam));
   }

@@ -89,7 +89,7 @@ class RawlogSource : public ImageSource {
   std::vector<InputDecision> decisions() const override {
     std::vector<InputDecision> all = decisions_;
     if (intensities_.decision) all.push_back(*intensities_.decision);
-    if (auto clock = clock_decision(chosen_.times)) all.push_back(std::move(*clock));
+    for (InputDecision& d : time_decisions(chosen_.times)) all.push_back(std::move(d));
     return all;
   }
   std::vector<Timestamp> times() const override {

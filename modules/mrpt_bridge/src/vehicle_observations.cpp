@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/vehicle_observations.h"
 
+#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/playback_pose.h"
 
@@ -13,7 +15,7 @@ mrpt::obs::CObservationImage::Ptr make_image_observation(Timestamp time, const s
   obs->timestamp = to_mrpt(time);
   obs->sensorLabel = label;
   obs->cameraPose = to_mrpt(T_vehicle_cam.value_or(T_vehicle_cam_forward()));
-  obs->cameraParams = to_mrpt(camera);
+  obs->cameraParams = closest_mrpt(camera).camera;
   return obs;
 }
 
@@ -32,6 +34,16 @@ mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, c
   obs->timestamp = to_mrpt(frame.time);
   obs->sensorLabel = "EDGE_VO_ODO";
   obs->odometry = mrpt::poses::CPose2D(to_mrpt(T_map_vehicle(run, T_world_cam)));
+  return obs;
+}
+
+mrpt::obs::CObservationComment::Ptr make_doubt_observation(const FrameRecord& frame) {
+  if (!is_doubtful(frame)) return nullptr;
+  auto obs = mrpt::obs::CObservationComment::Create();
+  obs->timestamp = to_mrpt(frame.time);
+  obs->text = "EDGE_VO: frame " + std::to_string(frame.index) + " is not to be trusted (p_right " +
+              fixed(frame.p_right, 3) + ", " + std::string(to_string(frame.state)) + ")" +
+              (frame.note.empty() ? "" : ": " + frame.note);
   return obs;
 }
 

@@ -79,6 +79,7 @@ std::vector<mrpt::serialization::CSerializable::Ptr> LiveObservations::make(cons
   const FrameRecord& frame = run.frames.front();
   observations.push_back(make_pose_observation(run, frame, *frame.T_world_cam_live));
   observations.push_back(make_odometry_observation(run, frame, *frame.T_world_cam_live));
+  if (const auto doubt = make_doubt_observation(frame)) observations.push_back(doubt);
   if (view.reference_keyframe != last_reference_) {
     const PointFilter filter{config_.max_relative_sigma, 0};
     observations.push_back(make_edge_scan(run.keyframes.front(), run.pinhole, filter, T_map_world(run)));

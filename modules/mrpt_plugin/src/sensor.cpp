@@ -10,6 +10,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/target_pinhole.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "one_line.h"
@@ -73,6 +74,15 @@ void CEdgeVoSensor::initialize() {
   m_state = ssWorking;
 }
 
+// What becomes of a lens that is not plumb-bob: in the odometry, and in the observations of its images.
+void CEdgeVoSensor::say_lens(const Camera& camera) const {
+  if (camera.plumb_bob()) return;
+  say(to_string(describe_target(camera, target_pinhole(camera))));
+  if (const double error = closest_mrpt(camera).max_error_px; error > 0)
+    say("camera: observations have the closest kannala_brandt lens, at most " + fixed(error, 2) +
+        " px from it");
+}
+
 void CEdgeVoSensor::open() {
   if (!ini_) throw std::runtime_error("call loadConfig() first");
   config_ = read_sensor_config(*ini_, section_);
@@ -80,6 +90,7 @@ void CEdgeVoSensor::open() {
   grabber_ = open_grabber(*ini_, section_, config_.calibration_file);
   for (const InputDecision& decision : grabber_->decisions()) say(to_string(decision));
   for (const std::string& warning : input_warnings(grabber_->decisions())) say("WARNING: " + warning);
+  say_lens(grabber_->camera());
   OdometryOptions options;
   options.seed = uint64_t(config_.seed);
   options.realtime = config_.realtime;

@@ -42,6 +42,7 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   void end(const std::string& why);
   void end_when_all_is_written();
   void say(const std::string& text) const;
+  void say_lens(const Camera& camera) const;
   std::string counts() const;
 
   std::string section_;

@@ -20,7 +20,10 @@ constexpr double kMostSamples = 2e6;  // along all rays: half a second
 // Measured on maps of 0.2 to 20 million voxels, including the copy for .bt.
 constexpr double kBytesPerVoxel = 110;
 constexpr double kOutsideShare = 0.01;  // share of the points: outliers lie anywhere
-constexpr double kUsableShare = 0.8;    // share of the free memory; the run and other programs need the rest
+constexpr double kMostGridCells = 2e8;  // below what make_grid() refuses
+constexpr double kCoarser = 1.5;        // from one resolution that is tried to the next
+constexpr int kMostTries = 200;
+constexpr double kUsableShare = 0.8;  // share of the free memory; the run and other programs need the rest
 
 // A ray from the camera to a point, in the world of the map.
 struct MapRay {
@@ -108,6 +111,16 @@ double outside_share(const std::vector<MapRay>& rays, double reach) {
   return rays.empty() ? 0 : double(outside) / double(rays.size());
 }
 
+// Cells of a grid over all points that the octree holds.
+double grid_cells(const std::vector<MapRay>& rays, double resolution) {
+  Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
+  for (const MapRay& r : rays) {
+    if (!(r.to.cwiseAbs().maxCoeff() < kReach * resolution)) continue;
+    low = low.cwiseMin(r.to.head<2>()), high = high.cwiseMax(r.to.head<2>());
+  }
+  return ((high - low) / resolution).prod();
+}
+
 double rounded_up(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
   return std::ceil(x / unit) * unit;
@@ -157,6 +170,25 @@ void check_map_size(const Run& run, const OccupancyParams& params, double free_b
                          " are free"
                    : " reach only " + length_text(reach) + " from the origin, the run goes farther"),
       "give a resolution of " + length_text(least) + " or more");
+}
+
+std::string coarsen_to_fit(const Run& run, double free_bytes, OccupancyParams* params) {
+  if (params->resolution != "auto") return {};
+  const MapLengths lengths = map_lengths(run, *params);
+  const std::vector<MapRay> rays = rays_of(run, *params, lengths.max_range);
+  const double voxels = kUsableShare * free_bytes / kBytesPerVoxel;
+  const auto fits = [&](double resolution) {
+    return outside_share(rays, kReach * resolution) <= kOutsideShare &&
+           grid_cells(rays, resolution) <= kMostGridCells &&
+           (most_voxels(rays, resolution) <= voxels || growth_of(rays, resolution).at(resolution) <= voxels);
+  };
+  double resolution = lengths.resolution;
+  for (int tries = 0; tries < kMostTries && !fits(resolution); ++tries) resolution *= kCoarser;
+  if (resolution == lengths.resolution) return {};
+  params->resolution = fixed(rounded_up(resolution), 9);
+  return "voxels of " + length_text(rounded_up(resolution)) + " instead of " +
+         length_text(lengths.resolution) + ", which cannot hold the run: it goes " +
+         length_text(extent_of(rays)) + " far";
 }
 
 double free_memory() {

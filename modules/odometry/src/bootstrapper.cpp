@@ -24,7 +24,9 @@ NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views
                                        std::optional<double> scale) {
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
-  frames_->begin_segment(join_segment(segment, previous, views, scale));
+  const std::vector<TimedPose> sure =
+      frames_->run().last_sure_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
+  frames_->begin_segment(join_segment(segment, previous, sure, views, scale));
   map_->begin_segment(segment);
   NewSegment begun;
   begun.reference = map_->reference();

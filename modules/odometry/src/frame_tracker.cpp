@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_tracker.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/odometry/frame_status.h"
 #include "median_motion.h"
@@ -46,7 +50,10 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
                         expected.translation().norm() * found->T_to_from.translation());
     hypotheses.push_back({T_cur_ref, PoseHypothesis::Refinement::kLengthThenEdges});
     // At large motion the corners are adjusted with the frame, whichever pose wins.
-    if (task.keyframes.follows_keyframe()) track->corners = std::move(found->pairs);
+    if (task.keyframes.follows_keyframe()) {
+      track->corners = std::move(found->pairs);
+      track->T_by_corners = T_cur_ref;
+    }
   }
   track->corner_ms = thread_cpu_ms() - start;
   return hypotheses;
@@ -56,6 +63,37 @@ Proposer propose_corner_motion(const TrackingTask& task, const SupportScorer& sc
   return {ProposerKind::kCorners,
           [&](const PoseCandidate& best) { return calls_for_corners(task, best, scorer); },
           [&task, track] { return corner_hypotheses(task, track); }};
+}
+
+// Share of the corners that a pose explains.
+double explained_share(const Pinhole& pinhole, const std::vector<CornerPair>& corners, const SE3& T_cur_ref) {
+  constexpr double kExplainedPx = 2;  // a corner is followed to half a pixel
+  const auto explained = std::count_if(corners.begin(), corners.end(), [&](const CornerPair& c) {
+    const EpipolarLines lines = epipolar_lines(T_cur_ref, c.from, c.to);
+    return pinhole.fx * std::abs(lines.in_to.dot(c.to)) / lines.length < kExplainedPx;
+  });
+  return double(explained) / double(corners.size());
+}
+
+// The pose by the edges, unless it breaks the epipolar constraint of most corners: then the map is bent,
+// edges follow it, and each frame bends it further, while hundreds of corners agree on one motion. Its
+// rotation and direction hold then, and the edges give the length.
+PoseCandidate hold_to_corners(const TrackingTask& task, const PoseCandidate& by_edges, const Track& track,
+                              const SupportScorer& scorer) {
+  constexpr double kFewExplained = 0.5;
+  // Of a length that changes at once, relative to constant speed: a bent map supports any.
+  constexpr double kUnusualLikelihood = 0.85;
+  if (!track.T_by_corners || scorer.is_lost(by_edges)) return by_edges;
+  if (explained_share(pinhole_of(task), track.corners, by_edges.T_cur_ref) >= kFewExplained) return by_edges;
+  const auto of_length = [&](PoseHypothesis::Refinement refinement) {
+    return align(task.pyramid, task.reference.cloud, {*track.T_by_corners, refinement},
+                 task.params.alignment);
+  };
+  const PoseCandidate held = of_length(PoseHypothesis::Refinement::kNearLength);
+  const PoseCandidate other = of_length(PoseHypothesis::Refinement::kLength);
+  const bool is_other = kUnusualLikelihood * scorer.score(other) > scorer.score(held);
+  if (scorer.is_lost(is_other ? other : held)) return by_edges;
+  return is_other ? other : held;
 }
 
 // ---- rolling shutter: edges/image_correction.h ----
@@ -99,9 +137,10 @@ Track track_frame(const TrackingTask& task) {
       propose_corner_motion(task, scorer, &track),
   };
   const PoseChoice choice = choose(proposers, task.pyramid, cloud, scorer, params);
+  const PoseCandidate pose = hold_to_corners(task, choice.pose, track, scorer);
   track.used_median_motion = choice.kind == ProposerKind::kMedianMotion;
-  track.twist = task.motion.twist(choice.pose.T_cur_ref);
-  track.result = track_rows(task, choice.pose, track.twist, scorer);
+  track.twist = task.motion.twist(pose.T_cur_ref);
+  track.result = track_rows(task, pose, track.twist, scorer);
   track.step_sigmas = step_sigmas(task.motion, track.result.T_cur_ref);
   return track;
 }

@@ -42,6 +42,8 @@ struct Track {
   /// Corners seen in the reference and in this frame; empty unless they were requested and the motion is
   /// large.
   std::vector<CornerPair> corners;
+  /// Reference to this frame by these corners, with the expected length; nothing if they give no motion.
+  std::optional<SE3> T_by_corners;
   /// True if the pose was selected because the median-motion prior predicted it.
   bool used_median_motion = false;
   /// CPU time of corner tracking in milliseconds; 0: corners were not tracked.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collect_evidence.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
 #include "see_points.h"
 #include "stage_timer.h"
@@ -43,6 +44,13 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   add_pose(track.result, *reference_, &record.evidence);
   record.evidence.step_sigmas = track.step_sigmas;
   return track;
+}
+
+// Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
+std::string FrontEnd::reason_against_step(const SE3& T_cur_ref) const {
+  const double step = motion_.step_to(T_cur_ref), most = motion_.largest_step(1 / reference_->median_idepth);
+  if (step <= most) return {};
+  return "a step of " + fixed(10 * step / most, 0) + " times the usual one";
 }
 
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {

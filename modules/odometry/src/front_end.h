@@ -4,6 +4,7 @@
 // no state and no map but the reference.
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
@@ -43,6 +44,8 @@ class FrontEnd {
   Track find_pose(const ArrivedFrame& now, bool was_lost);
   /// Motion from the last frame with a pose to one at T_cur_ref.
   SE3 motion_to(const SE3& T_cur_ref) const { return T_cur_ref * motion_.T_last_ref().inverse(); }
+  /// Why the step to a pose is not believed, whatever its support; empty where it is.
+  std::string reason_against_step(const SE3& T_cur_ref) const;
   /// Whether the map is in view (MapCoverage::look).
   std::optional<Event> look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its

@@ -60,6 +60,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
   }
   next_id_ += int(window_.keyframes().size());
+  median_idepth_ = 1 / kFirstMedianDepth;
   publish(window_.newest());
   return {};
 }

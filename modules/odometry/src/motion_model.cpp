@@ -2,6 +2,8 @@
 #include "motion_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "edgevo/alignment/tracker.h"
 
@@ -32,6 +34,19 @@ Vector6d MotionModel::twist(const SE3& T_cur_ref) const {
   return twist + 0.5 * (twist - *expected);
 }
 
+double MotionModel::step_to(const SE3& T_cur_ref) const {
+  return (T_cur_ref * T_last_ref_.inverse()).translation().norm() / std::max(frames_since_, 1);
+}
+
+double MotionModel::largest_step(double median_depth) const {
+  constexpr double kTimes = 10;
+  // A camera that stands still may start to move: its steps up to this share of the depth are small ones.
+  constexpr double kSmallShare = 0.002;
+  const double usual = steps_.median();
+  if (!std::isfinite(usual)) return std::numeric_limits<double>::infinity();
+  return kTimes * std::max({usual, steps_.mean(1), kSmallShare * median_depth});
+}
+
 void MotionModel::begin_frame(Timestamp time) {
   newest_ = clock_.tick(time);
   const bool known = newest_.seconds > 0 && (frames_since_ == 0 || seconds_since_ > 0);
@@ -42,6 +57,9 @@ void MotionModel::begin_frame(Timestamp time) {
 void MotionModel::follow(const SE3& T_cur_ref, bool held) {
   const SE3 motion = T_cur_ref * T_last_ref_.inverse();
   const bool is_next = frames_since_ <= 1;
+  // A camera that stands at a light goes on as fast as it came.
+  constexpr double kStands = 0.1;
+  if (const double step = step_to(T_cur_ref); !(step < kStands * steps_.median())) steps_.add(step);
   if (is_next)
     median_motion_.follow(motion.log().head<3>(), held);
   else
@@ -56,6 +74,7 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
 void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
   median_motion_ = MedianMotion();  // the unit of length is a new one
+  steps_.clear();
   velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3())
                                              : SE3::exp(motion->log() / double(newest_.frames));
   velocity_s_ = motion ? newest_.seconds / newest_.frames : 0;

@@ -7,6 +7,7 @@
 
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
+#include "edgevo/odometry/recent_values.h"
 #include "frame_clock.h"
 #include "median_motion.h"
 
@@ -21,6 +22,12 @@ class MotionModel {
   Vector6d velocity() const { return velocity_.log(); }
   /// Median motion of the recent frames.
   const MedianMotion& median_motion() const { return median_motion_; }
+  /// Largest translation a frame, unit of the map, that is still believed: ten times the usual one (the
+  /// median of the last 50 in which the camera did not stand) or the one before, whichever is larger, where
+  /// the scene lies `median_depth` away. Infinite until ten steps are known.
+  double largest_step(double median_depth) const;
+  /// Translation a frame from the last frame with a pose to T_cur_ref.
+  double step_to(const SE3& T_cur_ref) const;
   /// Frame intervals from the last frame with a pose to the current one: 1 if none was lost or skipped.
   int frames_since() const { return frames_since_; }
   /// Pose of the current frame, predicted at constant velocity.
@@ -47,7 +54,8 @@ class MotionModel {
  private:
   SE3 T_last_ref_, velocity_;
   MedianMotion median_motion_;
-  double velocity_s_ = 0;  // time of the motion `velocity_`; 0: not known
+  double velocity_s_ = 0;   // time of the motion `velocity_`; 0: not known
+  RecentValues steps_{50};  // translations a frame, unit of the map
   FrameClock clock_;
   FrameClock::Step newest_;   // to the current frame
   int frames_since_ = 0;      // from the last frame with a pose to the current one

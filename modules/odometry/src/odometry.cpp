@@ -16,6 +16,7 @@
 #include "frame_log.h"
 #include "front_end.h"
 #include "map_link.h"
+#include "own_parts.h"
 #include "stage_timer.h"
 #include "state_machine.h"
 
@@ -120,10 +121,16 @@ struct Odometry::Impl {
   // A frame that throws leaves no record.
   ArrivedFrame find_edges(const Frame& frame) {
     const double start = thread_cpu_ms();
-    const bool had_mask = front_end.newest_pyramid() && front_end.newest_pyramid()->border_mask;
+    const std::shared_ptr<const FramePyramid> before = front_end.newest_pyramid();
+    const bool had_mask = before && before->border_mask;
     ArrivedFrame arrived = front_end.find_edges(frame, state.has_pose());
     if (arrived.pyramid->border_mask && !had_mask)
       say(frame, describe_border_mask(arrived.pyramid->masked_share()));
+    if (own_parts.take(*arrived.pyramid)) {
+      // Two views of a map would see different things.
+      bootstrapper.reset();
+      say(frame, own_parts.description());
+    }
     newest_pose = {};
     arrived.record = &frames.begin_frame(frame);
     frame_announced = false;
@@ -136,7 +143,10 @@ struct Odometry::Impl {
 
   void follow_map(const ArrivedFrame& now) {
     Track track = front_end.find_pose(now, !state.has_pose());
-    const FrameStatus status = frame_status(now.record->evidence, params.status);
+    FrameStatus status = frame_status(now.record->evidence, params.status);
+    if (const std::string reason = front_end.reason_against_step(track.result.T_cur_ref);
+        !reason.empty() && status.state != TrackingState::kLost)
+      status = {TrackingState::kLost, reason};
     now.record->note = status.reason;
     act(now.frame, state.after(event_of(status.state), now.frame.index), status.reason);
     if (!state.has_pose()) {
@@ -194,6 +204,8 @@ struct Odometry::Impl {
     {
       const StageTimer timer(Stage::kBootstrap, &record.stage_ms);
       status = bootstrapper.add(now);
+      // The views are kept: a map of later ones, if there is no such part, places all frames.
+      if (status.result && own_parts.delays_map(*now.pyramid)) status = {std::nullopt, OwnParts::kDelayReason};
       if (status.result) status.reason = make_map(now, *status.result);
     }
     if (record.T_world_cam_live) return;
@@ -246,6 +258,7 @@ struct Odometry::Impl {
     newest_pose.time = record.time;
     newest_pose.state = record.state;
     newest_pose.note = record.note;
+    newest_pose.p_right = record.p_right;
     newest_pose.segment = state.has_map() ? state.segment() : -1;
     newest_pose.reference = state.has_map() ? front_end.reference() : nullptr;
     newest_pose.covariance = record.covariance;
@@ -281,6 +294,7 @@ struct Odometry::Impl {
   MapCursor adjustments;
   Trust trust;
   FrontEnd front_end;
+  OwnParts own_parts;
   MapLink map;
   Bootstrapper bootstrapper;
   std::optional<CornerWitness> corners;

@@ -14,18 +14,25 @@ double speed_of(const BootstrapResult& bootstrap) {
   return last.T_cam_first.inverse().translation().norm() / seconds_between(first.time, last.time);
 }
 
+// Mean velocity in the world, from the first pose to the last.
+Eigen::Vector3d velocity_of(const std::vector<TimedPose>& poses) {
+  return (poses.back().T_world_cam.translation() - poses.front().T_world_cam.translation()) /
+         seconds_between(poses.front().time, poses.back().time);
+}
+
 }  // namespace
 
 SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
-                           const BootstrapResult& bootstrap, std::optional<double> scale) {
+                           const std::vector<TimedPose>& sure, const BootstrapResult& bootstrap,
+                           std::optional<double> scale) {
   using Method = SegmentPlaced::Method;
   SegmentPlaced join;
   join.segment = segment;
   if (previous.size() < 2) return join;
-  const TimedPose &oldest = previous.front(), &newest = previous.back();
+  const TimedPose& newest = previous.back();
   const Eigen::Vector3d here = newest.T_world_cam.translation();
-  const Eigen::Vector3d velocity =
-      (here - oldest.T_world_cam.translation()) / seconds_between(oldest.time, newest.time);
+  Eigen::Vector3d velocity = velocity_of(previous);
+  if (sure.size() >= 2 && velocity.norm() > kStill) velocity *= velocity_of(sure).norm() / velocity.norm();
   const double gap = seconds_between(newest.time, bootstrap.views.front().time);
   join.T_world_map.rigid = SE3(newest.T_world_cam.rotation(), here + gap * velocity);
   const double new_speed = speed_of(bootstrap);

@@ -5,7 +5,8 @@
 // A bootstrap makes a map whose unit of length is arbitrary, and nothing has been seen in both maps. The
 // camera is assumed to continue at the mean velocity of its last frames up to the first view of the
 // bootstrap, with its last orientation. The scale follows from the depths in view if the old map was still
-// tracked, else from equal speed. All of this is a guess: FrameRecord::segment marks the join.
+// tracked, else from equal speed: that of the last poses that were sure, since a map that is about to be lost
+// has often lost its unit before. All of this is a guess: FrameRecord::segment marks the join.
 #include <optional>
 #include <vector>
 
@@ -19,9 +20,11 @@ namespace edgevo {
 constexpr size_t kJoinPoses = 6;
 
 /// Joins segment `segment` to the one before. `previous`: poses of the segment before, oldest first; with
-/// fewer than two there is no velocity. `scale` is world over map, where it is known better than from equal
-/// speed.
+/// fewer than two there is no velocity. `sure`: the last poses that were sure, in that order, or fewer than
+/// two: their speed counts, and the direction of `previous`. `scale` is world over map, where it is known
+/// better than from equal speed.
 SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
-                           const BootstrapResult& bootstrap, std::optional<double> scale);
+                           const std::vector<TimedPose>& sure, const BootstrapResult& bootstrap,
+                           std::optional<double> scale);
 
 }  // namespace edgevo

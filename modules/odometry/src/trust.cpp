@@ -2,6 +2,7 @@
 #include "edgevo/odometry/trust.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "doubts.h"
@@ -22,6 +23,16 @@ std::string format(const char* pattern, Numbers... numbers) {
   char text[120];
   std::snprintf(text, sizeof text, pattern, numbers...);
   return text;
+}
+
+// A step beyond so many usual ones is none that a camera makes.
+constexpr double kGiantTimes = 10;
+
+// A step over the usual one, or over what is a small one for a camera that has stood still.
+double times_usual(double step, double usual, double median_depth) {
+  constexpr double kSmallShare = 0.002;
+  const double small = std::isfinite(median_depth) ? kSmallShare * median_depth : 0.0;
+  return step / std::max(usual, small);
 }
 
 double weighted_sum(const Doubts& doubts) {
@@ -129,7 +140,8 @@ double Trust::step_of(const TrustFrame& frame) {
 FrameTrust Trust::add(const TrustFrame& frame) {
   constexpr size_t kRecentSteps = 5;
   const FrameEvidence& e = frame.evidence;
-  steps_.add(step_of(frame));
+  const double step = step_of(frame);
+  steps_.add(step);
   shares_.add(e.inlier_share), residuals_.add(e.residual_px), blurs_.add(e.edge_blur);
   saturated_.add(e.saturated_share);
   support_.add(doubt_of_support(e.inlier_share, shares_.median(), e.residual_px, residuals_.median()));
@@ -152,6 +164,10 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   set(Doubt::kImage, image_.mean());
   trust.p_right = edgevo::p_right(trust.doubts);
   if (trust.p_right < kDoubtfulBelow) trust.reason = in_words(largest_contribution(trust.doubts), e);
+  if (const double times = times_usual(step, steps_.median(), e.median_depth); times > kGiantTimes) {
+    trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
+    trust.reason = format("a step of %.0f times the usual one", times);
+  }
   return trust;
 }
 

@@ -74,8 +74,8 @@ void add_doubtful(const Run& run, std::vector<Advice>* list) {
     list->push_back({"And " + std::to_string(all.size() - kShown) + " shorter intervals: summary.yaml.", ""});
 }
 
-void add_camera(const Run& run, std::vector<Advice>* list) {
-  if (run.camera.state == CameraRefinement::State::kApplied)
+void add_camera(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
+  if (run.camera.state == CameraRefinement::State::kApplied && info.camera.plumb_bob())
     list->push_back(
         {"The camera file does not cover all of the lens distortion; write a camera file with the correction "
          "that was found:",
@@ -125,7 +125,7 @@ std::vector<Advice> advise(const Run& run, const RunInfo& info) {
   for (const std::string& warning : run_warnings(run)) list.push_back({"WARNING: " + warning, ""});
   add_doubtful(run, &list);
   add_troubles(run, info, &list);
-  add_camera(run, &list);
+  add_camera(run, info, &list);
   add_scale(run, info, &list);
   add_speed(run, &list);
   add_uses(run, info, &list);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "color_ramp.h"
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/rectification.h"
 
 namespace edgevo {
@@ -48,13 +50,27 @@ void add_seen(const Run& run, const KeyframeRecord& host, const SE3& T_cam_world
     for (const EdgeVertex& v : line.vertices) add(v);
 }
 
-// Points sorted from far to near, so that near ones are drawn over far ones.
-std::vector<SeenPoint> points_seen(const Run& run, size_t keyframe, const PointFilter& filter) {
+// The frame of a picture.
+struct View {
+  int frame_index = 0;
+  Timestamp time;
+  std::optional<SE3> T_world_cam;
+  int segment = 0;
+};
+
+View view_of(const KeyframeRecord& k) { return {k.frame_index, k.time, k.T_world_cam, k.segment}; }
+View view_of(const FrameRecord& f) { return {f.index, f.time, f.T_world_cam, f.segment}; }
+
+// Points of the keyframes up to the view, sorted from far to near, so that near ones are drawn over far ones.
+std::vector<SeenPoint> points_seen(const Run& run, const View& view, const PointFilter& filter) {
   std::vector<SeenPoint> seen;
-  const KeyframeRecord& from = run.keyframes[keyframe];
-  const SE3 T_cam_world = from.T_world_cam.inverse();
-  for (size_t k = keyframe - std::min(keyframe, kKeyframesBefore); k <= keyframe; ++k)
-    if (run.keyframes[k].segment == from.segment) add_seen(run, run.keyframes[k], T_cam_world, filter, &seen);
+  if (!view.T_world_cam) return seen;
+  const SE3 T_cam_world = view.T_world_cam->inverse();
+  const auto end = std::find_if(run.keyframes.begin(), run.keyframes.end(),
+                                [&](const KeyframeRecord& k) { return k.frame_index > view.frame_index; });
+  const size_t n = size_t(end - run.keyframes.begin());
+  for (size_t k = n - std::min(n, kKeyframesBefore + 1); k < n; ++k)
+    if (run.keyframes[k].segment == view.segment) add_seen(run, run.keyframes[k], T_cam_world, filter, &seen);
   std::stable_sort(seen.begin(), seen.end(),
                    [](const auto& a, const auto& b) { return a.idepth < b.idepth; });
   return seen;
@@ -104,26 +120,38 @@ cv::Mat paint(const cv::Mat& gray, const std::vector<SeenPoint>& points, const E
   return picture;
 }
 
+EdgePictures draw_views(const Run& run, const Camera& camera, const PointFilter& filter,
+                        const std::function<std::string(int)>& image_path, const std::vector<View>& views) {
+  EdgePictures result;
+  if (views.empty()) return result;
+  std::vector<std::vector<SeenPoint>> seen;
+  for (const View& view : views) seen.push_back(points_seen(run, view, filter));
+  set_range(seen, &result);
+  const RectificationMaps maps = Rectification(camera, run.pinhole).maps(run.camera.correction.k1);
+  for (size_t i = 0; i < views.size(); ++i) {
+    const cv::Mat gray = rectified(image_path(views[i].frame_index), camera, maps);
+    if (gray.empty()) continue;
+    std::vector<uint8_t> jpeg;
+    cv::imencode(".jpg", paint(gray, seen[i], result), jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
+    result.pictures.push_back({views[i].frame_index, views[i].time, int(seen[i].size()), std::move(jpeg)});
+  }
+  return result;
+}
+
 }  // namespace
 
 EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
                                 const std::function<std::string(int)>& image_path, int count) {
-  EdgePictures result;
-  const std::vector<size_t> chosen = choose_keyframes(run, filter, count);
-  if (chosen.empty()) return result;
-  std::vector<std::vector<SeenPoint>> seen;
-  for (size_t k : chosen) seen.push_back(points_seen(run, k, filter));
-  set_range(seen, &result);
-  const RectificationMaps maps = Rectification(camera, run.pinhole).maps(run.camera.correction.k1);
-  for (size_t i = 0; i < chosen.size(); ++i) {
-    const KeyframeRecord& keyframe = run.keyframes[chosen[i]];
-    const cv::Mat gray = rectified(image_path(keyframe.frame_index), camera, maps);
-    if (gray.empty()) continue;
-    std::vector<uint8_t> jpeg;
-    cv::imencode(".jpg", paint(gray, seen[i], result), jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
-    result.pictures.push_back({keyframe.frame_index, keyframe.time, int(seen[i].size()), std::move(jpeg)});
-  }
-  return result;
+  std::vector<View> views;
+  for (const size_t k : choose_keyframes(run, filter, count)) views.push_back(view_of(run.keyframes[k]));
+  return draw_views(run, camera, filter, image_path, views);
+}
+
+EdgePictures draw_doubtful_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
+                                    const std::function<std::string(int)>& image_path, int count) {
+  std::vector<View> views;
+  for (const size_t f : most_doubtful_frames(run, size_t(count))) views.push_back(view_of(run.frames[f]));
+  return draw_views(run, camera, filter, image_path, views);
 }
 
 }  // namespace edgevo

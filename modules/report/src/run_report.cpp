@@ -15,6 +15,7 @@
 #include "sections/timing_section.h"
 #include "sections/tracking_section.h"
 #include "sections/trajectory_section.h"
+#include "sections/trust_section.h"
 
 namespace edgevo {
 namespace {
@@ -60,7 +61,7 @@ std::string report_html(const ReportInput& in) {
   std::string body = tiles(in.run, truth) + advice_section(in) + trajectory_section(in, truth, why_not) +
                      map_view_section(in, path_of(in.run, truth)) + edges_section(in) +
                      map_section(in.run, in.map);
-  if (!in.run.frames.empty()) body += tracking_section(in.run) + timing_section(in.run);
+  if (!in.run.frames.empty()) body += tracking_section(in.run) + trust_section(in) + timing_section(in.run);
   body += scale_section(in.run) + parameters_html(in.info.command_line, in.info.params_yaml, in.info.notes);
   return page_html("edgevo run", in.info.source_kind + " " + in.info.source_path, body);
 }

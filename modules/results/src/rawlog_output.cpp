@@ -5,6 +5,7 @@
 
 #include "edgevo/core/output_file.h"
 #include "edgevo/files/output_folder.h"
+#include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 
@@ -30,9 +31,14 @@ int write_rawlog(ImageSource& source, const std::string& rawlog, const std::stri
   return import_rawlog(source, rawlog, on_frame_done);
 }
 
-std::string describe_rawlog(const std::string& rawlog, int frames, bool has_ground_truth) {
+std::string describe_rawlog(const std::string& rawlog, int frames, bool has_ground_truth,
+                            const Camera& camera) {
+  const double error = closest_mrpt(camera).max_error_px;
   return rawlog + ": " + std::to_string(frames) + " frames, images in " + rawlog_stem(rawlog) + "_Images" +
-         (has_ground_truth ? ", ground truth next to it" : "");
+         (has_ground_truth ? ", ground truth next to it" : "") +
+         (error > 0 ? "; for MRPT the lens (" + std::string(to_string(camera.model)) +
+                          ") is the closest kannala_brandt, at most " + fixed(error, 2) + " px off"
+                    : "");
 }
 
 }  // namespace edgevo

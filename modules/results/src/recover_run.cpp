@@ -56,13 +56,14 @@ RecoveredRun recover_run(const std::string& folder) {
   if (const auto up = decide_up(&run)) info.input.push_back(*up);
   scaling.convert(&run);
   const std::set<int> beyond = log.frames_beyond_damage();
-  RecoveredRun recovered{{}, frames_lost(beyond, run), !beyond.empty()};
+  RecoveredRun recovered{{}, frames_lost(beyond, run), !beyond.empty(), {}};
   if (recovered.is_damaged)
     info.notes.emplace_back("recovery_log", "damaged: " + std::to_string(recovered.frames_lost) +
                                                 " frames that it holds could not be recovered");
   RunOutputs outputs(folder, header.info.camera, params.map, OutputOptions{true, false});
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
   outputs.finish(run, info, recovered.is_damaged);
+  recovered.map_note = outputs.map_note();
   recovered.run = std::move(run);
   return recovered;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include <optional>
+#include <string>
 
 #include "earlier_run.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
@@ -37,6 +38,7 @@ struct RunOutputs::Impl {
   std::optional<PlaybackWriter> playback;
   std::optional<LiveFiles> live;
   bool images_failed = false;
+  std::string map_note;
 };
 
 }  // namespace edgevo

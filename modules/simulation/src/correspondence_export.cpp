@@ -46,11 +46,11 @@ void export_correspondences(const SceneRenderer& renderer, const std::string& fo
         "with a rolling shutter its rows have poses of their own: correspondences would not be exact",
         "leave the rolling shutter out");
   make_output_folder(folder + "/correspondences");
-  const int width = renderer.camera().pinhole().width, height = renderer.camera().pinhole().height;
+  const int width = renderer.undistorted().width, height = renderer.undistorted().height;
   std::vector<float> depth = renderer.render_depth(begin);
   for (int i = begin; i + 1 < end; ++i) {
     const std::vector<float> next = renderer.render_depth(i + 1);
-    const ViewPair views{renderer.camera().pinhole(),
+    const ViewPair views{renderer.undistorted(),
                          {depth.data(), width, height, width},
                          {next.data(), width, height, width},
                          renderer.T_world_cam(i + 1).inverse() * renderer.T_world_cam(i)};

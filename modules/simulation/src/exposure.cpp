@@ -6,6 +6,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/target_pinhole.h"
 #include "image_pass.h"
 
 namespace edgevo {
@@ -42,7 +43,7 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
   constexpr double kFar = 1e6, kPixelsApart = 1.5, kShare = 0.95;
   const double half = scene.shutter.exposure_s / 2;
   const SE3 T_end_begin = T_scene_cam(scene, frame, half).inverse() * T_scene_cam(scene, frame, -half);
-  const Pinhole p = scene.camera.pinhole();
+  const Pinhole p = target_pinhole(scene.camera);
   std::vector<double> shifts;
   for (int v = kGrid / 2; v < p.height; v += kGrid)
     for (int u = kGrid / 2; u < p.width; u += kGrid) {
@@ -55,8 +56,7 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
   return int(std::clamp(std::ceil(quantile(std::move(shifts), kShare) / kPixelsApart), 1.0, double(kMost)));
 }
 
-std::vector<float> expose(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, int frame,
-                          int instants) {
+std::vector<float> expose(const Scene& scene, const LensRays& rays, int frame, int instants) {
   const Pinhole p = scene.camera.pinhole();
   std::vector<float> gray(size_t(p.width) * p.height);
   const int rows_at_once = scene.shutter.rolling_s > 0 ? 1 : p.height;

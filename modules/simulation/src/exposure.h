@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "edgevo/simulation/scene.h"
+#include "lens_rays.h"
 
 namespace edgevo {
 
@@ -17,7 +18,6 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
 
 /// Brightness of each pixel, the mean over the instants; `rays` as for add_rows_seen. Cost: one rendering for
 /// each instant, and with a rolling shutter one traversal of all surfaces for each row and instant.
-std::vector<float> expose(const Scene& scene, const std::vector<Eigen::Vector2f>& rays, int frame,
-                          int instants);
+std::vector<float> expose(const Scene& scene, const LensRays& rays, int frame, int instants);
 
 }  // namespace edgevo

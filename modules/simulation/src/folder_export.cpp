@@ -35,7 +35,7 @@ void write_pfm(const std::string& path, const std::vector<float>& depth, int wid
   write_file(path, bytes);
 }
 
-std::string camera_text(const Camera& camera) {
+std::string camera_line(const Camera& camera) {
   const Pinhole p = camera.pinhole();
   const Distortion d = camera.distortion();
   std::string text = "# fx fy cx cy k1 k2 p1 p2 width height k3\n";
@@ -68,6 +68,9 @@ std::string mount_option(const Scene& scene) {
   return text + fixed(m.position.x(), 3) + "," + fixed(m.position.y(), 3) + "," + fixed(m.position.z(), 3);
 }
 
+// " --camera camera.txt"; empty for the camera of the scene.
+std::string camera_option(const Scene& scene) { return scene.has_given_camera ? " --camera camera.txt" : ""; }
+
 std::string shutter_note(const Shutter& shutter) {
   if (shutter.rolling_s == 0 && shutter.exposure_s == 0) return {};
   return "The shutter takes time: time, pose and depth of a frame are those of the middle of the exposure of "
@@ -76,7 +79,8 @@ std::string shutter_note(const Shutter& shutter) {
 
 std::string source_text(const Scene& scene, int begin, int end) {
   const std::string shutter = seconds_option(" --rolling-shutter ", scene.shutter.rolling_s) +
-                              seconds_option(" --exposure ", scene.shutter.exposure_s) + mount_option(scene);
+                              seconds_option(" --exposure ", scene.shutter.exposure_s) + mount_option(scene) +
+                              camera_option(scene);
   const std::string seed = std::to_string(scene.seed),
                     frames = std::to_string(begin) + ":" + std::to_string(end);
   return "# Rendered scene `" + scene.name + "`\n\nFrames " + frames + ", seed " + seed +
@@ -86,13 +90,14 @@ std::string source_text(const Scene& scene, int begin, int end) {
          shutter_note(scene.shutter);
 }
 
-void write_texts(const SceneRenderer& renderer, const std::string& folder, int begin, int end) {
+void write_texts(const SceneRenderer& renderer, const std::string& folder, const std::string& camera,
+                 int begin, int end) {
   const Scene& scene = renderer.scene();
   std::string times;
   for (int i = begin; i < end; ++i) times += to_string(scene.times[size_t(i)]) + "\n";
   write_file(folder + "/times.txt", times);
   write_file(folder + "/groundtruth_tum.txt", ground_truth_tum(renderer, begin, end));
-  write_file(folder + "/camera.txt", camera_text(scene.camera));
+  write_file(folder + "/camera.txt", camera.empty() ? camera_line(scene.camera) : camera);
   write_file(folder + "/SOURCE.md", source_text(scene, begin, end));
 }
 
@@ -111,13 +116,13 @@ void clear_sequence(const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (!fs::exists(folder + "/SOURCE.md", ignored)) return;
-  for (const char* name : {"images", "depth", "edges", "correspondences", "times.txt", "camera.txt",
-                           "groundtruth_tum.txt", "SOURCE.md"})
+  for (const char* name : {"images", "depth", "edges", "correspondences", "masks", "mask.png", "times.txt",
+                           "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
     fs::remove_all(fs::path(folder) / name, ignored);
 }
 
-FolderWriter::FolderWriter(std::string folder, const Camera& camera)
-    : folder_(std::move(folder)), camera_(camera) {
+FolderWriter::FolderWriter(std::string folder, const Camera& camera, const std::string& camera_text)
+    : folder_(std::move(folder)), camera_text_(camera_text.empty() ? camera_line(camera) : camera_text) {
   make_output_folder(folder_ + "/images");
 }
 
@@ -133,9 +138,16 @@ void FolderWriter::add(const Frame& frame) {
   times_ += to_string(frame.time) + "\n";
 }
 
+void FolderWriter::add_mask(const Frame& frame, const GrayImage& mask) {
+  make_output_folder(folder_ + "/masks");
+  write_png(folder_ + "/masks/" + image_name(frame) + ".png", mask);
+}
+
+void FolderWriter::add_fixed_mask(const GrayImage& mask) { write_png(folder_ + "/mask.png", mask); }
+
 void FolderWriter::finish(const std::string& ground_truth, const std::string& source_note) {
   write_file(folder_ + "/times.txt", times_);
-  write_file(folder_ + "/camera.txt", camera_text(camera_));
+  write_file(folder_ + "/camera.txt", camera_text_);
   if (!ground_truth.empty()) write_file(folder_ + "/groundtruth_tum.txt", ground_truth);
   write_file(folder_ + "/SOURCE.md", source_note);
 }
@@ -150,14 +162,14 @@ void export_folder(const SceneRenderer& renderer, const std::string& folder, con
   make_output_folder(folder + "/images");
   if (options.depth) make_output_folder(folder + "/depth");
   if (options.edges) make_output_folder(folder + "/edges");
-  write_texts(renderer, folder, begin, end);
+  write_texts(renderer, folder, options.camera_text, begin, end);
   std::mutex mutex;
   int done = 0;
   run_parallel(begin, end, std::max(1, options.threads), [&](int i) {
     write_png(numbered(folder + "/images", i, ".png"), renderer.render_image(i));
     if (options.depth)
       write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i),
-                renderer.camera().pinhole().width, renderer.camera().pinhole().height);
+                renderer.undistorted().width, renderer.undistorted().height);
     if (options.edges) write_png(numbered(folder + "/edges", i, ".png"), true_edge_labels(renderer, i));
     const std::lock_guard<std::mutex> lock(mutex);
     if (on_frame_done) on_frame_done(++done);

@@ -6,37 +6,21 @@
 #include <cmath>
 
 #include "active_surfaces.h"
-#include "edgevo/core/error.h"
+#include "edgevo/core/target_pinhole.h"
 #include "exposure.h"
 #include "image_pass.h"
+#include "lens_rays.h"
 #include "sensor_noise.h"
 #include "visibility.h"
 
 namespace edgevo {
-namespace {
-
-std::vector<Eigen::Vector2f> rays_through_lens(const Camera& camera) {
-  const Pinhole p = camera.pinhole();
-  if (!camera.has_distortion()) return {};
-  std::vector<Eigen::Vector2f> rays;
-  rays.reserve(size_t(p.width) * p.height * kSamples);
-  for (int v = 0; v < p.height; ++v)
-    for (const Eigen::Vector2f& offset : sample_offsets())
-      for (int u = 0; u < p.width; ++u) {
-        const Eigen::Vector2d px = Eigen::Vector2d(u, v) + offset.cast<double>();
-        // Outside the lens model: a corner that no ray reaches.
-        const Eigen::Vector3d ray = camera.unproject(px).value_or(p.ray(px));
-        rays.push_back(ray.hnormalized().cast<float>());
-      }
-  return rays;
-}
-
-}  // namespace
 
 SceneRenderer::SceneRenderer(Scene scene)
-    : scene_(std::move(scene)), rays_(rays_through_lens(scene_.camera)) {
+    : scene_(std::move(scene)), rays_(std::make_shared<const LensRays>(rays_through_lens(scene_.camera))) {
   check_shutter(scene_);
 }
+
+Pinhole SceneRenderer::undistorted() const { return target_pinhole(scene_.camera); }
 
 SE3 SceneRenderer::T_world_cam(int index) const {
   return scene_.T_scene_cam.front().inverse() * scene_.T_scene_cam[size_t(index)];
@@ -45,7 +29,7 @@ SE3 SceneRenderer::T_world_cam(int index) const {
 GrayImage SceneRenderer::render_image(int index) const {
   const int instants =
       scene_.shutter.exposure_s > 0 ? instants_of_exposure(scene_, index, render_depth(index)) : 1;
-  const std::vector<float> gray = expose(scene_, rays_, index, instants);
+  const std::vector<float> gray = expose(scene_, *rays_, index, instants);
   const Pinhole p = scene_.camera.pinhole();
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
@@ -53,7 +37,7 @@ GrayImage SceneRenderer::render_image(int index) const {
 GrayImage SceneRenderer::render_image_from(const SE3& T_scene_cam, int index) const {
   const Pinhole p = scene_.camera.pinhole();
   std::vector<float> gray(size_t(p.width) * p.height);
-  add_rows_seen(scene_, rays_, T_scene_cam, {0, p.height}, &gray);
+  add_rows_seen(scene_, *rays_, T_scene_cam, {0, p.height}, &gray);
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
 
@@ -62,10 +46,8 @@ std::vector<float> SceneRenderer::render_depth(int index) const {
 }
 
 std::vector<float> SceneRenderer::render_depth_from(const SE3& T_scene_cam) const {
-  Camera ideal = scene_.camera;
-  ideal.set_distortion({});
-  const Pinhole p = ideal.pinhole();
-  const std::vector<ViewSurface> views = view_surfaces(*scene_.world, ideal, T_scene_cam, {0, p.height});
+  const Pinhole p = undistorted();
+  const std::vector<ViewSurface> views = view_surfaces(*scene_.world, Camera(p), T_scene_cam, {0, p.height});
   RowSamples row(p.width, 1);
   set_sample_columns(p, 1, &row);
   ActiveSurfaces active(views);

@@ -21,7 +21,7 @@ struct Look {
 
 Look look_of(const SceneRenderer& renderer, int index) {
   Look look{renderer.scene(), renderer.scene().T_scene_cam[size_t(index)]};
-  look.scene.camera.set_distortion({});
+  look.scene.camera = Camera(renderer.undistorted());
   return look;
 }
 
@@ -114,7 +114,7 @@ struct Clean {
 
 Clean clean_image(const Look& look) {
   Clean clean{look.width(), std::vector<float>(size_t(look.width()) * look.height())};
-  add_rows_seen(look.scene, {}, look.T_scene_cam, {0, look.height()}, &clean.gray);
+  add_rows_seen(look.scene, LensRays(), look.T_scene_cam, {0, look.height()}, &clean.gray);
   return clean;
 }
 

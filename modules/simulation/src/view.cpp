@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lens_rays.h"
+
 namespace edgevo {
 namespace {
 
@@ -92,6 +94,36 @@ void bound(const Polygon& polygon, const Camera& camera, ViewSurface* view) {
   view->row_end = std::clamp(int(std::floor(high.y() + margin)) + 1, 0, p.height);
 }
 
+// The same for a polygon seen through a face of the cube, in whose axes it is given. Its sides are sampled at
+// steps of the face, not of their length, since a side may reach from close by to the horizon.
+void bound_in_face(const Polygon& polygon, const Camera& camera, int face, double max_angle,
+                   ViewSurface* view) {
+  constexpr double kStep =
+      0.12;  // of a face from -1 to 1: 7 degrees, over which a side bulges by a pixel or two
+  constexpr double kMargin = 2.5;
+  const Eigen::Matrix3d& R = R_cam_face()[size_t(face)];
+  Eigen::Array2d low(1e9, 1e9), high(-1e9, -1e9);
+  bool is_whole = face == kFaces - 1;  // the outline of what lies behind may surround the whole image
+  for (size_t i = 0; i < polygon.size() && !is_whole; ++i) {
+    const Eigen::Vector2d a = polygon[i].hnormalized(), b = polygon[(i + 1) % polygon.size()].hnormalized();
+    const int steps = int((b - a).norm() / kStep) + 1;
+    for (int k = 0; k < steps; ++k) {
+      const Eigen::Vector3d ray = R * Eigen::Vector2d(a + (b - a) * (double(k) / steps)).homogeneous();
+      const auto px = camera.project(ray);
+      if (!px || std::atan2(ray.head<2>().norm(), ray.z()) > max_angle) {
+        is_whole = true;
+        break;
+      }
+      low = low.min(px->array()), high = high.max(px->array());
+    }
+  }
+  if (is_whole) low.setZero(), high = Eigen::Array2d(camera.width, camera.height);
+  view->col_begin = std::clamp(int(std::ceil(low.x() - kMargin)), 0, camera.width);
+  view->col_end = std::clamp(int(std::floor(high.x() + kMargin)) + 1, 0, camera.width);
+  view->row_begin = std::clamp(int(std::ceil(low.y() - kMargin)), 0, camera.height);
+  view->row_end = std::clamp(int(std::floor(high.y() + kMargin)) + 1, 0, camera.height);
+}
+
 // Solves f.x (u - cx)/fx + f.y (v - cy)/fy + f.z >= 0 for the column u.
 void set_limits(const Pinhole& p, ViewSurface* view) {
   for (const Eigen::Vector3d& f : view->inside) {
@@ -124,18 +156,21 @@ void set_functions(const Eigen::Vector3d& origin, const Eigen::Vector3d& side_u,
   view->v = (view->texture->height() * (s.uv_origin.y() * N + s.uv_size.y() * B)).cast<float>();
 }
 
-}  // namespace
+// What a view sees along its axis z > 0, and how its surfaces are bounded in the image.
+struct Frustum {
+  Eigen::Vector4d limits, row_limits;  // of the image, and of the rows
+  Pinhole pinhole;
+  RowRange rows;
+};
 
-std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam,
-                                       RowRange rows) {
-  constexpr double kMargin = 3;  // rows: samples reach beyond the centre, and a lens bends rows
-  const double bottom = camera.pinhole().height;
-  const Eigen::Vector4d limits = view_limits(camera, -1, bottom);
-  const Eigen::Vector4d row_limits =
-      view_limits(camera, std::max(-1.0, rows.begin - kMargin), std::min(bottom, rows.end + kMargin));
-  const SE3 T_cam_scene = T_scene_cam.inverse();
-  const Eigen::Matrix3d R = T_cam_scene.R();
-  const Eigen::Vector3d eye = T_scene_cam.translation();
+// `bound` sets the rows and columns of a view, given the polygon that is seen.
+template <class Bound>
+std::vector<ViewSurface> surfaces_in(const World& world, const Frustum& frustum, const SE3& T_scene_view,
+                                     const Bound& bound) {
+  const SE3 T_view_scene = T_scene_view.inverse();
+  const Eigen::Matrix3d R = T_view_scene.R();
+  const Eigen::Vector3d eye = T_scene_view.translation();
+  const RowRange& rows = frustum.rows;
   std::vector<ViewSurface> views;
   for (const Surface& s : world.surfaces) {
     // side_u right, side_v down: the normal points away from who sees the front.
@@ -145,14 +180,15 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     const Eigen::Vector3d middle = R * (s.origin + 0.5 * diagonal - eye);
     const double radius =
         0.5 * std::sqrt(std::max(diagonal.squaredNorm(), (s.side_u - s.side_v).squaredNorm()));
-    if (is_out_of_view(middle, radius, row_limits) || is_speck(middle, radius, camera.pinhole())) continue;
+    if (is_out_of_view(middle, radius, frustum.row_limits) || is_speck(middle, radius, frustum.pinhole))
+      continue;
     const Eigen::Vector3d origin = R * (s.origin - eye), u = R * s.side_u, v = R * s.side_v;
     Polygon outline{origin, origin + u, origin + u + v, origin + v};
     if (s.is_triangle) outline.erase(outline.begin() + 2);
-    const Polygon seen = clip_to_view(std::move(outline), limits);
+    const Polygon seen = clip_to_view(std::move(outline), frustum.limits);
     if (seen.empty()) continue;
     ViewSurface view;
-    bound(seen, camera, &view);
+    bound(seen, &view);
     if (std::max(view.row_begin, rows.begin) >= std::min(view.row_end, rows.end) ||
         view.col_begin >= view.col_end)
       continue;
@@ -160,10 +196,38 @@ std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera,
     view.texture = &world.textures[size_t(s.texture)];
     view.distance = middle.norm();
     set_functions(origin, u, v, &view);
-    set_limits(camera.pinhole(), &view);
+    set_limits(frustum.pinhole, &view);
     views.push_back(view);
   }
   return views;
+}
+
+}  // namespace
+
+std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam,
+                                       RowRange rows) {
+  constexpr double kMargin = 3;  // rows: samples reach beyond the centre, and a lens bends rows
+  const double bottom = camera.pinhole().height;
+  const Frustum frustum{
+      view_limits(camera, -1, bottom),
+      view_limits(camera, std::max(-1.0, rows.begin - kMargin), std::min(bottom, rows.end + kMargin)),
+      camera.pinhole(), rows};
+  return surfaces_in(world, frustum, T_scene_cam,
+                     [&](const Polygon& seen, ViewSurface* view) { bound(seen, camera, view); });
+}
+
+std::vector<ViewSurface> view_surfaces_in_face(const World& world, const Camera& camera, int face,
+                                               const SE3& T_scene_cam, RowRange rows) {
+  constexpr double kSide = 1.001;  // a little beyond the face, so that no seam opens
+  const Eigen::Vector4d limits(-kSide, kSide, -kSide, kSide);
+  const double max_angle = camera.max_angle();
+  return surfaces_in(
+      world, {limits, limits, camera.pinhole(), rows}, T_scene_face(T_scene_cam, face),
+      [&](const Polygon& seen, ViewSurface* view) { bound_in_face(seen, camera, face, max_angle, view); });
+}
+
+SE3 T_scene_face(const SE3& T_scene_cam, int face) {
+  return T_scene_cam * SE3(R_cam_face()[size_t(face)], Eigen::Vector3d::Zero());
 }
 
 ViewSurface view_sky(const World& world, const SE3& T_scene_cam) {

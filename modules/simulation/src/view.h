@@ -57,6 +57,13 @@ struct RowRange {
 std::vector<ViewSurface> view_surfaces(const World& world, const Camera& camera, const SE3& T_scene_cam,
                                        RowRange rows);
 
+/// The same through one face of the cube around the camera (lens_rays.h): rays are those of the face.
+std::vector<ViewSurface> view_surfaces_in_face(const World& world, const Camera& camera, int face,
+                                               const SE3& T_scene_cam, RowRange rows);
+
+/// Pose of the axes of a face.
+SE3 T_scene_face(const SE3& T_scene_cam, int face);
+
 /// The cloud layer, a plane 1 km above the camera whatever its position.
 ViewSurface view_sky(const World& world, const SE3& T_scene_cam);
 

@@ -166,7 +166,9 @@ void draw_along_rays(const ViewSurface& view, int id, const Eigen::Vector2f* ray
     return enter_opaque_inside(rays[view.col_begin].data(), N, f, id, view.col_end - view.col_begin,
                                idepth + view.col_begin, owner + view.col_begin);
   const Eigen::Vector2f& middle = rays[(view.col_begin + view.col_end) / 2];
-  const float q_middle = std::max(1e-4f, N.x() * middle.x() + N.y() * middle.y() + N.z());
+  const float q_middle = std::isnan(middle.x())
+                             ? float(1 / view.distance)
+                             : std::max(1e-4f, N.x() * middle.x() + N.y() * middle.y() + N.z());
   const CutOut is_there(view, q_middle, 500.0f);
   for (int u = view.col_begin; u < view.col_end; ++u) {
     const float x = rays[u].x(), y = rays[u].y();

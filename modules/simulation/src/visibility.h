@@ -45,7 +45,7 @@ void set_sample_columns(const Pinhole& pinhole, int samples, RowSamples* row);
 void draw_pinhole(const ViewSurface& view, int id, const Pinhole& pinhole, int v, int s, RowSamples* row);
 
 /// As draw_pinhole(), for samples with individual rays (x, y): `rays` holds those of this row and sample, one
-/// for each column.
+/// for each column; a ray of NaN meets nothing.
 void draw_along_rays(const ViewSurface& view, int id, const Eigen::Vector2f* rays, int s, RowSamples* row);
 
 }  // namespace edgevo

@@ -4,6 +4,8 @@
 #include <visp3/core/vpImageConvert.h>
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
@@ -61,23 +63,36 @@ GrayImage to_gray_image(const vpImage<vpRGBa>& image) {
 vpCameraParameters to_visp(const Pinhole& p) { return vpCameraParameters(p.fx, p.fy, p.cx, p.cy); }
 
 vpCameraParameters to_visp(const Camera& camera, const std::string& where) {
-  const Distortion d = camera.distortion();
-  if (d.k2 != 0 || d.p1 != 0 || d.p2 != 0 || d.k3 != 0)
+  const Pinhole p = camera.pinhole();
+  if (const auto* lens = std::get_if<KannalaBrandtModel>(&camera.model)) {
+    vpCameraParameters fisheye;
+    fisheye.initProjWithKannalaBrandtDistortion(p.fx, p.fy, p.cx, p.cy,
+                                                {lens->k1, lens->k2, lens->k3, lens->k4});
+    return fisheye;
+  }
+  const std::optional<Distortion> d = camera.plumb_bob();
+  if (!d)
+    throw InputError(where, std::string("its lens (") + to_string(camera.model) + ") is none that ViSP knows",
+                     "give ViSP rectified images and their pinhole");
+  if (d->k2 != 0 || d->p1 != 0 || d->p2 != 0 || d->k3 != 0)
     throw InputError(where, "has more distortion than the one radial coefficient that ViSP knows",
                      "give ViSP undistorted images and their pinhole");
-  const Pinhole p = camera.pinhole();
-  if (d.k1 == 0) return to_visp(p);
-  return vpCameraParameters(p.fx, p.fy, p.cx, p.cy, d.k1, fitted_kdu(camera));
+  if (d->k1 == 0) return to_visp(p);
+  return vpCameraParameters(p.fx, p.fy, p.cx, p.cy, d->k1, fitted_kdu(camera));
 }
 
 Camera to_camera(const vpCameraParameters& camera, int width, int height) {
+  const Pinhole pinhole{camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), width, height};
   const auto model = camera.get_projModel();
-  if (model == vpCameraParameters::ProjWithKannalaBrandtDistortion)
-    throw InputError("ViSP camera", "has Kannala-Brandt's distortion model", "undistort the images first");
-  Distortion distortion;
-  if (model == vpCameraParameters::perspectiveProjWithDistortion) distortion.k1 = camera.get_kud();
-  const Camera result({camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), width, height},
-                      distortion);
+  Camera result(pinhole);
+  if (model == vpCameraParameters::ProjWithKannalaBrandtDistortion) {
+    std::vector<double> k = camera.getKannalaBrandtDistortionCoefficients();
+    k.resize(4, 0.0);
+    result.model = KannalaBrandtModel{{}, k[0], k[1], k[2], k[3]};
+    result.set_pinhole(pinhole);
+  } else if (model == vpCameraParameters::perspectiveProjWithDistortion) {
+    result.set_distortion({camera.get_kud(), 0, 0, 0, 0});
+  }
   result.check("ViSP camera");
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/visp_bridge/conversions.h"
 
 namespace edgevo {
@@ -26,11 +27,13 @@ vpMatrix to_visp_metres(const Matrix6d& covariance, double metres_per_unit) {
   return m;
 }
 
-std::string not_usable_because(const NewestPose& view, double age_s, double stale_after_s) {
+std::string not_usable_because(const NewestPose& view, double age_s, const ServoFeedOptions& options) {
   if (view.frame_index < 0) return "no image has been processed yet";
   if (!view.T_cam_map)
     return std::string(to_string(view.state)) + (view.note.empty() ? "" : ": " + view.note);
-  if (age_s > stale_after_s) return "stale: the newest pose is " + std::to_string(age_s) + " s old";
+  if (view.p_right < options.min_p_right)
+    return "doubtful, p_right " + fixed(view.p_right, 2) + (view.note.empty() ? "" : ": " + view.note);
+  if (age_s > options.stale_after_s) return "stale: the newest pose is " + std::to_string(age_s) + " s old";
   if (age_s < -kClockTolerance_s)
     return "the newest image is from the future: images and loop must use one clock";
   return {};
@@ -76,12 +79,13 @@ ServoPose ServoFeed::pose(Timestamp now) const {
   ServoPose pose;
   pose.view = newest_;
   pose.state = newest_.state;
+  pose.p_right = newest_.p_right;
   pose.frame_index = newest_.frame_index;
   pose.time = newest_.time;
   pose.scale = scale_;
   pose.map_version = map_version_;
   pose.age_s = newest_.frame_index < 0 ? 0 : seconds_between(newest_.time, now);
-  pose.reason = failure_.empty() ? not_usable_because(newest_, pose.age_s, options_.stale_after_s) : failure_;
+  pose.reason = failure_.empty() ? not_usable_because(newest_, pose.age_s, options_) : failure_;
   pose.usable = pose.reason.empty();
   if (!newest_.T_cam_map) return pose;
   pose.predicted_s = step_s_ > 0 ? std::clamp(pose.age_s, 0.0, options_.max_prediction_s) : 0;

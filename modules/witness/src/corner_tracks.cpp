@@ -70,6 +70,12 @@ void CornerTracks::follow(const FramePyramid& frame, const std::vector<ExpectedC
   if (had > 0) wanted_ = std::clamp(wanted_ * kFew / std::max(1, left), kWanted, kMostWanted);
   if (left < kFew + kFew / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
     refill(coarse, has_coarse ? 2 : 1);
+  const float to_finest = float(1 << level_);
+  view_.tracks.erase(std::remove_if(view_.tracks.begin(), view_.tracks.end(),
+                                    [&](const CornerTrack& c) {
+                                      return frame.is_own(c.px.x() * to_finest, c.px.y() * to_finest);
+                                    }),
+                     view_.tracks.end());
 }
 
 void CornerTracks::move(const std::vector<cv::Mat>& now, const std::vector<ExpectedCorner>& expected) {

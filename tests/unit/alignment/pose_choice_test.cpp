@@ -98,6 +98,24 @@ TEST(Align, AlongAKnownDirectionTheEdgesFindTheLength) {
   }
 }
 
+// A map that is bent pulls the pose away from what corners know better: the length alone follows the edges.
+TEST(Align, AKnownRotationAndDirectionAreKeptWhereOnlyTheLengthIsSearched) {
+  const test::PlaneScene scene;
+  const SE3 T_cur_ref = SE3::exp(twist(0.25, 0.05, 0.3, 0.02, -0.03, 0.01));
+  const auto pyramid = scene.pyramid(T_cur_ref.inverse());
+  const auto found = [&](double length, PoseHypothesis::Refinement refinement) {
+    const SE3 guess(T_cur_ref.rotation(), length * T_cur_ref.translation());
+    const SE3 T = align(*pyramid, scene.cloud(SE3()), {guess, refinement}, AlignmentParams()).T_cur_ref;
+    EXPECT_LT((T * guess.inverse()).angle(), 1e-9);
+    EXPECT_LT(T.translation().normalized().cross(guess.translation().normalized()).norm(), 1e-9);
+    return T.translation().norm() / T_cur_ref.translation().norm();
+  };
+  for (const double length : {0.55, 1.0, 1.9})
+    EXPECT_NEAR(found(length, PoseHypothesis::Refinement::kLength), 1, 0.03) << length;
+  EXPECT_NEAR(found(1.08, PoseHypothesis::Refinement::kNearLength), 1, 0.03);
+  EXPECT_GT(found(1.9, PoseHypothesis::Refinement::kNearLength), 1.5) << "not beyond an eighth";
+}
+
 // The gray values of the coarse levels belong to another view, as those of shadows and glare do; the edges
 // are those of the scene.
 TEST(Align, EdgesOverruleMisledGrayLevels) {

@@ -163,7 +163,7 @@ TEST(Camera, CheckNamesTheInvalidField) {
   EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->cy = std::nan(""); })),
               HasSubstr("principal point lies outside"));
   EXPECT_THAT(complaint(with([](Pinhole*, Distortion* d) { d->k3 = std::nan(""); })),
-              HasSubstr("a distortion coefficient is not a number"));
+              HasSubstr("k1 k2 p1 p2 k3 must be numbers"));
 }
 
 }  // namespace

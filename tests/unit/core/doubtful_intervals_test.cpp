@@ -56,6 +56,18 @@ TEST(DoubtfulIntervals, GiveTheirFramesAndTheCommonestReasonWhateverItsNumbers) 
   EXPECT_EQ(commonest_doubt(run), "scale fell by 0.30 within 10 frames");
 }
 
+TEST(DoubtfulIntervals, TheMostDoubtfulFrameOfEachOfTheLongestIsFound) {
+  edgevo::Run run = run_of(100);
+  doubt(&run, 10, 14, "scale fell");
+  run.frames[13].p_right = 0.001;
+  doubt(&run, 40, 40, "few corners (3)");
+  doubt(&run, 60, 62, "blurred images");
+  for (int i : {61, 62}) run.frames[size_t(i)].p_right = 0.2;
+  EXPECT_THAT(most_doubtful_frames(run, 2), ElementsAre(13u, 60u));
+  EXPECT_THAT(most_doubtful_frames(run, 9), ElementsAre(13u, 40u, 60u));
+  EXPECT_THAT(most_doubtful_frames(run_of(5), 3), IsEmpty());
+}
+
 TEST(DoubtfulIntervals, WhyThereIsNoMapIsAReasonToo) {
   edgevo::Run run = run_of(10);
   for (FrameRecord& f : run.frames) f.T_world_cam.reset(), f.note = "only 12 corners moved";

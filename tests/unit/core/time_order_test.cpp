@@ -48,7 +48,6 @@ TEST(TimeOrder, IncreasingTimesAreKeptToTheTick) {
   const auto checked = check(stated);
   EXPECT_THAT(bad(checked), IsEmpty());
   for (size_t i = 0; i < stated.size(); ++i) EXPECT_EQ(checked[i].time, stated[i]);
-  EXPECT_FALSE(clock_decision(stated));
 }
 
 TEST(TimeOrder, ARepeatedTimeCostsItsFrame) {
@@ -93,10 +92,26 @@ TEST(TimeOrder, AfterAClockIsSetBackTimesGoOnFromTheLastGoodOne) {
                 "added to all times"));
   expect_good_times_increase(checked);
   for (size_t k = 7; k < checked.size(); ++k) EXPECT_EQ(checked[k].time, at(100 + 0.1 * double(k))) << k;
-  const auto decision = clock_decision(stated);
-  ASSERT_TRUE(decision);
-  EXPECT_EQ(decision->value, "set back at frame 5");
-  EXPECT_FALSE(decision->doubt.empty());
+  const auto decisions = time_decisions(stated);
+  ASSERT_EQ(decisions.size(), 1u);
+  EXPECT_EQ(decisions[0].subject, "clock");
+  EXPECT_EQ(decisions[0].value, "set back at frame 5");
+  EXPECT_FALSE(decisions[0].doubt.empty());
+}
+
+TEST(TimeOrder, APauseInWhichTheViewMayChangeIsSaid) {
+  std::vector<Timestamp> steady, paused, slow;
+  for (int k = 0; k < 20; ++k) {
+    steady.push_back(at(0.1 * k + (k >= 10 ? 0.5 : 0)));
+    paused.push_back(at(0.1 * k + (k >= 10 ? 1000 : 0)));
+    slow.push_back(at(2 * k + (k >= 10 ? 5 : 0)));
+  }
+  EXPECT_THAT(time_decisions(steady), IsEmpty()) << "a few frames missing";
+  EXPECT_THAT(time_decisions(slow), IsEmpty()) << "a camera of a frame in two seconds";
+  const auto decisions = time_decisions(paused);
+  ASSERT_EQ(decisions.size(), 1u);
+  EXPECT_EQ(decisions[0].value, "1; the longest is 1000.1 s, before frame 10");
+  EXPECT_FALSE(decisions[0].doubt.empty());
 }
 
 TEST(TimeOrder, AClockMayBeSetBackAgain) {

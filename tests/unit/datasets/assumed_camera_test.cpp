@@ -74,6 +74,24 @@ TEST_F(AssumedCamera, HasTheGivenFieldOfView) {
   EXPECT_EQ(test::read_all(*source).size(), 3u);
 }
 
+TEST_F(AssumedCamera, IsCheckedByItself) {
+  options_.fov_deg = 5;
+  const auto warnings = input_warnings(photos(-1)->decisions());
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_THAT(warnings.back(), HasSubstr("Check --fov, or give a calibration with --camera."));
+  for (const std::string& w : warnings) EXPECT_EQ(w.find("Check the camera file"), std::string::npos) << w;
+}
+
+TEST_F(AssumedCamera, DoubtsACameraFileOfAnotherFocalLength) {
+  test::write_text(folder_ / "camera.txt", "60 60 59.5 44.5 0 0 0 0 120 90");
+  options_.camera_file = folder_ / "camera.txt";
+  const auto doubted = input_warnings(photos(28)->decisions());  // 97 px
+  ASSERT_EQ(doubted.size(), 1u);
+  EXPECT_THAT(doubted[0], HasSubstr("EXIF data of the images say a focal length of about 97 px, not 60"));
+  EXPECT_TRUE(input_warnings(photos(17)->decisions()).empty());
+  EXPECT_TRUE(input_warnings(photos(-1)->decisions()).empty());
+}
+
 // A telephone held upright: the angle that its maker states is that of the longer side. Landscape: as ever.
 TEST_F(AssumedCamera, HasItsAngleOverTheLongerSide) {
   for (const auto& [width, height] : {std::pair(120, 90), {90, 120}}) {

@@ -183,7 +183,7 @@ TEST_F(BadFolder, HiddenFilesAreNoImages) {
 
 TEST_F(BadFolder, InvalidTime) {
   write_text(folder_ / "times.txt", "0\n0.1\nnoon\n0.3\n");
-  EXPECT_THAT(open_error(), HasSubstr("times.txt, line 3: is not a time"));
+  EXPECT_THAT(open_error(), HasSubstr("times.txt, line 3: 'noon' is not a time"));
 }
 
 TEST_F(BadFolder, MissingTimesOrCamera) {

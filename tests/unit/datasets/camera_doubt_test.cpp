@@ -32,6 +32,7 @@ INSTANTIATE_TEST_SUITE_P(
         Doubted{"matrix_of_three_quarters", {{530.3, 530.3, 451.3, 137.2, 1226, 370}}, "of about 904x275"},
         Doubted{
             "matrix_of_twice_the_image", {{1414.2, 1414.2, 1203.8, 366.2, 1226, 370}}, "of about 2409x733"},
+        Doubted{"sides_exchanged", {{500, 500, 320, 240, 480, 640}}, "middle of 640x480"},
         Doubted{"centre_near_the_border", {{707, 707, 1100, 183, 1226, 370}}, "far from the middle"},
         Doubted{"half_the_focal_length", {{300, 300, 601, 183, 1226, 370}}, "A view of 128 degrees"},
         Doubted{"telescope", {{12572, 12572, 320, 240, 640, 480}}, "A view of 3 degrees"},

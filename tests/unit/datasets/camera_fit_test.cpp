@@ -16,10 +16,10 @@ using ::testing::IsEmpty;
 
 class CameraFit : public ::testing::Test {
  protected:
-  Camera fit(const std::string& text, const SeenImages& images) {
+  Camera fit(const std::string& text, const SeenImages& images, double scale = 0) {
     write_text(folder_ / "camera.txt", text);
     decisions_.clear();
-    return camera_of_file(folder_ / "camera.txt", images, &decisions_);
+    return camera_of_file({folder_ / "camera.txt", "", scale}, images, &decisions_);
   }
   InputDecision decision() const { return decisions_.size() == 1 ? decisions_[0] : InputDecision(); }
   TempFolder folder_;
@@ -57,6 +57,31 @@ TEST_F(CameraFit, ScalesACalibrationOfTheSameShape) {
   EXPECT_NEAR(p.cy, 180.5 * 0.75 - 0.5, 1e-9);
   EXPECT_EQ(decision().value, "scaled from 1240x376 to 930x282");
   EXPECT_THAT(decision().doubt, HasSubstr("cut out of larger images"));
+}
+
+TEST_F(CameraFit, TakesTheScaleThatTheUserGives) {
+  const Pinhole p = fit(kFull, {{}, 930, 282, 0}, 0.75).pinhole();
+  EXPECT_NEAR(p.fx, 540, 1e-9);
+  EXPECT_NEAR(p.cx, 610.5 * 0.75 - 0.5, 1e-9);
+  EXPECT_EQ(decision().value, "scaled by 0.7500, as --camera-scale says");
+  EXPECT_EQ(decision().doubt, "");
+  const Pinhole without_size = fit("500 500 320 240", {{}, 320, 240, 0}, 0.5).pinhole();
+  EXPECT_NEAR(without_size.cx, 159.75, 1e-9);
+  EXPECT_EQ(without_size.width, 320);
+  EXPECT_THAT(error_of([&] {
+                fit(kFull, {{}, 930, 282, 0}, 0.5);
+              }),
+              HasSubstr("at --camera-scale 0.5000 it is for images of 620x188, but these have 930x282"));
+}
+
+TEST_F(CameraFit, AScaleWithoutACameraFileIsRefused) {
+  test::write_images(folder_ / "image_0", 2);
+  write_text(folder_ / "times.txt", "0.0\n0.1\n");
+  write_text(folder_ / "calib.txt", "P0: 20 0 12 0 0 20 8 0 0 0 1 0\n");
+  SourceOptions options;
+  options.path = folder_.path();
+  options.camera_scale = 0.5;
+  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("--camera-scale: is of no use"));
 }
 
 TEST_F(CameraFit, RefusesAnotherShapeAndNamesBothSizes) {

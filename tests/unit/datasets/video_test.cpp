@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "edgevo/datasets/open_source.h"
@@ -32,6 +33,13 @@ class Video : public ::testing::Test {
   TempFolder folder_;
   SourceOptions options_;
 };
+
+TEST_F(Video, ASingleImageIsNone) {
+  options_.path = folder_ / "photo.png";
+  ASSERT_TRUE(cv::imwrite(options_.path, cv::Mat(32, 48, CV_8UC1, cv::Scalar(90))));
+  EXPECT_THAT(test::error_of([&] { open_source(options_); }),
+              ::testing::HasSubstr("photo.png: is a single image; give the folder"));
+}
 
 TEST_F(Video, GivesItsFramesAtItsRate) {
   write_video(options_.path, 12);

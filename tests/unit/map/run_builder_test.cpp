@@ -147,6 +147,8 @@ TEST(RunBuilder, ASecondEventOfAFrameReplacesTheFirst) {
   EXPECT_LT(last[0].time, last[1].time);
   EXPECT_EQ(builder.last_poses(0, 0, 5).size(), 1u);
   EXPECT_EQ(builder.last_poses(0, 1, 1).size(), 1u);
+  EXPECT_EQ(builder.last_sure_poses(0, 1, 2).size(), 2u);
+  EXPECT_TRUE(builder.last_sure_poses(0, 1, 3).empty());
   const edgevo::Run run = builder.finish();
   EXPECT_EQ(run.frames[0].index, 0);
   EXPECT_TRUE(run.frames[0].T_world_cam);

@@ -7,6 +7,7 @@
 #include <mrpt/maps/COctoMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -80,6 +81,17 @@ TEST_F(PlaybackFiles, HoldsEveryImagePoseAndKeyframeInTimeOrder) {
   for (size_t i = 1; i < all.size(); ++i) EXPECT_LE(all[i - 1]->timestamp, all[i]->timestamp);
   EXPECT_EQ(from_mrpt(all.front()->timestamp), run.frames.front().time);
   EXPECT_EQ(from_mrpt(all.back()->timestamp), run.frames.back().time);
+}
+
+TEST_F(PlaybackFiles, APoseThatIsNotToBeTrustedHasACommentThatSaysWhy) {
+  edgevo::Run run = small_run();
+  run.frames[4].p_right = 0.05, run.frames[4].note = "corners contradict the scale";
+  write(run);
+  const auto comments = read_all<mrpt::obs::CObservationComment>();
+  ASSERT_EQ(comments.size(), 1u) << "a lost frame has no pose";
+  EXPECT_EQ(comments[0]->text,
+            "EDGE_VO: frame 4 is not to be trusted (p_right 0.050, TRACKING): corners contradict the scale");
+  EXPECT_EQ(from_mrpt(comments[0]->timestamp), run.frames[4].time);
 }
 
 TEST_F(PlaybackFiles, ImagesAreByReferenceAndLossless) {

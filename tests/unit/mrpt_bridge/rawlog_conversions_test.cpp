@@ -2,10 +2,14 @@
 // Conversions are lossless both ways.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
+#include "support/camera_examples.h"
 
 namespace edgevo {
 namespace {
@@ -54,13 +58,48 @@ TEST(MrptConversions, CameraIsExact) {
   EXPECT_EQ(back.distortion().k3, 1.16);
 }
 
-TEST(MrptConversions, OtherLensModelsAreRefused) {
+// Largest distance between the pixels of two cameras for the rays of the image of the first.
+double largest_difference(const Camera& a, const Camera& b) {
+  double most = 0;
+  for (double v = 0; v < a.height; v += 20)
+    for (double u = 0; u < a.width; u += 20) {
+      const auto ray = a.unproject({u, v});
+      if (ray && std::atan2(ray->head<2>().norm(), ray->z()) < a.max_angle())
+        most = std::max(most, (*b.project(*ray) - Eigen::Vector2d(u, v)).norm());
+    }
+  return most;
+}
+
+TEST(MrptConversions, FisheyeAndRationalLensesAreThose) {
+  for (const auto& example : test::camera_examples()) {
+    if (!std::holds_alternative<KannalaBrandtModel>(example.camera.model)) continue;
+    const Camera back = from_mrpt(to_mrpt(example.camera), "here");
+    EXPECT_STREQ(to_string(back.model), "kannala_brandt");
+    EXPECT_LT(largest_difference(example.camera, back), 1e-9) << example.name;
+  }
   mrpt::img::TCamera camera = to_mrpt(Camera{{500, 500, 320, 240, 640, 480}, {}});
-  camera.setDistortionKannalaBrandt(0.1, 0, 0, 0);
-  EXPECT_THROW(from_mrpt(camera, "here"), InputError);
   camera.setDistortionPlumbBob(0.1, 0, 0, 0);
   camera.k4(0.2);
-  EXPECT_THROW(from_mrpt(camera, "here"), InputError);
+  const Camera rational = from_mrpt(camera, "here");
+  ASSERT_STREQ(to_string(rational.model), "rational");
+  EXPECT_EQ(std::get<RationalModel>(rational.model).distortion.k4, 0.2);
+}
+
+TEST(MrptConversions, ALensThatMrptLacksIsTheClosestFisheyeOrRefused) {
+  int refused = 0, converted = 0;
+  for (const auto& example : test::camera_examples()) {
+    const ClosestMrptCamera closest = closest_mrpt(example.camera);
+    if (closest.max_error_px > 0.5) {
+      EXPECT_THROW(to_mrpt(example.camera), InputError) << example.name;
+      ++refused;
+      continue;
+    }
+    const Camera back = from_mrpt(to_mrpt(example.camera), "here");
+    EXPECT_LT(largest_difference(example.camera, back), closest.max_error_px + 0.05) << example.name;
+    ++converted;
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_GT(converted, 12);
 }
 
 TEST(MrptConversions, PixelsAreExact) {

@@ -60,6 +60,24 @@ TEST(MapSize, AVoxelLargerThanTheRunIsRefused) {
   EXPECT_EQ(complaint(run, "auto", 1e9), "");
 }
 
+// A run that ended with exit code 2 for what it found: the resolution was the default.
+TEST(MapSize, VoxelsOfNoGivenSizeAreCoarsenedUntilTheyHoldTheRun) {
+  const edgevo::Run run = test::pole_and_wall(3, 3).run;
+  OccupancyParams params = params_at("auto");
+  EXPECT_EQ(coarsen_to_fit(run, 1e9, &params), "");
+  EXPECT_EQ(params.resolution, "auto");
+  params.resolution_share = 1e-6;
+  EXPECT_THAT(coarsen_to_fit(run, 1e9, &params), HasSubstr("which cannot hold the run"));
+  EXPECT_GT(params.given_resolution(), 0);
+  EXPECT_NO_THROW(check_map_size(run, params, 1e9, "run"));
+}
+
+TEST(MapSize, AGivenSizeIsNotChanged) {
+  OccupancyParams params = params_at("0.0001");
+  EXPECT_EQ(coarsen_to_fit(test::pole_and_wall(3, 3).run, 1e9, &params), "");
+  EXPECT_EQ(params.resolution, "0.0001");
+}
+
 TEST(MapSize, AnEmptyRunIsSmall) {
   EXPECT_EQ(estimate_map_size(edgevo::Run(), params_at("0.0001")).voxels, 0);
   EXPECT_EQ(complaint(edgevo::Run(), "0.0001", 1), "");

@@ -69,6 +69,27 @@ TEST_F(FrameTracker, AJumpIsFoundByRotationSearch) {
   EXPECT_LT((t.result.T_cur_ref * turned.inverse()).angle(), 0.02);
 }
 
+// Most of the map is turned by two degrees, and the edges follow it; the corners know better.
+TEST_F(FrameTracker, ABentMapDoesNotTurnTheCamera) {
+  const Eigen::Matrix3d bend = SE3::exp(twist(0, 0, 0, 0.03, 0, 0)).R();
+  for (size_t i = 0; i < reference.cloud.points.size(); ++i) {
+    if (i % 10 >= 6) continue;
+    const Eigen::Vector3d ray = bend * reference.cloud.points[i].ray;
+    reference.cloud.points[i].ray = ray / ray.z();
+  }
+  params.mapping.corners.max_inlier_share = 1;
+  params.keyframe.flow_px = 4.1;
+  const KeyframePolicy often(scene.pyramid(SE3())->finest().pinhole, params.keyframe);
+  const auto pyramid = scene.pyramid(truth.inverse());
+  const auto angle_of = [&](int min_agreeing) {
+    params.mapping.corners.min_agreeing = min_agreeing;
+    const Track t = track_frame({*pyramid, reference, motion, often, params, {}, false, &random});
+    return (t.result.T_cur_ref * truth.inverse()).angle();
+  };
+  EXPECT_GT(angle_of(10000), 0.015) << "the edges alone follow the map";
+  EXPECT_LT(angle_of(30), 0.01);
+}
+
 // The image was rectified for no motion, and a negligible read-out time shifts nothing.
 TEST_F(FrameTracker, AFastShutterChangesNothing) {
   const auto pyramid = scene.pyramid(truth.inverse());

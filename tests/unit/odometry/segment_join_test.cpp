@@ -31,7 +31,7 @@ BootstrapResult bootstrap(double begin, double length) {
 }
 
 TEST(SegmentJoin, TheFirstSegmentLiesAtTheOrigin) {
-  const SegmentPlaced join = join_segment(3, {}, bootstrap(1, 1), std::nullopt);
+  const SegmentPlaced join = join_segment(3, {}, {}, bootstrap(1, 1), std::nullopt);
   EXPECT_EQ(join.segment, 3);
   EXPECT_EQ(join.method, Method::kOrigin);
   EXPECT_EQ(join.T_world_map.scale, 1);
@@ -39,13 +39,13 @@ TEST(SegmentJoin, TheFirstSegmentLiesAtTheOrigin) {
 }
 
 TEST(SegmentJoin, OnePoseHasNoVelocity) {
-  EXPECT_EQ(join_segment(3, moving({0, 0, 1}, 1), bootstrap(1.2, 1), 2.0).method, Method::kOrigin);
+  EXPECT_EQ(join_segment(3, moving({0, 0, 1}, 1), {}, bootstrap(1.2, 1), 2.0).method, Method::kOrigin);
 }
 
 // 2 units per second before the join, and 2 * 3 units per second in the bootstrap.
 TEST(SegmentJoin, ContinuesAtConstantVelocityAndEqualSpeed) {
   const std::vector<TimedPose> previous = moving({0.2, 0, 0});
-  const SegmentPlaced join = join_segment(3, previous, bootstrap(1.3, 3), std::nullopt);
+  const SegmentPlaced join = join_segment(3, previous, {}, bootstrap(1.3, 3), std::nullopt);
   EXPECT_EQ(join.method, Method::kVelocity);
   const Vector3d expected = previous.back().T_world_cam.translation() + 0.3 * Vector3d(2, 0, 0);
   EXPECT_LT((join.T_world_map.rigid.translation() - expected).norm(), 1e-9);
@@ -54,8 +54,8 @@ TEST(SegmentJoin, ContinuesAtConstantVelocityAndEqualSpeed) {
 }
 
 TEST(SegmentJoin, AGivenScaleIsUsed) {
-  const SegmentPlaced given = join_segment(3, moving({0.2, 0, 0}), bootstrap(1.3, 3), 5.0);
-  const SegmentPlaced guessed = join_segment(3, moving({0.2, 0, 0}), bootstrap(1.3, 3), std::nullopt);
+  const SegmentPlaced given = join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 3), 5.0);
+  const SegmentPlaced guessed = join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 3), std::nullopt);
   EXPECT_EQ(given.method, Method::kDepthRatio);
   EXPECT_EQ(given.T_world_map.scale, 5);
   EXPECT_EQ(given.T_world_map.rigid.translation(), guessed.T_world_map.rigid.translation());
@@ -63,10 +63,20 @@ TEST(SegmentJoin, AGivenScaleIsUsed) {
 
 TEST(SegmentJoin, ACameraAtAStandstillGivesNoScale) {
   const std::vector<TimedPose> still = moving(Vector3d::Zero());
-  EXPECT_EQ(join_segment(3, still, bootstrap(1.3, 3), std::nullopt).method, Method::kStandstill);
-  EXPECT_EQ(join_segment(3, still, bootstrap(1.3, 3), std::nullopt).T_world_map.scale, 1);
-  EXPECT_EQ(join_segment(3, moving({0.2, 0, 0}), bootstrap(1.3, 0), std::nullopt).method,
+  EXPECT_EQ(join_segment(3, still, {}, bootstrap(1.3, 3), std::nullopt).method, Method::kStandstill);
+  EXPECT_EQ(join_segment(3, still, {}, bootstrap(1.3, 3), std::nullopt).T_world_map.scale, 1);
+  EXPECT_EQ(join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 0), std::nullopt).method,
             Method::kStandstill);
+}
+
+// The unit is lost before the map is: the last steps are a tenth of those that were sure.
+TEST(SegmentJoin, TheScaleIsTheLastThatWasSure) {
+  const std::vector<TimedPose> sure = moving({0.2, 0, 0}), shrunk = moving({0, 0.02, 0});
+  const SegmentPlaced join = join_segment(3, shrunk, sure, bootstrap(1.3, 3), std::nullopt);
+  EXPECT_EQ(join.method, Method::kVelocity);
+  EXPECT_NEAR(join.T_world_map.scale, 2.0 / 6.0, 1e-9);
+  const Vector3d expected = shrunk.back().T_world_cam.translation() + 0.3 * Vector3d(0, 2, 0);
+  EXPECT_LT((join.T_world_map.rigid.translation() - expected).norm(), 1e-9);
 }
 
 }  // namespace

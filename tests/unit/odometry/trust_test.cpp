@@ -131,6 +131,21 @@ TEST(Trust, DoesNotMeasureAStepAcrossAGapOrASegment) {
   EXPECT_NEAR(drive.go(good_evidence(), 100).doubts[size_t(Doubt::kStep)], 0, 1e-9);
 }
 
+TEST(Trust, AStepOfMoreThanTenUsualOnesIsInDoubt) {
+  Drive drive;
+  drive.go(good_evidence(), kStep, 60);
+  EXPECT_GT(drive.go(good_evidence(), 3 * kStep).p_right, kDoubtfulBelow);
+  const FrameTrust giant = drive.go(good_evidence(), 400 * kStep);
+  EXPECT_LT(giant.p_right, kDoubtfulBelow);
+  EXPECT_THAT(giant.reason, HasSubstr("a step of 400 times the usual one"));
+}
+
+TEST(Trust, ACameraThatHasStoodStillMayStartToMove) {
+  Drive drive;
+  drive.go(good_evidence(), 1e-6, 60);
+  EXPECT_GT(drive.go(good_evidence(), 0.01 * kDepth).p_right, kDoubtfulBelow);
+}
+
 TEST(Trust, IsTheSameForTheSameFrames) {
   Drive a, b;
   for (int i = 0; i < 30; ++i) {

@@ -76,10 +76,23 @@ TEST(RunReport, LinksToItsSections) {
   const test::SyntheticRun made = test::synthetic_run();
   const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
   for (const char* id :
-       {"next", "trajectory", "space", "edges", "map", "states", "timing", "scale", "parameters"}) {
+       {"next", "trajectory", "space", "edges", "map", "states", "trust", "timing", "scale", "parameters"}) {
     EXPECT_THAT(html, HasSubstr("<a href=\"#" + std::string(id) + "\">"));
     EXPECT_THAT(html, HasSubstr("<section id=\"" + std::string(id) + "\">"));
   }
+}
+
+TEST(RunReport, ShowsTheTrustInEachFrameAndWhatSpeaksAgainstIt) {
+  test::SyntheticRun made = test::synthetic_run();
+  std::vector<FrameRecord>& frames = made.run.frames;
+  for (FrameRecord& f : frames) f.p_right = 0.99, f.state = TrackingState::kTracking;
+  EXPECT_THAT(report_html({made.run, RunInfo(), {}, {}, {}}), HasSubstr("No frame is doubtful."));
+  for (size_t i = 8; i < 12; ++i) frames[i].p_right = 0.05, frames[i].note = "corners contradict the scale";
+  const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
+  EXPECT_THAT(html, HasSubstr("probability that the motion is right"));
+  EXPECT_THAT(html,
+              HasSubstr("<td>" + std::to_string(frames[8].index) + " to " + std::to_string(frames[11].index) +
+                        "</td><td>4</td><td>corners contradict the scale</td>"));
 }
 
 TEST(RunReport, ShowsTheReasonsForKeyframes) {

@@ -21,7 +21,7 @@ TEST_F(ReportOfRun, ShowsPicturesChartsAndNotes) {
     for (size_t at = html.find(what); at != std::string::npos; at = html.find(what, at + 1)) ++n;
     return n;
   };
-  EXPECT_EQ(count("<img alt="), 7);  // six with edges, the grid
+  EXPECT_EQ(count("<img alt="), 8);  // six with edges, a doubtful frame, the grid
   EXPECT_EQ(count("<svg"), 9);       // from above, three over time, ribbon, three of tracking, stages
   EXPECT_EQ(count("</svg>"), count("<svg"));
   EXPECT_THAT(html, HasSubstr("grid.yaml from above"));

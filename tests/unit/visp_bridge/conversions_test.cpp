@@ -96,9 +96,19 @@ TEST(VispCamera, OneRadialCoefficientIsConvertedBothWays) {
 TEST(VispCamera, ModelsUnknownToViSPAreRefused) {
   EXPECT_THROW(to_visp(Camera{{500, 500, 320, 240, 640, 480}, {0.1, -0.2, 0, 0, 0}}, "camera.txt"),
                InputError);
+  Camera omni({500, 500, 320, 240, 640, 480});
+  omni.model = OmniModel{{500, 500, 320, 240}, 0.8, {}};
+  EXPECT_THROW(to_visp(omni, "camera.txt"), InputError);
+}
+
+TEST(VispCamera, AFisheyeStaysOne) {
   vpCameraParameters fisheye;
   fisheye.initProjWithKannalaBrandtDistortion(500, 500, 320, 240, {0.1, 0, 0, 0});
-  EXPECT_THROW(to_camera(fisheye, 640, 480), InputError);
+  const Camera camera = to_camera(fisheye, 640, 480);
+  ASSERT_STREQ(to_string(camera.model), "kannala_brandt");
+  EXPECT_EQ(std::get<KannalaBrandtModel>(camera.model).k1, 0.1);
+  EXPECT_EQ(to_visp(camera, "here").getKannalaBrandtDistortionCoefficients(),
+            fisheye.getKannalaBrandtDistortionCoefficients());
 }
 
 TEST(VispImages, ColourBecomesGrayInPlace) {

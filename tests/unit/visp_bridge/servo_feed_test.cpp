@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/error.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "servo_test_views.h"
@@ -71,6 +72,20 @@ TEST(ServoFeed, StaleAndLostAreNotUsable) {
   const ServoPose pose = feed.pose(at(10.41));
   EXPECT_FALSE(pose.usable);
   EXPECT_EQ(pose.reason, "LOST: too dark");
+}
+
+TEST(ServoFeed, ADoubtfulPoseIsNotUsableIfTheLoopAsksForTrust) {
+  ServoFeedOptions cautious;
+  cautious.min_p_right = kDoubtfulBelow;
+  ServoFeed feed(cautious), plain;
+  NewestPose view = tracked(0, 10, SE3());
+  feed.publish(view);
+  EXPECT_TRUE(feed.pose(at(10)).usable) << "unknown";
+  view.p_right = 0.05, view.note = "corners contradict the scale";
+  feed.publish(view), plain.publish(view);
+  EXPECT_EQ(feed.pose(at(10)).reason, "doubtful, p_right 0.05: corners contradict the scale");
+  EXPECT_TRUE(plain.pose(at(10)).usable);
+  EXPECT_EQ(plain.pose(at(10)).p_right, 0.05);
 }
 
 TEST(ServoFeed, ResumesInTheSameMapWithoutTheOldVelocity) {

@@ -84,7 +84,7 @@ Sequence read_kitti_layout(const SourceOptions& options) {
       options.camera_file.empty()
           ? camera_from_projection(read_kitti_projection(options, name), sequence.images.front(),
                                    (root / "calib.txt").string())
-          : camera_of_file(options.camera_file, seen_images(sequence.images), &sequence.decisions);
+          : camera_of_file(camera_file_of(options, ""), seen_images(sequence.images), &sequence.decisions);
   sequence.details.emplace_back("camera folder", name);
   if (const std::string poses = kitti_poses_path(options.path); !poses.empty())
     sequence.details.emplace_back("ground truth", poses + " (KITTI format)");

@@ -200,7 +200,8 @@ std::string symphony_ground_truth(const SourceOptions& options) {
 
 Camera survey_camera(const SurveyRows& survey, const SourceOptions& options, Sequence* sequence) {
   const SeenImages images = seen_images(sequence->images);
-  if (!options.camera_file.empty()) return camera_of_file(options.camera_file, images, &sequence->decisions);
+  if (!options.camera_file.empty())
+    return camera_of_file(camera_file_of(options, ""), images, &sequence->decisions);
   if (survey.has_camera) return camera_of_rows(survey, options, &sequence->details);
   if (options.fov_deg || options.any_camera)
     return choose_or_assume_camera(options, "", images, &sequence->decisions);

@@ -32,7 +32,8 @@ const Published kPublished[] = {
 
 Camera tum_camera(const SourceOptions& options, Sequence* sequence) {
   const SeenImages images = seen_images(sequence->images);
-  if (!options.camera_file.empty()) return camera_of_file(options.camera_file, images, &sequence->decisions);
+  if (!options.camera_file.empty())
+    return camera_of_file(camera_file_of(options, ""), images, &sequence->decisions);
   const std::string folder = fs::path(fs::weakly_canonical(options.path)).filename().string();
   for (const Published& published : kPublished) {
     if (folder.find(published.name) == std::string::npos) continue;

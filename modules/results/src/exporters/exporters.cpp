@@ -20,6 +20,8 @@ const std::vector<Exporter>& exporters() {
       {"frames.csv", "one row for every frame; timing columns last", Kind::kText, export_frames},
       {"covariances.csv", "covariance of each pose relative to its keyframe", Kind::kText,
        export_covariances},
+      {"mask.png", "what is fixed to the camera, black, if there is such a part", Kind::kText,
+       export_own_mask, has_own_mask},
       {"scale.csv", "the metric scale over time, if it was measured", Kind::kText, export_scale, has_scale},
       {"edges.ply", "3D edges: points and lines", Kind::kMrpt, export_points},
       {"edge_segments.csv", "3D lines, one row each: ends, length, direction, uncertainty, observers",

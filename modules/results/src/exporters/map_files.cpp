@@ -18,8 +18,10 @@ void export_line_table(ExportContext* context, const std::string& path) {
 }
 
 void export_full_octree(ExportContext* context, const std::string& path) {
-  check_map_size(context->run, context->params.occupancy, free_memory(), path);
-  context->octree.emplace(context->run, context->params.occupancy, context->on_keyframe_mapped);
+  OccupancyParams params = context->params.occupancy;
+  context->map.note = coarsen_to_fit(context->run, free_memory(), &params);
+  check_map_size(context->run, params, free_memory(), path);
+  context->octree.emplace(context->run, params, context->on_keyframe_mapped);
   context->map.octree = context->octree->stats();
   context->octree->write_ot(path);
 }

@@ -74,21 +74,17 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
   y->close();
 }
 
+// Plumb-bob coefficients without a name of the lens, as the files of earlier versions have them.
 void write_camera(const Camera& camera, YamlWriter* y) {
   const Pinhole p = camera.pinhole();
-  const Distortion d = camera.distortion();
   y->open("camera");
+  if (!camera.plumb_bob()) y->text("lens", to_string(camera.model));
   y->integer("width", p.width);
   y->integer("height", p.height);
-  for (const auto& [key, value] : {std::pair("fx", p.fx),
-                                   {"fy", p.fy},
-                                   {"cx", p.cx},
-                                   {"cy", p.cy},
-                                   {"k1", d.k1},
-                                   {"k2", d.k2},
-                                   {"p1", d.p1},
-                                   {"p2", d.p2},
-                                   {"k3", d.k3}})
+  for (const auto& [key, value] : {std::pair("fx", p.fx), {"fy", p.fy}, {"cx", p.cx}, {"cy", p.cy}})
+    y->number(key, value, 9);
+  const CameraModel plumb_bob = PlumbBobModel{{}, camera.plumb_bob().value_or(Distortion())};
+  for (const auto& [key, value] : coefficients_of(camera.plumb_bob() ? plumb_bob : camera.model))
     y->number(key, value, 9);
   y->close();
 }

@@ -35,6 +35,7 @@ void write_map(const Run& run, const MapReport& report, YamlWriter* y) {
   y->integer("grid_width", grid.width);
   y->integer("grid_height", grid.height);
   if (map.points.kept == 0) y->text("note", "no point passed the filter: the map files are valid but empty");
+  if (!report.note.empty()) y->text("coarser", report.note);
   y->close();
 }
 

@@ -27,6 +27,11 @@ struct PoseHypothesis {
     /// Rotation and direction are known: the length of the translation is searched from half to twice its
     /// value, then edges are aligned.
     kLengthThenEdges,
+    /// Rotation and direction are known better than by edges: only the length is searched, from half to
+    /// twice its value.
+    kLength,
+    /// The same, within an eighth of its value.
+    kNearLength,
     /// Almost exact already: edges on the finest level only.
     kFinestEdges,
   };
@@ -52,7 +57,8 @@ struct PoseCandidate {
 };
 
 /// Aligns a hypothesis with the current frame. Cost for 1500 points at 1241x376: 3 ms with patches, 1 ms with
-/// edges alone; kLengthThenEdges adds 13 evaluations of the edge cost.
+/// edges alone; kLengthThenEdges and kLength add 13 and 26
+/// evaluations of the edge cost.
 PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 

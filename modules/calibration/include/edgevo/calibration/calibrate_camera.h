@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Pinhole and plumb-bob lens from views of a board (Zhang, "A Flexible New Technique for Camera Calibration",
-// as implemented in OpenCV), with the means to assess them: residuals, standard deviations, and what the
+// A camera and its lens from views of a board (Zhang, "A Flexible New Technique for Camera Calibration", as
+// implemented in OpenCV), with the means to assess them: residuals, standard deviations, and what the
 // views lack.
 //
 // Views whose residuals exceed three times those of the median view are rejected once (a blurred image, a
 // wrong corner). The coefficient k3 is used only where it differs from 0 by three of its standard deviations:
 // with few views it fits noise and distorts the corners of the image.
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,18 @@
 #include "edgevo/core/camera.h"
 
 namespace edgevo {
+
+/// Lens models that are calibrated: plumb-bob, Kannala-Brandt, rational without thin prism.
+enum class CalibratedLens { kPlumbBob, kFisheye, kRational };
+
+/// "plumb_bob", "fisheye", "rational".
+const char* to_string(CalibratedLens lens);
+
+/// A lens model that was tried, with the RMS of its residuals, pixels; NaN if it does not fit at all.
+struct TriedLens {
+  CalibratedLens lens = CalibratedLens::kPlumbBob;
+  double rms_px = 0;
+};
 
 /// Residuals of one view.
 struct ViewFit {
@@ -34,6 +47,8 @@ struct ViewFit {
 struct CameraCalibration {
   /// Camera of the raw images.
   Camera camera;
+  /// The models that were tried.
+  std::vector<TriedLens> tried;
   /// RMS residual over all corners of the views used, pixels.
   double rms_px = 0;
   /// Standard deviations of focal length and principal point, pixels; the larger of x and y.
@@ -46,9 +61,11 @@ struct CameraCalibration {
   std::vector<std::string> lacking;
 };
 
-/// Throws InputError, opened by `where`: fewer than eight views; views that do not determine the focal length
-/// (the board was never tilted); residuals too large for this lens model. Cost: under a second for 20 views
-/// of 54 corners, half a minute for 60.
-CameraCalibration calibrate_camera(const BoardViews& views, const std::string& where);
+/// `lens`: the model; nullopt: plumb-bob, unless another one has clearly smaller residuals than its
+/// additional coefficients explain. Throws InputError, opened by `where`: fewer than eight views; views that
+/// do not determine the focal length (the board was never tilted); residuals too large for this lens model.
+/// Cost: under a second for 20 views of 54 corners, half a minute for 60; three times as much for all models.
+CameraCalibration calibrate_camera(const BoardViews& views, const std::string& where,
+                                   std::optional<CalibratedLens> lens = std::nullopt);
 
 }  // namespace edgevo

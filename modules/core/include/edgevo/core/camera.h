@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "edgevo/core/camera_models.h"
 
@@ -42,6 +44,9 @@ struct Pinhole {
   }
 };
 
+/// The coefficients of a lens by the names of its fields, in their order; none for a pinhole.
+std::vector<std::pair<std::string, double>> coefficients_of(const CameraModel& model);
+
 /// The camera that takes the images, as its file describes it: size and lens of the raw images. The method
 /// works in the pinhole of a Rectification (rectification.h).
 struct Camera {
@@ -58,7 +63,9 @@ struct Camera {
   Pinhole pinhole() const;
   /// Changes focal lengths, principal point and size; the lens stays as it is.
   void set_pinhole(const Pinhole& pinhole);
-  /// Plumb-bob coefficients, zero for a pinhole.
+  /// Plumb-bob coefficients, zero for a pinhole; nullopt for a model that has none.
+  std::optional<Distortion> plumb_bob() const;
+  /// The same; throws InputError for a model that has none.
   Distortion distortion() const;
   /// Replaces the model by plumb-bob, or by a pinhole if all coefficients are zero.
   void set_distortion(const Distortion& distortion) { *this = Camera(pinhole(), distortion); }

@@ -36,6 +36,10 @@ std::vector<DoubtfulInterval> doubtful_intervals(const Run& run);
 /// The `most` intervals with the most doubtful frames, in time order.
 std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, size_t most);
 
+/// Positions in Run::frames of the frame with the lowest p_right of each of the longest `most` intervals, in
+/// time order; of an interval without any p_right its first frame.
+std::vector<size_t> most_doubtful_frames(const Run& run, size_t most);
+
 /// The interval in words: "frames 42 to 124: scale of the corners fell by 0.4 in 12 frames".
 std::string to_string(const DoubtfulInterval& interval);
 

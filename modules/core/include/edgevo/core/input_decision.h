@@ -10,7 +10,7 @@ namespace edgevo {
 /// One decision about an input, with its reason.
 struct InputDecision {
   /// What was decided, in one or two words, unique in the list: "intensities", "times", "rate",
-  /// "orientation", "camera", "order", "mount".
+  /// "orientation", "camera", "order", "mount", "rectified".
   std::string subject;
   /// The decision, as a phrase: "12 bits in 16-bit files", "in microseconds".
   std::string value;

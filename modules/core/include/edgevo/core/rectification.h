@@ -25,13 +25,14 @@ class Rectification {
  public:
   /// Of no camera: to be assigned to.
   Rectification() = default;
-  /// Keeps focal lengths, principal point and size, and loses what a lens shows beyond them. Where the
-  /// rectified image reaches beyond the raw one, border pixels are repeated and edges found among them: only
-  /// pixels beyond max_angle() count as missing.
+  /// The usual pinhole (target_pinhole.h). That of a lens without or with plumb-bob distortion keeps focal
+  /// lengths, principal point and size, and loses what the lens shows beyond them; where it reaches beyond
+  /// the raw image, border pixels are repeated and edges found among them: only pixels beyond max_angle()
+  /// count as missing.
   Rectification(const Camera& camera);
   /// The same for a camera without distortion.
   Rectification(const Pinhole& pinhole) : Rectification(Camera(pinhole)) {}
-  /// Another pinhole. Pixels that show what is outside the raw image are missing too.
+  /// To a given pinhole. Pixels that show what is outside the raw image are missing too.
   Rectification(const Camera& camera, const Pinhole& target);
 
   /// The camera that takes the images.

@@ -57,7 +57,8 @@ class TimeOrder {
 /// `times` with the time before it, or the first one there is, for each that is missing; for statistics.
 std::vector<Timestamp> fill_missing(std::vector<Timestamp> times);
 
-/// What checking all times of a source finds about its clock; nothing if it was never set back.
-std::optional<InputDecision> clock_decision(const std::vector<Timestamp>& times);
+/// What checking all times of a source finds: a clock that was set back ("clock"), and pauses of a second and
+/// ten median steps at least, in which a camera that moves leaves its map ("pauses").
+std::vector<InputDecision> time_decisions(const std::vector<Timestamp>& times);
 
 }  // namespace edgevo

@@ -39,7 +39,10 @@ struct SourceOptions {
   std::string path;
   /// Calibration file (camera_file.h); empty: the source's own calibration.
   std::string camera_file;
-  /// Label of the camera to use; empty: the only or the default one.
+  /// Size of the images over that which the calibration file is for; 0: from both sizes.
+  double camera_scale = 0;
+  /// Label of the camera to use, of the source or of a calibration file that has several; empty: the only or
+  /// the default one.
   std::string sensor_label;
   /// First frame played; frames first .. last-1 are played (half-open).
   int first = 0;

@@ -18,6 +18,10 @@ struct EdgeParams {
   std::string model;
   /// Path; may be empty.
   std::string folder;
+  /// Path; may be empty.
+  std::string mask;
+  /// Find and mask what is fixed to the camera (src/fixed_parts.h).
+  bool find_own_parts = true;
   /// Levels.
   int levels = 4;
   /// Levels.

@@ -13,6 +13,7 @@
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/nearest_field.h"
 #include "edgevo/edges/plane.h"
+#include "edgevo/edges/view_motion.h"
 
 namespace edgevo {
 
@@ -39,6 +40,15 @@ struct FramePyramid {
   /// Mask of `source`, 255 where no light ever reaches it, so that no edges are extracted; null if there is
   /// no such area, and for the first images.
   std::shared_ptr<const Plane<uint8_t>> border_mask;
+  /// Mask of `source`, 255 on parts that are fixed to the camera, given or found, so that no edges are
+  /// extracted; null if there are none.
+  std::shared_ptr<const Plane<uint8_t>> own_mask;
+  /// The same in the finest level; empty if there are none.
+  Plane<uint8_t> own_area;
+  /// Whether a part of the view may be fixed to the camera, which the next images will show.
+  bool may_show_own_part = false;
+  /// Motion of the view since the last image that showed another view.
+  ViewMotion view_motion;
   /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
   std::shared_ptr<const Plane<uint8_t>> probability;
   /// Correction applied to `levels` in addition to the camera file.
@@ -47,6 +57,12 @@ struct FramePyramid {
   const PyramidLevel& finest() const { return levels.front(); }
   /// Share of the pixels of `source` covered by `border_mask`, 0 to 1.
   double masked_share() const;
+  /// Share of the pixels of `source` covered by `own_mask`, 0 to 1.
+  double own_share() const;
+  /// Whether a pixel of the finest level, inside the image, lies on a part that is fixed to the camera.
+  bool is_own(double x, double y) const {
+    return !own_area.empty() && own_area.at(int(x + 0.5), int(y + 0.5)) != 0;
+  }
 };
 
 /// Builds pyramids from frames. Holds the detector and the undistortion maps; use one object per thread.
@@ -72,7 +88,7 @@ class PyramidBuilder {
   /// Builds the pyramid of a raw image. Throws InputError if it does not have the size of the camera.
   /// `motion` is the image motion at that time, used to rectify a rolling shutter; without it the rows stay
   /// unchanged. Pass the images of one camera in order: areas that no image so far has lit (a letterbox) get
-  /// no edges. Cost: tests/bench/bench_edges.cpp.
+  /// no edges, nor do parts that were found to be fixed to the camera. Cost: tests/bench/bench_edges.cpp.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
   /// Builds the pyramid of a frame, whose name the detector `precomputed` uses to find its files; throws
   /// InputError if there is none.

@@ -27,18 +27,24 @@ class IdepthPrior {
         grid_(pinhole.width, pinhole.height, params.cell_px),
         low_(grid_.size(), kNone),
         high_(grid_.size(), 0),
+        occupied_(grid_.size(), false),
+        least_(kFarLow * median_before),
         median_(median_before) {}
 
-  /// Adds a point of known depth: `px` inside the image, `idepth` > 0 in its camera.
+  /// Adds a point of known depth: `px` inside the image, `idepth` > 0 in its camera. A point beyond the range
+  /// of any search occupies its cell, but says nothing of the depths around it: adjustment drives points to
+  /// infinity where the camera only turns, and a map that takes its unit from those has lost it.
   void add(const Eigen::Vector2d& px, double idepth) {
     const int c = grid_.index(px.x(), px.y());
+    occupied_[c] = true;
+    if (idepth < least_) return;
     low_[c] = std::min(low_[c], idepth);
     high_[c] = std::max(high_[c], idepth);
     all_.push_back(idepth);
   }
 
   /// Whether a known depth lies in the cell.
-  bool occupied(int cell) const { return high_[cell] > 0; }
+  bool occupied(int cell) const { return occupied_[cell]; }
   /// Cells of `cell_px` pixels.
   const CellGrid& grid() const { return grid_; }
 
@@ -72,7 +78,8 @@ class IdepthPrior {
   bool use_neighbours_;
   CellGrid grid_;
   std::vector<double> low_, high_, all_;
-  double median_;
+  std::vector<bool> occupied_;
+  double least_, median_;
 };
 
 }  // namespace edgevo

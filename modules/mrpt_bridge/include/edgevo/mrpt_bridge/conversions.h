@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Lossless conversion between the types of core and those of MRPT.
+// Conversion between the types of core and those of MRPT, lossless but for lenses that MRPT does not know.
 //
 // Poses keep their meaning: SE3 T_a_b and CPose3D both map coordinates from b to a. Times are integers of the
 // same tick (100 ns) and differ only in their epoch, so they pass through unchanged; MRPT's own fromDouble
-// would round to 0.24 us. Pixel convention and plumb-bob coefficients are the same on both sides (OpenCV's).
+// would round to 0.24 us. Pixel convention and coefficients of lenses are the same on both sides (OpenCV's).
 // Cost: only images are copied. Threads: pure functions.
 #include <mrpt/core/Clock.h>
 #include <mrpt/img/CImage.h>
@@ -32,10 +32,21 @@ mrpt::Clock::time_point to_mrpt(Timestamp t);
 /// The same instant, exact for every tick.
 Timestamp from_mrpt(mrpt::Clock::time_point t);
 
-/// The same camera, always with the plumb-bob model, zeros included.
+/// A camera of MRPT that is used for another.
+struct ClosestMrptCamera {
+  /// The camera.
+  mrpt::img::TCamera camera;
+  /// Largest distance between the pixels of both for a ray, over the image; 0: the same camera.
+  double max_error_px = 0;
+};
+
+/// The camera as MRPT can hold it: a lens without or with plumb-bob distortion as plumb_bob, zeros included,
+/// any other as the closest of kannala_brandt.
+ClosestMrptCamera closest_mrpt(const Camera& camera);
+/// The same. Throws InputError for a lens of which that is more than half a pixel off.
 mrpt::img::TCamera to_mrpt(const Camera& camera);
-/// The same camera. Throws InputError, opened by `where` (file and observation), for a lens model other than
-/// none and plumb-bob with k1 k2 p1 p2 k3, and for values that Camera::check rejects.
+/// The same camera; plumb_bob with k4, k5 or k6 is the rational model. Throws InputError, opened by `where`
+/// (file and observation), for values that Camera::check rejects.
 Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where);
 
 /// A deep copy as an 8-bit gray CImage. Throws InputError unless it has width * height pixels.

@@ -5,6 +5,9 @@
 //   CObservationImage      the image, its calibration and the mount of the camera in metres
 //   CObservationRobotPose  label EDGE_VO: pose of the vehicle with its covariance (playback_pose.h)
 //   CObservationOdometry   label EDGE_VO_ODO: the same in the plane, for RawLogViewer's "map from odometry"
+//   CObservationComment    at the time of a pose not to be trusted: "EDGE_VO: ...", p_right, state and
+//                          reason (MRPT 2.5.8 does not store the label of a comment)
+#include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -28,5 +31,7 @@ mrpt::obs::CObservationRobotPose::Ptr make_pose_observation(const Run& run, cons
 /// The vehicle pose projected to the plane.
 mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, const FrameRecord& frame,
                                                                const SE3& T_world_cam);
+/// What speaks against the pose of a doubtful frame (core/doubtful_intervals.h); null if it is not doubtful.
+mrpt::obs::CObservationComment::Ptr make_doubt_observation(const FrameRecord& frame);
 
 }  // namespace edgevo

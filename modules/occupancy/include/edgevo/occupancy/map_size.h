@@ -34,6 +34,11 @@ MapSize estimate_map_size(const Run& run, const OccupancyParams& params);
 void check_map_size(const Run& run, const OccupancyParams& params, double free_bytes,
                     const std::string& where);
 
+/// Where the resolution is "auto" and voxels of that size would not hold the run (reach, memory, grid), sets
+/// a coarser one that does. Returns what was done as a sentence; empty: nothing. A given resolution is left
+/// to check_map_size(). Cost: negligible for a small map, else half a second for each half again as coarse.
+std::string coarsen_to_fit(const Run& run, double free_bytes, OccupancyParams* params);
+
 /// Memory available to programs on this machine, bytes, as reported by the system.
 double free_memory();
 

@@ -2,6 +2,7 @@
 #pragma once
 // Result of the frame that has just been processed, for clients that act on it at once: a servo loop, a
 // window on the screen.
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,9 @@ struct NewestPose {
   TrackingState state = TrackingState::kBootstrapping;
   /// Why the state is not TRACKING; empty if it is.
   std::string note;
+  /// Probability that the motion around the frame is right (odometry/trust.h); below kDoubtfulBelow
+  /// (core/doubtful_intervals.h) the pose is not to be trusted. NaN: unknown.
+  double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Segment of the map; poses of two segments have no reliable common frame. -1: none.
   int segment = -1;
   /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING.

@@ -27,7 +27,7 @@ struct OdometryOptions {
   /// Seed of all random numbers: the same seed gives the same bytes (without `realtime`).
   uint64_t seed = 1;
   /// Pinhole camera to work in, of any size and focal length; Run::pinhole. Raw images are rectified to it,
-  /// and pixels without a source get no edges. Nullopt: that of the camera without its distortion.
+  /// and pixels without a source get no edges. Nullopt: target_pinhole() (core/target_pinhole.h).
   std::optional<Pinhole> working_pinhole;
   /// Run tracking, mapping and self-calibration in threads of their own: faster, but not bit-identical from
   /// run to run.

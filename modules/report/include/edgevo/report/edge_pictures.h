@@ -14,7 +14,7 @@
 
 namespace edgevo {
 
-/// Picture of one keyframe.
+/// Picture of one frame.
 struct EdgePicture {
   /// Index of the frame in the source.
   int frame_index = 0;
@@ -39,5 +39,10 @@ struct EdgePictures {
 /// ms a picture.
 EdgePictures draw_edge_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
                                 const std::function<std::string(int frame_index)>& image_path, int count);
+
+/// The same for the most doubtful frame of each of the `count` longest doubtful intervals; a frame without a
+/// pose is drawn without points.
+EdgePictures draw_doubtful_pictures(const Run& run, const Camera& camera, const PointFilter& filter,
+                                    const std::function<std::string(int frame_index)>& image_path, int count);
 
 }  // namespace edgevo

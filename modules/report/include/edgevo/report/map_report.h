@@ -2,6 +2,7 @@
 #pragma once
 // Statistics of the map files of a run, for report.html, summary.yaml and the closing line of `edgevo map`.
 #include <optional>
+#include <string>
 
 #include "edgevo/occupancy/grid_map.h"
 #include "edgevo/occupancy/octree_map.h"
@@ -14,6 +15,8 @@ struct MapReport {
   OctreeStats octree;
   /// The 2D grid as written; nullopt: none was.
   std::optional<OccupancyGrid> grid;
+  /// Why the voxels are coarser than intended; empty where they are not.
+  std::string note;
 };
 
 }  // namespace edgevo

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/image.h"
 #include "edgevo/core/input_decision.h"
 
 namespace edgevo {
@@ -29,6 +30,9 @@ struct RunInfo {
   bool interrupted = false;
   /// What the source took its input to be.
   std::vector<InputDecision> input;
+  /// What was fixed to the camera at the end of the run: 0 there, 255 elsewhere, size of the raw images;
+  /// empty: nothing.
+  GrayImage own_mask;
   /// Further remarks, as name and text.
   std::vector<std::pair<std::string, std::string>> notes;
 };

@@ -2,10 +2,10 @@
 #pragma once
 // report.html: a run on one page that needs nothing but a browser: no network and no other file.
 //
-// The page shows tracking (states, inlier share, residual), the trajectory (from above and over time, with
-// ground truth if known), edges coloured by inverse depth, CPU time by stage, the map, the unit of length and
-// its uncertainty, the parameters, and hints on what to do next. A pure function of its input: except for the
-// stage times, the same run gives the same bytes.
+// The page shows tracking (states, inlier share, residual), the trust in each frame, the trajectory (from
+// above and over time, with ground truth if known), edges coloured by inverse depth, CPU time by stage, the
+// map, the unit of length and its uncertainty, the parameters, and hints on what to do next. A pure function
+// of its input: except for the stage times, the same run gives the same bytes.
 #include <string>
 #include <vector>
 
@@ -32,6 +32,8 @@ struct ReportInput {
   MapReport map = {};
   /// Vertices of the 3D view, in map frame and unit of the run (map_points(), map_lines()).
   std::vector<MapVertex> map_vertices = {};
+  /// Pictures of doubtful frames (draw_doubtful_pictures()); may be empty.
+  EdgePictures doubtful = {};
 };
 
 /// The page as HTML.

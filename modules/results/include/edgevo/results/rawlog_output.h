@@ -23,6 +23,7 @@ int write_rawlog(ImageSource& source, const std::string& rawlog, const std::stri
                  const std::function<void(int)>& on_frame_done);
 
 /// One line for the user: "out.rawlog: 50 frames, images in out_Images, ground truth next to it".
-std::string describe_rawlog(const std::string& rawlog, int frames, bool has_ground_truth);
+std::string describe_rawlog(const std::string& rawlog, int frames, bool has_ground_truth,
+                            const Camera& camera);
 
 }  // namespace edgevo

@@ -21,6 +21,8 @@ struct RecoveredRun {
   int frames_lost = 0;
   /// Whether the log is damaged, and not merely cut off; it is then kept.
   bool is_damaged = false;
+  /// RunOutputs::map_note().
+  std::string map_note;
 };
 
 /// Writes the files that RunOutputs::finish() would have written into the run's own folder and removes the

@@ -67,6 +67,8 @@ class RunOutputs {
   /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
   /// missing, and the first failure is thrown at the end (InputError).
   void finish(const Run& run, const RunInfo& info) { finish(run, info, false); }
+  /// After finish(): why the voxels of the map are coarser than intended; empty where they are not.
+  const std::string& map_note() const;
 
   /// Folder with the files of an earlier run, which are kept because this run has no pose; empty: none.
   std::string earlier_run() const;

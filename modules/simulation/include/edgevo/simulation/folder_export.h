@@ -4,7 +4,8 @@
 //
 //   images/000000.png ..     8-bit gray, numbered as in the scene
 //   times.txt                seconds, one line an image
-//   camera.txt               fx fy cx cy k1 k2 p1 p2 width height k3
+//   camera.txt               fx fy cx cy k1 k2 p1 p2 width height k3, or the text that is given, which is
+//                            needed for a lens that this line cannot hold
 //   groundtruth_tum.txt      t tx ty tz qx qy qz qw: T_world_cam in metres, the first camera written is the
 //                            identity
 //   depth/000000.pfm ..      on demand: z in metres as 32-bit floats (PFM, rows from the bottom up), 0 for
@@ -28,6 +29,8 @@ struct FolderExport {
   bool edges = false;
   /// Number of threads; does not affect the bytes written.
   int threads = 2;
+  /// Text of camera.txt; empty: one line of numbers.
+  std::string camera_text = {};
 };
 
 /// Removes what an earlier call wrote to the folder, so that it never holds images of two sequences. Folders
@@ -37,18 +40,23 @@ void clear_sequence(const std::string& folder);
 /// Writes any source in the same layout, frame by frame. Depth and poses are not known here; see finish().
 class FolderWriter {
  public:
-  /// Creates the folders. Throws InputError.
-  FolderWriter(std::string folder, const Camera& camera);
+  /// Creates the folders. `camera_text` as in FolderExport. Throws InputError.
+  FolderWriter(std::string folder, const Camera& camera, const std::string& camera_text = {});
   /// Writes the image under its name in the source, or the frame's number if it has none. Throws InputError,
   /// also if the names are not in the order of the frames: the folder would play in a different order.
   void add(const Frame& frame);
+  /// Writes masks/NAME.png: 255 where `frame`, the one added last, shows the scene, 0 where something that
+  /// moves by itself hides it. Throws InputError.
+  void add_mask(const Frame& frame, const GrayImage& mask);
+  /// Writes mask.png: 255 where the scene is seen, 0 on parts that are fixed to the camera. Throws
+  /// InputError.
+  void add_fixed_mask(const GrayImage& mask);
   /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note`
   /// that of SOURCE.md. Throws InputError.
   void finish(const std::string& ground_truth, const std::string& source_note);
 
  private:
-  std::string folder_, times_, last_name_;
-  Camera camera_;
+  std::string folder_, camera_text_, times_, last_name_;
 };
 
 /// Text of groundtruth_tum.txt for the frames begin <= index < end, which must exist.
@@ -58,7 +66,7 @@ std::string ground_truth_tum(const SceneRenderer& renderer, int begin, int end);
 using OnFrameDone = std::function<void(int)>;
 
 /// Writes the frames. Existing files of these names are overwritten. Throws InputError: no frame in the
-/// range, something cannot be written.
+/// range, a lens without a text, something cannot be written.
 void export_folder(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
                    const OnFrameDone& on_frame_done = {});
 

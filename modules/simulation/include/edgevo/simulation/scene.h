@@ -43,6 +43,8 @@ struct Scene {
   uint64_t seed = 0;
   /// Camera with its lens.
   Camera camera;
+  /// Whether `camera` was given instead of that of the scene file.
+  bool has_given_camera = false;
   /// Pose of the camera at each frame; scene axes as in world.h, metres.
   std::vector<SE3> T_scene_cam;
   /// Time of each frame, from 0 s.

@@ -6,12 +6,15 @@
 // share/lab/archive/2026-11-21_own_renderer.md): it filters textures, gives the same bytes on every machine,
 // samples directly through the lens distortion instead of warping an image, and is as fast.
 //
+// A fisheye looks through the faces of a cube, each with rays (x, y, 1) of its own.
+//
 // How: for each surface, 1/z and the texture coordinates over z are linear functions of the viewing ray (x,
 // y, 1). Every pixel is sampled at nine points on a lattice; a depth buffer of one row finds the nearest
 // surface at each; a pixel whose nine points meet one surface is shaded once, others once for each surface.
 // Textures are filtered along the longer axis of the pixel's footprint. A finite exposure is sampled at
 // several instants along the true motion, and a rolling shutter renders each row from its own pose. Pixel
 // (0,0) is the centre of the top-left pixel, as everywhere here.
+#include <memory>
 #include <vector>
 
 #include "edgevo/core/image.h"
@@ -19,6 +22,8 @@
 #include "edgevo/simulation/scene.h"
 
 namespace edgevo {
+
+struct LensRays;
 
 /// A frame with its ground truth.
 struct RenderedFrame {
@@ -28,7 +33,8 @@ struct RenderedFrame {
   Timestamp time;
   /// Image as taken by the camera: with its lens distortion, shutter and noise.
   GrayImage image;
-  /// Depth z in metres at the pixel centres of the UNDISTORTED image, row by row; 0: sky.
+  /// Depth z in metres at the pixel centres of the UNDISTORTED image (SceneRenderer::undistorted()), row by
+  /// row; 0: sky.
   std::vector<float> depth;
   /// Pose; the world has the axes and origin of the scene's first camera. Pose and depth are those at `time`,
   /// the middle of the exposure of the middle of the image.
@@ -43,6 +49,9 @@ class SceneRenderer {
 
   /// Camera of the scene.
   const Camera& camera() const { return scene_.camera; }
+  /// Pinhole of the undistorted images, in which depth and true edges are given: that to which the odometry
+  /// rectifies the images.
+  Pinhole undistorted() const;
   /// Number of frames.
   int size() const { return scene_.size(); }
   /// The scene.
@@ -63,8 +72,8 @@ class SceneRenderer {
 
  private:
   Scene scene_;
-  /// Rays of all sample points through a distorting lens; empty for a pinhole.
-  std::vector<Eigen::Vector2f> rays_;
+  /// Rays of all sample points.
+  std::shared_ptr<const LensRays> rays_;
 };
 
 }  // namespace edgevo

@@ -39,12 +39,11 @@ GrayImage to_gray_image(const vpImage<vpRGBa>& image);
 vpCameraParameters to_visp(const Pinhole& pinhole);
 
 /// ViSP's camera for raw images. Its single radial coefficient kud equals k1; the inverse coefficient kdu is
-/// fitted over the image. Throws InputError if the lens needs more than k1: then give ViSP undistorted images
-/// and to_visp(Pinhole). `where` begins the message.
+/// fitted over the image; a Kannala-Brandt lens stays one. Throws InputError for any other lens: then give
+/// ViSP rectified images and to_visp(Pinhole) of Run::pinhole. `where` begins the message.
 vpCameraParameters to_visp(const Camera& camera, const std::string& where);
 
 /// edgevo's camera from a ViSP camera, including distortion: kud becomes k1; its inverse kdu is not needed.
-/// Throws InputError for Kannala-Brandt's model.
 Camera to_camera(const vpCameraParameters& camera, int width, int height);
 
 /// The pinhole of a ViSP camera for undistorted images of width x height. Throws InputError if the camera has

@@ -22,6 +22,7 @@
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpMatrix.h>
 
+#include <limits>
 #include <mutex>
 #include <string>
 
@@ -37,6 +38,9 @@ struct ServoFeedOptions {
   double max_prediction_s = 0.3;
   /// Largest interval between two frames from which a velocity is computed.
   double max_step_s = 0.5;
+  /// Smallest p_right of a usable pose, 0 to 1; kDoubtfulBelow (core/doubtful_intervals.h) stops the robot on
+  /// every doubt. A pose of unknown p_right is usable.
+  double min_p_right = 0;
 };
 
 /// Scale of the map.
@@ -60,6 +64,8 @@ struct ServoPose {
   std::string reason;
   /// Tracking state of the newest frame.
   TrackingState state = TrackingState::kBootstrapping;
+  /// Probability that the motion around the newest frame is right (NewestPose::p_right); NaN: unknown.
+  double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Index of the newest frame; -1: none.
   int frame_index = -1;
   /// Time of the newest frame.

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Finds what is fixed to the camera: a gripper, a bonnet, a dashboard. Its edges keep their pixel while those
+// of the scene move. Taken for edges of the scene, they contradict every motion of the camera; and because
+// they never leave the view, in time the map would contain more of them than of the scene, and follow them.
+//
+// Each edge pixel is a sequential test of two hypotheses. An edge of a fixed part is found again at its
+// place with a probability of about 0.7 (outlines vanish where the background has their brightness). An edge
+// of the scene is found there, or another one in its place, with the probability with which that happens now
+// to the edges of the cells that move: little after a displacement of a pixel or more, nearly 1 while the
+// camera stands, which is then no evidence for either. Images are compared only once most cells of the view
+// have moved since the one before; a bus before a standing camera moves few.
+#include <memory>
+#include <vector>
+
+#include "edgevo/edges/image_edges.h"
+#include "edgevo/edges/plane.h"
+#include "edgevo/edges/view_motion.h"
+
+namespace edgevo {
+
+/// Fixed parts in the images of one camera, in the coordinates of one level of their pyramids.
+class FixedParts {
+ public:
+  /// Adds the edges of the next image, none of them masked; all images have the same size. Returns true if
+  /// the area has changed. Cost: 0.3 ms for 8000 edge pixels.
+  bool add(const ImageEdges& edges);
+  /// Area of the fixed parts: 255 on them and a few pixels around; null if there is none.
+  std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
+  /// Whether some of the view looks fixed, but not for long enough to know.
+  bool is_undecided() const { return is_undecided_; }
+  /// How much of the view has moved since the last image that was compared. It stands once it has stood for
+  /// some images: where a hand turns back, a view stands still for an instant.
+  ViewMotion motion() const;
+  /// Number of images that were compared.
+  int compared() const { return compared_; }
+
+ private:
+  /// An edge pixel that may be fixed.
+  struct Candidate {
+    float x, y, nx, ny, strength;
+    float score = 0;  // logarithm of the likelihood ratio: fixed over scene
+    bool seen = true;
+    int kind = 0;
+  };
+  void index(const ImageEdges& edges);
+  bool is_seen(const Candidate& c, const ImageEdges& edges) const;
+  void look(const ImageEdges& edges);
+  void compare_cells();
+  int kind(const Candidate& c) const;
+  std::vector<double> scene_shares() const;
+  void weigh(const std::vector<double>& shares);
+  void add_candidates(const ImageEdges& edges);
+  bool update_area(const ImageEdges& edges, bool is_early);
+  Plane<uint8_t> grow(double least_score, const ImageEdges& edges) const;
+  Plane<uint8_t> filled(const Plane<uint8_t>& area, const Plane<uint8_t>& near,
+                        const ImageEdges& edges) const;
+  void add_calm_blocks(Plane<uint8_t>* area) const;
+  int blocks_across() const;
+  int block(int x, int y) const;
+  int cell(float x, float y) const;
+
+  int width_ = 0, height_ = 0, compared_ = 0;
+  std::vector<Candidate> candidates_;
+  Plane<int> edge_at_;                  // index of the present image's edge at a pixel, -1: none
+  Plane<uint8_t> occupied_;             // 1: a candidate is there
+  std::vector<float> left_;             // by block: edges that left their place
+  std::vector<uint8_t> moves_, still_;  // by cell
+  std::shared_ptr<const Plane<uint8_t>> area_;
+  bool is_undecided_ = false;
+  ViewMotion motion_;
+  int images_standing_ = 0;
+};
+
+}  // namespace edgevo

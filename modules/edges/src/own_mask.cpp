@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "own_mask.h"
+
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/radial.h"
+#include "edgevo/edges/opencv_view.h"
+
+namespace edgevo {
+
+Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
+  const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
+  if (image.empty())
+    throw InputError(path, "cannot be read as an image", "give a PNG, black where there are to be no edges");
+  if (image.cols != width || image.rows != height)
+    throw InputError(path,
+                     "is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
+                         " but the images are " + std::to_string(width) + "x" + std::to_string(height),
+                     "give a mask of the size of the images as they were taken");
+  Plane<uint8_t> mask(width, height);
+  cv::Mat(image == 0).copyTo(as_mat(mask));
+  const int black = cv::countNonZero(as_mat(mask));
+  if (black == 0 || black == width * height)
+    throw InputError(path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",
+                     "paint black what is to give no edges, and nothing else");
+  return mask;
+}
+
+Plane<uint8_t> raw_area(const Plane<uint8_t>& area, int level, const Rectification& rectification,
+                        const ImageCorrection& correction) {
+  const Pinhole& pinhole = rectification.target();
+  Plane<uint8_t> raw(rectification.camera().width, rectification.camera().height);
+  as_mat(raw).setTo(0);
+  const bool same = rectification.is_identity() && correction.k1 == 0;
+  for (int y = 0; y < pinhole.height; ++y)
+    for (int x = 0; x < pinhole.width; ++x) {
+      if (!area.at(std::min(x >> level, area.width() - 1), std::min(y >> level, area.height() - 1))) continue;
+      Eigen::Vector2d px(x, y);
+      if (!same) px = rectification.raw_pixel(add_radial(correction.k1, pinhole.ray({px}).head<2>()));
+      const int u = int(std::lround(px.x())), v = int(std::lround(px.y()));
+      if (u >= 0 && v >= 0 && u < raw.width() && v < raw.height()) raw.at(u, v) = 255;
+    }
+  // Where the raw image is the finer one, gaps remain.
+  if (!same)
+    cv::morphologyEx(as_mat(raw), as_mat(raw), cv::MORPH_CLOSE,
+                     cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
+  return raw;
+}
+
+OwnMask::OwnMask(const std::string& path, int width, int height) {
+  if (!path.empty()) given_ = std::make_shared<const Plane<uint8_t>>(read_mask(path, width, height));
+  all_ = given_;
+}
+
+void OwnMask::set_found(Plane<uint8_t> found) {
+  if (given_) cv::bitwise_or(as_mat(*given_), as_mat(found), as_mat(found));
+  all_ = std::make_shared<const Plane<uint8_t>>(std::move(found));
+}
+
+}  // namespace edgevo

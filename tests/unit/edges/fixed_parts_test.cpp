@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mask of what is fixed to the camera.
+#include "fixed_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/random.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/edges/opencv_view.h"
+#include "own_mask.h"
+#include "support/temp_folder.h"
+#include "support/test_images.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kPartWidth = 480, kPartHeight = 320;
+
+// Blocks of random gray, 9 pixels wide.
+double random_blocks(double x, double y, uint64_t seed) {
+  const auto cell = [](double v) { return uint64_t(int64_t(std::floor(v / 9)) + 100000); };
+  return 40 + 170 * Random::derive(seed, cell(x) * 1000003 + cell(y)).uniform();
+}
+
+bool on_part(double x, double y) { return x > 170 && x < 330 && y > 210; }
+
+Camera part_camera() {
+  return Camera(Pinhole{400, 400, kPartWidth / 2.0, kPartHeight / 2.0, kPartWidth, kPartHeight});
+}
+
+// A scene that has moved by (x, y), with noise, behind what `body` paints; nothing: the scene.
+using Body = std::function<std::optional<double>(double x, double y)>;
+GrayImage part_view(double x, double y, const Body& body, uint64_t seed) {
+  GrayImage image = test::make_image(kPartWidth, kPartHeight, [&](double u, double v) {
+    const std::optional<double> gray = body(u, v);
+    return gray ? *gray : random_blocks(u + x, v + y, 1);
+  });
+  Random noise(seed);
+  for (uint8_t& p : image.pixels) p = uint8_t(std::clamp(p + 1.5 * noise.normal(), 0.0, 255.0));
+  return image;
+}
+
+std::optional<double> no_body(double, double) { return std::nullopt; }
+std::optional<double> gripper(double x, double y) {
+  if (!on_part(x, y)) return std::nullopt;
+  return random_blocks(x, y, 2);
+}
+
+// The pyramid of the last of the images.
+std::shared_ptr<const FramePyramid> show(PyramidBuilder* builder, int images, double x_step, double y_step,
+                                         const Body& body, int first = 0) {
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = first; i < first + images; ++i)
+    pyramid = builder->build(part_view(i * x_step, i * y_step, body, uint64_t(i + 1)));
+  return pyramid;
+}
+
+struct Covered {
+  double of_part = 0, of_scene = 0;
+};
+
+// Shares of the edges of an image on the part and of the scene that lie under the mask.
+Covered covered(const GrayImage& image, const FramePyramid& masked) {
+  EdgeParams plain;
+  plain.find_own_parts = false;
+  double part = 0, part_masked = 0, scene = 0, scene_masked = 0;
+  for (const EdgePixel& e : PyramidBuilder(part_camera(), plain).build(image)->finest().edges.pixels) {
+    const bool is_masked = masked.is_own(e.x, e.y);
+    if (on_part(e.x, e.y))
+      ++part, part_masked += is_masked;
+    else if (!on_part(e.x - 5, e.y) && !on_part(e.x + 5, e.y) && !on_part(e.x, e.y + 5))
+      ++scene, scene_masked += is_masked;
+  }
+  return {part_masked / part, scene_masked / scene};
+}
+
+TEST(FixedParts, ThePartIsMaskedAndTheSceneIsNot) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  const auto pyramid = show(&builder, 70, 3, 1.3, gripper);
+  ASSERT_TRUE(pyramid->own_mask);
+  const Covered share = covered(pyramid->source, *pyramid);
+  EXPECT_GT(share.of_part, 0.95);
+  EXPECT_LT(share.of_scene, 0.02);
+  for (const EdgePixel& e : pyramid->finest().edges.pixels) EXPECT_FALSE(pyramid->is_own(e.x, e.y));
+}
+
+TEST(FixedParts, ASceneWithoutAPartHasNoMask) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  EXPECT_FALSE(show(&builder, 60, 2, 0.7, no_body)->own_mask);
+}
+
+TEST(FixedParts, ACameraThatStandsMakesNoMaskWhateverCrosses) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 60; ++i) {
+    const double left = -250 + 12 * i;
+    const auto bus = [&](double x, double y) -> std::optional<double> {
+      if (x < left || x > left + 250 || y < 60 || y > 260) return std::nullopt;
+      return random_blocks(x - left, y, 3);
+    };
+    const auto pyramid = builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
+    ASSERT_FALSE(pyramid->own_mask) << i;
+    if (i > 5) {
+      EXPECT_TRUE(pyramid->view_motion.stands) << i;
+    }
+  }
+  EXPECT_FALSE(show(&builder, 2, 3, 1, no_body, 1)->view_motion.stands) << "it has begun to move";
+}
+
+TEST(FixedParts, EdgesThatSlideAlongThemselvesAreNoPart) {
+  const auto lines = [](double x, double y) -> std::optional<double> {
+    if (!on_part(x, y)) return std::nullopt;
+    return int(std::floor(y / 11)) % 2 == 0 ? 50 : 200;
+  };
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  EXPECT_FALSE(show(&builder, 40, 3, 0, lines)->own_mask);
+}
+
+TEST(FixedParts, AMaskIsTakenBackWhenWhatItCoversMoves) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  ASSERT_TRUE(show(&builder, 30, 3, 1.3, gripper)->own_mask);
+  EXPECT_FALSE(show(&builder, 70, 3, 1.3, no_body, 30)->own_mask);
+}
+
+TEST(FixedParts, AGivenMaskHoldsFromTheFirstImage) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  cv::Mat mask(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255));
+  mask(cv::Rect(170, 210, 161, kPartHeight - 210)) = 0;
+  cv::imwrite(path, mask);
+  EdgeParams params;
+  params.mask = path;
+  const auto pyramid = PyramidBuilder(part_camera(), params).build(part_view(0, 0, gripper, 1));
+  for (const EdgePixel& e : pyramid->finest().edges.pixels) EXPECT_FALSE(on_part(e.x, e.y));
+  EXPECT_NEAR(pyramid->own_share(), 161.0 * (kPartHeight - 210) / (kPartWidth * kPartHeight), 1e-9);
+}
+
+TEST(ReadMask, RefusesAnotherSizeAndMasksOfNothingOrEverything) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  const auto refuses = [&](const cv::Mat& mask) {
+    cv::imwrite(path, mask);
+    EXPECT_THROW(read_mask(path, kPartWidth, kPartHeight), InputError);
+  };
+  cv::Mat other(kPartHeight, kPartWidth + 1, CV_8U, cv::Scalar(255));
+  other.at<uint8_t>(0, 0) = 0;
+  refuses(other);
+  refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255)));
+  refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(0)));
+  EXPECT_THROW(read_mask(folder.path() + "/missing.png", kPartWidth, kPartHeight), InputError);
+}
+
+}  // namespace
+}  // namespace edgevo
