@@ -205,7 +205,8 @@ struct Odometry::Impl {
       const StageTimer timer(Stage::kBootstrap, &record.stage_ms);
       status = bootstrapper.add(now);
       // The views are kept: a map of later ones, if there is no such part, places all frames.
-      if (status.result && own_parts.delays_map(*now.pyramid)) status = {std::nullopt, OwnParts::kDelayReason};
+      if (status.result && own_parts.delays_map(*now.pyramid))
+        status = {std::nullopt, OwnParts::kDelayReason};
       if (status.result) status.reason = make_map(now, *status.result);
     }
     if (record.T_world_cam_live) return;

@@ -25,7 +25,9 @@ const char* to_string(CalibratedLens lens);
 
 /// A lens model that was tried, with the RMS of its residuals, pixels; NaN if it does not fit at all.
 struct TriedLens {
+  /// The lens model.
   CalibratedLens lens = CalibratedLens::kPlumbBob;
+  /// RMS of the residuals, pixels.
   double rms_px = 0;
 };
 
