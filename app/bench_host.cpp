@@ -5,6 +5,7 @@
 
 #include "progress.h"
 #include "signals.h"
+#include "source_options.h"
 #include "version.h"
 
 namespace edgevo::app {
@@ -17,6 +18,7 @@ BenchHost bench_host() {
   host.progress = [](const std::string& what, std::optional<int> total) -> ProgressLine {
     return [line = std::make_shared<Progress>(what, total)](int done) { line->update(done); };
   };
+  host.show_input = print_decisions;
   return host;
 }
 

@@ -9,6 +9,7 @@
 #include "edgevo/calibration/calibrate_camera.h"
 #include "edgevo/calibration/calibration_picture.h"
 #include "edgevo/calibration/camera_difference.h"
+#include "edgevo/calibration/camera_from_motion.h"
 #include "edgevo/calibration/run_calibration.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
@@ -29,7 +30,7 @@ struct CalibrateArguments {
   std::optional<CalibratedLens> lens;
   std::string format = "ros";
   SourceOptions images;
-  bool force = false;
+  bool force = false, from_motion = false;
 };
 
 RunCalibration calibration_from(const CalibrateArguments& args) {
@@ -184,8 +185,35 @@ int calibrate_from_board(const CalibrateArguments& args) {
   return 0;
 }
 
+// "f 532.9 +- 4.1 px, cx 318.2 cy 254.9 +- 2.0 px, k1 -0.012 +- 0.009 (one standard deviation)"
+void print_motion_calibration(const MotionCalibration& c) {
+  const Pinhole p = c.camera.pinhole();
+  std::printf("f %.1f +- %.1f px, cx %.1f cy %.1f +- %.1f px, k1 %.4f +- %.4f (one standard deviation)\n",
+              p.fx, c.sigma_f_px, p.cx, p.cy, c.sigma_c_px, c.camera.distortion().k1, c.sigma_k1);
+}
+
+int calibrate_from_motion(const CalibrateArguments& args) {
+  SourceOptions source = args.images;
+  source.path = args.source;
+  source.any_camera = true;
+  listen_to_signals();
+  MotionCalibrationOptions options;
+  options.stop = interrupted;
+  options.log = [](const std::string& line) { std::printf("%s\n", line.c_str()), std::fflush(stdout); };
+  if (args.images.fov_deg) options.focal_px = open_source(source)->camera().pinhole().fx;
+  const MotionCalibration c = camera_from_motion([&] { return open_source(source); }, args.source, options);
+  write_file(args.out,
+             camera_file_text(c.camera, args.format,
+                              "Found by edgevo from the motion over " + std::to_string(c.keyframes) +
+                                  " keyframes, f to " + fixed(c.sigma_f_px, 1) + " px"));
+  print_motion_calibration(c);
+  print_use(args, c.camera);
+  return 0;
+}
+
 int calibrate(const CalibrateArguments& args) {
   check_not_there(args.out, args.force);
+  if (args.from_motion) return calibrate_from_motion(args);
   return args.chessboard.empty() && args.charuco.empty() ? calibrate_from_run(args)
                                                          : calibrate_from_board(args);
 }
@@ -216,20 +244,35 @@ void add_board_options(CLI::App& command, CalibrateArguments* args) {
           "has "
           "clearly smaller residuals)")
       ->check(CLI::IsMember({"auto", "plumb_bob", "fisheye", "rational"}));
+  CLI::Option* motion =
+      command
+          .add_flag("--from-motion", args->from_motion,
+                    "no board: SOURCE is a recording of any scene by a camera that turns about all its axes")
+          ->excludes(chessboard)
+          ->excludes(charuco);
+  command
+      .add_option("--fov", args->images.fov_deg,
+                  "view over the longer side, degrees, to start --from-motion at (default: 53)")
+      ->check(number_between(1, 179))
+      ->needs(motion);
   command.add_option("--every", args->images.every, "use only every N-th image of a video")
       ->check(whole_number(1));
+  command.add_option_function<std::string>(
+      "--frames", [args](const std::string& text) { set_frame_range(text, &args->images); },
+      "use only frames A to B-1 of it, as A:B");
 }
 
 }  // namespace
 
 void add_calibrate_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand(
-      "calibrate", "write a camera file: from images of a board, or with the lens distortion found by a run");
+  CLI::App* command = app.add_subcommand("calibrate",
+                                         "write a camera file: from images of a board or of any scene, or "
+                                         "with the lens distortion found by a run");
   auto args = std::make_shared<CalibrateArguments>();
   command
       ->add_option("SOURCE", args->source,
                    "results folder of a finished `edgevo run`; with --chessboard or --charuco, a folder of "
-                   "images or a video of the board")
+                   "images or a video of the board; with --from-motion, any source")
       ->required();
   command
       ->add_option("-o,--out", args->out,

@@ -12,11 +12,11 @@
 namespace edgevo::app {
 namespace {
 
-int finish(const std::string& out) {
-  const RecoveredRun recovered = recover_run(out);
+int finish(const std::string& out, bool include_doubtful) {
+  const RecoveredRun recovered = recover_run(out, include_doubtful);
   const Run& run = recovered.run;
   if (!recovered.map_note.empty()) std::fprintf(stderr, "%s\n", recovered.map_note.c_str());
-  print_run(run, out);
+  print_run(run, out, include_doubtful);
   if (recovered.is_damaged)
     throw InputError(
         out,
@@ -36,7 +36,9 @@ void add_finish_command(CLI::App& app, Action* action) {
       "finish", "write the results of an interrupted run (killed, power loss), as far as it got");
   auto out = std::make_shared<std::string>();
   command->add_option("OUT", *out, "output folder of the interrupted run")->required()->check(path_given());
-  command->callback([=] { *action = [=] { return finish(*out); }; });
+  auto include_doubtful = std::make_shared<bool>(false);
+  add_include_doubtful(*command, include_doubtful.get());
+  command->callback([=] { *action = [=] { return finish(*out, *include_doubtful); }; });
 }
 
 }  // namespace edgevo::app

@@ -25,7 +25,7 @@ struct MapArguments {
   std::vector<std::string> settings;
   std::optional<double> resolution, max_range;
   std::optional<CameraMount> mount;
-  bool force = false;
+  bool include_doubtful = false, force = false;
 };
 
 // A parameter of the odometry would be accepted without any effect.
@@ -83,10 +83,25 @@ MapReport write_maps(const Run& run, const MapParams& params, const std::string&
   return write_map_files(run, params, out, [&](int done) { progress.update(done); });
 }
 
+// The points of a run; on request those of its doubtful keyframes, too, which lie in a file of their own.
+Run read_map(const MapArguments& args) {
+  Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
+  const std::string doubtful = (fs::path(args.run) / "edges_doubtful.ply").string();
+  std::error_code ignored;
+  if (!args.include_doubtful || !fs::exists(doubtful, ignored)) return run;
+  const Run rest = read_edge_ply(doubtful);
+  if (rest.keyframes.size() != run.keyframes.size())
+    throw InputError(doubtful, "is not of the run of edges.ply", "run the sequence again");
+  for (size_t k = 0; k < rest.keyframes.size(); ++k)
+    run.keyframes[k].points.insert(run.keyframes[k].points.end(), rest.keyframes[k].points.begin(),
+                                   rest.keyframes[k].points.end());
+  return run;
+}
+
 int map(const MapArguments& args) {
   MapParams params = params_from(args);
   check_output(args);
-  Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
+  Run run = read_map(args);
   if (args.mount) run.T_vehicle_cam = T_vehicle_cam(*args.mount);
   if (const std::string note = coarsen_to_fit(run, free_memory(), &params.occupancy); !note.empty())
     std::fprintf(stderr, "%s\n", note.c_str());
@@ -129,6 +144,7 @@ void add_map_command(CLI::App& app, Action* action) {
                    "set a parameter of occupancy or grid, GROUP.KEY=VALUE; repeatable")
       ->take_all()
       ->allow_extra_args(false);
+  add_include_doubtful(*command, &args->include_doubtful);
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return map(*args); }; });
 }

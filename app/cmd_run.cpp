@@ -8,6 +8,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/run_statistics.h"
+#include "edgevo/core/thread_priority.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/results/run_outputs.h"
@@ -21,6 +22,7 @@
 #include "progress.h"
 #include "signals.h"
 #include "source_options.h"
+#include "trace_file.h"
 
 namespace edgevo::app {
 namespace {
@@ -30,10 +32,10 @@ constexpr int kDone = 0, kMostlyFailed = 3;
 struct RunArguments {
   SourceOptions source;
   TargetRequest target;
-  std::string out, params_file, detector, edge_model, edge_folder, edge_map, mask, scale = "none";
+  std::string out, params_file, detector, edge_model, edge_folder, edge_map, mask, scale = "none", trace;
   std::vector<std::string> settings;
   uint64_t seed = 1;
-  bool realtime = false, quiet = false, view = false;
+  bool realtime = false, quiet = false, view = false, prioritise = false;
   OnBadFrame on_bad_frame = OnBadFrame::kSkip;
   OutputOptions outputs;
   Pace pace;
@@ -75,6 +77,7 @@ OdometryOptions odometry_options(const RunArguments& args) {
   options.seed = args.seed;
   options.detectors = all_edge_detectors();
   options.realtime = args.realtime;
+  options.forget = args.outputs.forget;
   return options;
 }
 
@@ -91,6 +94,8 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   info.params_yaml = write_params([&](ParamVisitor& v) { params.visit(v); });
   info.notes = {{"seed", std::to_string(args.seed)},
                 {"mode", args.realtime ? "realtime, two threads" : "synchronous"}};
+  if (args.outputs.forget)
+    info.notes.emplace_back(kForgottenNote, "written by `edgevo finish` from what --forget has left on disk");
   for (const auto& notice : source_notices(source)) info.notes.push_back(notice);
   if (!info.camera.plumb_bob())
     info.notes.emplace_back("playback_camera",
@@ -100,6 +105,11 @@ RunInfo describe(const RunArguments& args, const ImageSource& source, RunParams 
   return info;
 }
 
+// What a run that forgets its frames remembers of them.
+struct FramesDone {
+  int frames = 0, with_pose = 0;
+};
+
 // The newest mask of what is fixed to the camera.
 using OwnPartMask = std::shared_ptr<const Plane<uint8_t>>;
 
@@ -108,8 +118,8 @@ using OwnPartMask = std::shared_ptr<const Plane<uint8_t>>;
 std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
                                                             MapCursor& scale_events, RunView* view,
                                                             std::optional<Progress>& progress,
-                                                            OwnPartMask& own) {
-  return [&, view, done = 0](const ProcessedFrame& frame) mutable {
+                                                            OwnPartMask& own, FramesDone& done) {
+  return [&, view](const ProcessedFrame& frame) {
     // A view is a projection of all points, and the mask hardly ever changes.
     constexpr int kFramesBetween = 10;
     if (frame.record.index % kFramesBetween == 0)
@@ -117,7 +127,9 @@ std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs,
     if (!outputs.add_frame(frame.frame, frame.frame.image_path)) return false;
     outputs.add_record(frame.record);
     for (const auto& event : scale_events.read()) scaling.apply(*event);
-    if (progress) progress->update(++done);
+    ++done.frames;
+    done.with_pose += frame.record.T_world_cam_live.has_value();
+    if (progress) progress->update(done.frames);
     return !view || view->show(frame, interrupted);
   };
 }
@@ -131,21 +143,30 @@ std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& 
   return view;
 }
 
+// Above all ordinary threads of the machine; the other threads of the run keep their priorities.
+void prioritise_tracking() {
+  constexpr int kPriority = 10;
+  const std::string why = raise_thread_priority(kPriority);
+  if (why.empty()) return;
+  std::fprintf(stderr, "edgevo: --priority: %s; tracking runs at the usual priority\n", why.c_str());
+}
+
 RunResult run_over(const RunArguments& args, ImageSource& source, const OdometryParams& params,
                    const OdometryOptions& odometry, RunScaling& scaling, RunOutputs& outputs,
-                   OwnPartMask* own) {
+                   OwnPartMask* own, FramesDone* done) {
   RunLoopOptions options;
   options.odometry = odometry;
   options.pace = args.pace;
   options.on_bad_frame = args.on_bad_frame;
   options.stop = interrupted;
+  if (args.prioritise) prioritise_tracking();
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
   const auto view = view_from(args, source, odometry.map_log);
   MapCursor scale_events(odometry.map_log);
   return run_odometry(source, params, options,
-                      after_each_frame(outputs, scaling, scale_events, view.get(), progress, *own));
+                      after_each_frame(outputs, scaling, scale_events, view.get(), progress, *own, *done));
 }
 
 // A run without a frame writes nothing and leaves the folder as it was.
@@ -205,8 +226,27 @@ void print_failure(const RunArguments& args, const Run& run, const RunOutputs& o
                earlier.empty() ? "" : ("; the earlier run is kept in " + earlier).c_str());
 }
 
+// A run whose results are on disk, in the recovery log.
+int end_forgotten(const RunArguments& args, const RunResult& result, const FramesDone& done,
+                  RunOutputs* outputs, TraceFile* trace) {
+  if (done.frames == 0) throw_without_frames(args, result);
+  outputs->end_unfinished();
+  trace->close();
+  if (!args.quiet) {
+    std::printf("%d frames, %d with a pose when they were processed\n", done.frames, done.with_pose);
+    if (result.run.realtime) std::printf("the newest: %s\n", latency_statement(result.run).c_str());
+    std::printf("final poses and maps are not computed yet: `edgevo finish %s` writes them\n",
+                args.out.c_str());
+  }
+  if (result.broken) std::rethrow_exception(result.broken);
+  if (2 * done.with_pose >= done.frames) return kDone;
+  std::fprintf(stderr, "edgevo: tracking failed for most of %s\n", args.source.path.c_str());
+  return kMostlyFailed;
+}
+
 int run(const RunArguments& args) {
   const RunParams params = effective_params(args);
+  TraceFile trace(args.trace);
   const ScaleSource scale = parse_scale_source(args.scale);
   check_apart(args.source.path, args.out);
   const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source, args.quiet);
@@ -220,7 +260,9 @@ int run(const RunArguments& args) {
   outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()}, odometry.map_log);
   listen_to_signals();
   OwnPartMask own;
-  RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs, &own);
+  FramesDone done;
+  RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs, &own, &done);
+  if (args.outputs.forget) return end_forgotten(args, result, done, &outputs, &trace);
   Run& tracked = result.run;
   if (tracked.frames.empty()) throw_without_frames(args, result);
   look_for_up(args, &tracked, &info);
@@ -228,9 +270,10 @@ int run(const RunArguments& args) {
   note_end(result, &info);
   note_mask(own, &info);
   outputs.finish(tracked, info);
+  trace.close();
   if (!args.quiet) print_end(result);
   if (!args.quiet && !outputs.map_note().empty()) std::fprintf(stderr, "%s\n", outputs.map_note().c_str());
-  if (!args.quiet) print_run(tracked, args.out);
+  if (!args.quiet) print_run(tracked, args.out, args.outputs.include_doubtful);
   if (result.broken) std::rethrow_exception(result.broken);
   if (!tracked.scale.problem.empty())
     throw InputError(args.out, "the results are in an arbitrary unit", tracked.scale.problem);
@@ -299,6 +342,10 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
           "with --realtime, playback rate of a recording: 30 (frames per second), 1x (by its timestamps), "
           "0.5x (half speed); default: each frame as soon as the previous one is done")
       ->needs(realtime);
+  command
+      ->add_option("--trace", args->trace,
+                   "file for a trace of the run: what each thread did, and when (Chrome's trace format)")
+      ->check(path_given());
   command->add_flag("--view", args->view,
                     "show edges and map in a window; space pauses, s steps, c changes colours, f follows the "
                     "camera, q ends "
@@ -308,8 +355,14 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
       "unusable image or time: skip (default) continues as if the camera had dropped the frame and notes it "
       "in frames.csv and summary.yaml; stop ends the run there with all results so far. The first image must "
       "be usable either way");
+  command->add_flag("--forget", args->outputs.forget,
+                    "for runs of any length: what is on disk leaves the memory; `edgevo finish OUT` writes "
+                    "final poses and maps");
+  command->add_flag("--priority", args->prioritise,
+                    "give tracking the real-time priority of the system (SCHED_FIFO), where that is allowed");
   command->add_flag("--copy-images", args->outputs.copy_images,
                     "copy the images of the playback instead of linking them, so that OUT is self-contained");
+  add_include_doubtful(*command, &args->outputs.include_doubtful);
   command->add_flag("--force", args->outputs.force,
                     "write into a folder that holds other files or an interrupted run");
   command->add_flag("--quiet", args->quiet, "print nothing but errors");

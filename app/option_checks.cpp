@@ -119,6 +119,10 @@ void add_force(CLI::App& command, bool* force) {
   command.add_flag("--force", *force, "overwrite existing files, whatever they are");
 }
 
+void add_include_doubtful(CLI::App& command, bool* include) {
+  command.add_flag("--include-doubtful", *include, "map the points of keyframes made in doubt, too");
+}
+
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const bool is_extra = error.get_exit_code() == int(CLI::ExitCodes::ExtrasError);
   const bool is_alone = app.get_subcommands().empty();

@@ -26,6 +26,8 @@ void read_params_given(const std::string& path, const VisitParams& visit, bool q
 
 /// Adds --force, which allows overwriting existing files.
 void add_force(CLI::App& command, bool* force);
+/// Adds --include-doubtful.
+void add_include_doubtful(CLI::App& command, bool* include);
 
 /// One-line message for a parse error, with the nearest name for a misspelt command or option.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv);

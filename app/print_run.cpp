@@ -24,7 +24,7 @@ void print_doubtful(const Run& run) {
 
 }  // namespace
 
-void print_run(const Run& run, const std::string& out) {
+void print_run(const Run& run, const std::string& out, bool include_doubtful) {
   const RunCounts n = count(run);
   std::printf(
       "%d frames, %d with a pose, %d doubtful, %d segment(s), %d keyframes, %zu edge points, %zu lines; "
@@ -33,6 +33,9 @@ void print_run(const Run& run, const std::string& out) {
       n.frames, n.with_pose, n.doubtful, n.segments, n.keyframes, n.points, n.lines,
       run.scale_source.c_str());
   print_doubtful(run);
+  if (n.doubtful_keyframes > 0 && !include_doubtful)
+    std::printf("%d keyframes were made in doubt: the maps are without their points (--include-doubtful)\n",
+                n.doubtful_keyframes);
   if (run.realtime) std::printf("%s\n", latency_statement(run).c_str());
   for (const std::string& warning : run_warnings(run)) std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
   std::printf("results in %s (listed in summary.yaml)\n", out.c_str());

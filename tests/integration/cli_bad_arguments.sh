@@ -70,7 +70,7 @@ complains "empty: the folder holds no images" run empty -o out
 complains "times.txt: is missing" run only_images -o out
 complains "no calibration.*--camera" run "$desk/images" -o out
 complains "letter.txt.*neither a rawlog nor a video" run letter.txt -o out
-complains "nothing.rawlog.*no image" run nothing.rawlog -o out
+complains "nothing.rawlog: the file is empty" run nothing.rawlog -o out
 complains "no sensor 'CAM7'" run "$desk" -o out --sensor CAM7
 complains "none.txt" run "$desk" -o out --camera none.txt
 echo "500 500 320 240 0 0" >short_camera.txt

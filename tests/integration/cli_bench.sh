@@ -29,6 +29,15 @@ check "every second frame" "$(rows out/desk/every2+glare/seed7)" -eq 15
 check "completion" "$(column recorded,normal completion_percent_median | cut -d. -f1)" -ge 80
 below "the maximum over the seeds is not less than the median" "$(column desk,normal ate_m_median)" "$(column desk,normal ate_m_worst)1"
 
+# What an input was taken for, as run says it.
+mkdir ms
+ln -s "$scenes/desk/images" ms/images
+cp "$scenes/desk/camera.txt" ms/camera.txt
+awk '{ printf "%d\n", 1000 * $1 }' "$scenes/desk/times.txt" >ms/times.txt
+printf 'seeds: 7\nsequences:\n  slow:\n    source: ms\n    frames: 0:8\n' >ms.yaml
+run_code 0 "$edgevo" bench ms.yaml -o ms_out --data .
+check "the unit of the times is said" "$(grep -c '^edgevo: slow: times: in milliseconds' stderr)" -eq 1
+
 # The same figures as run and eval give.
 run_code 0 "$edgevo" run "$scenes/desk" --frames 0:25 --seed 7 -o single --quiet
 same "trajectory of run and of bench" single/trajectory_tum.txt out/recorded/normal/seed7/trajectory_tum.txt

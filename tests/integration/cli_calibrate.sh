@@ -46,6 +46,18 @@ complains "state of self_calibration" "$edgevo" calibrate off -o none.yaml
 complains "image size is not that of the run" "$edgevo" calibrate run --camera "$scenes/desk/camera.txt" -o none.yaml
 complains "no/such/camera.yaml" "$edgevo" calibrate run -o no/such/camera.yaml
 
+# From the motion of a hand-held camera, without a board: from a quarter too large a focal length to nearly the right one; a short
+# recording and a straight drive are refused.
+run_code 0 "$edgevo" simulate desk --frames 0:160 -o hand
+run_code 0 "$edgevo" calibrate hand --from-motion --fov 52 -o found.yaml
+check "a line a round" "$(grep -c '^round [0-9]*: focal length .* px +- .* keyframes' stdout)" -ge 2
+check "standard deviations" "$(grep -c '^f .* +- .* px, cx .* k1 .* (one standard deviation)' stdout)" -eq 1
+below "error of the focal length in per cent" "$(sed -n 's/^f \([0-9.]*\) .*/\1/p' stdout | awk '{ d = 100 * ($1 / 517.3 - 1); print d < 0 ? -d : d }')" 3
+run_code 0 "$edgevo" run hand --camera found.yaml -o by_found --quiet
+complains "hand: makes no map of 20 keyframes" "$edgevo" calibrate hand --from-motion --frames 0:20 -o none.yaml
+complains "clip: the motion does not determine the focal length" "$edgevo" calibrate clip --from-motion -o none.yaml
+check "no camera file from these" "$(ls none.yaml 2>/dev/null | wc -l)" -eq 0
+
 # From images of a board, seen by a camera of 400 px without a lens from twelve sides (more: tests/unit/calibration).
 awk 'BEGIN { print "P2 288 216 255"
   for (y = 0; y < 216; ++y) for (x = 0; x < 288; ++x) { i = int(x / 24); j = int(y / 24)

@@ -21,6 +21,18 @@ GrayImage make_image(int width, int height, const F& f) {
   return image;
 }
 
+/// An image of a camera of `per_level` values per gray level that sees gray levels f(x, y).
+template <class F>
+GrayImage make_deep_image(int width, int height, const IntensityScale& scale, const F& f) {
+  GrayImage image = make_image(width, height, f);
+  image.scale = scale;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      image.values.push_back(uint16_t(
+          std::clamp(std::lround(scale.black + scale.per_level * f(double(x), double(y))), 0l, 65535l)));
+  return image;
+}
+
 /// A soft step (width about 2 px) through `on`, bright on the side of `normal`.
 inline GrayImage slanted_step(int width, int height, const Eigen::Vector2d& on, const Eigen::Vector2d& normal,
                               double dark, double bright) {

@@ -196,9 +196,7 @@ class PatchCost {
       if (!patches_[i].usable) continue;
       ++usable;
       const Projection p = project(level_.pinhole, R, t, cloud_.points[i].ray, cloud_.points[i].idepth);
-      const PatchDifference d =
-          p.valid ? compare_patch(level_.gray.view(), patches_[i], float(p.px.x()), float(p.px.y()))
-                  : PatchDifference();
+      const PatchDifference d = p.valid ? compare_gray(level_, patches_[i], p.px) : PatchDifference();
       if (!d.usable) {
         cost += miss;
         continue;

@@ -14,16 +14,24 @@ constexpr int kWideSide = kPatchSide + 2;  // pixels: one more on each side for 
 using Patch = std::array<float, kPatchPixels>;
 constexpr float kMinDeviation = 1.0f;  // gray levels or gradient units: flatter patches are uninformative
 
+// Values of a square, with what wide sampling writes beyond.
+template <int kSide>
+using Square = std::array<float, wide_square_floats(kSide)>;
+
 // Samples a square of kSide pixels around (x, y); false if it does not lie in the image.
 template <int kSide, class T>
-bool sample(const ImageView<T>& image, float x, float y, std::array<float, kSide * kSide>* out) {
+bool sample(const ImageView<T>& image, float x, float y, Square<kSide>* out) {
   constexpr int kRadius = kSide / 2;  // pixels
   const float xf = std::floor(x), yf = std::floor(y);
   if (!(xf >= kRadius && yf >= kRadius && xf < float(image.width - kRadius - 1) &&
         yf < float(image.height - kRadius - 1)))
     return false;
-  const T* corner = image.data + (int(yf) - kRadius) * image.stride + int(xf) - kRadius;
-  sample_square<kSide>(corner, image.stride, x - xf, y - yf, out->data());
+  const int left = int(xf) - kRadius;
+  const T* corner = image.data + (int(yf) - kRadius) * image.stride + left;
+  if (image.width - left >= wide_square_columns(kSide))
+    sample_square_wide<kSide>(corner, image.stride, x - xf, y - yf, out->data());
+  else
+    sample_square<kSide>(corner, image.stride, x - xf, y - yf, out->data());
   return true;
 }
 
@@ -44,7 +52,7 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
   for (size_t k = 0; k < positions.size(); ++k) {
     PatchTemplate& p = patches[k];
     const float x = positions[k].x(), y = positions[k].y();
-    std::array<float, kWideSide * kWideSide> wide;
+    Square<kWideSide> wide;
     if (!sample<kWideSide>(image, x, y, &wide)) continue;
     const auto centre = [&wide](int i) {
       return &wide[(i / kPatchSide + 1) * kWideSide + i % kPatchSide + 1];
@@ -76,7 +84,7 @@ PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::V
 template <class T>
 PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& patch, float x, float y) {
   PatchDifference d;
-  Patch current;
+  Square<kPatchSide> current;
   if (!patch.usable || !sample<kPatchSide>(image, x, y, &current)) return d;
   float sum = 0, square = 0, product = 0, bx = 0, by = 0;
 #pragma omp simd reduction(+ : sum, square, product, bx, by)
@@ -99,8 +107,10 @@ PatchDifference compare_patch(const ImageView<T>& image, const PatchTemplate& pa
 }
 
 template PatchTemplates cut_patches(const ImageView<uint8_t>&, const std::vector<Eigen::Vector2f>&);
+template PatchTemplates cut_patches(const ImageView<uint16_t>&, const std::vector<Eigen::Vector2f>&);
 template PatchTemplates cut_patches(const ImageView<float>&, const std::vector<Eigen::Vector2f>&);
 template PatchDifference compare_patch(const ImageView<uint8_t>&, const PatchTemplate&, float, float);
+template PatchDifference compare_patch(const ImageView<uint16_t>&, const PatchTemplate&, float, float);
 template PatchDifference compare_patch(const ImageView<float>&, const PatchTemplate&, float, float);
 
 }  // namespace edgevo

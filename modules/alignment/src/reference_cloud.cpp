@@ -15,7 +15,9 @@ ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid,
     const float s = std::ldexp(1.0f, -int(l));
     for (size_t i = 0; i < positions.size(); ++i) positions[i] = s * cloud.points[i].px;
     const PyramidLevel& level = cloud.pyramid->levels[l];
-    cloud.patches.push_back(l == 0 ? PatchTemplates() : cut_patches(level.gray.view(), positions));
+    cloud.patches.push_back(l == 0 ? PatchTemplates() : level.with_gray([&](const auto& gray) {
+      return cut_patches(gray, positions);
+    }));
     if (l == 0 && with_gradient_patches)
       cloud.gradient_patches = cut_patches(level.gradient_magnitude.view(), positions);
   }

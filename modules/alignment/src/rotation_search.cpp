@@ -35,9 +35,7 @@ double mean_difference(const PyramidLevel& level, const ReferenceCloud& cloud, c
     if (!patches[i].usable) continue;
     ++count;
     const Projection p = project(level.pinhole, R, t, cloud.points[i].ray, cloud.points[i].idepth);
-    const PatchDifference d =
-        p.valid ? compare_patch(level.gray.view(), patches[i], float(p.px.x()), float(p.px.y()))
-                : PatchDifference();
+    const PatchDifference d = p.valid ? compare_gray(level, patches[i], p.px) : PatchDifference();
     sum +=
         d.usable ? std::min(unrelated, huber_cost(std::sqrt(double(d.mean_square)), kPatchHuber)) : unrelated;
   }

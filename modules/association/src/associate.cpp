@@ -135,13 +135,15 @@ bool search_photometric(const AssociationQuery& q, const Eigen::Matrix2d& A, int
 void refine(const AssociationQuery& q, const Eigen::Matrix2d& A, Match* match) {
   const PatchSource host = patch_source(*q.host, q.px_host, A);
   NormalTemplate patch;
-  if (!make_normal_template(host.level->gray.view(), host.px, host.A_target_host, match->normal,
-                            kRefinementRadius, &patch)) {
+  const bool is_made = host.level->with_gray([&](const auto& gray) {
+    return make_normal_template(gray, host.px, host.A_target_host, match->normal, kRefinementRadius, &patch);
+  });
+  if (!is_made) {
     match->kind = MatchKind::kNone;
     return;
   }
-  const NormalRefinement r =
-      refine_along_normal(patch, q.target->finest().gray.view(), match->px, match->normal);
+  const NormalRefinement r = q.target->finest().with_gray(
+      [&](const auto& gray) { return refine_along_normal(patch, gray, match->px, match->normal); });
   if (!r.accepted) {
     match->kind = MatchKind::kNone;
     return;

@@ -48,7 +48,8 @@ bool compare(const NormalTemplate& patch, const Patch& image, Comparison* out) {
 
 }  // namespace
 
-bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host,
+template <class T>
+bool make_normal_template(const ImageView<T>& host, const Eigen::Vector2d& px_host,
                           const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_target,
                           int radius, NormalTemplate* out) {
   // One pixel more on each side for central differences.
@@ -56,13 +57,17 @@ bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d&
   if (!sample_warped(host, px_host, A_target_host, radius + 1, &wide)) return false;
   const int side = 2 * radius + 1, wide_side = wide.side();
   out->value.radius = out->slope.radius = radius;
-  for (int v = 0; v < side; ++v)
+  const float nx = float(normal_target.x()), ny = float(normal_target.y());
+  for (int v = 0; v < side; ++v) {
+    const float* c = &wide.value[size_t((v + 1) * wide_side + 1)];
+    float* __restrict value = &out->value.value[size_t(v * side)];
+    float* __restrict slope = &out->slope.value[size_t(v * side)];
+#pragma omp simd
     for (int u = 0; u < side; ++u) {
-      const float* c = &wide.value[(v + 1) * wide_side + u + 1];
-      out->value.value[v * side + u] = *c;
-      out->slope.value[v * side + u] = 0.5f * (float(normal_target.x()) * (c[1] - c[-1]) +
-                                               float(normal_target.y()) * (c[wide_side] - c[-wide_side]));
+      value[u] = c[u];
+      slope[u] = 0.5f * (nx * (c[u + 1] - c[u - 1]) + ny * (c[u + wide_side] - c[u - wide_side]));
     }
+  }
   const float deviation = normalise(&out->value, kMinGrayDeviation);
   if (deviation == 0) return false;
   const int n = side * side;
@@ -74,7 +79,8 @@ bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d&
   return square > kLeastSlope * n;
 }
 
-NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
+template <class T>
+NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<T>& target,
                                      const Eigen::Vector2d& start, const Eigen::Vector2d& normal) {
   NormalRefinement result;
   const int n = patch.value.size();
@@ -97,5 +103,14 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
   result.accepted = result.zncc_loss < kMaxZnccLoss;
   return result;
 }
+
+template bool make_normal_template(const ImageView<uint8_t>&, const Eigen::Vector2d&, const Eigen::Matrix2d&,
+                                   const Eigen::Vector2d&, int, NormalTemplate*);
+template bool make_normal_template(const ImageView<uint16_t>&, const Eigen::Vector2d&, const Eigen::Matrix2d&,
+                                   const Eigen::Vector2d&, int, NormalTemplate*);
+template NormalRefinement refine_along_normal(const NormalTemplate&, const ImageView<uint8_t>&,
+                                              const Eigen::Vector2d&, const Eigen::Vector2d&);
+template NormalRefinement refine_along_normal(const NormalTemplate&, const ImageView<uint16_t>&,
+                                              const Eigen::Vector2d&, const Eigen::Vector2d&);
 
 }  // namespace edgevo

@@ -28,15 +28,24 @@ class GradientComparison final : public PatchComparison {
   }
 };
 
+bool cut_gray(const PyramidLevel& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A, int radius,
+              Patch* patch) {
+  return host.with_gray([&](const auto& gray) { return sample_warped(gray, px_host, A, radius, patch); });
+}
+
+bool see_gray(const PyramidLevel& target, double x, double y, int radius, Patch* patch) {
+  return target.with_gray([&](const auto& gray) { return sample_patch(gray, x, y, radius, patch); });
+}
+
 class IntensityComparison final : public PatchComparison {
  public:
   bool cut(const PyramidLevel& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A, int radius,
            Patch* patch) const override {
-    return sample_warped(host.gray.view(), px_host, A, radius, patch);
+    return cut_gray(host, px_host, A, radius, patch);
   }
   double cost(const Patch& patch, const PyramidLevel& target, double x, double y) const override {
     Patch seen;
-    if (!sample_patch(target.gray.view(), x, y, patch.radius, &seen)) return kWorstPatchCost;
+    if (!see_gray(target, x, y, patch.radius, &seen)) return kWorstPatchCost;
     return std::min(double(mean_difference(patch, seen) / kGrayLevelsOfOne), kWorstPatchCost);
   }
 };
@@ -53,13 +62,13 @@ class CensusComparison final : public PatchComparison {
  public:
   bool cut(const PyramidLevel& host, const Eigen::Vector2d& px_host, const Eigen::Matrix2d& A, int radius,
            Patch* patch) const override {
-    if (!sample_warped(host.gray.view(), px_host, A, radius, patch)) return false;
+    if (!cut_gray(host, px_host, A, radius, patch)) return false;
     turn_into_census(patch);
     return true;
   }
   double cost(const Patch& patch, const PyramidLevel& target, double x, double y) const override {
     Patch seen;
-    if (!sample_patch(target.gray.view(), x, y, patch.radius, &seen)) return kWorstPatchCost;
+    if (!see_gray(target, x, y, patch.radius, &seen)) return kWorstPatchCost;
     turn_into_census(&seen);
     const int n = patch.size();
     return double(mean_difference(patch, seen)) * n / (n - 1);  // disagreeing signs differ by two

@@ -11,8 +11,8 @@ namespace {
 
 // Prefetches the rows within `radius` pixels around (x, y), and the row below that interpolation needs.
 template <class T>
-void prefetch_square(const Plane<T>& image, int x, int y, int radius) {
-  const int left = std::max(0, x - radius), last = std::min(image.height() - 1, y + radius + 1);
+void prefetch_square(const ImageView<T>& image, int x, int y, int radius) {
+  const int left = std::max(0, x - radius), last = std::min(image.height - 1, y + radius + 1);
   for (int row = std::max(0, y - radius); row <= last; ++row) prefetch(&image.at(left, row));
 }
 
@@ -38,8 +38,10 @@ int Prefetcher::run() {
     ++near_edges;
     const int width = p.level->pinhole.width, x = p.pixel % width, y = p.pixel / width;
     prefetch(&p.level->edges.pixels[p.level->field.edge_at(p.pixel)]);
-    if (params_.photometric) prefetch_square(p.level->gradient_magnitude, x, y, params_.patch_side / 2);
-    if (params_.refine) prefetch_square(p.level->gray, x, y, kRefinementRadius);
+    if (params_.photometric)
+      prefetch_square(p.level->gradient_magnitude.view(), x, y, params_.patch_side / 2);
+    if (params_.refine)
+      p.level->with_gray([&](const auto& gray) { prefetch_square(gray, x, y, kRefinementRadius); });
   }
   count_ = 0;
   return near_edges;

@@ -45,37 +45,52 @@ void project_out_normalisation(const Patch& normalised, Patch* derivative) {
 
 namespace {
 
+// Patches are placed and interpolated in whole registers: beyond the last pixel lies its centre again.
+constexpr int kLanes = 8;
+constexpr int kMostLanes = (kMaxPatchPixels + kLanes - 1) / kLanes * kLanes;
+constexpr int whole_lanes(int pixels) { return (pixels + kLanes - 1) / kLanes * kLanes; }
+
+// Positions (u, v) of the pixels of a patch relative to its centre.
+struct PatchGrid {
+  std::array<float, kMostLanes> u{}, v{};
+};
+constexpr PatchGrid patch_grid(int radius) {
+  PatchGrid grid;
+  const int side = 2 * radius + 1;
+  for (int i = 0; i < side * side; ++i)
+    grid.u[size_t(i)] = float(i % side - radius), grid.v[size_t(i)] = float(i / side - radius);
+  return grid;
+}
+static_assert(kMaxPatchRadius == 5);
+constexpr std::array<PatchGrid, kMaxPatchRadius + 1> kGrids{patch_grid(0), patch_grid(1), patch_grid(2),
+                                                            patch_grid(3), patch_grid(4), patch_grid(5)};
+
 // Positions of the pixels of a warped patch in the host: grid point, as an offset into the image, and
 // sub-pixel fraction.
 struct WarpedGrid {
-  std::array<int32_t, kMaxPatchPixels> offset;
-  std::array<float, kMaxPatchPixels> fx, fy;
+  std::array<int32_t, kMostLanes> offset;
+  std::array<float, kMostLanes> fx, fy;
 };
 
-EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B, int radius, int stride,
-                                   WarpedGrid* grid) {
+// `count`: a multiple of kLanes.
+EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B, const PatchGrid& patch,
+                                   int count, int stride, WarpedGrid* __restrict grid) {
   const float b00 = B(0, 0), b01 = B(0, 1), b10 = B(1, 0), b11 = B(1, 1);
-  const int side = 2 * radius + 1;
-  for (int v = 0; v < side; ++v) {
-    int32_t* offset = &grid->offset[v * side];
-    float *fx = &grid->fx[v * side], *fy = &grid->fy[v * side];
-    const float dv = float(v - radius);
 #pragma omp simd
-    for (int u = 0; u < side; ++u) {
-      const float du = float(u - radius);
-      const float x = cx + b00 * du + b01 * dv, y = cy + b10 * du + b11 * dv;
-      const int x0 = int(x), y0 = int(y);
-      offset[u] = y0 * stride + x0;
-      fx[u] = x - float(x0);
-      fy[u] = y - float(y0);
-    }
+  for (int i = 0; i < count; ++i) {
+    const float du = patch.u[i], dv = patch.v[i];
+    const float x = cx + b00 * du + b01 * dv, y = cy + b10 * du + b11 * dv;
+    const int x0 = int(x), y0 = int(y);
+    grid->offset[i] = y0 * stride + x0;
+    grid->fx[i] = x - float(x0);
+    grid->fy[i] = y - float(y0);
   }
 }
 
 // The four grid values around each pixel, gathered one by one and interpolated with SIMD.
 template <class T>
 struct Corners {
-  std::array<T, kMaxPatchPixels> top_left, top_right, bottom_left, bottom_right;
+  std::array<T, kMostLanes> top_left, top_right, bottom_left, bottom_right;
 };
 
 template <class T>
@@ -86,7 +101,7 @@ EDGEVO_WIDE_CLONES void interpolate(const Corners<T>& c, const WarpedGrid& grid,
     const float top = float(c.top_left[i]) + grid.fx[i] * (float(c.top_right[i]) - float(c.top_left[i]));
     const float bottom =
         float(c.bottom_left[i]) + grid.fx[i] * (float(c.bottom_right[i]) - float(c.bottom_left[i]));
-    out[i] = top + grid.fy[i] * (bottom - top);
+    out[i] = kGrayPerStep<T> * (top + grid.fy[i] * (bottom - top));
   }
 }
 
@@ -110,7 +125,7 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host,
   patch->radius = radius;
   const int count = patch->size();
   WarpedGrid grid;
-  place_grid(cx, cy, B, radius, int(host.stride), &grid);
+  place_grid(cx, cy, B, kGrids[size_t(radius)], whole_lanes(count), int(host.stride), &grid);
   Corners<T> corners;
   for (int i = 0; i < count; ++i) {
     const T* p = host.data + grid.offset[i];
@@ -122,34 +137,48 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host,
   return true;
 }
 
+namespace {
+
+// A square with `columns` pixels of the image from its first column on.
+template <int kSide, class T>
+void sample(const T* corner, std::ptrdiff_t stride, int columns, float fx, float fy, Patch* patch) {
+  static_assert(wide_square_floats(kSide) <= kMaxPatchPixels);
+  if (columns >= wide_square_columns(kSide))
+    sample_square_wide<kSide>(corner, stride, fx, fy, patch->value.data());
+  else
+    sample_square<kSide>(corner, stride, fx, fy, patch->value.data());
+}
+
+}  // namespace
+
 template <class T>
 bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Patch* patch) {
   const double xf = std::floor(x), yf = std::floor(y);
   if (!(xf >= radius && yf >= radius && xf < image.width - radius - 1 && yf < image.height - radius - 1))
     return false;
   const float fx = float(x - xf), fy = float(y - yf);
-  const T* corner = image.data + (int(yf) - radius) * image.stride + int(xf) - radius;
-  float* to = patch->value.data();
+  const int left = int(xf) - radius, columns = image.width - left;
+  const T* corner = image.data + (int(yf) - radius) * image.stride + left;
   patch->radius = radius;
   static_assert(kMaxPatchRadius == 5);
   switch (radius) {
     case 0:
-      to[0] = bilinear(image, float(x), float(y));
+      patch->value[0] = kGrayPerStep<T> * bilinear(image, float(x), float(y));
       break;
     case 1:
-      sample_square<3>(corner, image.stride, fx, fy, to);
+      sample_square<3>(corner, image.stride, fx, fy, patch->value.data());
       break;
     case 2:
-      sample_square<5>(corner, image.stride, fx, fy, to);
+      sample<5>(corner, image.stride, columns, fx, fy, patch);
       break;
     case 3:
-      sample_square<7>(corner, image.stride, fx, fy, to);
+      sample<7>(corner, image.stride, columns, fx, fy, patch);
       break;
     case 4:
-      sample_square<9>(corner, image.stride, fx, fy, to);
+      sample<9>(corner, image.stride, columns, fx, fy, patch);
       break;
     default:
-      sample_square<11>(corner, image.stride, fx, fy, to);
+      sample<11>(corner, image.stride, columns, fx, fy, patch);
       break;
   }
   return true;
@@ -157,9 +186,12 @@ bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Pat
 
 template bool sample_warped(const ImageView<uint8_t>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int,
                             Patch*);
+template bool sample_warped(const ImageView<uint16_t>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int,
+                            Patch*);
 template bool sample_warped(const ImageView<float>&, const Eigen::Vector2d&, const Eigen::Matrix2d&, int,
                             Patch*);
 template bool sample_patch(const ImageView<uint8_t>&, double, double, int, Patch*);
+template bool sample_patch(const ImageView<uint16_t>&, double, double, int, Patch*);
 template bool sample_patch(const ImageView<float>&, double, double, int, Patch*);
 
 }  // namespace edgevo

@@ -151,6 +151,10 @@ std::unique_ptr<ImageSource> BenchInput::open(const BenchVariant& variant, uint6
   return std::make_unique<RelitSource>(std::move(source), Relight(variant.light, seed));
 }
 
+std::vector<InputDecision> BenchInput::decisions() const {
+  return scene_.empty() ? open_source(source_)->decisions() : std::vector<InputDecision>();
+}
+
 RunParams BenchInput::with_settings(const BenchVariant& variant) const {
   RunParams params = params_;
   const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };

@@ -35,6 +35,8 @@ class BenchInput {
   /// Everything that a job's result depends on except the name of its variant and its seed, as YAML; includes
   /// the variant's settings.
   std::string description(const BenchVariant& variant) const;
+  /// What a recorded sequence was taken for (ImageSource::decisions()); empty for a scene. Throws InputError.
+  std::vector<InputDecision> decisions() const;
   /// Source for `edgevo edges`; empty for a scene.
   const std::string& source_path() const { return source_.path; }
   const std::string& camera_path() const { return source_.camera_file; }

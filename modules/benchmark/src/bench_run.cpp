@@ -116,10 +116,21 @@ std::string pooled_judgement(const BenchOutcome& outcome) {
   return "\nSingle frames, pooled (live trajectory).\n\n" + judgement_markdown(rows);
 }
 
+// A sequence that cannot be opened is reported by its jobs.
+void show_inputs(const BenchList& list, const BenchTarget& target, const BenchHost& host) {
+  if (!host.show_input) return;
+  for (const BenchSequence& sequence : list.sequences) try {
+      const BenchInput input(sequence, target.data, target.list_path);
+      host.show_input(sequence.name, input.decisions());
+    } catch (const InputError&) {
+      continue;
+    }
+}
+
 }  // namespace
 
 BenchList read_bench_list(const std::string& path) {
-  return parse_bench_list(read_file(path, "give a list such as share/bench/rendered.yaml"), path,
+  return parse_bench_list(read_text(path, "give a list such as share/bench/rendered.yaml"), path,
                           relight_kinds(), edge_detector_names());
 }
 
@@ -148,6 +159,7 @@ BenchOutcome run_bench(const BenchList& list, const BenchTarget& target, const E
   const BenchPlan plan(list, target, host.version);
   const FileLock lock = lock_of_engine(target.out);
   plan.write(list, target);
+  if (plan.open_trials() > 0 && !options.dry_run) show_inputs(list, target, host);
   const bool anything = plan.open_trials() > 0 || options.dry_run;
   const std::string trouble = anything ? run_engine(workflow_path(target.out, ""), options, host) : "";
   BenchOutcome outcome = collect_bench(list, target, host);

@@ -8,6 +8,9 @@
 #include "edgevo/core/robust.h"
 #include "edgevo/core/simd.h"
 
+// How vectors are passed depends on the target; these functions are only called within this file.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace edgevo::ba {
 namespace {
 
@@ -25,31 +28,123 @@ Vector6d to_vector(const PackedVector6& v) {
   return out;
 }
 
-}  // namespace
+inline Quad quad(Rows a, Rows b) { return Quad{a[0], a[1], b[0], b[1]}; }
+inline Quad twice(Rows a) { return quad(a, a); }
 
 // Residual and derivatives of the two rows of an observation, with the robust loss applied.
-struct NormalEquationsBuilder::Derivatives {
+struct Derivatives {
   Rows r;
-  Rows J[6];  // by the target pose
+  Quad J[3];  // by the target pose, two unknowns each
   Rows J_idepth;
   double weight;
   double cost;
 };
 
-Matrix6d NormalEquationsBuilder::to_matrix(const PairSums& pair) {
+// J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
+// = g . t / Y_z.
+inline bool differentiate(const RelativePose& T, const PackedPoint& point, double idepth,
+                          const PackedObservation& o, double huber_width, Derivatives* d) {
+  const double x = point.ray[0], y = point.ray[1], z = point.ray[2];
+  const double* R = T.R;
+  const double* t = T.t;
+  const double Y_z = R[6] * x + R[7] * y + R[8] * z + idepth * t[2];
+  if (!(Y_z > kMinDepthRatio)) return false;
+  const double inv = 1.0 / Y_z;
+  const Rows u = both((R[0] * x + R[1] * y + R[2] * z + idepth * t[0]) * inv);
+  const Rows v = both((R[3] * x + R[4] * y + R[5] * z + idepth * t[1]) * inv);
+  const Rows s = both(idepth * inv);
+  const Rows f0 = o.f[0], f1 = o.f[1], projected = f0 * u + f1 * v;
+  d->r = projected + o.f[2];
+  d->J[0] = twice(s) * quad(f0, f1);
+  d->J[1] = quad(-s * projected, -v * projected - f1);
+  d->J[2] = quad(u * projected + f0, u * f1 - v * f0);
+  d->J_idepth = (f0 * both(t[0]) + f1 * both(t[1]) - projected * both(t[2])) * both(inv);
+
+  const Rows rr = d->r * d->r;
+  const double squared = rr[0] + rr[1];
+  d->weight = 1;
+  d->cost = 0.5 * squared;
+  if (squared > huber_width * huber_width) {
+    const double norm = std::sqrt(squared);
+    d->weight = huber_width / norm;
+    d->cost = huber_width * (norm - 0.5 * huber_width);
+  }
+  return true;
+}
+
+inline void add_to_pair(const Derivatives& d, PairSums* sums) {
+  const Quad w = twice(both(d.weight)), w_r = twice(both(d.weight) * d.r);
+  int entry = 0;
+  for (int k = 0; k < 3; ++k) {
+    sums->b[k] += w_r * d.J[k];
+    const Quad w_J = w * d.J[k];
+    const Quad first = __builtin_shufflevector(w_J, w_J, 0, 1, 0, 1);
+    const Quad second = __builtin_shufflevector(w_J, w_J, 2, 3, 2, 3);
+    for (int j = k; j < 3; ++j) sums->H[entry++] += first * d.J[j];
+    for (int j = k; j < 3; ++j) sums->H[entry++] += second * d.J[j];
+  }
+}
+
+Matrix6d matrix_of(const PairSums& pair) {
   Matrix6d M;
-  int k = 0;
+  int entry = 0;
   for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j, ++k) M(i, j) = M(j, i) = pair.H[k][0] + pair.H[k][1];
+    for (int j = i / 2 * 2; j < 6; ++j) {
+      const Quad& sums = pair.H[entry + j / 2 - i / 2];
+      if (j >= i) M(i, j) = M(j, i) = sums[2 * (j % 2)] + sums[2 * (j % 2) + 1];
+      if (j == 5) entry += 3 - i / 2;
+    }
   return M;
 }
 
-Matrix6d NormalEquationsBuilder::to_matrix(const SchurBlock& block) {
+Vector6d vector_of(const PairSums& pair) {
+  Vector6d b;
+  for (int i = 0; i < 6; ++i) b[i] = pair.b[i / 2][2 * (i % 2)] + pair.b[i / 2][2 * (i % 2) + 1];
+  return b;
+}
+
+Matrix6d matrix_of(const SchurBlock& block) {
   Eigen::Matrix<double, 6, 6, Eigen::RowMajor> M;
   static_assert(sizeof(block.quad) == sizeof(M));
   std::memcpy(M.data(), block.quad, sizeof(M));
   return M;
 }
+
+// Sums over the observations of one point.
+struct PointSums {
+  double cost = 0;
+  Rows depth{};  // sum w (dr/drho)^2, sum w r dr/drho
+};
+
+// Adds the observations of a point to those of their pairs; `coupling` receives one entry for each. Without
+// `kAll` only the sums of the point are computed. `relative` and `pairs`: by target.
+template <bool kAll>
+EDGEVO_WIDE_CLONES PointSums sum_point(const PackedPoint& point, const PackedObservation* observations,
+                                       const RelativePose* relative, double idepth, double huber_width,
+                                       PairSums* pairs, PackedVector6* coupling) {
+  PointSums sum;
+  for (int k = point.begin; k < point.end; ++k) {
+    const PackedObservation& o = observations[k];
+    Derivatives d;
+    if (!differentiate(relative[o.target], point, idepth, o, huber_width, &d)) {
+      sum.cost += huber_cost(o.hidden_residual, huber_width);
+      if (kAll) coupling[k] = PackedVector6{};
+      continue;
+    }
+    sum.cost += d.cost;
+    const Rows w_idepth = both(d.weight) * d.J_idepth;
+    sum.depth += sums(w_idepth * d.J_idepth, w_idepth * d.r);
+    if (!kAll) continue;
+    for (int i = 0; i < 3; ++i) {
+      const Quad products = twice(w_idepth) * d.J[i];
+      coupling[k].x[i] = Rows{products[0], products[2]} + Rows{products[1], products[3]};
+    }
+    add_to_pair(d, &pairs[o.target]);
+  }
+  return sum;
+}
+
+}  // namespace
 
 NormalEquationsBuilder::NormalEquationsBuilder(const PackedProblem& packed, double huber_width)
     : packed_(packed),
@@ -60,24 +155,30 @@ NormalEquationsBuilder::NormalEquationsBuilder(const PackedProblem& packed, doub
       schur_(n_ * n_),
       schur_b_(n_) {}
 
-void NormalEquationsBuilder::reset_cost_and_depths(const State& state, NormalEquations* out) {
-  for (int h = 0; h < n_; ++h)
-    for (int t = packed_.targets[h].first; t <= packed_.targets[h].last; ++t)
-      relative_[h * n_ + t] = relative_pose(state.poses[t], state.poses[h]);
+void NormalEquationsBuilder::reset_sums(NormalEquations* out) {
   out->cost = 0;
   out->idepth_information.resize(packed_.points.size());
   out->idepth_gradient.resize(packed_.points.size());
 }
 
+// Calls `use` with each pair in use and its T_target_host.
+template <class Use>
+void NormalEquationsBuilder::for_each_pair(const State& state, const Use& use) {
+  for (int h = 0; h < n_; ++h) {
+    const SE3 T_world_host = state.poses[h].inverse();
+    for (int t = packed_.targets[h].first; t <= packed_.targets[h].last; ++t)
+      use(h * n_ + t, state.poses[t] * T_world_host);
+  }
+}
+
 void NormalEquationsBuilder::reset(const State& state, NormalEquations* out) {
-  reset_cost_and_depths(state, out);
+  reset_sums(out);
   out->adjoint.resize(n_ * n_);
-  for (int h = 0; h < n_; ++h)
-    for (int t = packed_.targets[h].first; t <= packed_.targets[h].last; ++t) {
-      const int pair = h * n_ + t;
-      out->adjoint[pair] = (state.poses[t] * state.poses[h].inverse()).adjoint();
-      pairs_[pair] = PairSums{};
-    }
+  for_each_pair(state, [&](int pair, const SE3& T_target_host) {
+    relative_[pair] = relative_pose(T_target_host);
+    out->adjoint[pair] = T_target_host.adjoint();
+    pairs_[pair] = PairSums{};
+  });
   out->H.setZero(6 * n_, 6 * n_);
   out->S.setZero(6 * n_, 6 * n_);
   out->b.setZero(6 * n_);
@@ -95,7 +196,7 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
     }
     for (int i = packed_.host_begin[h]; i < packed_.host_begin[h + 1]; ++i) {
       const PackedPoint& point = packed_.points[i];
-      add_point<Sums::kAll>(point, h, i, state.idepth[point.index], out);
+      add_point<true>(point, h, i, state.idepth[point.index], out);
       if (!point.fixed && out->idepth_information[i] > kMinIdepthInformation) eliminate(point, i, out);
     }
     scatter_pairs(h, out);
@@ -104,85 +205,21 @@ void NormalEquationsBuilder::build(const State& state, NormalEquations* out) {
 }
 
 void NormalEquationsBuilder::build_cost_and_depths(const State& state, NormalEquations* out) {
-  reset_cost_and_depths(state, out);
+  reset_sums(out);
+  for_each_pair(state, [&](int pair, const SE3& T) { relative_[pair] = relative_pose(T); });
   for (int h = 0; h < n_; ++h)
     for (int i = packed_.host_begin[h]; i < packed_.host_begin[h + 1]; ++i)
-      add_point<Sums::kCostAndDepths>(packed_.points[i], h, i, state.idepth[packed_.points[i].index], out);
+      add_point<false>(packed_.points[i], h, i, state.idepth[packed_.points[i].index], out);
 }
 
-// J_target = [s g | p x g] with g = (f0, f1, -f0 u - f1 v), p = (u, v, 1) = Y / Y_z, s = rho / Y_z;  J_idepth
-// = g . t / Y_z.
-inline bool NormalEquationsBuilder::differentiate(const RelativePose& T, const PackedPoint& point,
-                                                  double idepth, const PackedObservation& o,
-                                                  Derivatives* d) const {
-  const double x = point.ray[0], y = point.ray[1], z = point.ray[2];
-  const double* R = T.R;
-  const double* t = T.t;
-  const double Y_z = R[6] * x + R[7] * y + R[8] * z + idepth * t[2];
-  if (!(Y_z > kMinDepthRatio)) return false;
-  const double inv = 1.0 / Y_z;
-  const Rows u = both((R[0] * x + R[1] * y + R[2] * z + idepth * t[0]) * inv);
-  const Rows v = both((R[3] * x + R[4] * y + R[5] * z + idepth * t[1]) * inv);
-  const Rows s = both(idepth * inv);
-  const Rows f0 = o.f[0], f1 = o.f[1], projected = f0 * u + f1 * v;
-  d->r = projected + o.f[2];
-  d->J[0] = s * f0;
-  d->J[1] = s * f1;
-  d->J[2] = -s * projected;
-  d->J[3] = -v * projected - f1;
-  d->J[4] = u * projected + f0;
-  d->J[5] = u * f1 - v * f0;
-  d->J_idepth = (f0 * both(t[0]) + f1 * both(t[1]) - projected * both(t[2])) * both(inv);
-
-  const Rows rr = d->r * d->r;
-  const double squared = rr[0] + rr[1];
-  d->weight = 1;
-  d->cost = 0.5 * squared;
-  if (squared > huber_width_ * huber_width_) {
-    const double norm = std::sqrt(squared);
-    d->weight = huber_width_ / norm;
-    d->cost = huber_width_ * (norm - 0.5 * huber_width_);
-  }
-  return true;
-}
-
-inline void NormalEquationsBuilder::add_to_pair(const Derivatives& d, PairSums* sums) {
-  const Rows w = both(d.weight), w_r = w * d.r;
-  int entry = 0;
-  for (int i = 0; i < 6; ++i) {
-    sums->b[i] += w_r * d.J[i];
-    const Rows w_J = w * d.J[i];
-    for (int j = i; j < 6; ++j, ++entry) sums->H[entry] += w_J * d.J[j];
-  }
-}
-
-template <NormalEquationsBuilder::Sums wanted>
+template <bool kAll>
 void NormalEquationsBuilder::add_point(const PackedPoint& point, int host, int point_index, double idepth,
                                        NormalEquations* out) {
-  constexpr bool kAll = wanted == Sums::kAll;
-  const RelativePose* relative = &relative_[host * n_];
-  PairSums* pairs = &pairs_[host * n_];
-  PackedVector6* coupling = out->coupling.data();
-  Rows depth = both(0);  // information, gradient
-  double cost = 0;
-  for (int k = point.begin; k < point.end; ++k) {
-    const PackedObservation& o = packed_.observations[k];
-    Derivatives d;
-    if (!differentiate(relative[o.target], point, idepth, o, &d)) {
-      cost += huber_cost(o.hidden_residual, huber_width_);
-      if (kAll) coupling[k] = PackedVector6{};
-      continue;
-    }
-    cost += d.cost;
-    const Rows w_idepth = both(d.weight) * d.J_idepth;
-    depth += sums(w_idepth * d.J_idepth, w_idepth * d.r);
-    if (!kAll) continue;
-    for (int i = 0; i < 3; ++i) coupling[k].x[i] = sums(w_idepth * d.J[2 * i], w_idepth * d.J[2 * i + 1]);
-    add_to_pair(d, &pairs[o.target]);
-  }
-  out->cost += cost;
-  out->idepth_information[point_index] = depth[0];
-  out->idepth_gradient[point_index] = depth[1];
+  const PointSums sum = sum_point<kAll>(point, packed_.observations.data(), &relative_[host * n_], idepth,
+                                        huber_width_, &pairs_[host * n_], out->coupling.data());
+  out->cost += sum.cost;
+  out->idepth_information[point_index] = sum.depth[0];
+  out->idepth_gradient[point_index] = sum.depth[1];
 }
 
 // The quads of a row-major outer product q e^T are products of four numbers of q, repeated, by four of e.
@@ -241,10 +278,9 @@ void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
     const int t = 6 * target;
     const PairSums& pair = pairs_[host * n_ + target];
     const Matrix6d& Ad = out->adjoint[host * n_ + target];
-    const Matrix6d A = to_matrix(pair);
+    const Matrix6d A = matrix_of(pair);
     const Matrix6d A_Ad = A * Ad;
-    Vector6d b;
-    for (int i = 0; i < 6; ++i) b[i] = pair.b[i][0] + pair.b[i][1];
+    const Vector6d b = vector_of(pair);
     out->H.block<6, 6>(t, t) += A;
     out->H.block<6, 6>(t, h) -= A_Ad;
     out->H.block<6, 6>(h, t) -= A_Ad.transpose();
@@ -264,7 +300,7 @@ void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
     for (int row = first; row <= last; ++row) {
       if (row == host) continue;
       const bool lower = row >= col;
-      Matrix6d M = to_matrix(schur_[lower ? row * n_ + col : col * n_ + row]);
+      Matrix6d M = matrix_of(schur_[lower ? row * n_ + col : col * n_ + row]);
       if (!lower) M.transposeInPlace();
       out->S.block<6, 6>(6 * row, 6 * col) += M;
       with_host.noalias() += Ad[row].transpose() * M;

@@ -24,6 +24,14 @@ struct alignas(32) SchurBlock {
   Quad quad[9];
 };
 
+/// Sums over both rows of all observations of a (host, target) pair. A quad holds both rows of one unknown of
+/// the target's pose, then both rows of the next one; the rows are added at the end.
+struct alignas(32) PairSums {
+  /// Row i of the 6x6 matrix, in quads, from the one with its diagonal on.
+  Quad H[12];
+  Quad b[3];
+};
+
 /// Normal equations. The 6x6 blocks are in the order of the problem's poses, including fixed ones. H and S
 /// are full symmetric matrices.
 struct NormalEquations {
@@ -62,24 +70,11 @@ class NormalEquationsBuilder {
   void build_cost_and_depths(const State& state, NormalEquations* out);
 
  private:
-  struct Derivatives;
-  /// Sums over both rows of all observations of a (host, target) pair; the lanes are added at the end.
-  struct PairSums {
-    /// Upper triangle of a 6x6 matrix, row by row.
-    Rows H[21];
-    Rows b[6];
-  };
-  static Matrix6d to_matrix(const PairSums& sums);
-  static Matrix6d to_matrix(const SchurBlock& block);
-  static void add_to_pair(const Derivatives& d, PairSums* sums);
-
-  enum class Sums { kAll, kCostAndDepths };
-
   void reset(const State& state, NormalEquations* out);
-  void reset_cost_and_depths(const State& state, NormalEquations* out);
-  bool differentiate(const RelativePose& T, const PackedPoint& point, double idepth,
-                     const PackedObservation& o, Derivatives* d) const;
-  template <Sums wanted>
+  void reset_sums(NormalEquations* out);
+  template <class Use>
+  void for_each_pair(const State& state, const Use& use);
+  template <bool kAll>
   void add_point(const PackedPoint& point, int host, int point_index, double idepth, NormalEquations* out);
   void eliminate(const PackedPoint& point, int point_index, NormalEquations* out);
   void scatter_pairs(int host, NormalEquations* out);

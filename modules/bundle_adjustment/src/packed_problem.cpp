@@ -14,14 +14,6 @@ double depth_ratio(const RelativePose& T, const Eigen::Vector3d& ray, double ide
   return T.R[6] * ray.x() + T.R[7] * ray.y() + T.R[8] * ray.z() + idepth * T.t[2];
 }
 
-std::vector<RelativePose> all_relative_poses(const std::vector<SE3>& poses) {
-  std::vector<RelativePose> relative;
-  relative.reserve(poses.size() * poses.size());
-  for (const SE3& host : poses)
-    for (const SE3& target : poses) relative.push_back(relative_pose(target, host));
-  return relative;
-}
-
 PackedObservation reduce(const Pinhole& pinhole, const BaObservation& o, int index) {
   const Eigen::Vector2d focal(pinhole.fx, pinhole.fy);
   const Eigen::Vector2d centred = o.px - Eigen::Vector2d(pinhole.cx, pinhole.cy);
@@ -47,11 +39,20 @@ void find_targets(PackedProblem* packed) {
 
 }  // namespace
 
-RelativePose relative_pose(const SE3& T_target_world, const SE3& T_host_world) {
-  const SE3 T = T_target_world * T_host_world.inverse();
+RelativePose relative_pose(const SE3& T) {
   RelativePose relative;
   Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(relative.R) = T.R();
   Eigen::Map<Eigen::Vector3d>(relative.t) = T.translation();
+  return relative;
+}
+
+std::vector<RelativePose> all_relative_poses(const std::vector<SE3>& poses) {
+  std::vector<RelativePose> relative;
+  relative.reserve(poses.size() * poses.size());
+  for (const SE3& host : poses) {
+    const SE3 T_world_host = host.inverse();
+    for (const SE3& target : poses) relative.push_back(relative_pose(target * T_world_host));
+  }
   return relative;
 }
 

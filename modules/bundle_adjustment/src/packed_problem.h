@@ -29,7 +29,9 @@ struct RelativePose {
   double R[9];
   double t[3];
 };
-RelativePose relative_pose(const SE3& T_target_world, const SE3& T_host_world);
+RelativePose relative_pose(const SE3& T_target_host);
+/// The same for every pair, at host * n + target.
+std::vector<RelativePose> all_relative_poses(const std::vector<SE3>& poses);
 
 /// Two doubles in one register on every 64-bit machine: the normal row (0) and the tangent row (1) of an
 /// observation. The compiler's vector type, since Eigen's arrays go through memory when they are assembled

@@ -25,13 +25,12 @@ struct Row {
   double weight;
 };
 
-// d r / dk = W (J_pi R dx/dk - dm/dk), Eq. (reprojectionerror) with ray x and match m moving with k.
-ImageRate global_jacobian(const BaProblem& problem, const BaObservation& o, const BaPoint& p,
+// d r / dk = W (J_pi R dx/dk - dm/dk), Eq. (reprojectionerror) with ray x and match m moving with k, where W
+// stays.
+ImageRate global_jacobian(const Pinhole& c, const TargetFromHost& T, const BaObservation& o, const BaPoint& p,
                           const ImageRate& ray_rate, const ImageRate& px_rate) {
-  const SE3 T = problem.poses[o.target].T_cam_world * problem.poses[p.host].T_cam_world.inverse();
-  const Eigen::Vector3d Y = T.R() * p.ray + p.idepth * T.translation();
-  const Eigen::Matrix<double, 3, kUnknowns> dY = T.R().leftCols<2>() * ray_rate;
-  const Pinhole& c = problem.pinhole;
+  const Eigen::Vector3d Y = T.R * p.ray + p.idepth * T.t;
+  const Eigen::Matrix<double, 3, kUnknowns> dY = T.R.leftCols<2>() * ray_rate;
   ImageRate moved;
   moved.row(0) = c.fx / Y.z() * (dY.row(0) - Y.x() / Y.z() * dY.row(2)) - px_rate.row(0);
   moved.row(1) = c.fy / Y.z() * (dY.row(1) - Y.y() / Y.z() * dY.row(2)) - px_rate.row(1);
@@ -47,7 +46,11 @@ class Profile {
       : problem_(problem),
         derivative_(derivative),
         options_(options),
-        H_k_(PoseRows::Zero(6 * problem.poses.size(), kUnknowns)) {}
+        H_k_(PoseRows::Zero(6 * problem.poses.size(), kUnknowns)) {
+    relative_.reserve(problem.poses.size() * problem.poses.size());
+    for (const BaPose& host : problem.poses)
+      for (const BaPose& target : problem.poses) relative_.emplace_back(target.T_cam_world, host.T_cam_world);
+  }
 
   ProfileStep run() {
     ProfileStep step;
@@ -71,11 +74,11 @@ class Profile {
   Row row(int observation) const {
     const BaObservation& o = problem_.observations[observation];
     const BaPoint& p = problem_.points[o.point];
-    Row r{linearize(problem_.pinhole, problem_.poses[o.target].T_cam_world,
-                    problem_.poses[p.host].T_cam_world, p, o),
-          ImageRate::Zero(), 0};
+    const TargetFromHost& T = relative_[size_t(p.host) * problem_.poses.size() + size_t(o.target)];
+    Row r{linearize(problem_.pinhole, T, p, o), ImageRate::Zero(), 0};
     if (!r.lin.valid) return r;
-    r.J_k = global_jacobian(problem_, o, p, derivative_.ray[o.point], derivative_.px[observation]);
+    r.J_k = global_jacobian(problem_.pinhole, T, o, p, derivative_.ray[o.point], derivative_.px[observation]);
+    r.J_k += r.lin.residual * derivative_.log_inv_sigma.transpose();
     r.weight = huber_weight(r.lin.residual.norm(), options_.huber_width);
     return r;
   }
@@ -165,9 +168,10 @@ class Profile {
   const BaProblem& problem_;
   const GlobalDerivative& derivative_;
   const BaOptions& options_;
-  std::vector<int> first_;  // observations of point i: [first_[i], first_[i + 1])
-  std::vector<Row> rows_;   // per observation
-  PoseRows H_k_;            // sum w J_pose^T J_k, depths eliminated
+  std::vector<TargetFromHost> relative_;  // at host * poses + target
+  std::vector<int> first_;                // observations of point i: [first_[i], first_[i + 1])
+  std::vector<Row> rows_;                 // per observation
+  PoseRows H_k_;                          // sum w J_pose^T J_k, depths eliminated
 };
 
 }  // namespace

@@ -27,11 +27,9 @@ BaResult unusable_result(const BaProblem& problem) {
 
 void fill_residuals(const BaProblem& problem, BaResult* result) {
   const std::size_t n = problem.poses.size(), count = problem.observations.size();
-  std::vector<RelativePose> relative;
-  relative.reserve(n * n);
-  for (const BaPose& host : problem.poses)
-    for (const BaPose& target : problem.poses)
-      relative.push_back(relative_pose(target.T_cam_world, host.T_cam_world));
+  std::vector<SE3> poses;
+  for (const BaPose& pose : problem.poses) poses.push_back(pose.T_cam_world);
+  const std::vector<RelativePose> relative = all_relative_poses(poses);
   result->residual_normal_px.assign(count, 0.0);
   result->residual_tangent_px.assign(count, 0.0);
   result->observation_valid.assign(count, 0);

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 
 namespace edgevo {
 namespace {
@@ -160,7 +161,11 @@ void Camera::check(const std::string& where) const {
       throw InputError(where, "a focal length is below one pixel or above a million",
                        "give fx fy in pixels, not in millimetres or as shares of the width");
   if (!(p.cx > 0 && p.cx < p.width && p.cy > 0 && p.cy < p.height))
-    throw InputError(where, "the principal point lies outside the image", "give cx cy in pixels");
+    throw InputError(where,
+                     "the principal point lies outside the image: (" + fixed(p.cx, 1) + ", " +
+                         fixed(p.cy, 1) + ") in " + std::to_string(p.width) + "x" + std::to_string(p.height) +
+                         " pixels",
+                     "give cx cy in pixels, and the size of the images");
   const std::string wrong = std::visit([](const auto& m) { return problem(m); }, model);
   if (!wrong.empty())
     throw InputError(where, std::string("the lens (") + to_string(model) + ") has an impossible coefficient",

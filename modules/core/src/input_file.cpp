@@ -16,6 +16,14 @@ namespace {
 // The largest file that is read whole, edges.ply, has 60 bytes a point: room for thirty million points.
 constexpr off_t kLargest = off_t(2) << 30;
 
+// By the byte order mark, or since the first two characters have a byte of zeros each.
+bool is_utf16(const std::string& text) {
+  if (text.rfind("\xFF\xFE", 0) == 0 || text.rfind("\xFE\xFF", 0) == 0) return true;
+  if (text.size() < 4) return false;
+  const auto zero = [&](size_t i) { return text[i] == 0; };
+  return (!zero(0) && zero(1) && !zero(2) && zero(3)) || (zero(0) && !zero(1) && zero(2) && !zero(3));
+}
+
 }  // namespace
 
 void check_regular_file(const std::string& path, const std::string& remedy) {
@@ -46,6 +54,7 @@ std::string read_file(const std::string& path, const std::string& remedy) {
 
 std::string read_text(const std::string& path, const std::string& remedy) {
   std::string text = read_file(path, remedy);
+  if (is_utf16(text)) throw InputError(path, "the text is UTF-16, which is not read", "save it as UTF-8");
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
   return text;
 }

@@ -20,6 +20,7 @@ RunCounts count(const Run& run) {
   }
   counts.keyframes = int(run.keyframes.size());
   for (const KeyframeRecord& keyframe : run.keyframes) {
+    counts.doubtful_keyframes += keyframe.is_doubtful;
     counts.points += keyframe.points.size();
     counts.lines += keyframe.lines.size();
   }
@@ -71,6 +72,17 @@ std::optional<LatencyFigures> latency_figures(const Run& run) {
   return latency_figures(std::move(ms));
 }
 
+namespace {
+
+std::string shed_statement(const ShedWork& shed) {
+  if (shed.lines == 0 && shed.depths == 0 && shed.points == 0) return "";
+  return "; skipped to be in time: the lines of " + std::to_string(shed.lines) +
+         " keyframes, the depths of " + std::to_string(shed.depths) + " frames, half the points of " +
+         std::to_string(shed.points) + " keyframes";
+}
+
+}  // namespace
+
 std::string latency_statement(const Run& run) {
   const std::optional<LatencyFigures> latency = latency_figures(run);
   if (!run.realtime || !latency) return "";
@@ -80,7 +92,7 @@ std::string latency_statement(const Run& run) {
          fixed(latency->p95, 1) + ", 99 % " + fixed(latency->p99, 1) + ", max " + fixed(latency->max, 1) +
          "; " + std::to_string(r.late) + " of " + std::to_string(r.delivered) + " frames delivered late, " +
          std::to_string(r.dropped) + " dropped, " + std::to_string(r.left_out_of_mapping) +
-         " not used for depths";
+         " not used for depths" + shed_statement(r.shed);
 }
 
 }  // namespace edgevo

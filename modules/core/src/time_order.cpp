@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "edgevo/core/clock_shifts.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 
@@ -81,6 +82,19 @@ Timestamp TimeOrder::require(int frame_index, Timestamp stated, std::optional<Ti
                  BadFrame::What::kTime);
 }
 
+std::vector<int64_t> clock_shifts(const std::vector<Timestamp>& times) {
+  std::vector<int64_t> shifts(times.size());
+  TimeOrder order;
+  for (size_t i = 0; i < times.size(); ++i) {
+    const int64_t before = order.shift();
+    order.check(times[i], i + 1 < times.size() ? std::make_optional(times[i + 1]) : std::nullopt);
+    shifts[i] = order.shift();
+    if (shifts[i] == before) continue;
+    for (size_t k = 1; k < TimeOrder::kLasting && k <= i; ++k) shifts[i - k] = shifts[i];
+  }
+  return shifts;
+}
+
 std::vector<Timestamp> fill_missing(std::vector<Timestamp> times) {
   const auto first = std::find_if(times.begin(), times.end(), is_time);
   Timestamp last = first == times.end() ? Timestamp{} : *first;
@@ -91,14 +105,11 @@ std::vector<Timestamp> fill_missing(std::vector<Timestamp> times) {
 namespace {
 
 std::optional<InputDecision> clock_decision(const std::vector<Timestamp>& times) {
-  TimeOrder order;
+  const std::vector<int64_t> shifts = clock_shifts(times);
   int steps = 0;
   size_t first = 0;
-  for (size_t i = 0; i < times.size(); ++i) {
-    const double before = order.shift_s();
-    order.check(times[i], i + 1 < times.size() ? std::make_optional(times[i + 1]) : std::nullopt);
-    if (order.shift_s() != before && steps++ == 0) first = i + 1 - TimeOrder::kLasting;
-  }
+  for (size_t i = 1; i < times.size(); ++i)
+    if (shifts[i] != shifts[i - 1] && steps++ == 0) first = i;
   if (steps == 0) return std::nullopt;
   const std::string more = steps > 1 ? " and " + std::to_string(steps - 1) + " time(s) more" : "";
   return InputDecision{"clock", "set back at frame " + std::to_string(first) + more,

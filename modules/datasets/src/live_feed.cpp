@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/trace.h"
 
 namespace edgevo {
 namespace {
@@ -44,9 +45,10 @@ LiveFeed::~LiveFeed() {
 // ---- the reading thread
 
 void LiveFeed::read_all() {
+  name_traced_thread("reading");
   std::exception_ptr failure;
   try {
-    while (std::optional<Frame> frame = source_.next())
+    while (std::optional<Frame> frame = read())
       if (!keep(std::move(*frame))) break;
   } catch (...) {
     failure = std::current_exception();
@@ -55,6 +57,11 @@ void LiveFeed::read_all() {
   failure_ = failure;
   ended_ = true;
   came_.notify_all();
+}
+
+std::optional<Frame> LiveFeed::read() {
+  const TraceScope traced("read");
+  return source_.next();
 }
 
 // False: no more frames are wanted.
@@ -103,6 +110,7 @@ double LiveFeed::due_s(const Waiting& waiting) {
 
 std::optional<FedFrame> LiveFeed::next(const std::function<bool()>& stop) {
   Waiting waiting;
+  const TraceScope traced("wait until due");
   if (!wait_for_frame(stop, &waiting)) return std::nullopt;
   FedFrame fed;
   fed.due_s = due_s(waiting);

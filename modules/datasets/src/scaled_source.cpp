@@ -16,12 +16,19 @@ namespace {
 constexpr int kMeasuredWidth = 1241;
 constexpr int kLeastSide = 16;  // below this no pyramid level remains
 
-GrayImage scaled(const GrayImage& image, int width, int height) {
-  GrayImage small{width, height, std::vector<uint8_t>(size_t(width) * size_t(height))};
-  const cv::Mat from(image.height, image.width, CV_8UC1, const_cast<uint8_t*>(image.pixels.data()));
-  cv::Mat to(height, width, CV_8UC1, small.pixels.data());
-  cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+template <class T>
+std::vector<T> scaled(const std::vector<T>& pixels, const cv::Size& size, const cv::Size& wanted) {
+  if (pixels.empty()) return {};
+  std::vector<T> small(size_t(wanted.area()));
+  const cv::Mat from(size, cv::DataType<T>::type, const_cast<T*>(pixels.data()));
+  cv::Mat to(wanted, cv::DataType<T>::type, small.data());
+  cv::resize(from, to, wanted, 0, 0, cv::INTER_AREA);
   return small;
+}
+
+GrayImage scaled(const GrayImage& image, int width, int height) {
+  const cv::Size size(image.width, image.height), wanted(width, height);
+  return {width, height, scaled(image.pixels, size, wanted), scaled(image.values, size, wanted), image.scale};
 }
 
 std::string size_of(const Pinhole& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }

@@ -8,6 +8,7 @@
 #include "edgevo/core/time_order.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "edgevo/mrpt_bridge/intensities.h"
+#include "listed_order.h"
 #include "text_file.h"
 #include "time_unit.h"
 
@@ -19,6 +20,7 @@ class SequenceSource : public ImageSource {
   SequenceSource(Sequence sequence, int bits)
       : sequence_(std::move(sequence)), intensities_(decide_intensities(sequence_.images, bits)) {
     if (intensities_.decision) sequence_.decisions.push_back(*intensities_.decision);
+    doubt_listed_order(sequence_.images, sequence_.times, &sequence_.decisions);
   }
 
   const Camera& camera() const override { return sequence_.camera; }

@@ -87,6 +87,14 @@ std::string shifted(const std::string& text, int digits) {
   return text.substr(0, begin) + whole + rest;
 }
 
+// 0, 1, 2, ... or 1, 2, 3, ...
+bool only_count(const std::vector<double>& times) {
+  if (times.front() != 0 && times.front() != 1) return false;
+  for (size_t i = 1; i < times.size(); ++i)
+    if (times[i] != times[i - 1] + 1) return false;
+  return true;
+}
+
 }  // namespace
 
 UnitOfTimes time_unit_of(const std::vector<double>& times) {
@@ -98,6 +106,11 @@ UnitOfTimes time_unit_of(const std::vector<double>& times) {
     return by_date == 0 ? UnitOfTimes() : UnitOfTimes{kUnits[by_date], kSince1970, ""};
   const double step = median_step(times);
   const int by_step = finer_than(step, kStepFrom);
+  if (only_count(times))
+    return {
+        kUnits[0], "one image a second",
+        "they count 0, 1, 2, ...; if that is the number of the image, give the folder of the images itself, "
+        "with --camera and --fps"};
   if (is_date && by_step > by_date) return contradiction(step, by_step, by_date);
   if (is_date && by_date > 0) return {kUnits[by_date], kSince1970 + (", " + steps_of(step, by_date)), ""};
   if (by_step == 0 && step > 0 && 1 / step > kFastestCamera)

@@ -25,12 +25,20 @@ constexpr size_t kMaxWaiting = 4;  // keyframes; a thread further behind would n
 // ones constrain its depth.
 constexpr int kOffsets[] = {1, -1, 2, -2, 3, -3, 5, -5, 8, -8, 11, 4, -4, 6, -6, 7, -7, 9, 10};
 
-// The keyframes that were marginalised before the last one and still have images, nearest first.
+// The keyframes that were marginalised before the last one and still have images, nearest first; those in
+// doubt are no views.
 std::vector<const Keyframe*> older_than_last(const std::deque<Keyframe>& marginalised) {
   std::vector<const Keyframe*> older;
   for (size_t i = marginalised.size() - 1; i-- > 0 && older.size() < kOlder && marginalised[i].pyramid;)
-    older.push_back(&marginalised[i]);
+    if (!marginalised[i].is_doubtful) older.push_back(&marginalised[i]);
   return older;
+}
+
+std::vector<const Keyframe*> younger_than_last(const std::deque<Keyframe>& active) {
+  std::vector<const Keyframe*> younger;
+  for (const Keyframe& k : active)
+    if (!k.is_doubtful) younger.push_back(&k);
+  return younger;
 }
 
 float gray_at(const Keyframe& k, const Eigen::Vector2d& px) {
@@ -77,12 +85,12 @@ struct EdgeMapper::Impl {
   }
 
   std::vector<EdgeView> views_of(const Keyframe& host, const std::vector<const Keyframe*>& older,
-                                 const std::deque<Keyframe>& younger) {
+                                 const std::vector<const Keyframe*>& younger) {
     std::vector<EdgeView> views;
     for (const int offset : kOffsets) {
       const size_t rank = size_t(std::abs(offset)) - 1;
       if (rank >= (offset > 0 ? younger.size() : older.size()) || int(views.size()) >= kMaxViews) continue;
-      const Keyframe& k = offset > 0 ? younger[rank] : *older[rank];
+      const Keyframe& k = *(offset > 0 ? younger : older)[rank];
       views.push_back({k.pyramid, sides_of(k), k.T_cam_world * host.T_cam_world.inverse(), gain_of(host, k)});
     }
     return views;
@@ -102,13 +110,14 @@ EdgeMapper::~EdgeMapper() = default;
 void EdgeMapper::add(const Map& map) {
   if (!impl_->params.is_on()) return;
   const Keyframe& keyframe = map.marginalised().back();
+  if (keyframe.is_doubtful) return;
   const std::vector<const Keyframe*> older = older_than_last(map.marginalised());
   // Keyframes whose images are gone are no views any more.
   impl_->sides.erase(impl_->sides.begin(),
                      impl_->sides.lower_bound(older.empty() ? keyframe.id : older.back()->id));
   const EdgeHost host{keyframe.id, keyframe.pyramid, impl_->sides_of(keyframe), keyframe.T_cam_world,
                       max_idepth_of(keyframe, map.active())};
-  std::vector<EdgeView> views = impl_->views_of(keyframe, older, map.active());
+  std::vector<EdgeView> views = impl_->views_of(keyframe, older, younger_than_last(map.active()));
   EdgeFusion* fusion = &impl_->fusion;
   impl_->worker.submit([fusion, host, views = std::move(views)] { fusion->add(host, views); });
 }
@@ -116,6 +125,7 @@ void EdgeMapper::add(const Map& map) {
 size_t EdgeMapper::keyframes_needed() const { return impl_->params.is_on() ? kOlder : 0; }
 
 void EdgeMapper::wait_idle() { impl_->worker.wait_idle(); }
+bool EdgeMapper::is_idle() const { return impl_->worker.is_idle(); }
 
 void EdgeMapper::apply(const MapMoved& moved) {
   if (!impl_->params.is_on()) return;

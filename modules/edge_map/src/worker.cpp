@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "worker.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <utility>
+
+#include "edgevo/core/thread_priority.h"
+#include "edgevo/core/trace.h"
 
 namespace edgevo {
 
@@ -43,11 +43,16 @@ void Worker::wait_idle() {
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
+bool Worker::is_idle() {
+  if (!own_thread_) return true;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return queue_.empty() && !busy_;
+}
+
 void Worker::loop() {
-  // Tracking and mapping have priority; this thread skips work when it is behind. On Linux a thread has a
-  // nice level of its own; if it cannot be set, the thread keeps the normal priority.
-  constexpr int kNice = 10;
-  (void)setpriority(PRIO_PROCESS, id_t(gettid()), kNice);
+  name_traced_thread("lines of edges");
+  // Tracking and mapping have priority; this thread skips work when it is behind.
+  lower_thread_priority();
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return stop_ || !queue_.empty(); });
@@ -58,6 +63,7 @@ void Worker::loop() {
     lock.unlock();
     std::exception_ptr failure;
     try {
+      const TraceScope traced("lines of a keyframe");
       work();
     } catch (...) {
       failure = std::current_exception();

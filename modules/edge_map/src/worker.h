@@ -20,6 +20,8 @@ class Worker {
   void submit(std::function<void()> work);
   /// Waits until all work is done; rethrows an exception of the work.
   void wait_idle();
+  /// Whether wait_idle() would not wait.
+  bool is_idle();
   /// Number of skipped pieces of work.
   int skipped() const { return skipped_; }
 

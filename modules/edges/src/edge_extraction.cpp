@@ -86,14 +86,16 @@ class Placement {
 };
 
 // Drops flat pixels, which detectors other than Canny may mark.
-PixelChains without_flat(const PixelChains& all, const Gradient& gradient) {
+PixelChains without_flat(PixelChains all, const Gradient& gradient) {
+  const auto is_flat = [&](MaskPixel p) { return !(gradient.magnitude.at(p.x, p.y) >= kFlat); };
+  if (std::none_of(all.pixels.begin(), all.pixels.end(), is_flat)) return all;
   PixelChains kept;
   kept.pixels.reserve(all.pixels.size());
   for (const EdgeChain& chain : all.chains) {
     const int begin = int(kept.pixels.size());
     for (int i = chain.begin; i < chain.end; ++i) {
       const MaskPixel p = all.pixels[size_t(i)];
-      if (gradient.magnitude.at(p.x, p.y) >= kFlat) kept.pixels.push_back(p);
+      if (!is_flat(p)) kept.pixels.push_back(p);
     }
     kept.chains.push_back({begin, int(kept.pixels.size())});
   }

@@ -12,14 +12,16 @@ namespace {
 constexpr std::array<MaskPixel, 8> kStep{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-// Whether a set of open neighbours (bit d for kStep[d]) is that of an end of an edge: one neighbour, or two
-// that touch each other.
-std::array<bool, 256> make_end_table() {
-  std::array<bool, 256> is_end{};
-  for (int set = 0; set < 256; ++set) {
+// Bit of kStep[d] in a set of neighbours: they are read by rows.
+constexpr std::array<int, 8> kBit{5, 8, 7, 6, 3, 0, 1, 2};
+
+// Whether a set of open neighbours is that of an end of an edge: one neighbour, or two that touch each other.
+constexpr std::array<bool, 512> make_end_table() {
+  std::array<bool, 512> is_end{};
+  for (int set = 0; set < 512; ++set) {
     int runs = 0, count = 0;
     for (int d = 0; d < 8; ++d) {
-      const bool now = set >> d & 1, previous = set >> ((d + 7) & 7) & 1;
+      const bool now = set >> kBit[d] & 1, previous = set >> kBit[(d + 7) & 7] & 1;
       count += now;
       runs += now && !previous;
     }
@@ -27,13 +29,15 @@ std::array<bool, 256> make_end_table() {
   }
   return is_end;
 }
+constexpr std::array<bool, 512> kIsEnd = make_end_table();
 
-// Edge mask from which walked pixels are erased.
+// Edge mask, of 0 and 1, from which walked pixels are erased.
 class Walker {
  public:
   explicit Walker(const Plane<uint8_t>& mask) : open_(mask.width(), mask.height()) {
     const int width = mask.width(), height = mask.height();
-    std::copy_n(mask.row(0), size_t(width) * height, open_.row(0));
+    std::transform(mask.row(0), mask.row(0) + size_t(width) * height, open_.row(0),
+                   [](uint8_t mark) { return uint8_t(mark != 0); });
     for (int y = 0; y < height; ++y) {
       uint8_t* row = open_.row(y);
       if (y < kEdgelessBorder || y >= height - kEdgelessBorder) {
@@ -51,11 +55,9 @@ class Walker {
   bool is_open(MaskPixel p) const { return open_.at(p.x, p.y) != 0; }
 
   bool is_end(MaskPixel p) const {
-    static const std::array<bool, 256> table = make_end_table();
     const uint8_t* at = &open_.at(p.x, p.y);
-    int set = 0;
-    for (int d = 0; d < 8; ++d) set |= int(at[offset_[d]] != 0) << d;
-    return table[set];
+    const int width = open_.width();
+    return kIsEnd[size_t(three(at - width - 1) | three(at - 1) << 3 | three(at + width - 1) << 6)];
   }
 
   // Follows the edge from p, erases it, and appends it to `path`.
@@ -73,15 +75,16 @@ class Walker {
   }
 
  private:
+  // Three neighbours in a row as bits.
+  static int three(const uint8_t* first) { return first[0] | first[1] << 1 | first[2] << 2; }
+
   // Most of a row is empty, so eight pixels are tested at a time.
   void list_edges(const uint8_t* row, int y, int width) {
     int x = 0;
     for (; x + 8 <= width; x += 8) {
       uint64_t eight;
       std::memcpy(&eight, row + x, 8);
-      if (eight == 0) continue;
-      for (int i = x; i < x + 8; ++i)
-        if (row[i]) pixels_.push_back({i, y});
+      for (; eight != 0; eight &= eight - 1) pixels_.push_back({x + __builtin_ctzll(eight) / 8, y});
     }
     for (; x < width; ++x)
       if (row[x]) pixels_.push_back({x, y});

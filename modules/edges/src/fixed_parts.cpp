@@ -24,7 +24,6 @@ constexpr int kDirections = 12, kRegions = 3;
 constexpr double kFewEdges = 20;
 constexpr double kLeastStill = 0.7;      // share of a cell's strong edges that keep their place
 constexpr double kLeastStanding = 0.15;  // share of the cells that are still before a camera that stands
-constexpr int kFewestStanding = 5;       // images
 constexpr double kFoundAgain = 0.7;      // share of a fixed part's edges
 constexpr double kLeastSceneShare = 0.05, kMostSceneShare = 0.7;  // of edges found at their place
 // Logarithms of likelihood ratios. An image has 10^4 edge pixels, neighbours that depend on each other.
@@ -51,7 +50,8 @@ constexpr double kWorthChanging = 0.02;  // share of the area
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-int nearest(float v) { return int(std::lround(v)); }
+// Rounds a coordinate, which is not negative: as std::lround(), without its call. The sum is exact in double.
+int nearest(float v) { return int(double(v) + 0.5); }
 
 // Candidates that lie together.
 struct Piece {
@@ -91,7 +91,7 @@ void FixedParts::index(const ImageEdges& edges) {
   }
   for (int y = 0; y < height_; ++y) std::fill_n(edge_at_.row(y), width_, -1);
   for (size_t i = 0; i < edges.pixels.size(); ++i)
-    edge_at_.at(int(std::lround(edges.pixels[i].x)), int(std::lround(edges.pixels[i].y))) = int(i);
+    edge_at_.at(nearest(edges.pixels[i].x), nearest(edges.pixels[i].y)) = int(i);
 }
 
 bool FixedParts::is_seen(const Candidate& c, const ImageEdges& edges) const {
@@ -223,20 +223,23 @@ Plane<uint8_t> FixedParts::grow(double least_score, const ImageEdges& edges) con
   for (const Candidate* c : fixed) at.at(nearest(c->x), nearest(c->y)) = 255;
   cv::dilate(as_mat(at), as_mat(near), square(1));
   cv::dilate(as_mat(at), as_mat(grown), square(kReachPx));
-  cv::dilate(as_mat(at), as_mat(around), square(width_ / kPartsApart));
   cv::Mat piece_at, part_at;
   std::vector<Piece> pieces(size_t(cv::connectedComponents(as_mat(grown), piece_at, 8)));
-  std::vector<Piece> parts(size_t(cv::connectedComponents(as_mat(around), part_at, 8)));
-  for (const Candidate* c : fixed) {
-    Piece& piece = pieces[size_t(piece_at.at<int>(nearest(c->y), nearest(c->x)))];
-    piece.add(c->nx, c->ny);
-    piece.part = part_at.at<int>(nearest(c->y), nearest(c->x));
-  }
+  for (const Candidate* c : fixed)
+    pieces[size_t(piece_at.at<int>(nearest(c->y), nearest(c->x)))].add(c->nx, c->ny);
   for (const EdgePixel& e : edges.pixels) {
     Piece& piece = pieces[size_t(piece_at.at<int>(nearest(e.y), nearest(e.x)))];
     ++piece.edges;
     piece.edges_fixed += near.at(nearest(e.x), nearest(e.y)) != 0;
   }
+  // Most images end here: pieces that hold together are rare, and the rest costs as much again.
+  if (std::none_of(pieces.begin() + 1, pieces.end(), [](const Piece& p) { return p.holds_together(); }))
+    return {};
+  cv::dilate(as_mat(at), as_mat(around), square(width_ / kPartsApart));
+  std::vector<Piece> parts(size_t(cv::connectedComponents(as_mat(around), part_at, 8)));
+  for (const Candidate* c : fixed)
+    pieces[size_t(piece_at.at<int>(nearest(c->y), nearest(c->x)))].part =
+        part_at.at<int>(nearest(c->y), nearest(c->x));
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) ++pieces[size_t(piece_at.at<int>(y, x))].area;
   for (size_t i = 1; i < pieces.size(); ++i)
@@ -309,12 +312,6 @@ bool FixedParts::update_area(const ImageEdges& edges, bool is_early) {
   return true;
 }
 
-ViewMotion FixedParts::motion() const {
-  ViewMotion motion = motion_;
-  motion.stands = images_standing_ >= kFewestStanding;
-  return motion;
-}
-
 bool FixedParts::add(const ImageEdges& edges) {
   index(edges);
   if (candidates_.empty()) {
@@ -323,7 +320,6 @@ bool FixedParts::add(const ImageEdges& edges) {
   }
   look(edges);
   compare_cells();
-  images_standing_ = motion_.stands ? images_standing_ + 1 : 0;
   if (motion_.stands || motion_.moving < kLeastCellsMoving * motion_.cells || motion_.cells == 0)
     return false;
   ++compared_;

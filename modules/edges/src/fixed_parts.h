@@ -15,9 +15,18 @@
 
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/plane.h"
-#include "edgevo/edges/view_motion.h"
 
 namespace edgevo {
+
+/// How much of the view moves, from the edges alone: cells that show strong edges, compared with an image
+/// before. Parts that are fixed to the camera do not count.
+struct ViewMotion {
+  /// Number of cells; of those whose edges keep their place; of those in which most edges leave it.
+  int cells = 0, still = 0, moving = 0;
+  /// Whether the camera stands: half of the view stands still. Once it stands, what crosses the view may
+  /// cover more, little by little; a camera that begins to move moves everything at once.
+  bool stands = false;
+};
 
 /// Fixed parts in the images of one camera, in the coordinates of one level of their pyramids.
 class FixedParts {
@@ -29,9 +38,6 @@ class FixedParts {
   std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
   /// Whether some of the view looks fixed, but not for long enough to know.
   bool is_undecided() const { return is_undecided_; }
-  /// How much of the view has moved since the last image that was compared. It stands once it has stood for
-  /// some images: where a hand turns back, a view stands still for an instant.
-  ViewMotion motion() const;
   /// Number of images that were compared.
   int compared() const { return compared_; }
 
@@ -69,7 +75,6 @@ class FixedParts {
   std::shared_ptr<const Plane<uint8_t>> area_;
   bool is_undecided_ = false;
   ViewMotion motion_;
-  int images_standing_ = 0;
 };
 
 }  // namespace edgevo

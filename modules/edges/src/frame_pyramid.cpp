@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "border_mask.h"
+#include "deep_image.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/core/radial.h"
@@ -13,6 +14,7 @@
 #include "edgevo/edges/opencv_view.h"
 #include "edgevo/files/image_names.h"
 #include "fixed_parts.h"
+#include "halve.h"
 #include "own_mask.h"
 #include "undistortion.h"
 
@@ -34,15 +36,14 @@ void clear_masked(const Plane<uint8_t>& border, int l, Plane<uint8_t>* mask) {
   }
 }
 
-// Halves an image to the size of `to`.
-void halve(const Plane<uint8_t>& from, Plane<uint8_t>* to) {
-  cv::Mat half = as_mat(*to);
-  cv::pyrDown(as_mat(from), half, half.size());
-}
-
+// An image halved to `size`.
 Plane<uint8_t> halved(const Plane<uint8_t>& from, const Pinhole& size) {
-  Plane<uint8_t> half(size.width, size.height);
-  halve(from, &half);
+  return halve(from, size.width, size.height);
+}
+Plane<uint16_t> halved(const Plane<uint16_t>& from, const Pinhole& size) {
+  Plane<uint16_t> half(size.width, size.height);
+  cv::Mat to = as_mat(half);
+  cv::pyrDown(as_mat(from), to, to.size());
   return half;
 }
 
@@ -50,6 +51,20 @@ double share_of(const std::shared_ptr<const Plane<uint8_t>>& mask) {
   if (!mask) return 0;
   return double(cv::countNonZero(as_mat(*mask))) / (double(mask->width()) * mask->height());
 }
+
+// An image as edges are found in it.
+struct RawGray {
+  Plane<uint16_t> deep;   // empty for 8 bits
+  Plane<uint8_t> shown_;  // of `deep`
+  ImageView<uint8_t> pixels;
+
+  explicit RawGray(const GrayImage& image) : pixels(image.view()) {
+    if (!image.is_deep()) return;
+    deep = deep_gray(image, exposure_of(image));
+    shown_ = shown(deep);
+    pixels = shown_.view();
+  }
+};
 
 // What is known about an image besides its gray values.
 struct KnownAreas {
@@ -95,8 +110,9 @@ struct PyramidBuilder::Impl {
     return wide;
   }
 
-  Plane<uint8_t> undistort(const ImageView<uint8_t>& image, const ImageMotion& motion) {
-    Plane<uint8_t> out(target().width, target().height);
+  template <class T>
+  Plane<T> undistort(const ImageView<T>& image, const ImageMotion& motion) {
+    Plane<T> out(target().width, target().height);
     if (correction.readout_s != 0 && motion.is_known() && has_area()) {
       if (!rolling) rolling.emplace(rectification.maps(correction.k1));
       rolling->apply(rolling_shift(motion), image, &out);
@@ -133,7 +149,7 @@ struct PyramidBuilder::Impl {
   // `watch`: look for parts that are fixed to the camera.
   void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& own,
                   const Plane<uint8_t>& likely, bool watch, PyramidLevel* level) {
-    Gradient gradient = compute_gradient(level->gray.view());
+    Gradient gradient = level->with_gray([](const auto& gray) { return compute_gradient(gray); });
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     if (!missing.empty()) clear_masked(missing, l, &mask);
@@ -158,8 +174,10 @@ struct PyramidBuilder::Impl {
 
   std::shared_ptr<const FramePyramid> take(const GrayImage& image, const std::string& name,
                                            const ImageMotion& motion);
-  std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion,
-                                            KnownAreas known, bool watch);
+  // `raw`: of `image`.
+  std::shared_ptr<const FramePyramid> build(const GrayImage& image, const RawGray& raw,
+                                            const ImageMotion& motion, KnownAreas known, bool watch);
+  void fill_level(int l, const RawGray& raw, const ImageMotion& motion, std::vector<PyramidLevel>* levels);
 };
 
 double FramePyramid::masked_share() const { return share_of(border_mask); }
@@ -224,18 +242,33 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& 
                          std::to_string(expected.height),
                      "give the camera file of these images");
   check_pixels(image, "image");
+  const RawGray raw(image);
   std::shared_ptr<const Plane<uint8_t>> likely;
-  if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(image.view(), name));
-  border.add(image.view());
-  return build(image, motion, {border.mask(), own.mask(), std::move(likely)}, params.find_own_parts);
+  if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(raw.pixels, name));
+  border.add(raw.pixels);
+  return build(image, raw, motion, {border.mask(), own.mask(), std::move(likely)}, params.find_own_parts);
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
                                                             const ImageMotion& motion) {
-  return impl_->build(old.source, motion, {old.border_mask, old.own_mask, old.probability}, false);
+  return impl_->build(old.source, RawGray(old.source), motion,
+                      {old.border_mask, old.own_mask, old.probability}, false);
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image,
+void PyramidBuilder::Impl::fill_level(int l, const RawGray& raw, const ImageMotion& motion,
+                                      std::vector<PyramidLevel>* levels) {
+  PyramidLevel& level = (*levels)[size_t(l)];
+  const PyramidLevel* finer = l > 0 ? &(*levels)[size_t(l - 1)] : nullptr;
+  level.pinhole = target().at_level(l);
+  if (raw.deep.empty()) {
+    level.gray = finer ? halved(finer->gray, level.pinhole) : undistort(raw.pixels, motion);
+    return;
+  }
+  level.deep = finer ? halved(finer->deep, level.pinhole) : undistort(raw.deep.view(), motion);
+  level.gray = shown(level.deep);
+}
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image, const RawGray& raw,
                                                                 const ImageMotion& motion, KnownAreas known,
                                                                 bool watch) {
   auto pyramid = std::make_shared<FramePyramid>();
@@ -252,20 +285,14 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
       pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
     PyramidLevel& level = pyramid->levels[size_t(l)];
-    level.pinhole = target().at_level(l);
-    if (l == 0) {
-      level.gray = undistort(image.view(), motion);
-    } else {
-      level.gray = Plane<uint8_t>(level.pinhole.width, level.pinhole.height);
-      halve(pyramid->levels[size_t(l - 1)].gray, &level.gray);
-      if (!likely_here.empty() && l < params.edge_levels) likely_here = halved(likely_here, level.pinhole);
-    }
+    fill_level(l, raw, motion, &pyramid->levels);
+    if (l > 0 && !likely_here.empty() && l < params.edge_levels)
+      likely_here = halved(likely_here, level.pinhole);
     if (l < params.edge_levels)
       find_edges(l, border_here, pyramid->own_area, likely_here, watch && l == params.edge_levels - 1,
                  &level);
   }
   pyramid->may_show_own_part = watch && fixed.is_undecided();
-  if (watch) pyramid->view_motion = fixed.motion();
   return pyramid;
 }
 

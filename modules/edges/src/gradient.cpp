@@ -3,17 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include "edgevo/core/simd.h"
+#include "edgevo/edges/deep_gray.h"
 
 namespace edgevo {
 namespace {
 
 // Binomial and Sobel are separable, and so is their product: seven taps to smooth, [1 4 6 4 1] * [1 2 1], and
-// seven to differentiate, [1 4 6 4 1] * [-1 0 1]. In 16 bits: a smoothed value is at most 64 * 255; an eighth
-// of it times the taps 5, 4, 1 is at most 20400.
+// seven to differentiate, [1 4 6 4 1] * [-1 0 1]. Pixels of 8 bits are processed in 16 bits: a smoothed value
+// is at most 64 * 255; an eighth of it times the taps 5, 4, 1 is at most 20400. Those of 16 bits in 32: 64 *
+// 65535 times the taps is at most 42 million, and the result is limited to 16 bits (contrasts beyond 255).
 constexpr int kReach = 3;
 constexpr int kTaps = 2 * kReach + 1;
 
@@ -55,66 +56,94 @@ EDGEVO_WIDE_CLONES void take_magnitude(const int16_t* __restrict dx, const int16
   }
 }
 
-void smooth(const Window<uint8_t>& w, int16_t* out, int n) {
+EDGEVO_WIDE_CLONES void smooth(const uint16_t* __restrict a, const uint16_t* __restrict b,
+                               const uint16_t* __restrict c, const uint16_t* __restrict d,
+                               const uint16_t* __restrict e, const uint16_t* __restrict f,
+                               const uint16_t* __restrict g, int32_t* __restrict out, int n) {
+  for (int i = 0; i < n; ++i) out[i] = a[i] + g[i] + 6 * (b[i] + f[i]) + 15 * (c[i] + e[i]) + 20 * d[i];
+}
+
+EDGEVO_WIDE_CLONES void differentiate(const int32_t* __restrict a, const int32_t* __restrict b,
+                                      const int32_t* __restrict c, const int32_t* __restrict e,
+                                      const int32_t* __restrict f, const int32_t* __restrict g,
+                                      int16_t* __restrict out, int n) {
+  constexpr int kSteps = 8 * kDeepSteps;  // of the sum, per step of the gradient
+  for (int i = 0; i < n; ++i) {
+    const int32_t sum = g[i] - a[i] + 4 * (f[i] - b[i]) + 5 * (e[i] - c[i]);
+    const int32_t rounded = (sum + kSteps / 2) >> 10;
+    out[i] = int16_t(std::min(std::max(rounded, -32767), 32767));
+  }
+  static_assert(kSteps == 1 << 10);
+}
+
+template <class T, class S>
+void smooth(const Window<T>& w, S* out, int n) {
   smooth(w[0], w[1], w[2], w[3], w[4], w[5], w[6], out, n);
 }
-void differentiate(const Window<int16_t>& w, int16_t* out, int n) {
+template <class S>
+void differentiate(const Window<S>& w, int16_t* out, int n) {
   differentiate(w[0], w[1], w[2], w[4], w[5], w[6], out, n);
 }
 
 // The last seven rows of an image, each extended by three pixels on both sides, and the same rows smoothed
 // horizontally.
+template <class T, class S>
 class RowRing {
  public:
-  explicit RowRing(const ImageView<uint8_t>& gray) : gray_(gray), padded_(gray.width + 2 * kReach) {
+  explicit RowRing(const ImageView<T>& gray) : gray_(gray), padded_(gray.width + 2 * kReach) {
     for (int k = 0; k < kTaps; ++k) pixels_[k].resize(padded_), smoothed_[k].resize(gray.width);
   }
   int padded() const { return padded_; }
 
   void load(int y) {
-    uint8_t* to = pixels_[slot(y)].data();
-    const uint8_t* from = gray_.row(std::clamp(y, 0, gray_.height - 1));
-    std::memset(to, from[0], kReach);
-    std::memcpy(to + kReach, from, gray_.width);
-    std::memset(to + kReach + gray_.width, from[gray_.width - 1], kReach);
-    smooth(along<uint8_t>(to), smoothed_[slot(y)].data(), gray_.width);
+    T* to = pixels_[slot(y)].data();
+    const T* from = gray_.row(std::clamp(y, 0, gray_.height - 1));
+    std::fill_n(to, kReach, from[0]);
+    std::copy_n(from, gray_.width, to + kReach);
+    std::fill_n(to + kReach + gray_.width, kReach, from[gray_.width - 1]);
+    smooth(along<T>(to), smoothed_[slot(y)].data(), gray_.width);
   }
   // Rows y - 3 to y + 3.
-  Window<uint8_t> pixels(int y) const { return rows<uint8_t>(pixels_, y); }
-  Window<int16_t> smoothed(int y) const { return rows<int16_t>(smoothed_, y); }
+  Window<T> pixels(int y) const { return rows<T>(pixels_, y); }
+  Window<S> smoothed(int y) const { return rows<S>(smoothed_, y); }
 
  private:
   static int slot(int y) { return (y + kTaps) % kTaps; }
-  template <class T>
-  static Window<T> rows(const std::array<std::vector<T>, kTaps>& ring, int y) {
-    Window<T> w;
+  template <class V>
+  static Window<V> rows(const std::array<std::vector<V>, kTaps>& ring, int y) {
+    Window<V> w;
     for (int k = 0; k < kTaps; ++k) w[k] = ring[slot(y + k - kReach)].data();
     return w;
   }
 
-  ImageView<uint8_t> gray_;
+  ImageView<T> gray_;
   int padded_;
-  std::array<std::vector<uint8_t>, kTaps> pixels_;
-  std::array<std::vector<int16_t>, kTaps> smoothed_;
+  std::array<std::vector<T>, kTaps> pixels_;
+  std::array<std::vector<S>, kTaps> smoothed_;
 };
 
-}  // namespace
-
-Gradient compute_gradient(const ImageView<uint8_t>& gray) {
+// S: type of smoothed values.
+template <class S, class T>
+Gradient gradient_of(const ImageView<T>& gray) {
   const int width = gray.width, height = gray.height;
   Gradient g{Plane<int16_t>(width, height), Plane<int16_t>(width, height), Plane<float>(width, height)};
-  RowRing ring(gray);
-  std::vector<int16_t> column_smoothed(ring.padded());
+  RowRing<T, S> ring(gray);
+  std::vector<S> column_smoothed(ring.padded());
   for (int y = -kReach; y < kReach; ++y) ring.load(y);
   for (int y = 0; y < height; ++y) {
     ring.load(y + kReach);
     smooth(ring.pixels(y), column_smoothed.data(), ring.padded());
-    differentiate(along<int16_t>(column_smoothed.data()), g.dx.row(y), width);
+    differentiate(along<S>(column_smoothed.data()), g.dx.row(y), width);
     differentiate(ring.smoothed(y), g.dy.row(y), width);
     take_magnitude(g.dx.row(y), g.dy.row(y), g.magnitude.row(y), width);
   }
   return g;
 }
+
+}  // namespace
+
+Gradient compute_gradient(const ImageView<uint8_t>& gray) { return gradient_of<int16_t>(gray); }
+Gradient compute_gradient(const ImageView<uint16_t>& gray) { return gradient_of<int32_t>(gray); }
 
 GradientHistogram::GradientHistogram(const Plane<float>& magnitude) {
   for (int y = 0; y < magnitude.height(); y += 2) {

@@ -2,6 +2,7 @@
 #include "edgevo/edges/image_quality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -21,6 +22,27 @@ constexpr int kSlack = 2;     // gray levels: compression moves saturated pixels
 // 1 for a pixel at either end of the range.
 int is_saturated(uint8_t gray) { return uint8_t(gray + kSlack + 1) <= 2 * kSlack + 1; }
 
+// Such pixels in row y; those of more than 8 bits are saturated at the ends of the camera's values:
+// compression is lossless, and black and white of their scale need not be the camera's.
+class Saturation {
+ public:
+  explicit Saturation(const GrayImage& image) : image_(image) {
+    const double white = image.scale.black == 0 ? 256 * image.scale.per_level - 1 : kMostValue;
+    white_ = int(std::lround(std::min(white, kMostValue)));
+  }
+  int at(int x, int y) const {
+    const size_t i = size_t(y) * image_.width + x;
+    if (!image_.is_deep()) return is_saturated(image_.pixels[i]);
+    const int value = image_.values[i];
+    return value == 0 || value == white_ || value == int(kMostValue);
+  }
+
+ private:
+  static constexpr double kMostValue = 65535;
+  const GrayImage& image_;
+  int white_ = 0;
+};
+
 // ---- blur ----
 
 constexpr size_t kLeastEdges = 100;
@@ -39,15 +61,15 @@ float interpolate(const Plane<float>& plane, float x, float y) {
 }  // namespace
 
 double saturated_share(const FramePyramid& pyramid) {
-  const ImageView<uint8_t> image = pyramid.source.view();
+  const GrayImage& image = pyramid.source;
+  const Saturation saturation(image);
   int saturated = 0, counted = 0;
   for (int y = kRowStep / 2; y < image.height; y += kRowStep) {
-    const uint8_t* row = image.row(y);
     const uint8_t* masked = pyramid.border_mask ? pyramid.border_mask->row(y) : nullptr;
     for (int x = 0; x < image.width; ++x) {
       const int counts = !masked || !masked[x];
       counted += counts;
-      saturated += counts & is_saturated(row[x]);
+      saturated += counts & saturation.at(x, y);
     }
   }
   return counted > 0 ? double(saturated) / counted : kUnknown;

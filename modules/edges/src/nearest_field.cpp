@@ -2,8 +2,9 @@
 #include "edgevo/edges/nearest_field.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
+#include <vector>
 
 #include "edgevo/core/simd.h"
 
@@ -14,65 +15,115 @@ constexpr int kShift = NearestField::kShift;  // bits below the squared distance
 // A key beyond every distance; adding that of a row does not overflow.
 constexpr int16_t kFar = 0x3FFF;
 
-// Keys around one edge pixel of a row, from `radius` columns before it to `radius` columns after it.
-std::vector<int16_t> make_ramp(int radius) {
-  std::vector<int16_t> keys;
+// Sixteen columns; the compiler's vector type, which maps to registers of the available width.
+using Keys = int16_t __attribute__((vector_size(32)));
+constexpr int kLanes = sizeof(Keys) / sizeof(int16_t);
+constexpr int kBlock = 64;  // columns that stay in registers during the loop over the rows
+constexpr int kParts = kBlock / kLanes;
+
+// The lowest bit of a key within its row: whether the edge does not lie to the left. So the least of two keys
+// at the same distance is that of the left edge. NearestField stores the opposite.
+constexpr int16_t kNotLeft = 1;
+constexpr int kRampParts = 2;
+using Ramp = std::array<Keys, kRampParts>;
+static_assert(2 * NearestField::kMaxRadius + 1 <= kRampParts * kLanes);
+
+// Keys in a row around an edge pixel, from `radius` columns before it to `radius` columns after it.
+Ramp make_ramp(int radius) {
+  std::array<int16_t, kRampParts * kLanes> keys;
+  keys.fill(kFar);
   for (int d = -radius; d <= radius; ++d)
-    keys.push_back(int16_t((d * d << kShift) + int(d > 0)));  // after it: the edge lies to the left
-  return keys;
+    keys[size_t(d + radius)] = int16_t((d * d << kShift) + (d > 0 ? 0 : kNotLeft));
+  Ramp ramp;
+  std::memcpy(ramp.data(), keys.data(), sizeof(ramp));
+  return ramp;
 }
 
-// One bit per pixel, row by row: it yields the columns of a row in ascending order and once each, without
-// sorting.
-class EdgeBits {
- public:
-  EdgeBits(int width, int height) : words_((width + 63) / 64), bits_(size_t(words_) * height, 0) {}
+// Lets the keys around each edge pixel be at most those of the ramp; `begins`: where a ramp begins.
+EDGEVO_WIDE_CLONES void lower_keys(const std::vector<int>& begins, const Ramp& ramp, int16_t* keys) {
+  for (const int begin : begins)
+    for (int part = 0; part < kRampParts; ++part) {
+      int16_t* at = keys + begin + part * kLanes;
+      Keys least;
+      std::memcpy(&least, at, sizeof(least));
+      least = ramp[size_t(part)] < least ? ramp[size_t(part)] : least;
+      std::memcpy(at, &least, sizeof(least));
+    }
+}
 
-  void set(int x, int y) { bits_[size_t(y) * words_ + x / 64] |= uint64_t(1) << (x % 64); }
-  void list_row(int y, std::vector<int>* xs) const {
-    xs->clear();
-    const uint64_t* word = &bits_[size_t(y) * words_];
-    for (int w = 0; w < words_; ++w)
-      for (uint64_t rest = word[w]; rest != 0; rest &= rest - 1)
-        xs->push_back(64 * w + __builtin_ctzll(rest));
+// Rows of keys with a margin on both sides, into which ramps at the border reach.
+class KeyRows {
+ public:
+  KeyRows(int width, int height)
+      : blocks_((width + kBlock - 1) / kBlock),
+        keys_(kMargin + blocks_ * kBlock + kMargin, height),
+        is_used_(size_t(blocks_) * size_t(height), 0) {
+    std::fill_n(keys_.row(0), size_t(keys_.width()) * size_t(keys_.height()), kFar);
+  }
+  int blocks() const { return blocks_; }
+  int stride() const { return keys_.width(); }
+  const int16_t* block(int b) const { return keys_.row(0) + kMargin + b * kBlock; }
+
+  // Notes an edge pixel. Returns where its ramp begins.
+  int note(int x, int y, int radius) {
+    uint8_t* used = &is_used_[size_t(y) * size_t(blocks_)];
+    used[std::max(x - radius, 0) / kBlock] = 1;
+    used[std::min((x + radius) / kBlock, blocks_ - 1)] = 1;
+    return y * keys_.width() + kMargin + x - radius;
+  }
+  void lower(const std::vector<int>& begins, int radius) {
+    lower_keys(begins, make_ramp(radius), keys_.row(0));
+  }
+  // Rows in which an edge reaches into a block, in ascending order.
+  void list_rows(int block, std::vector<int>* rows) const {
+    rows->clear();
+    for (int y = 0; y < keys_.height(); ++y)
+      if (is_used_[size_t(y) * size_t(blocks_) + size_t(block)]) rows->push_back(y);
   }
 
  private:
-  int words_;
-  std::vector<uint64_t> bits_;
+  static constexpr int kMargin = kRampParts * kLanes;
+  int blocks_;
+  Plane<int16_t> keys_;
+  std::vector<uint8_t> is_used_;  // by row and block: whether an edge reaches into it
 };
 
-// Writes the key of the nearest edge for each column of one row, given its edges at columns `xs` (ascending).
-void fill_row(const std::vector<int>& xs, int width, int radius, const std::vector<int16_t>& ramp,
-              int16_t* key) {
-  std::fill(key, key + width, kFar);
-  for (size_t k = 0; k < xs.size(); ++k) {
-    const int left = k == 0 ? 0 : (xs[k - 1] + xs[k]) / 2 + 1;  // a tie goes to the left edge
-    const int right = k + 1 == xs.size() ? width - 1 : (xs[k] + xs[k + 1]) / 2;
-    const int from = std::max(left, xs[k] - radius), to = std::min(right, xs[k] + radius);
-    std::copy_n(ramp.begin() + (from - xs[k] + radius), to - from + 1, key + from);
+// One block of columns, in all rows.
+struct BlockColumn {
+  const int16_t* keys;  // of the first row
+  int stride;
+  const int* rows;  // those with edges
+  int row_count;
+};
+
+// least[x] = min over the rows [first, last) with edges of their keys + share, which is given by the distance
+// in rows from y - radius.
+inline void take_minimum(const BlockColumn& c, int first, int last, const int16_t* share, int top,
+                         int16_t* out) {
+  Keys least[kParts], candidate;
+  for (Keys& part : least) part = Keys{} + int16_t(0x7FFF);
+  for (int k = first; k < last; ++k) {
+    const int16_t* keys = c.keys + std::ptrdiff_t(c.rows[k]) * c.stride;
+    for (int part = 0; part < kParts; ++part) {
+      std::memcpy(&candidate, keys + part * kLanes, sizeof(Keys));
+      candidate += share[c.rows[k] - top];
+      least[part] = candidate < least[part] ? candidate : least[part];
+    }
   }
+  for (Keys& part : least) part ^= kNotLeft;
+  std::memcpy(out, least, sizeof(least));
 }
 
-// Sixteen columns; the compiler's vector type, which maps to registers of the available width.
-using Keys = int16_t __attribute__((vector_size(32)));
-constexpr int kBlock = 64;  // columns that stay in registers during the loop over the rows
-
-// best[x] = min over rows of rows[k][x] + share[k]; `width` is a multiple of kBlock.
-EDGEVO_WIDE_CLONES void take_minimum(const int16_t* const* rows, const int16_t* share, int count,
-                                     int16_t* best, int width) {
-  constexpr int kLanes = sizeof(Keys) / sizeof(int16_t),
-                kParts = kBlock / kLanes;  // columns of a register, registers of a block
-  for (int x = 0; x < width; x += kBlock) {
-    Keys least[kParts], candidate;
-    for (Keys& part : least) part = Keys{} + int16_t(0x7FFF);
-    for (int k = 0; k < count; ++k)
-      for (int part = 0; part < kParts; ++part) {
-        std::memcpy(&candidate, rows[k] + x + part * kLanes, sizeof(Keys));
-        candidate += share[k];
-        least[part] = candidate < least[part] ? candidate : least[part];
-      }
-    std::memcpy(best + x, least, sizeof(least));
+// Writes `columns` <= kBlock columns of the field. share: of each distance from -radius to radius.
+EDGEVO_WIDE_CLONES void fill_block(const BlockColumn& c, int radius, const int16_t* share, int columns,
+                                   int height, int16_t* out, int stride) {
+  int first = 0, last = 0;
+  for (int y = 0; y < height; ++y, out += stride) {
+    while (first < c.row_count && c.rows[first] < y - radius) ++first;
+    while (last < c.row_count && c.rows[last] <= y + radius) ++last;
+    int16_t best[kBlock];
+    take_minimum(c, first, last, share, y - radius, best);
+    std::memcpy(out, best, size_t(columns) * sizeof(int16_t));
   }
 }
 
@@ -84,35 +135,24 @@ NearestField::NearestField(const ImageEdges& edges, int radius)
       keys_(edges.width, edges.height),
       index_(edges.width, edges.height) {
   const int width = edges.width, height = edges.height;
-  EdgeBits bits(width, height);
+  KeyRows in_row(width, height);
+  std::vector<int> begins;
+  begins.reserve(edges.pixels.size());
   for (size_t i = 0; i < edges.pixels.size(); ++i) {
     const int x = std::clamp(int(edges.pixels[i].x + 0.5f), 0, width - 1);
     const int y = std::clamp(int(edges.pixels[i].y + 0.5f), 0, height - 1);
     index_.at(x, y) = int32_t(i);
-    bits.set(x, y);
+    begins.push_back(in_row.note(x, y, radius));
   }
-  const std::vector<int16_t> ramp = make_ramp(radius);
-  const int padded = (width + kBlock - 1) / kBlock * kBlock;
-  Plane<int16_t> in_row(padded, height);
-  std::vector<int> columns;
-  std::vector<bool> is_empty(height);
-  for (int y = 0; y < height; ++y) {
-    bits.list_row(y, &columns);
-    is_empty[y] = columns.empty();
-    fill_row(columns, width, radius, ramp, in_row.row(y));
-    std::fill(in_row.row(y) + width, in_row.row(y) + padded, kFar);
-  }
-  std::vector<int16_t> best(padded), share;
-  std::vector<const int16_t*> rows;
-  for (int y = 0; y < height; ++y) {
-    rows.clear(), share.clear();
-    for (int dy = std::max(-radius, -y); dy <= std::min(radius, height - 1 - y); ++dy) {
-      if (is_empty[y + dy]) continue;
-      rows.push_back(in_row.row(y + dy));
-      share.push_back(int16_t((dy * dy << kShift) + 2 * (dy + radius)));
-    }
-    take_minimum(rows.data(), share.data(), int(rows.size()), best.data(), padded);
-    std::copy_n(best.begin(), width, keys_.row(y));
+  in_row.lower(begins, radius);
+  std::vector<int16_t> share;
+  for (int dy = -radius; dy <= radius; ++dy)
+    share.push_back(int16_t((dy * dy << kShift) + 2 * (dy + radius)));
+  std::vector<int> rows;
+  for (int b = 0; b < in_row.blocks(); ++b) {
+    in_row.list_rows(b, &rows);
+    fill_block({in_row.block(b), in_row.stride(), rows.data(), int(rows.size())}, radius, share.data(),
+               std::min(kBlock, width - b * kBlock), height, keys_.row(0) + b * kBlock, width);
   }
 }
 

@@ -11,24 +11,27 @@
 namespace edgevo {
 namespace {
 
-// One pixel in units of the fractions: products of two fractions and a gray level fit 32 bits.
+// One pixel in units of the fractions: products of two fractions and a pixel of 16 bits fit 32 bits.
 constexpr int kOne = 128;
 // Number of pixels gathered, then blended, at a time, so that they stay in the L1 cache.
 constexpr int kRunLength = 256;
 
 // Two neighbours in a row, the left one first.
+template <class T>
 struct Pair {
-  uint8_t left, right;
+  T left, right;
 };
-using Pairs = std::array<Pair, kRunLength>;
+template <class T>
+using Pairs = std::array<Pair<T>, kRunLength>;
 
-EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint8_t* right,
-                              const uint8_t* down, int count, uint8_t* __restrict out) {
+template <class T>
+EDGEVO_WIDE_CLONES void blend(const Pairs<T>& above, const Pairs<T>& below, const uint8_t* right,
+                              const uint8_t* down, int count, T* __restrict out) {
   for (int i = 0; i < count; ++i) {
     const int x = right[i], y = down[i];
     const int top = above[i].left * (kOne - x) + above[i].right * x;
     const int bottom = below[i].left * (kOne - x) + below[i].right * x;
-    out[i] = uint8_t((top * (kOne - y) + bottom * y + kOne * kOne / 2) / (kOne * kOne));
+    out[i] = T((top * (kOne - y) + bottom * y + kOne * kOne / 2) / (kOne * kOne));
   }
 }
 
@@ -36,13 +39,14 @@ EDGEVO_WIDE_CLONES void blend(const Pairs& above, const Pairs& below, const uint
 float within(float position, int size) { return std::min(std::max(0.0f, position), float(size - 1)); }
 
 // Samples one row: fetches the neighbours of each position and blends them.
-void fetch_run(const ImageView<uint8_t>& image, const int32_t* corner, const uint8_t* right,
-               const uint8_t* down, int count, uint8_t* out) {
-  Pairs above, below;
+template <class T>
+void fetch_run(const ImageView<T>& image, const int32_t* corner, const uint8_t* right, const uint8_t* down,
+               int count, T* out) {
+  Pairs<T> above, below;
   for (int i = 0; i < count; ++i) {
-    const uint8_t* p = image.data + corner[i];
-    std::memcpy(&above[i], p, 2);
-    std::memcpy(&below[i], p + image.width, 2);
+    const T* p = image.data + corner[i];
+    std::memcpy(&above[i], p, sizeof(above[i]));
+    std::memcpy(&below[i], p + image.width, sizeof(below[i]));
   }
   blend(above, below, right, down, count, out);
 }
@@ -97,7 +101,8 @@ Undistortion::Undistortion(const RectificationMaps& maps, int width, int height)
   }
 }
 
-void Undistortion::apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) const {
+template <class T>
+void Undistortion::apply(const ImageView<T>& image, Plane<T>* out) const {
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; x += kRunLength) {
       const size_t first = size_t(y) * width_ + x;
@@ -106,8 +111,8 @@ void Undistortion::apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) c
     }
 }
 
-void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<uint8_t>& image,
-                                Plane<uint8_t>* out) const {
+template <class T>
+void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<T>& image, Plane<T>* out) const {
   static_assert(kRunLength % ShiftGrid::kCell == 0, "runs begin at nodes");
   const int width = maps_.width, height = maps_.height;
   Run run;
@@ -126,5 +131,11 @@ void ShiftedUndistortion::apply(const ShiftGrid& shift, const ImageView<uint8_t>
     }
   }
 }
+
+template void Undistortion::apply(const ImageView<uint8_t>&, Plane<uint8_t>*) const;
+template void Undistortion::apply(const ImageView<uint16_t>&, Plane<uint16_t>*) const;
+template void ShiftedUndistortion::apply(const ShiftGrid&, const ImageView<uint8_t>&, Plane<uint8_t>*) const;
+template void ShiftedUndistortion::apply(const ShiftGrid&, const ImageView<uint16_t>&,
+                                         Plane<uint16_t>*) const;
 
 }  // namespace edgevo

@@ -13,13 +13,14 @@ namespace edgevo {
 
 /// Bilinear undistortion with positions rounded to 1/128 px; beyond the border of the raw image its border
 /// pixels are repeated. Raw images have at least 2x2 pixels. Faster than OpenCV's remap, which rounds
-/// positions to 1/32 px.
+/// positions to 1/32 px. Pixels have 8 or 16 bits.
 class Undistortion {
  public:
   /// For raw images of width x height.
   Undistortion(const RectificationMaps& maps, int width, int height);
   /// Undistorts an image of that size; `out` has the size of the maps.
-  void apply(const ImageView<uint8_t>& image, Plane<uint8_t>* out) const;
+  template <class T>
+  void apply(const ImageView<T>& image, Plane<T>* out) const;
 
  private:
   int width_, height_;                 // of the maps
@@ -57,7 +58,8 @@ class ShiftedUndistortion {
  public:
   explicit ShiftedUndistortion(RectificationMaps maps) : maps_(std::move(maps)) {}
   /// Undistorts an image. `shift` and `out` have the size of the maps.
-  void apply(const ShiftGrid& shift, const ImageView<uint8_t>& image, Plane<uint8_t>* out) const;
+  template <class T>
+  void apply(const ShiftGrid& shift, const ImageView<T>& image, Plane<T>* out) const;
 
  private:
   RectificationMaps maps_;

@@ -2,6 +2,7 @@
 #include "edgevo/map/map.h"
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -13,6 +14,7 @@ KeyframeRecord make_record(const Keyframe& k, int segment) {
   record.time = k.time;
   record.segment = segment;
   record.T_world_cam = k.T_cam_world.inverse();
+  record.is_doubtful = k.is_doubtful;
   record.points.reserve(k.points.size());
   std::optional<ImageView<uint8_t>> gray;
   if (k.pyramid) gray = k.pyramid->finest().gray.view();
@@ -73,6 +75,13 @@ void Map::end_segment() {
 
 void Map::evict_images(size_t keep) {
   for (size_t i = 0; i + keep < marginalised_.size(); ++i) marginalised_[i].pyramid.reset();
+}
+
+void Map::evict_records() {
+  const int first = !marginalised_.empty() ? marginalised_.front().id
+                    : !active_.empty()     ? active_.front().id
+                                           : std::numeric_limits<int>::max();
+  stored_.erase(stored_.begin(), stored_.lower_bound(first));
 }
 
 void Map::evict_matches(size_t keep) {

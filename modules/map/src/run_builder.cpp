@@ -11,6 +11,23 @@
 namespace edgevo {
 namespace {
 
+std::string in_words(SegmentPlaced::Method method) {
+  using Method = SegmentPlaced::Method;
+  switch (method) {
+    case Method::kOrigin:
+      return "origin";
+    case Method::kVelocity:
+      return "equal speed";
+    case Method::kDepthRatio:
+      return "ratio of depths";
+    case Method::kStandstill:
+      return "nothing (standstill)";
+    case Method::kLinked:
+      return "views of both maps";
+  }
+  return {};
+}
+
 void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
   const float ratio = float(move.length_ratio);
   for (size_t i = 0; i < points->size(); ++i) {
@@ -61,16 +78,19 @@ void RunBuilder::apply(const MapEvent& event) {
 void RunBuilder::handle(const SegmentPlaced& e) {
   if (!is_known(e.segment)) T_world_map_.resize(size_t(e.segment) + 1);
   T_world_map_[size_t(e.segment)] = e.T_world_map;
+  segments_.resize(T_world_map_.size());
+  segments_[size_t(e.segment)] = {in_words(e.method), e.scale_sigma};
 }
 
 void RunBuilder::handle(const KeyframeMarginalised& e) { add_keyframe(e.id, e.keyframe); }
 
 void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
-  if (is_known(keyframe->segment)) keyframes_[id].keyframe = std::move(keyframe);
+  if (is_known(keyframe->segment) && !forgets()) keyframes_[id].keyframe = std::move(keyframe);
 }
 
 void RunBuilder::handle(const MapMoved& e) {
   ++moves_;
+  if (forgets()) return;
   for (const KeyframeMove& move : e.keyframes) {
     length_ratios_[move.id].emplace_back(moves_, move.length_ratio);
     const auto known = keyframes_.find(move.id);
@@ -92,22 +112,27 @@ void RunBuilder::handle(const LinesFinished& e) {
 
 void RunBuilder::handle(const FrameMapped& e) {
   const auto known = position_.find(e.frame_index);
-  if (known != position_.end()) rows_[known->second].mapping = e;
+  if (known != position_.end()) row(known->second).mapping = e;
 }
 
 void RunBuilder::handle(const FrameAnchored& e) {
-  const auto [known, is_new] = position_.emplace(e.frame.index, rows_.size());
+  const auto [known, is_new] = position_.emplace(e.frame.index, frames());
   if (is_new) rows_.emplace_back();
-  Row& row = rows_[known->second];
-  row.frame = e.frame;
-  row.anchor = e.anchor;
+  Row& changed = row(known->second);
+  changed.frame = e.frame;
+  changed.anchor = e.anchor;
+  while (forgets() && rows_.size() > most_rows_) {
+    position_.erase(rows_.front().frame.index);
+    rows_.pop_front();
+    ++forgotten_;
+  }
 }
 
 // ---- the run so far ----
 
 const FrameRecord* RunBuilder::find(int frame_index) const {
   const auto known = position_.find(frame_index);
-  return known == position_.end() ? nullptr : &rows_[known->second].frame;
+  return known == position_.end() ? nullptr : &row(known->second).frame;
 }
 
 std::vector<TimedPose> RunBuilder::last_poses(int segment, int last_frame, size_t at_most) const {
@@ -139,10 +164,10 @@ std::vector<TimedPose> RunBuilder::last_sure_poses(int segment, int last_frame, 
 std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
   auto next = position_.lower_bound(frame_index);
   while (next != position_.begin()) {
-    const Row& row = rows_[(--next)->second];
-    if (!row.anchor) continue;
-    if (row.frame.segment != segment) return std::nullopt;
-    return row.anchor->T_cam_map;
+    const Row& before = row((--next)->second);
+    if (!before.anchor) continue;
+    if (before.frame.segment != segment) return std::nullopt;
+    return before.anchor->T_cam_map;
   }
   return std::nullopt;
 }
@@ -172,8 +197,9 @@ double RunBuilder::length_ratio_since(int keyframe_id, int moves) const {
 void RunBuilder::anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe) {
   const auto known = position_.find(keyframe.frame_index);
   if (known == position_.end()) return;
-  auto& [frame, anchor, mapping] = rows_[known->second];
+  auto& [frame, anchor, mapping] = row(known->second);
   frame.is_keyframe = true;
+  frame.is_doubtful_keyframe = keyframe.is_doubtful;
   if (frame.keyframe_reason == KeyframeReason::kNone) frame.keyframe_reason = KeyframeReason::kBootstrap;
   if (!anchor || frame.segment != keyframe.segment) return;
   anchor->keyframe_id = keyframe_id;
@@ -207,6 +233,7 @@ Run RunBuilder::finish() {
   Run run;
   run.pinhole = rectification_.target();
   run.camera = camera_;
+  run.segments = segments_;
   std::map<int, int> position_of_keyframe;  // in run.keyframes
   for (auto& [id, entry] : keyframes_) {
     KeyframeRecord keyframe = *entry.keyframe;
@@ -221,7 +248,7 @@ Run RunBuilder::finish() {
     finish_row(position_of_keyframe, run.keyframes, &row);
     run.frames.push_back(std::move(row.frame));
   }
-  if (moves_ > 0) move_first_to_origin(&run);
+  if (moves_ > 0 && !forgets()) move_first_to_origin(&run);
   return run;
 }
 

@@ -95,9 +95,10 @@ struct Bootstrap::Impl {
                                    kMinBootstrapCorners)};
   }
 
-  BootstrapStatus take_next(BootstrapView view, cv::Mat image) {
+  BootstrapStatus take_next(BootstrapView view, cv::Mat image, bool attempt) {
     follow(std::move(view), std::move(image));
     if (const std::optional<std::string> reason = restart_reason()) return start_again(*reason);
+    if (!attempt) return {std::nullopt, "followed only: the bootstrap is behind"};
     BootstrapStatus status = try_two_views();
     if (disagreeing >= kMaxDisagreeing) return start_again(status.reason);
     return status;
@@ -300,14 +301,15 @@ Bootstrap::~Bootstrap() = default;
 
 void Bootstrap::reset() { impl_->reset(); }
 
-BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid) {
+BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid,
+                               bool attempt) {
   cv::Mat image = equalised(*pyramid);
   BootstrapView view;
   view.frame_index = frame_index;
   view.time = time;
   view.pyramid = std::move(pyramid);
   return impl_->views.empty() ? impl_->take_first(std::move(view), std::move(image))
-                              : impl_->take_next(std::move(view), std::move(image));
+                              : impl_->take_next(std::move(view), std::move(image), attempt);
 }
 
 }  // namespace edgevo

@@ -209,10 +209,13 @@ class EpipolarSearch {
       const Eigen::Matrix2d A = patch_warp(target_.pinhole, T_, px_host_, best_.idepth);
       const PatchSource from = patch_source(host_, px_host_, A);
       NormalTemplate patch;
-      if (!make_normal_template(from.level->gray.view(), from.px, from.A_target_host, best_.normal,
-                                kRefinementRadius, &patch))
-        return outcome(EpipolarOutcome::kNoMatch);
-      const NormalRefinement r = refine_along_normal(patch, target_.gray.view(), best_.px, best_.normal);
+      const bool is_made = from.level->with_gray([&](const auto& gray) {
+        return make_normal_template(gray, from.px, from.A_target_host, best_.normal, kRefinementRadius,
+                                    &patch);
+      });
+      if (!is_made) return outcome(EpipolarOutcome::kNoMatch);
+      const NormalRefinement r = target_.with_gray(
+          [&](const auto& gray) { return refine_along_normal(patch, gray, best_.px, best_.normal); });
       if (!r.accepted) return outcome(EpipolarOutcome::kNoMatch);
       best_.px += s.direction * (r.move_px / cosine);  // back onto the epipolar line
     }

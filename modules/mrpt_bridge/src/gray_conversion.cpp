@@ -2,6 +2,7 @@
 #include "gray_conversion.h"
 
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "edgevo/core/error.h"
 
@@ -38,13 +39,13 @@ std::optional<DeepImage> to_deep(const cv::Mat& pixels, const std::string& where
 
 GrayImage to_gray(const cv::Mat& pixels, const std::optional<IntensityScale>& scale,
                   const std::string& where) {
-  const std::optional<DeepImage> deep = to_deep(pixels, where);
+  std::optional<DeepImage> deep = to_deep(pixels, where);
   if (deep.has_value() != scale.has_value())
     throw InputError(where,
                      std::string("the image has ") + (deep ? "16" : "8") +
                          " bits, but the first images have " + (deep ? "8" : "16"),
                      "convert all to the same depth");
-  if (deep) return scale_to_8_bits(*deep, *scale);
+  if (deep) return with_pixels(std::move(*deep), *scale);
   GrayImage gray{pixels.cols, pixels.rows, std::vector<uint8_t>(pixels.total())};
   put_gray(pixels, cv::Mat(pixels.rows, pixels.cols, CV_8UC1, gray.pixels.data()));
   return gray;

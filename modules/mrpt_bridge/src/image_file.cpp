@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/mrpt_bridge/image_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <opencv2/imgcodecs.hpp>
+#include <utility>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/files/image_integrity.h"
 #include "gray_conversion.h"
+#include "plain_png.h"
 
 namespace edgevo {
 namespace {
@@ -22,7 +24,11 @@ std::string read_bytes(const std::string& path) {
   const bool is_file = std::filesystem::is_regular_file(path, ignored);  // opening a pipe would wait for ever
   std::ifstream file(is_file ? path : std::string(), std::ios::binary);
   if (!file) throw InputError(path, "the image is missing or cannot be read", kReplaceImage);
-  return {std::istreambuf_iterator<char>(file), {}};
+  file.seekg(0, std::ios::end);
+  std::string bytes(size_t(std::max(std::streamoff(0), std::streamoff(file.tellg()))), '\0');
+  file.seekg(0).read(bytes.data(), std::streamsize(bytes.size()));
+  bytes.resize(size_t(file.gcount()));
+  return bytes;
 }
 
 cv::Mat decode(const std::string& bytes) try {
@@ -34,9 +40,11 @@ cv::Mat decode(const std::string& bytes) try {
 
 cv::Mat read_pixels(const std::string& path) {
   const std::string bytes = read_bytes(path);
+  cv::Mat pixels = decode_plain_png(bytes);
+  if (!pixels.empty()) return pixels;
   const std::string damage = image_damage(bytes);
   if (!damage.empty()) throw InputError(path, "the image does not decode: " + damage, kReplaceImage);
-  cv::Mat pixels = decode(bytes);
+  pixels = decode(bytes);
   if (pixels.empty()) throw InputError(path, "the image does not decode", kReplaceImage);
   return pixels;
 }
@@ -45,8 +53,10 @@ cv::Mat read_pixels(const std::string& path) {
 
 GrayImage read_gray_image(const std::string& path) {
   const cv::Mat pixels = read_pixels(path);
-  if (const auto deep = to_deep(pixels, path))
-    return scale_to_8_bits(*deep, *decide_intensities(*deep).scale);
+  if (auto deep = to_deep(pixels, path)) {
+    const IntensityScale scale = *decide_intensities(*deep).scale;
+    return with_pixels(std::move(*deep), scale);
+  }
   return to_gray(pixels, std::nullopt, path);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "edgevo/core/error.h"
 #include "edgevo/mrpt_bridge/image_file.h"
@@ -89,7 +90,7 @@ void check_bits(int bits) {
 
 }  // namespace
 
-GrayImage scale_to_8_bits(const DeepImage& image, const IntensityScale& scale) {
+GrayImage with_pixels(DeepImage image, const IntensityScale& scale) {
   std::array<uint8_t, kValues> gray_of;
   for (int value = 0; value < kValues; ++value)
     gray_of[size_t(value)] =
@@ -97,6 +98,8 @@ GrayImage scale_to_8_bits(const DeepImage& image, const IntensityScale& scale) {
   GrayImage gray{image.width, image.height, std::vector<uint8_t>(image.values.size())};
   std::transform(image.values.begin(), image.values.end(), gray.pixels.begin(),
                  [&](uint16_t value) { return gray_of[value]; });
+  gray.values = std::move(image.values);
+  gray.scale = scale;
   return gray;
 }
 

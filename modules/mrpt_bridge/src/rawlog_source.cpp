@@ -83,7 +83,7 @@ class RawlogSource : public ImageSource {
   std::string kind() const override { return "rawlog"; }
   std::string label() const override { return chosen_.label; }
   VehicleTrack vehicle_track(VehicleSensor sensor) const override {
-    return read_vehicle_track(path_, sensor);
+    return read_vehicle_track(path_, sensor, times());
   }
   std::vector<std::pair<std::string, std::string>> details() const override;
   std::vector<InputDecision> decisions() const override {

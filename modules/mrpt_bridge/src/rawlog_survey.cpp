@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rawlog_survey.h"
 
+#include <filesystem>
+
 #include "edgevo/core/error.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_image.h"
@@ -58,6 +60,9 @@ std::string RawlogSurvey::list() const {
 }
 
 RawlogSurvey survey_rawlog(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::file_size(path, ignored) == 0)
+    throw InputError(path, "the file is empty (0 bytes)", "copy the rawlog again");
   const std::string damage = gz_checksum_damage(path, kSurveyLimit);
   if (!damage.empty()) throw InputError(path, damage, "copy the rawlog again");
   RawlogSurvey survey;

@@ -10,7 +10,9 @@
 #include <map>
 #include <optional>
 
+#include "edgevo/core/clock_shifts.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/time_order.h"
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 
@@ -69,18 +71,50 @@ void sort_by_time(VehicleTrack* track) {
           p.end());
 }
 
+// Follows the clock of the images through a rawlog.
+class ImageClock {
+ public:
+  explicit ImageClock(const std::vector<Timestamp>& times)
+      : times_(times), without_gaps_(fill_missing(times)), shifts_(clock_shifts(times)) {}
+
+  // An observation comes; if it is the next image, the clock goes on with it.
+  void pass(Timestamp stated) {
+    if (next_ < times_.size() && stated == times_[next_]) ++next_;
+  }
+  // Between the image before and the one after a step of the clock, that of the nearer time holds.
+  Timestamp correct(Timestamp stated) const {
+    if (times_.empty()) return stated;
+    const size_t before = next_ > 0 ? next_ - 1 : 0, after = std::min(next_, times_.size() - 1);
+    const size_t nearest = distance(stated, before) <= distance(stated, after) ? before : after;
+    return {stated.ticks + shifts_[nearest]};
+  }
+
+ private:
+  double distance(Timestamp stated, size_t image) const {
+    return std::abs(seconds_between(without_gaps_[image], stated));
+  }
+  const std::vector<Timestamp>& times_;
+  std::vector<Timestamp> without_gaps_;
+  std::vector<int64_t> shifts_;
+  size_t next_ = 0;
+};
+
 }  // namespace
 
-VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor sensor) {
+VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor sensor,
+                                const std::vector<Timestamp>& image_times) {
   RawlogReader reader(rawlog_path);
+  ImageClock clock(image_times);
   std::map<std::string, VehicleTrack> tracks;  // by label
   try {
     while (const auto observation = reader.next()) {
+      const Timestamp stated = from_mrpt(observation->timestamp);
+      clock.pass(stated);
       const auto position = position_of(*observation, sensor);
       if (!position || !position->allFinite() || is_our_own(observation->sensorLabel)) continue;
       VehicleTrack& track = tracks[observation->sensorLabel];
       if (track.positions.empty()) track.sensor_on_vehicle = place_on_vehicle(*observation, sensor);
-      track.positions.push_back({from_mrpt(observation->timestamp), *position});
+      track.positions.push_back({clock.correct(stated), *position});
     }
   } catch (const InputError&) {
     // The reader of the images meets the same damage and reports it.

@@ -138,13 +138,14 @@ void SegmentInserter::carve(const Eigen::Vector3d& p_cam, const SE3& T_map_cam, 
 }
 
 void SegmentInserter::update_tree() {
-  constexpr bool kLazy = true;  // keeping inner nodes and merging on the way takes half as long again
   for (const octomap::OcTreeKey& key : free_)
-    if (seen_until_.find(key) == seen_until_.end()) tree_->updateNode(key, tree_->getProbMissLog(), kLazy);
+    if (seen_until_.find(key) == seen_until_.end()) updates_.add(key, tree_->getProbMissLog());
   for (auto it = seen_until_.begin(); it != seen_until_.end();) {
-    tree_->updateNode(it->first, tree_->getProbHitLog(), kLazy);
+    updates_.add(it->first, tree_->getProbHitLog());
     it = it->second > batch_ ? std::next(it) : seen_until_.erase(it);
   }
+  // Keeping inner nodes and merging on the way would take half as long again.
+  updates_.apply(tree_);
 }
 
 }  // namespace edgevo

@@ -9,6 +9,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/occupancy/octree_map.h"
 #include "point_cells.h"
+#include "voxel_updates.h"
 
 namespace edgevo {
 
@@ -62,6 +63,7 @@ class SegmentInserter {
   /// Free voxels and end voxels of rays of the current batch.
   octomap::KeySet free_, ray_ends_;
   octomap::KeyRay ray_;
+  VoxelUpdates updates_;
 };
 
 }  // namespace edgevo

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "collect_evidence.h"
-#include "edgevo/alignment/tracker.h"
 #include "edgevo/odometry/frame_status.h"
 
 namespace edgevo {
@@ -25,16 +24,30 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 
 }  // namespace
 
-void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
-                            const OdometryParams& params, FrameLog* frames) {
+BootstrapTracks track_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference,
+                                       const OdometryParams& params) {
   const SupportScorer scorer(params.status);
+  BootstrapTracks tracks;
   for (const BootstrapView& view : bootstrap.views) {
+    tracks.emplace_back();
+    if (!view.placed || !view.pyramid) continue;
+    tracks.back() = track(*view.pyramid, reference.cloud, {pose_in_map(view, bootstrap, reference)}, scorer,
+                          params.alignment);
+  }
+  return tracks;
+}
+
+void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTracks& tracks,
+                            const Reference& reference, int segment, const OdometryParams& params,
+                            FrameLog* frames) {
+  for (size_t i = 0; i < bootstrap.views.size(); ++i) {
+    const BootstrapView& view = bootstrap.views[i];
     std::optional<FrameRecord> record = frames->find(view.frame_index);
     if (!record || !view.placed) continue;
     SE3 T_cam_ref = pose_in_map(view, bootstrap, reference);
     record->state = TrackingState::kTracking;
-    if (view.pyramid) {
-      const TrackResult r = track(*view.pyramid, reference.cloud, {T_cam_ref}, scorer, params.alignment);
+    if (tracks[i]) {
+      const TrackResult& r = *tracks[i];
       add_pose(r, reference, &record->evidence);
       const TrackingState state = frame_status(record->evidence, params.status).state;
       if (state != TrackingState::kTracking) record->state = TrackingState::kDegraded;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Poses of the frames of a bootstrap, from the map that it made.
+#include <optional>
+#include <vector>
+
+#include "edgevo/alignment/tracker.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/odometry/reference.h"
@@ -8,9 +12,16 @@
 
 namespace edgevo {
 
-/// Tracks the frames between the two views against the finished map. Frames whose image is gone, or that the
-/// map does not explain, keep the pose of PnP; the latter are DEGRADED. Cost: one alignment per frame.
-void place_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference, int segment,
-                            const OdometryParams& params, FrameLog* frames);
+/// For each view its alignment with the finished map; nothing if it has no pose, or its image is gone.
+using BootstrapTracks = std::vector<std::optional<TrackResult>>;
+/// Tracks the views against the finished map. Cost: one alignment per view.
+BootstrapTracks track_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference,
+                                       const OdometryParams& params);
+
+/// Gives the frames of the bootstrap their poses: those of `tracks`. Frames whose image is gone, or that the
+/// map does not explain, keep the pose of PnP; the latter are DEGRADED.
+void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTracks& tracks,
+                            const Reference& reference, int segment, const OdometryParams& params,
+                            FrameLog* frames);
 
 }  // namespace edgevo

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bootstrapper.h"
 
-#include "bootstrap_placement.h"
+#include "edgevo/core/trace.h"
 #include "segment_join.h"
 
 namespace edgevo {
 
 Bootstrapper::Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
                            FrameLog* frames)
-    : bootstrap_(pinhole, params.mapping.bootstrap, seed), params_(params), map_(map), frames_(frames) {}
+    : pinhole_(pinhole),
+      bootstrap_(pinhole, params.mapping.bootstrap, seed),
+      params_(params),
+      map_(map),
+      frames_(frames) {}
 
 BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid);
@@ -20,19 +24,31 @@ std::string Bootstrapper::make_map(const BootstrapResult& views) {
   return problem;
 }
 
-NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,
-                                       std::optional<double> scale) {
+SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
+                                  const std::optional<SureView>& before, std::optional<double> scale) const {
+  if (before)
+    if (const auto link = link_views(pinhole_, before->reference->cloud, map_->reference()->cloud))
+      return link_segment(segment, *before->reference, frames_->T_world_map(before->segment),
+                          *map_->reference(), *link);
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
       frames_->run().last_sure_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
-  frames_->begin_segment(join_segment(segment, previous, sure, views, scale));
+  return join_segment(segment, previous, sure, views, scale);
+}
+
+NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,
+                                       const std::optional<SureView>& before, std::optional<double> scale,
+                                       const BootstrapTracks* tracks) {
+  frames_->begin_segment(place(segment, views, before, scale));
   map_->begin_segment(segment);
   NewSegment begun;
   begun.reference = map_->reference();
-  place_bootstrap_frames(views, *begun.reference, segment, params_, frames_);
-  const std::optional<SE3> before = frames_->run().pose_before(views.views.back().frame_index, segment);
-  if (before) begun.motion = begun.reference->T_ref_world * before->inverse();
+  const TraceScope traced("poses of the bootstrap");
+  place_bootstrap_frames(views, tracks ? *tracks : track_bootstrap_frames(views, *begun.reference, params_),
+                         *begun.reference, segment, params_, frames_);
+  const std::optional<SE3> earlier = frames_->run().pose_before(views.views.back().frame_index, segment);
+  if (earlier) begun.motion = begun.reference->T_ref_world * earlier->inverse();
   return begun;
 }
 

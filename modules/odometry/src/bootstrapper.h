@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "bootstrap_placement.h"
 #include "edgevo/mapping/bootstrap.h"
+#include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "frame_log.h"
 #include "front_end.h"
@@ -37,10 +39,17 @@ class Bootstrapper {
   /// they make no map.
   [[nodiscard]] std::string make_map(const BootstrapResult& views);
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
-  /// bootstrap their poses. `scale` is world over map, where it is known better than from equal speed.
-  NewSegment begin_segment(int segment, const BootstrapResult& views, std::optional<double> scale);
+  /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
+  /// same. `scale` is world over map, where it is known better than from equal speed; `tracks`: those of the
+  /// views (track_bootstrap_frames()), where they are known already.
+  NewSegment begin_segment(int segment, const BootstrapResult& views, const std::optional<SureView>& before,
+                           std::optional<double> scale, const BootstrapTracks* tracks = nullptr);
 
  private:
+  SegmentPlaced place(int segment, const BootstrapResult& views, const std::optional<SureView>& before,
+                      std::optional<double> scale) const;
+
+  Pinhole pinhole_;
   Bootstrap bootstrap_;
   OdometryParams params_;
   MapLink* map_;

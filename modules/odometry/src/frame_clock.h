@@ -26,6 +26,9 @@ class FrameClock {
   /// only, carry no information: one frame, 0 s.
   Step tick(Timestamp time);
 
+  /// Goes back to an earlier frame: the next one is the one after it.
+  void set_back(Timestamp time) { newest_ = time; }
+
   /// Most skipped frames in a row: beyond them nothing can be predicted, and a sum of steps stays finite.
   static constexpr int kMostFrames = 100;
 

@@ -18,6 +18,11 @@ class FrameLog {
  public:
   FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log);
 
+  /// Keeps the newest frames only: those of a long bootstrap, and of the poses before a loss.
+  void forget() {
+    constexpr size_t kKept = 2000;
+    run_.forget_all_but(kKept);
+  }
   /// Begins the record of a frame, which becomes the newest one.
   FrameRecord& begin_frame(const Frame& frame);
   /// Anchors the newest frame to the keyframe of `reference` and records its live pose.

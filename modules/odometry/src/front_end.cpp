@@ -6,6 +6,7 @@
 #include "collect_evidence.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/core/trace.h"
 #include "see_points.h"
 #include "stage_timer.h"
 
@@ -35,6 +36,7 @@ ImageMotion FrontEnd::expected_motion(bool has_pose) const {
 }
 
 Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
+  const TraceScope traced(name_of(Stage::kAlignment));
   const double start = thread_cpu_ms();
   Track track =
       track_frame({*now.pyramid, *reference_, motion_, keyframes_, params_, now.rows, was_lost, &random_});
@@ -73,6 +75,7 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
 
 // Measurements in a keyframe are final: its rows are rectified again, for the motion that was found.
 void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked) {
+  const TraceScope traced("rows of a keyframe");
   const double start = thread_cpu_ms();
   tracked->motion = measured_motion(builder_.pinhole(), *reference_, now.rows, tracked->T_cam_ref, twist);
   if (now.rows.is_rolling()) {
@@ -86,8 +89,12 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
 
 void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (newest == reference_) return;
-  if (newest->camera.correction != builder_.correction()) builder_.set_correction(newest->camera.correction);
+  if (newest->camera.correction != builder_.correction()) {
+    const TraceScope traced("correction of the images");
+    builder_.set_correction(newest->camera.correction);
+  }
   if (reference_) {
+    if (newest->unit != reference_->unit) motion_.change_unit(newest->unit / reference_->unit);
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
     const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;
     motion_.change_reference(T_old_world * newest->T_ref_world.inverse());

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
@@ -60,6 +61,12 @@ class FrontEnd {
   /// Adopts the map of a new segment, whose reference is the newest frame. `motion` is the motion since the
   /// frame before, where known.
   void begin_map(std::shared_ptr<const Reference> reference, const std::optional<SE3>& motion);
+  /// The same for a map whose reference is an earlier frame, of that time: those after it are begun again.
+  void begin_map(std::shared_ptr<const Reference> reference, const std::optional<SE3>& motion,
+                 Timestamp time) {
+    begin_map(std::move(reference), motion);
+    motion_.set_clock_back(time);
+  }
   /// Drops the reference: there is no map any more.
   void drop_map() { reference_.reset(); }
 

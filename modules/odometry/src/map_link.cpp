@@ -3,21 +3,26 @@
 
 #include <utility>
 
+#include "edgevo/core/trace.h"
+
 namespace edgevo {
 
 MapLink::MapLink(const Rectification& rectification, const OdometryParams& params,
                  const OdometryOptions& options, std::shared_ptr<MapLog> log)
-    : log_(std::move(log)),
+    : longest_wait_(options.on_schedule ? std::chrono::milliseconds(50) : std::chrono::hours(1)),
+      log_(std::move(log)),
       rebuilder_(PyramidBuilder::for_rebuilding(rectification, params.edges, options.detectors)),
       mapper_(rectification, params,
               {options.seed,
                // In realtime mapping must not pause for long.
                options.realtime,
                [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
+                 const TraceScope traced("image of a keyframe");
+                 const std::lock_guard<std::mutex> lock(rebuilding_);
                  rebuilder_.set_correction(now);
                  return rebuilder_.rebuild(old, motion);
                },
-               log_, options.move_map}),
+               log_, options.move_map, options.forget}),
       // Called in the mapping thread. What mapping learns about a frame leaves with this event.
       thread_(&mapper_, options.realtime, [this](const TrackedFrame& frame, const MapUpdate& update) {
         log_->append(FrameMapped{frame.frame_index, update.times, update.adjustment});
@@ -26,7 +31,9 @@ MapLink::MapLink(const Rectification& rectification, const OdometryParams& param
 std::string MapLink::make_map(const BootstrapResult& views) {
   thread_.wait_idle();
   close_segment();
-  return mapper_.initialise(views);
+  const std::string problem = mapper_.initialise(views);
+  thread_.refresh();
+  return problem;
 }
 
 void MapLink::begin_segment(int segment) {
@@ -34,10 +41,26 @@ void MapLink::begin_segment(int segment) {
   thread_.refresh();
 }
 
-int MapLink::finish() {
+void MapLink::submit(TrackedFrame frame) {
+  if (shedding_ >= Shedding::kDepths && !frame.make_keyframe && frame.return_to < 0)
+    ++depths_shed_;
+  else
+    thread_.submit(std::move(frame));
+}
+
+void MapLink::shed(Shedding shedding) {
+  shedding_ = shedding;
+  mapper_.shed(shedding);
+}
+
+RealtimeRecord MapLink::finish() {
   thread_.wait_idle();
   close_segment();
-  return thread_.skipped();
+  RealtimeRecord record;
+  record.left_out_of_mapping = thread_.skipped();
+  record.shed = mapper_.shed_work();
+  record.shed.depths = depths_shed_;
+  return record;
 }
 
 // Does nothing without a map.

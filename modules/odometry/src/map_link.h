@@ -3,7 +3,9 @@
 // The tracking side's end of mapping: submits frames, and receives references. All that the mapping thread
 // touches is in here; what crosses between the threads is in the types: a TrackedFrame goes in, an immutable
 // Reference and the events of the map (MapLog) come out.
+#include <chrono>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "edgevo/edges/frame_pyramid.h"
@@ -22,12 +24,18 @@ class MapLink {
 
   /// The newest reference; null without a map.
   std::shared_ptr<const Reference> reference() const { return thread_.reference(); }
-  /// Passes a frame to mapping (MappingThread::submit).
-  void submit(TrackedFrame frame) { thread_.submit(std::move(frame)); }
+  /// Passes a frame to mapping (MappingThread::submit), unless it is shed.
+  void submit(TrackedFrame frame);
   /// True while a submitted keyframe is not finished.
   bool is_keyframe_pending() const { return thread_.keyframe_pending(); }
-  /// Waits until no keyframe is pending.
-  void wait_keyframe() { thread_.wait_keyframe(); }
+  /// Waits until no keyframe is pending; 50 ms at most where frames come on a schedule, 20 where work is
+  /// shed.
+  void wait_keyframe() {
+    constexpr std::chrono::milliseconds kShort{20};
+    thread_.wait_keyframe(shedding_ == Shedding::kNothing ? longest_wait_ : kShort);
+  }
+  /// What mapping skips from now on.
+  void shed(Shedding shedding);
 
   /// Closes the present map, if any, and builds a new one from two views. Returns an empty string, or why
   /// they make no map. Waits until all submitted frames are processed.
@@ -35,19 +43,27 @@ class MapLink {
   /// Makes the newest map that of `segment`, whose pose has been announced.
   void begin_segment(int segment);
 
+  /// The reference of a map that was made, before its segment begins.
+  std::shared_ptr<const Reference> first_reference() const { return mapper_.reference(); }
+
   /// Camera knowledge before the first frame.
   const CameraRefinement& initial_camera() const { return mapper_.camera(); }
 
-  /// Closes the map. Waits as make_map() does. Returns the number of frames that mapping has skipped.
-  int finish();
+  /// Closes the map. Waits as make_map() does. Returns what mapping has skipped; the other fields are not
+  /// set.
+  RealtimeRecord finish();
 
  private:
   void close_segment();
 
+  std::chrono::milliseconds longest_wait_;
   std::shared_ptr<MapLog> log_;
+  std::mutex rebuilding_;  // guards rebuilder_: corrections are prepared next to mapping
   PyramidBuilder rebuilder_;
   Mapper mapper_;
   MappingThread thread_;
+  Shedding shedding_ = Shedding::kNothing;
+  int depths_shed_ = 0;  // frames
 };
 
 }  // namespace edgevo

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/trace.h"
 #include "edgevo/mapping/idepth_prior.h"
 #include "first_keyframes.h"
+#include "rebuilt_images.h"
 #include "stage_timer.h"
 
 namespace edgevo {
@@ -41,13 +42,17 @@ Mapper::Mapper(const Rectification& rectification, const OdometryParams& params,
       map_(std::make_unique<Map>(rectification, log_)),
       window_(map_.get(), pinhole_, params.mapping.window, params.association),
       calibration_(rectification, params.camera),
-      edge_mapper_(rectification, params.edge_map, options.own_threads, log_) {}
+      edge_mapper_(rectification, params.edge_map, options.own_threads, log_),
+      corrected_images_(std::make_unique<RebuiltImages>(options.rebuild)) {}
+Mapper::~Mapper() = default;
 
 // ---- the first window ----
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
+  const TraceScope traced("first window");
   window_ = Window(map_.get(), pinhole_, params_.window, association_);
   tracking_check_ = {};
+  unit_ = 1;
   add_first_keyframes(bootstrap);
   filter_first_depths(bootstrap);
   smooth_depths();
@@ -108,6 +113,9 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
 
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
+  // With images of the camera before, only a keyframe is worth new ones.
+  const bool is_outdated = !(tracked.pyramid->correction == calibration_.state().correction);
+  if (is_outdated && options_.own_threads && !tracked.make_keyframe && tracked.return_to < 0) return update;
   const TrackedFrame frame = corrected(tracked);
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
@@ -115,11 +123,13 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   // help.
   if (reference_pose == known.end()) return update;
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
+  if (frame.is_in_doubt) note_doubt(frame);
   filter_depths(frame, T_cam_world, &update.times);
   if (frame.make_keyframe)
     make_keyframe(frame, T_cam_world, &update);
   else if (frame.return_to >= 0)
     return_to(frame.return_to, &update.times);
+  if (frame.doubt_ended) end_doubt(*frame.doubt_ended);
   return update;
 }
 
@@ -183,6 +193,7 @@ void Mapper::add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world) {
   keyframe.time = frame.time;
   keyframe.pyramid = frame.pyramid;
   keyframe.motion = frame.motion;
+  keyframe.is_doubtful = frame.is_in_doubt;
   keyframe.T_cam_world = T_cam_world;
   if (!frame.corners.empty()) {
     keyframe.corners_from = frame.reference_id;
@@ -200,7 +211,12 @@ void Mapper::activate_points(StageTimes* times) {
   const StageTimer timer(Stage::kActivation, times);
   smooth_depths();
   window_.demote_unconfirmed();
-  window_.activate({2, params_.window.min_matches});
+  ActivationPolicy policy{2, params_.window.min_matches};
+  if (shedding_ >= Shedding::kPoints) {
+    policy.budget = std::max(0, params_.window.max_points / 2 - window_.active_points());
+    ++shed_work_.points;
+  }
+  window_.activate(policy);
   // Large motion leaves the map behind before points are seen often: then one depth and one match must do.
   // Candidates that the first pass has tried, with two depths, are not tried again.
   if (params_.window.use_tentative_points) window_.activate({1, 1, window_.points_lacking()});
@@ -228,24 +244,11 @@ void Mapper::remove_oldest(StageTimes* times) {
 // Maps the lines of the keyframe that has just left the window.
 void Mapper::map_edges(StageTimes* times) {
   const StageTimer timer(Stage::kEdgeMap, times);
-  edge_mapper_.add(*map_);
-}
-
-// Due at a few checkpoints only.
-void Mapper::calibrate_if_due(StageTimes* times) {
-  if (!calibration_.is_running() && !calibration_.is_due(*map_)) return;
-  const StageTimer timer(Stage::kSelfCalibration, times);
-  calibrate_during_run();
-}
-
-// Another producer of moves than self-calibration; a recognition of places plugs in here.
-void Mapper::move_if_proposed() {
-  if (!options_.move_map) return;
-  std::optional<MapMoved> moved = options_.move_map(*map_);
-  if (!moved) return;
-  // The images to come are corrected by the state of self-calibration.
-  if (moved->lens) throw std::invalid_argument("move of the map: only self-calibration changes the lens");
-  move_map(std::move(*moved));
+  // A correction that waits for the lines of the keyframes before gets no more of them.
+  if (shedding_ >= Shedding::kLines || keyframes_prepared_ > 0)
+    ++shed_work_.lines;
+  else
+    edge_mapper_.add(*map_);
 }
 
 // Drops what no later step needs of marginalised keyframes.
@@ -253,6 +256,7 @@ void Mapper::evict() {
   const size_t needed = edge_mapper_.keyframes_needed();
   map_->evict_images(needed);
   if (!calibration_.needs_matches()) map_->evict_matches(needed);
+  if (options_.forget) map_->evict_records();
 }
 
 void Mapper::seed_and_publish(StageTimes* times) {
@@ -262,42 +266,13 @@ void Mapper::seed_and_publish(StageTimes* times) {
   publish(window_.newest());
 }
 
-// ---- self-calibration ----
-
-void Mapper::calibrate_during_run() {
-  if (options_.own_threads && !calibration_.is_running())
-    calibration_.begin(*map_, calibration_options());
-  else if (!calibration_.is_running() || calibration_.is_ready())
-    calibrate(false);
-}
-
-BaOptions Mapper::calibration_options() const {
-  BaOptions options;
-  options.huber_width = params_.window.ba_huber;
-  return options;
-}
-
-void Mapper::calibrate(bool at_end) {
-  std::optional<MapMoved> moved = calibration_.estimate(*map_, calibration_options(), at_end);
-  log_->append(CameraEstimated{calibration_.state()});
-  if (moved) move_map(std::move(*moved));
-}
-
-void Mapper::move_map(MapMoved moved) {
-  edge_mapper_.wait_idle();
-  const std::optional<LensChange> lens = moved.lens;
-  const MapMoved applied = map_->move(
-      std::move(moved), [&](const Keyframe& k) { return options_.rebuild(*k.pyramid, k.motion, lens->now); });
-  if (applied.prior) window_.set_prior(*applied.prior);
-  edge_mapper_.apply(applied);
-}
-
 // ---- new points, and the reference for tracking ----
 
 // Every immature point is searched in every frame: no more than it takes to fill the window again.
 int Mapper::new_points_wanted() const {
   constexpr int kAtLeast = 300;  // points per keyframe: even a full window needs some where the view is new
   const DepthFilterParams& p = params_.depth_filter;
+  if (shedding_ >= Shedding::kPoints) return std::min(kAtLeast, p.max_new_points);
   const int lacking = std::max(0, params_.window.max_points - window_.active_points());
   return std::clamp(int(std::lround(p.candidates_per_point * lacking)), std::min(kAtLeast, p.max_new_points),
                     p.max_new_points);
@@ -338,13 +313,17 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->wanted_points = window_.points_wanted();
   reference->view_share = window_.view_share(keyframe);
   reference->median_idepth = median_idepth_;
+  reference->unit = unit_;
   reference->error_factor = tracking_check_.error_factor();
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
   reference_ = std::move(reference);
 }
 
 void Mapper::close() {
-  calibrate(true);
+  corrected_images_->finish();
+  if (!window_.keyframes().empty() && !window_.newest().is_doubtful) calibrate(true);
+  corrected_images_->clear();
+  keyframes_prepared_ = 0;
   calibration_.cancel();
   while (!window_.keyframes().empty()) {
     window_.release_oldest();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mapping_thread.h"
 
+#include "edgevo/core/trace.h"
+
 namespace edgevo {
 namespace {
 // Frames, a fifth of a second: beyond it only keyframes are queued, and the map stays near the camera.
@@ -23,9 +25,11 @@ MappingThread::~MappingThread() {
 }
 
 void MappingThread::run(const TrackedFrame& frame) {
+  TraceScope traced("mapping", frame.frame_index);
   MapUpdate update;
   try {
     update = mapper_->process(frame);
+    traced.set_keyframe(update.keyframe_id);
   } catch (...) {
     finish(frame);  // or a caller that goes on would wait for its keyframe for ever
     throw;
@@ -46,7 +50,7 @@ void MappingThread::finish(const TrackedFrame& frame) {
 void MappingThread::submit(TrackedFrame frame) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (own_thread_ && !frame.make_keyframe && queue_.size() >= kMaxQueue) {
+    if (own_thread_ && !frame.is_needed() && queue_.size() >= kMaxQueue) {
       ++skipped_;
       return;
     }
@@ -60,6 +64,7 @@ void MappingThread::submit(TrackedFrame frame) {
 }
 
 void MappingThread::loop() {
+  name_traced_thread("mapping");
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
     wake_.wait(lock, [this] { return stop_ || !queue_.empty(); });
@@ -88,6 +93,7 @@ void MappingThread::loop() {
 
 void MappingThread::wait_idle() {
   if (!own_thread_) return;
+  const TraceScope traced("wait for mapping");
   std::unique_lock<std::mutex> lock(mutex_);
   idle_.wait(lock, [this] { return queue_.empty() && !busy_; });
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
@@ -98,9 +104,10 @@ bool MappingThread::keyframe_pending() const {
   return keyframes_pending_ > 0;
 }
 
-void MappingThread::wait_keyframe() {
+void MappingThread::wait_keyframe(std::chrono::milliseconds at_most) {
+  const TraceScope traced("wait for a keyframe");
   std::unique_lock<std::mutex> lock(mutex_);
-  keyframe_done_.wait(lock, [this] { return keyframes_pending_ == 0 || failure_; });
+  keyframe_done_.wait_for(lock, at_most, [this] { return keyframes_pending_ == 0 || failure_; });
 }
 
 std::shared_ptr<const Reference> MappingThread::reference() const {

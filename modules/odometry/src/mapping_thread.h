@@ -2,6 +2,7 @@
 #pragma once
 // Runs a Mapper either in the caller's thread (synchronous) or in a thread of its own behind a bounded queue
 // (realtime).
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -32,8 +33,9 @@ class MappingThread {
   void wait_idle();
   /// True while a submitted keyframe is not processed.
   bool keyframe_pending() const;
-  /// Waits until no keyframe is pending: better to wait for a map that falls behind than to lose it.
-  void wait_keyframe();
+  /// Waits until no keyframe is pending, at most that long: better to wait for a map that falls behind than
+  /// to lose it.
+  void wait_keyframe(std::chrono::milliseconds at_most);
   /// The newest reference; null without a map.
   std::shared_ptr<const Reference> reference() const;
   /// Adopts the mapper's reference after the caller has used the mapper (see wait_idle()).

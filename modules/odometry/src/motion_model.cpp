@@ -71,6 +71,14 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
   seconds_since_ = 0;
 }
 
+void MotionModel::change_unit(double length_ratio) {
+  const auto scaled = [&](const SE3& T) { return SE3(T.rotation(), length_ratio * T.translation()); };
+  T_last_ref_ = scaled(T_last_ref_);
+  velocity_ = scaled(velocity_);
+  steps_.multiply(length_ratio);
+  median_motion_ = MedianMotion();
+}
+
 void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
   median_motion_ = MedianMotion();  // the unit of length is a new one

@@ -45,9 +45,13 @@ class MotionModel {
   /// Adopts a frame's pose; after a gap the velocity is the mean over the gap. `held`: the median-motion
   /// prior decided on the pose.
   void follow(const SE3& T_cur_ref, bool held = false);
+  /// The map has set its unit back: lengths from now on over those before.
+  void change_unit(double length_ratio);
   /// Starts over with a new map whose reference is the frame. `motion` is the motion since the frame before;
   /// nothing: not known.
   void restart(const std::optional<SE3>& motion);
+  /// Goes back to an earlier frame: begin_frame() is called again for those after it.
+  void set_clock_back(Timestamp time) { clock_.set_back(time); }
   /// Changes to another reference keyframe; T_old_new is the motion from the new one to the old one.
   void change_reference(const SE3& T_old_new) { T_last_ref_ = T_last_ref_ * T_old_new; }
 

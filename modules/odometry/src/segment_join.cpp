@@ -26,6 +26,8 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
                            const std::vector<TimedPose>& sure, const BootstrapResult& bootstrap,
                            std::optional<double> scale) {
   using Method = SegmentPlaced::Method;
+  // Standard deviations of a logarithm. In two seconds a car brakes to half its speed.
+  constexpr double kOfSpeed = 0.5, kOfDepths = 0.3, kOfNothing = 1;
   SegmentPlaced join;
   join.segment = segment;
   if (previous.size() < 2) return join;
@@ -39,12 +41,29 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
   if (scale) {
     join.method = Method::kDepthRatio;
     join.T_world_map.scale = *scale;
+    join.scale_sigma = kOfDepths;
   } else if (velocity.norm() > kStill && new_speed > kStill) {
     join.method = Method::kVelocity;
     join.T_world_map.scale = velocity.norm() / new_speed;
+    join.scale_sigma = kOfSpeed;
   } else {
     join.method = Method::kStandstill;
+    join.scale_sigma = kOfNothing;
   }
+  return join;
+}
+
+SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,
+                           const Reference& after, const ViewLink& link) {
+  SegmentPlaced join;
+  join.segment = segment;
+  join.method = SegmentPlaced::Method::kLinked;
+  join.scale_sigma = link.sigma;
+  join.T_world_map.scale = T_world_before.scale * link.scale;
+  const SE3 T_world_after = T_world_before.apply((link.T_b_a * before.T_ref_world).inverse());
+  const SE3 T_map_after = after.T_ref_world.inverse();
+  const SE3 in_world(T_map_after.rotation(), join.T_world_map.scale * T_map_after.translation());
+  join.T_world_map.rigid = T_world_after * in_world.inverse();
   return join;
 }
 

@@ -4,15 +4,18 @@
 //
 // A bootstrap makes a map whose unit of length is arbitrary, and nothing has been seen in both maps. The
 // camera is assumed to continue at the mean velocity of its last frames up to the first view of the
-// bootstrap, with its last orientation. The scale follows from the depths in view if the old map was still
-// tracked, else from equal speed: that of the last poses that were sure, since a map that is about to be lost
-// has often lost its unit before. All of this is a guess: FrameRecord::segment marks the join.
+// bootstrap, with its last orientation, unless features link the two maps (mapping/view_link.h). The scale
+// follows from the depths in view if the old map was still tracked, else from equal speed: that of the last
+// poses that were sure, since a map that is about to be lost has often lost its unit before. All of this is a
+// guess: FrameRecord::segment marks the join.
 #include <optional>
 #include <vector>
 
 #include "edgevo/map/map_event.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/view_link.h"
+#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 
@@ -26,5 +29,10 @@ constexpr size_t kJoinPoses = 6;
 SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
                            const std::vector<TimedPose>& sure, const BootstrapResult& bootstrap,
                            std::optional<double> scale);
+
+/// Joins segment `segment`, whose newest keyframe is `after`, to the map that `before` is of, by what both
+/// keyframes see. `T_world_before`: from the map of `before` to the world.
+SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,
+                           const Reference& after, const ViewLink& link);
 
 }  // namespace edgevo

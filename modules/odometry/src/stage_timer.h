@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// CPU time of each stage of a run.
+// CPU time of each stage of a run, also in its trace.
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/core/trace.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace edgevo {
@@ -28,12 +29,14 @@ const char* name_of(Stage stage);
 /// Records the CPU time from its construction to its destruction.
 class StageTimer {
  public:
-  StageTimer(Stage stage, StageTimes* times) : stage_(stage), times_(times), start_(thread_cpu_ms()) {}
+  StageTimer(Stage stage, StageTimes* times)
+      : traced_(name_of(stage)), stage_(stage), times_(times), start_(thread_cpu_ms()) {}
   ~StageTimer() { times_->emplace_back(name_of(stage_), thread_cpu_ms() - start_); }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
 
  private:
+  TraceScope traced_;
   Stage stage_;
   StageTimes* times_;
   double start_;

@@ -87,14 +87,27 @@ void set_range(const std::vector<std::vector<SeenPoint>>& seen, EdgePictures* pi
   pictures->idepth_high = idepths[idepths.size() - 1 - idepths.size() / 50];
 }
 
-// The image as the method saw it. Empty if it cannot be read.
-cv::Mat rectified(const std::string& path, const Camera& camera, const RectificationMaps& maps) {
+double picture_scale(int width) { return std::min(1.0, double(kMaxWidth) / width); }
+
+// Positions of the pixels of a picture in the image of the camera.
+struct PictureMaps {
+  cv::Mat x, y;
+
+  explicit PictureMaps(const RectificationMaps& maps) {
+    const double scale = picture_scale(maps.width);
+    cv::resize(cv::Mat(maps.height, maps.width, CV_32F, const_cast<float*>(maps.x.data())), x, {}, scale,
+               scale);
+    cv::resize(cv::Mat(maps.height, maps.width, CV_32F, const_cast<float*>(maps.y.data())), y, {}, scale,
+               scale);
+  }
+};
+
+// The image as the method saw it, in the size of a picture. Empty if it cannot be read.
+cv::Mat rectified(const std::string& path, const Camera& camera, const PictureMaps& maps) {
   const cv::Mat image = path.empty() ? cv::Mat() : cv::imread(path, cv::IMREAD_GRAYSCALE);
   if (image.cols != camera.width || image.rows != camera.height) return {};
-  const cv::Mat x(maps.height, maps.width, CV_32F, const_cast<float*>(maps.x.data()));
-  const cv::Mat y(maps.height, maps.width, CV_32F, const_cast<float*>(maps.y.data()));
   cv::Mat out;
-  cv::remap(image, out, x, y, cv::INTER_LINEAR);
+  cv::remap(image, out, maps.x, maps.y, cv::INTER_LINEAR);
   return out;
 }
 
@@ -105,12 +118,12 @@ cv::Scalar color_of(double idepth, const EdgePictures& range) {
   return {double(blue), double(green), double(red)};
 }
 
-cv::Mat paint(const cv::Mat& gray, const std::vector<SeenPoint>& points, const EdgePictures& range) {
-  const double scale = std::min(1.0, double(kMaxWidth) / gray.cols);
-  cv::Mat small, picture;
-  cv::resize(gray, small, {}, scale, scale, cv::INTER_AREA);
-  small.convertTo(small, CV_8U, 0.6, 40);  // paler, so that the colours stand out
-  cv::cvtColor(small, picture, cv::COLOR_GRAY2BGR);
+// `scale`: of the picture.
+cv::Mat paint(const cv::Mat& gray, double scale, const std::vector<SeenPoint>& points,
+              const EdgePictures& range) {
+  cv::Mat pale, picture;
+  gray.convertTo(pale, CV_8U, 0.6, 40);  // so that the colours stand out
+  cv::cvtColor(pale, picture, cv::COLOR_GRAY2BGR);
   constexpr int kShift = 4;
   for (const SeenPoint& p : points) {
     const cv::Point centre(int(scale * p.px.x() * (1 << kShift)), int(scale * p.px.y() * (1 << kShift)));
@@ -127,12 +140,13 @@ EdgePictures draw_views(const Run& run, const Camera& camera, const PointFilter&
   std::vector<std::vector<SeenPoint>> seen;
   for (const View& view : views) seen.push_back(points_seen(run, view, filter));
   set_range(seen, &result);
-  const RectificationMaps maps = Rectification(camera, run.pinhole).maps(run.camera.correction.k1);
+  const PictureMaps maps(Rectification(camera, run.pinhole).maps(run.camera.correction.k1));
+  const double scale = picture_scale(run.pinhole.width);
   for (size_t i = 0; i < views.size(); ++i) {
     const cv::Mat gray = rectified(image_path(views[i].frame_index), camera, maps);
     if (gray.empty()) continue;
     std::vector<uint8_t> jpeg;
-    cv::imencode(".jpg", paint(gray, seen[i], result), jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
+    cv::imencode(".jpg", paint(gray, scale, seen[i], result), jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
     result.pictures.push_back({views[i].frame_index, views[i].time, int(seen[i].size()), std::move(jpeg)});
   }
   return result;

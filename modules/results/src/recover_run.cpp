@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/results/recover_run.h"
 
+#include <algorithm>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -21,7 +22,14 @@ RunParams params_of(const RunInfo& info) {
   return params;
 }
 
+// Whether the run was left to be finished later, as its options say.
+bool was_forgotten(const RunInfo& info) {
+  return std::any_of(info.notes.begin(), info.notes.end(),
+                     [](const auto& note) { return note.first == kForgottenNote; });
+}
+
 RunInfo info_of(RunInfo info, const Run& run) {
+  if (was_forgotten(info)) return info;
   info.interrupted = true;
   info.notes.emplace_back("cut_off", "the program was killed after " + std::to_string(run.frames.size()) +
                                          " frames; `edgevo finish` wrote the results up to then");
@@ -37,7 +45,7 @@ int frames_lost(const std::set<int>& beyond_damage, const Run& run) {
 
 }  // namespace
 
-RecoveredRun recover_run(const std::string& folder) {
+RecoveredRun recover_run(const std::string& folder, bool include_doubtful) {
   RecoveryLogReader log(folder);
   const RecoveryHeader& header = log.header();
   const RunParams params = params_of(header.info);
@@ -60,7 +68,7 @@ RecoveredRun recover_run(const std::string& folder) {
   if (recovered.is_damaged)
     info.notes.emplace_back("recovery_log", "damaged: " + std::to_string(recovered.frames_lost) +
                                                 " frames that it holds could not be recovered");
-  RunOutputs outputs(folder, header.info.camera, params.map, OutputOptions{true, false});
+  RunOutputs outputs(folder, header.info.camera, params.map, OutputOptions{true, false, include_doubtful});
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
   outputs.finish(run, info, recovered.is_damaged);
   recovered.map_note = outputs.map_note();

@@ -170,6 +170,7 @@ void visit_line(Visit& v, Line& line) {
 template <class Visit, class Keyframe>
 void visit_keyframe(Visit& v, Keyframe& k) {
   v.plain(k.frame_index), v.plain(k.time), v.plain(k.segment), v.pose(k.T_world_cam);
+  v.plain(k.is_doubtful);
   v.list(k.points, [&](auto& p) {
     visit_numbers(v, p.px), visit_numbers(v, p.normal);
     v.plain(p.idepth), v.plain(p.idepth_sigma), v.plain(p.observations), v.plain(p.gray);
@@ -201,6 +202,7 @@ void visit_move(Visit& v, Move& m) {
 template <class Visit>
 void visit(Visit& v, typename Visit::template Value<SegmentPlaced>& e) {
   v.plain(e.segment), v.plain(e.T_world_map.scale), v.pose(e.T_world_map.rigid), v.plain(e.method);
+  v.plain(e.scale_sigma);
 }
 
 template <class Visit>

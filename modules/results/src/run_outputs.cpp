@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "edgevo/core/run_statistics.h"
+#include "edgevo/core/trace.h"
+#include "edgevo/core/trusted_part.h"
 #include "export_files.h"
 #include "recovery_format.h"
 #include "run_outputs_impl.h"
@@ -78,9 +80,11 @@ void RunOutputs::adopt(int last_frame) {
 
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
   if (impl_->images_failed) return false;
+  const TraceScope traced("write the image", frame.index);
   impl_->begin();
   try {
     impl_->write_image(frame, image_path);
+    if (impl_->options.forget) impl_->playback->forget_images();
   } catch (const InputError& e) {
     impl_->images_failed = true;
     impl_->folder.note_failure("playback_Images", e);
@@ -89,6 +93,7 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 }
 
 void RunOutputs::add_record(const FrameRecord& record) {
+  const TraceScope traced("write the record", record.index);
   impl_->begin();
   if (record.T_world_cam_live && impl_->earlier.is_set_aside()) impl_->earlier.remove();
   if (!impl_->live) return;
@@ -96,12 +101,25 @@ void RunOutputs::add_record(const FrameRecord& record) {
   impl_->live->add(record);
 }
 
+void RunOutputs::end_unfinished() {
+  impl_->begin();
+  if (impl_->live) impl_->live->write_events();
+  if (!impl_->live || impl_->live->is_broken())
+    throw InputError(recovery_log_path(impl_->folder.path()), "could not be written: the results are lost",
+                     "free space, or run without --forget");
+}
+
 void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
+  const TraceScope traced("write the results");
   impl_->begin();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
   if (count(run).with_pose > 0) impl_->earlier.remove();
-  ExportContext context{run, impl_->params, &info, &impl_->camera, &*impl_->playback, &impl_->meter};
+  std::optional<Run> trusted;
+  if (!impl_->options.include_doubtful && count(run).doubtful_keyframes > 0) trusted = trusted_part(run);
+  ExportContext context{trusted ? *trusted : run, impl_->params,     &info,
+                        &impl_->camera,           &*impl_->playback, &impl_->meter};
+  if (trusted) context.with_doubtful = &run;
   context.use_of_run = impl_->meter.so_far();
   impl_->text_reserve.release();
   export_files([](FileKind kind) { return kind != FileKind::kSummary; }, &context, &impl_->folder);

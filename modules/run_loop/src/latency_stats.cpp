@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/run_loop/latency_stats.h"
 
+#include <algorithm>
+
 namespace edgevo {
 namespace {
 constexpr double kLateS = 1e-3;  // threshold of RealtimeRecord::late
 }
 
+void LatencyStats::add(std::optional<double> latency_ms) {
+  latency_ms_.push_back(latency_ms);
+  if (most_ > 0 && latency_ms_.size() > most_) latency_ms_.pop_front();
+}
+
 void LatencyStats::note_dropped() {
-  latency_ms_.emplace_back();
+  add(std::nullopt);
   ++sums_.dropped;
 }
 
@@ -15,13 +22,18 @@ void LatencyStats::note_done(double due_s, double delivered_s, double done_s) {
   if (sums_.delivered++ == 0) begin_s_ = due_s;
   sums_.late += delivered_s - due_s > kLateS;
   sums_.frames_per_second = sums_.delivered / (done_s - begin_s_);
-  latency_ms_.emplace_back(1000 * (done_s - due_s));
+  add(1000 * (done_s - due_s));
 }
 
 void LatencyStats::write_to(Run* run) const {
-  for (size_t i = 0; i < latency_ms_.size(); ++i) run->frames[i].latency_ms = latency_ms_[i];
+  // The run holds the newest frames, or all.
+  const size_t first = latency_ms_.size() - std::min(latency_ms_.size(), run->frames.size());
+  for (size_t i = first; i < latency_ms_.size(); ++i) run->frames[i - first].latency_ms = latency_ms_[i];
   RealtimeRecord record = sums_;
-  if (run->realtime) record.left_out_of_mapping = run->realtime->left_out_of_mapping;
+  if (run->realtime) {
+    record.left_out_of_mapping = run->realtime->left_out_of_mapping;
+    record.shed = run->realtime->shed;
+  }
   run->realtime = record;
 }
 

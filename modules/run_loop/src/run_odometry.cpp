@@ -3,8 +3,10 @@
 
 #include <ctime>
 
+#include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
+#include "edgevo/run_loop/load_control.h"
 #include "lenient_source.h"
 
 namespace edgevo {
@@ -73,11 +75,23 @@ void skip_dropped(const RunLoop& loop, const FedFrame& fed, LatencyStats* latenc
             " frame(s) before it dropped, the odometry is behind the camera");
 }
 
+// Drops a frame whose pose would come too late, else sheds what is to be shed from it on.
+bool drop_or_shed(const RunLoop& loop, const FedFrame& fed, LoadControl* control, LatencyStats* latency) {
+  const double late_s = fed.delivered_s - fed.due_s;
+  loop.odometry.shed(control->next(late_s));
+  if (fed.frame.image.empty() || !control->drops(late_s)) return false;
+  loop.odometry.skip(fed.frame, "dropped: its pose would have come too late");
+  latency->note_dropped();
+  return true;
+}
+
 void feed_realtime(const RunLoop& loop, LiveFeed& feed, LatencyStats* latency) {
+  LoadControl control;
   while (!loop.stop()) {
     const std::optional<FedFrame> fed = feed.next(loop.stop);
     if (!fed) break;
     skip_dropped(loop, *fed, latency);
+    if (drop_or_shed(loop, *fed, &control, latency)) continue;
     const FrameRecord record = process(loop, fed->frame);
     if (fed->frame.image.empty())
       latency->note_skipped();
@@ -105,8 +119,12 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   OdometryOptions options = requested.odometry;
   // Frames that arrive on their own schedule do not wait for the mapping: better an older map than a late
   // pose.
-  if (source.is_live() || requested.pace.kind != Pace::Kind::kAtOnce) options.max_frames_ahead = 3;
+  if (source.is_live() || requested.pace.kind != Pace::Kind::kAtOnce) {
+    options.max_frames_ahead = 3;
+    options.on_schedule = true;
+  }
   const Stop stop = requested.stop ? requested.stop : [] { return false; };
+  name_traced_thread("tracking");
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
   ImageSource& frames =
@@ -117,7 +135,9 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
   if (options.realtime) {
     LiveFeed live_feed(frames, requested.pace);
+    constexpr size_t kKept = 2000;  // frames
     LatencyStats latency(source.is_live() ? "that of the camera" : describe(requested.pace));
+    if (options.forget) latency.forget_all_but(kKept);
     result.broken = exception_of(stop, [&] { feed_realtime(loop, live_feed, &latency); });
     finish();
     latency.write_to(&result.run);

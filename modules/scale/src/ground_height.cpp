@@ -2,8 +2,11 @@
 #include "edgevo/scale/ground_height.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 
 #include "edgevo/core/point_filter.h"
 
@@ -47,10 +50,31 @@ std::optional<PathAxes> path_axes(const Path& path, const Eigen::Vector3d& down_
   return PathAxes{forward, down.normalized()};
 }
 
+// A camera that looks back on its way has passed the points that it sees before it saw them: the last pose
+// before `host` at which one was still ahead, or the first of the path.
+std::optional<size_t> pose_passed_before(const Path& path, const Eigen::Vector3d& down, size_t host,
+                                         const Eigen::Vector3d& p_world, double height_guess) {
+  const double distance = (p_world - path[host].T_world_cam.translation()).norm();
+  for (size_t j = host; j-- > 0;) {
+    if (path[host].distance - path[j].distance > kMaxPathPerDistance * distance) return std::nullopt;
+    const auto axes = path_axes(path, down, j, kDirectionHeights * height_guess);
+    if (axes && (p_world - path[j].T_world_cam.translation()).dot(axes->forward) >= 0) return j;
+  }
+  return 0;
+}
+
+bool lies_behind(const Path& path, const Eigen::Vector3d& down, size_t host, const Eigen::Vector3d& p_world,
+                 double height_guess) {
+  const auto axes = path_axes(path, down, host, kDirectionHeights * height_guess);
+  return axes && (p_world - path[host].T_world_cam.translation()).dot(axes->forward) < 0;
+}
+
 // The pose of the path at which the camera is level with the point; the last one if there is none and the
 // path has ended.
 std::optional<size_t> passing_pose(const Path& path, const Eigen::Vector3d& down, size_t host,
                                    const Eigen::Vector3d& p_world, double height_guess, bool is_path_ended) {
+  if (lies_behind(path, down, host, p_world, height_guess))
+    return pose_passed_before(path, down, host, p_world, height_guess);
   const double distance = (p_world - path[host].T_world_cam.translation()).norm();
   for (size_t j = host; j < path.size(); ++j) {
     if (path[j].distance - path[host].distance > kMaxPathPerDistance * distance) return std::nullopt;
@@ -75,7 +99,8 @@ std::optional<HeightSample> look_at(const Path& path, const Eigen::Vector3d& dow
   if (!axes) return std::nullopt;
   const Eigen::Vector3d d = p_world - path[*j].T_world_cam.translation();
   const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
-  if (!(height > 0) || aside > params.ground_width * height || d.dot(axes->forward) > kMaxAhead * height)
+  if (!(height > 0) || aside > params.ground_width * height ||
+      std::abs(d.dot(axes->forward)) > kMaxAhead * height)
     return std::nullopt;
   return HeightSample{path[*j].distance, height};
 }
@@ -118,6 +143,42 @@ double mean_shift(const std::vector<double>& logs, double mode) {
   return mode;
 }
 
+// A sample near the mode: log height minus the mode.
+struct Residual {
+  double distance = 0, value = 0;
+};
+
+// Standard deviation of the mean of the residuals, by batch means. Heights over the points of one keyframe
+// share the errors of its pose, and those of one place the shape of the road there: so the path is cut into
+// intervals, and their means show by how much the mean of all is uncertain, whatever the errors have in
+// common within an interval. What is left between neighbours is in effective_count(). Infinite for fewer than
+// four intervals.
+double sigma_by_intervals(const std::vector<Residual>& residuals) {
+  constexpr int kIntervals = 10;
+  constexpr size_t kFewest = 4;
+  const auto [first, last] =
+      std::minmax_element(residuals.begin(), residuals.end(),
+                          [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  const double begin = first->distance, length = last->distance - begin;
+  std::array<double, kIntervals> sums{}, counts{};
+  for (const Residual& r : residuals) {
+    const double at = length > 0 ? (r.distance - begin) / length : 0;
+    const auto interval = size_t(std::clamp(int(kIntervals * at), 0, kIntervals - 1));
+    sums[interval] += r.value, ++counts[interval];
+  }
+  std::vector<double> means;
+  for (size_t i = 0; i < kIntervals; ++i)
+    if (counts[i] > 0) means.push_back(sums[i] / counts[i]);
+  if (means.size() < kFewest) return std::numeric_limits<double>::infinity();
+  const double n = double(means.size());
+  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / n;
+  double squares = 0;
+  for (double& m : means) m -= mean, squares += m * m;
+  // So many standard deviations of a normal distribution are two of Student's with n - 1 degrees of freedom.
+  const double student = std::sqrt((n - 1) / (n - 3));
+  return student * std::sqrt(squares / (n - 1) / effective_count(means));
+}
+
 }  // namespace
 
 Eigen::Vector3d down_in_camera(const std::optional<SE3>& T_vehicle_cam) {
@@ -150,17 +211,15 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   std::vector<double> logs;
   for (const HeightSample& s : samples) logs.push_back(std::log(s.height));
   const double mode = mean_shift(logs, histogram_peak(logs));
-  std::vector<double> residuals;  // of the samples near the mode, in path order
-  for (const double x : logs)
-    if (std::abs(x - mode) < kReachSigmas * kWidth) residuals.push_back(x - mode);
+  std::vector<Residual> residuals;
+  for (size_t i = 0; i < logs.size(); ++i)
+    if (std::abs(logs[i] - mode) < kReachSigmas * kWidth)
+      residuals.push_back({samples[i].distance, logs[i] - mode});
   if (double(residuals.size()) < kLeastShare * double(logs.size()) ||
       int(residuals.size()) < kMinGroundPoints)
     return std::nullopt;
-  double squares = 0;
-  for (const double r : residuals) squares += r * r;
-  const double of_mean = squares / double(residuals.size()) / effective_count(residuals);
-  const double sigma = std::sqrt(of_mean + params.ground_sigma * params.ground_sigma);
-  if (sigma > params.max_sigma) return std::nullopt;
+  const double sigma = std::hypot(sigma_by_intervals(residuals), params.ground_sigma);
+  if (!(sigma <= params.max_sigma)) return std::nullopt;
   return ScaleEstimate{camera_height / std::exp(mode), sigma, int(residuals.size())};
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "edgevo/core/clock_shifts.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/time_order.h"
 #include "edgevo/map/run_builder.h"
@@ -29,8 +30,10 @@ const char* sensor_data_name(VehicleSensor sensor) {
 // advance.
 size_t positions_during_images(const VehicleTrack& track, const std::vector<Timestamp>& times) {
   std::optional<Timestamp> first, last;  // the clock may have been set back, and some may be missing
-  for (const Timestamp t : times) {
-    if (t == kNoTime) continue;
+  const std::vector<int64_t> shifts = clock_shifts(times);
+  for (size_t i = 0; i < times.size(); ++i) {
+    if (times[i] == kNoTime) continue;
+    const Timestamp t{times[i].ticks + shifts[i]};
     if (!first || t < *first) first = t;
     if (!last || *last < t) last = t;
   }

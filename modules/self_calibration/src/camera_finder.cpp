@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "finding.h"
+#include "held_back.h"
 
 namespace edgevo {
 namespace {
@@ -66,8 +67,8 @@ class CameraFinder {
   CameraEstimate search(bool free_k1, bool free_readout) const {
     CameraSearch s;
     s.start = state_.correction;
-    s.free << free_k1, free_readout;
-    s.prior << 0, params_.readout_s;
+    s.free[kK1] = free_k1, s.free[kReadout] = free_readout;
+    s.prior[kReadout] = params_.readout_s;
     return estimate_camera(problem_, s, options_);
   }
 
@@ -75,14 +76,14 @@ class CameraFinder {
   // Such a step is less reliable than a search, and far from the minimum its own standard deviation means
   // little; if it is large, a search for both decides.
   CameraEstimate look_at_shutter(CameraEstimate k1_alone) {
-    const double one_step = k1_alone.if_all_free[1], doubt = readout_sigma(0, keyframes_);
+    const double one_step = k1_alone.if_all_free[kReadout], doubt = readout_sigma(0, keyframes_);
     if (std::abs(one_step - params_.readout_s) < 0.5 * params_.significance * doubt) {
-      note_readout(one_step, k1_alone.sigma[1]);
+      note_readout(one_step, k1_alone.sigma[kReadout]);
       return k1_alone;
     }
     CameraEstimate both = search(true, true);
     if (!both.usable) return k1_alone;
-    note_readout(both.value.readout_s, both.sigma[1]);
+    note_readout(both.value.correction.readout_s, both.sigma[kReadout]);
     return state_.shutter.state == State::kApplied ? std::move(both) : std::move(k1_alone);
   }
 
@@ -107,25 +108,41 @@ class CameraFinder {
 
   // Decides what of an estimate is applied. Insignificant values are reset, and the rest is estimated again.
   CameraFinding apply_significant(CameraEstimate e) {
-    const bool k1_free = e.free[0], readout_free = e.free[1];
+    const bool k1_free = e.free[kK1], readout_free = e.free[kReadout];
     bool k1 = false, readout = false, given_up = false;
     if (readout_free) {
-      const Finding f = note_readout(e.value.readout_s, e.sigma[1]);
+      const Finding f = note_readout(e.value.correction.readout_s, e.sigma[kReadout]);
       readout = f.state == State::kApplied;
       given_up = known_.shutter.state == State::kApplied && !readout;
       if (readout && !f.trustworthy) return nothing();
     }
     if (k1_free) {
-      const Finding f = note_k1(e.value.k1, e.sigma[0]);
+      const Finding f = note_k1(e.value.correction.k1, e.sigma[kK1]);
       k1 = f.state == State::kApplied;
       if (k1 && !f.trustworthy) return nothing();
     }
     if (!k1 && !readout && !given_up) return nothing();
-    if (readout) state_.correction.readout_s = over_relaxed(e.value.readout_s);
+    if (readout) state_.correction.readout_s = over_relaxed(e.value.correction.readout_s);
     if (given_up) state_.correction.readout_s = params_.readout_s;
     if (readout || given_up || k1 != k1_free) e = search(k1, false);
     if (!e.usable) return {known_, std::nullopt};
-    if (k1) state_.estimate = state_.correction.k1 = e.value.k1;
+    if (given_up && !k1) return {state_, std::move(e)};
+    if (!compare_on_held_back(problem_, e, by_file(), options_).is_better()) return back_to_file();
+    if (k1) state_.estimate = state_.correction.k1 = e.value.correction.k1;
+    return {state_, std::move(e)};
+  }
+
+  ImageCorrection by_file() const { return {0, params_.readout_s}; }
+
+  // What the estimate was not made of supports the camera file. Moves the map only if it was corrected
+  // before.
+  CameraFinding back_to_file() {
+    for (State* state : {&state_.state, &state_.shutter.state})
+      if (*state == State::kApplied) *state = State::kInsignificant;
+    state_.correction = by_file();
+    if (known_.correction == state_.correction) return nothing();
+    CameraEstimate e = search(false, false);
+    if (!e.usable) return {known_, std::nullopt};
     return {state_, std::move(e)};
   }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/radial.h"
-
 namespace edgevo {
 namespace {
 
@@ -14,13 +12,15 @@ using ba::GlobalDerivative, ba::ImageRate, ba::kUnknowns, ba::ProfileStep, ba::U
 
 // Most steps: twice what any estimate took; a search that has not ended by then is used as it is.
 constexpr int kMaxNewtonSteps = 8;
-// Changes of k1 and of the read-out time (seconds) that end the search: 0.03 px at the border of a wide
-// image, and a hundredth of a pixel.
-const Unknowns kEnough(1e-4, 1e-4);
+// Changes that end the search, as small as 0.03 px at the border of a wide image for k1 and a hundredth of a
+// pixel for the read-out time (seconds).
+const Unknowns kEnough = Unknowns::Constant(1e-4);
 // Share of its standard deviation that the last step may have: too little to change the result.
 constexpr double kEnoughSigmas = 0.15;
 // Factor on the tolerance of the first solve: its solution is used only until the unknowns move.
 constexpr double kRough = 10;
+// What a run corrects: `if_all_free` is about these.
+const CameraMask kRunUnknowns = only({kK1, kReadout});
 // Largest factor by which an inverse depth may change: beyond, a linear prediction of a far point is wrong.
 constexpr double kMaxIdepthChange = 2;
 
@@ -29,22 +29,16 @@ Eigen::Vector2d pixel(const Pinhole& c, const Eigen::Vector2d& x) {
   return {c.fx * x.x() + c.cx, c.fy * x.y() + c.cy};
 }
 
-// D = d px_file / d px at the true normalised point x.
-Eigen::Matrix2d pixel_jacobian(const Rectification& r, const ImageCorrection& correction,
-                               const ImageMotion& motion, const Eigen::Vector2d& x) {
-  const Eigen::Vector2d f(r.target().fx, r.target().fy);
-  return f.asDiagonal() * file_jacobian(r, correction, motion, x) * f.cwiseInverse().asDiagonal();
+// D = d px_file / d px.
+Eigen::Matrix2d pixel_jacobian(const Pinhole& c, const Eigen::Matrix2d& jacobian) {
+  const Eigen::Vector2d f(c.fx, c.fy);
+  return f.asDiagonal() * jacobian * f.cwiseInverse().asDiagonal();
 }
 
 // x(k) with x_file fixed: dx/dk = -(dx_file/dx)^-1 dx_file/dk.
-ImageRate removal_rate(const Rectification& r, const ImageCorrection& correction, const ImageMotion& motion,
-                       const Eigen::Vector2d& x) {
-  const Eigen::Vector2d rolling = add_rolling(r, correction.readout_s, motion, x);
-  ImageRate by_unknown;
-  by_unknown.col(0) = radial_derivative(rolling);
-  by_unknown.col(1) =
-      radial_jacobian(correction.k1, rolling) * rolling_rate(r, correction.readout_s, motion, x);
-  return -(file_jacobian(r, correction, motion, x).inverse() * by_unknown);
+ImageRate removal_rate(const Rectification& r, const CameraError& error, const ImageMotion& motion,
+                       const IdealPoint& point) {
+  return -(point.jacobian.inverse() * error.derivative(r, motion, point.x));
 }
 
 void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem) {
@@ -60,14 +54,12 @@ void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem
   }
 }
 
-using Mask = Eigen::Array<bool, kUnknowns, 1>;
-
 // One Newton step of the free unknowns from k, with the standard deviations of the result; 0 for the others.
 struct NewtonStep {
   Unknowns change = Unknowns::Zero(), sigma = Unknowns::Zero();
 };
 NewtonStep newton_step(const ProfileStep& step, const CameraSearch& search, const Unknowns& k,
-                       const Mask& free) {
+                       const CameraMask& free) {
   const Unknowns weight = search.prior_sigma.cwiseAbs2().cwiseInverse();
   UnknownsSquare curvature = step.curvature, score = step.score_square;
   curvature.diagonal() += weight;
@@ -94,21 +86,38 @@ const ImageMotion& CameraProblem::motion_of(int pose) const {
   return motion.empty() ? unknown : motion[size_t(pose)];
 }
 
-BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correction) {
-  BaProblem p = problem.file;
+IdealPoints ideal_points(const CameraProblem& problem, const CameraError& error) {
   const Rectification& r = problem.rectification;
-  const Pinhole& c = p.pinhole;
+  const BaProblem& file = problem.file;
+  const auto locate = [&](int pose, const Eigen::Vector2d& px_file) {
+    const ImageMotion& motion = problem.motion_of(pose);
+    const Eigen::Vector2d x = error.from_file(r, motion, normalised(file.pinhole, px_file));
+    return IdealPoint{x, error.jacobian(r, motion, x)};
+  };
+  IdealPoints points;
+  points.hosts.reserve(problem.px_host.size()), points.matches.reserve(file.observations.size());
+  for (size_t i = 0; i < problem.px_host.size(); ++i)
+    points.hosts.push_back(locate(file.points[i].host, problem.px_host[i]));
+  for (const BaObservation& o : file.observations) points.matches.push_back(locate(o.target, o.px));
+  return points;
+}
+
+BaProblem corrected(const CameraProblem& problem, const CameraError& error) {
+  return corrected(problem, ideal_points(problem, error));
+}
+
+BaProblem corrected(const CameraProblem& problem, const IdealPoints& points) {
+  BaProblem p = problem.file;
   for (size_t i = 0; i < p.points.size(); ++i) {
-    const Eigen::Vector2d x =
-        from_file(r, correction, problem.motion_of(p.points[i].host), normalised(c, problem.px_host[i]));
+    const Eigen::Vector2d& x = points.hosts[i].x;
     p.points[i].ray = {x.x(), x.y(), 1.0};
   }
-  for (BaObservation& o : p.observations) {
-    const ImageMotion& motion = problem.motion_of(o.target);
-    const Eigen::Vector2d x = from_file(r, correction, motion, normalised(c, o.px));
-    const Eigen::Vector2d n = pixel_jacobian(r, correction, motion, x).transpose() * o.normal;
+  for (size_t k = 0; k < p.observations.size(); ++k) {
+    BaObservation& o = p.observations[k];
+    const Eigen::Matrix2d D = pixel_jacobian(problem.rectification.target(), points.matches[k].jacobian);
+    const Eigen::Vector2d n = D.transpose() * o.normal;
     const double length = n.norm();
-    o.px = pixel(c, x);
+    o.px = pixel(p.pinhole, points.matches[k].x);
     o.normal = n / length;
     o.inv_sigma_normal *= length;
     o.inv_sigma_tangent *= length;
@@ -116,20 +125,22 @@ BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correct
   return p;
 }
 
-GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction) {
-  const Rectification& r = problem.rectification;
-  const Pinhole& c = problem.file.pinhole;
-  const auto rate_at = [&](int pose, const Eigen::Vector2d& px_file) {
-    const ImageMotion& motion = problem.motion_of(pose);
-    return removal_rate(r, correction, motion, from_file(r, correction, motion, normalised(c, px_file)));
+GlobalDerivative camera_derivative(const CameraProblem& problem, const CameraError& error,
+                                   const IdealPoints& points) {
+  const BaProblem& file = problem.file;
+  const auto rate_at = [&](int pose, const IdealPoint& point) {
+    return removal_rate(problem.rectification, error, problem.motion_of(pose), point);
   };
   GlobalDerivative d;
-  d.ray.reserve(problem.px_host.size()), d.px.reserve(problem.file.observations.size());
-  for (size_t i = 0; i < problem.px_host.size(); ++i)
-    d.ray.push_back(rate_at(problem.file.points[i].host, problem.px_host[i]));
-  const Eigen::Vector2d f(c.fx, c.fy);
-  for (const BaObservation& o : problem.file.observations)
-    d.px.push_back(f.asDiagonal() * rate_at(o.target, o.px));
+  // inv_sigma grows with |D^T n|, which is proportional to 1 + focal. How it changes with the distortion is
+  // neglected: second order in the residual.
+  d.log_inv_sigma[kFocal] = 1 / (1 + error.focal);
+  d.ray.reserve(points.hosts.size()), d.px.reserve(points.matches.size());
+  for (size_t i = 0; i < points.hosts.size(); ++i)
+    d.ray.push_back(rate_at(file.points[i].host, points.hosts[i]));
+  const Eigen::Vector2d f(file.pinhole.fx, file.pinhole.fy);
+  for (size_t k = 0; k < points.matches.size(); ++k)
+    d.px.push_back(f.asDiagonal() * rate_at(file.observations[k].target, points.matches[k]));
   return d;
 }
 
@@ -144,14 +155,15 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
     const bool rough = i == 0;
     BaOptions solve = options;
     if (rough) solve.relative_decrease *= kRough;
-    BaProblem p = corrected(current, e.value);
+    const IdealPoints points = ideal_points(current, e.value);
+    BaProblem p = corrected(current, points);
     const BaResult result = solver->solve(&p, solve);
     if (!result.usable) return e;
-    const ProfileStep step = ba::profile_step(p, camera_derivative(current, e.value), options);
+    const ProfileStep step = ba::profile_step(p, camera_derivative(current, e.value, points), options);
     if (!step.usable) return e;
-    const Unknowns k = unknowns(e.value);
+    const Unknowns k = e.value.unknowns();
     const NewtonStep newton = newton_step(step, search, k, search.free),
-                     all = newton_step(step, search, k, Mask::Constant(true));
+                     all = newton_step(step, search, k, search.free || kRunUnknowns);
     e.cost = result.final_cost;
     e.sigma = search.free.select(newton.sigma, all.sigma);
     e.if_all_free = k + all.change;
@@ -164,7 +176,7 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
     predict(step, change, &p);
     current.file.poses = p.poses;
     for (size_t n = 0; n < p.points.size(); ++n) current.file.points[n].idepth = p.points[n].idepth;
-    e.value = correction(k + change);
+    e.value = CameraError(k + change);
   }
   return e;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A bundle adjustment whose images are affected by what the camera file does not contain, a residual radial
-// distortion and a rolling shutter (edges/image_correction.h), and the search for both.
+// A bundle adjustment whose images are affected by what the camera file has wrong (camera_error.h), and the
+// search for it.
 #include <Eigen/Core>
 #include <vector>
 
+#include "camera_error.h"
 #include "edgevo/bundle_adjustment/profile.h"
 #include "edgevo/core/run_warnings.h"
-#include "edgevo/edges/image_correction.h"
 
 namespace edgevo {
 
@@ -26,37 +26,49 @@ struct CameraProblem {
   const ImageMotion& motion_of(int pose) const;
 };
 
-/// Unknowns of a profile step, in this order: k1, readout_s.
-inline ba::Unknowns unknowns(const ImageCorrection& c) { return {c.k1, c.readout_s}; }
-/// Inverse of unknowns().
-inline ImageCorrection correction(const ba::Unknowns& k) { return {k[0], k[1]}; }
+/// Where a pixel of `file` lies in the image of the ideal camera: the normalised point x, and d x_file / dx.
+struct IdealPoint {
+  Eigen::Vector2d x;
+  Eigen::Matrix2d jacobian;
+};
+/// Those of all host pixels and matches, in their order: the costly part of what follows.
+struct IdealPoints {
+  std::vector<IdealPoint> hosts, matches;
+};
+/// Computes them for a camera file with this `error`.
+IdealPoints ideal_points(const CameraProblem& problem, const CameraError& error);
 
-/// The same problem for an ideal pinhole with a global shutter, if the images are affected by `correction`. A
+/// The same problem for an ideal pinhole with a global shutter, if the camera file has such an error. A
 /// match keeps its residual to first order: with D = d px_file / d px, n^T (p_file - m_file) = (D^T n)^T (p -
 /// m); the length of D^T n goes into the sigmas.
-BaProblem corrected(const CameraProblem& problem, const ImageCorrection& correction);
+BaProblem corrected(const CameraProblem& problem, const IdealPoints& points);
+/// The same with points computed for `error`.
+BaProblem corrected(const CameraProblem& problem, const CameraError& error);
 
-/// Derivative of the corrected problem with respect to the unknowns.
-ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const ImageCorrection& correction);
+/// Derivative of the corrected problem with respect to the unknowns; `points`: those of `error`.
+ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const CameraError& error,
+                                       const IdealPoints& points);
 
 /// Limits that an estimate is clamped to, and at which it is not trusted. Seconds for the read-out time.
-constexpr double kMaxK1 = kLargestResidualK1, kMaxReadout = 0.1;
+constexpr double kMaxK1 = kLargestResidualK1, kMaxReadout = 0.1, kMaxK2 = 0.5, kMaxFocal = 0.5,
+                 kMaxCentre = 0.2;
 
 /// How an estimate is made, with Gaussian priors around `prior`.
 struct CameraSearch {
   /// Value to start at.
-  ImageCorrection start;
-  /// Free unknowns among k1 and readout_s; the others stay at `start`.
-  Eigen::Array<bool, ba::kUnknowns, 1> free{true, false};
-  ba::Unknowns prior{0, 0}, prior_sigma{0.01, 0.03}, limit{kMaxK1, kMaxReadout};
+  CameraError start;
+  /// Free unknowns; the others stay at `start`.
+  CameraMask free = only({kK1});
+  ba::Unknowns prior = ba::Unknowns::Zero(), prior_sigma = of_each(0.01, 0.03, 0.05, 0.3, 0.05),
+               limit = of_each(kMaxK1, kMaxReadout, kMaxK2, kMaxFocal, kMaxCentre);
 };
 
 /// An estimate of the camera.
 struct CameraEstimate {
   bool usable = false;
-  ImageCorrection value;
-  /// Free unknowns of the estimate, among k1 and readout_s.
-  Eigen::Array<bool, ba::kUnknowns, 1> free{false, false};
+  CameraError value;
+  /// Free unknowns of the estimate.
+  CameraMask free = only({});
   /// Standard deviation of each unknown, cluster-robust (ProfileStep::score_square): of the free ones by
   /// themselves, of the others as if all were free.
   ba::Unknowns sigma = ba::Unknowns::Zero();

@@ -88,6 +88,13 @@ void carry_poses(const BaProblem& solution, double length, BaProblem* p) {
 
 }  // namespace
 
+std::vector<const Keyframe*> all_keyframes(const Map& map) {
+  std::vector<const Keyframe*> keyframes;
+  for (const Keyframe& k : map.marginalised()) keyframes.push_back(&k);
+  for (const Keyframe& k : map.active()) keyframes.push_back(&k);
+  return keyframes;
+}
+
 CalibrationHistory make_history(const Rectification& rectification, const ImageCorrection& now,
                                 const std::vector<const Keyframe*>& keyframes) {
   CalibrationHistory h;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "camera_problem.h"
-#include "edgevo/map/keyframe.h"
+#include "edgevo/map/map.h"
 
 namespace edgevo {
 
@@ -15,6 +15,9 @@ struct CalibrationHistory {
   /// Index of a point in the problem, as [keyframe][point]; -1: not in it.
   std::vector<std::vector<int>> point_index;
 };
+
+/// The keyframes of the present segment that have matches, by id.
+std::vector<const Keyframe*> all_keyframes(const Map& map);
 
 /// Builds the problem. `now`: correction of the keyframes' images.
 CalibrationHistory make_history(const Rectification& rectification, const ImageCorrection& now,

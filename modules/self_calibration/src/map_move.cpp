@@ -88,7 +88,7 @@ MapMoved make_move(const Rectification& c, const ImageCorrection& before,
   const std::vector<SE3> T_cam_newest = anchor(keyframes.back()->T_cam_world, length, &e->solution);
   MapMoved moved;
   moved.reason = MoveReason::kCamera;
-  moved.lens = LensChange{before, e->value};
+  moved.lens = LensChange{before, e->value.correction};
   for (size_t k = 0; k < n; ++k) {
     const double ratio = idepth_ratio(keyframes, k, k + 1, history, e->solution);
     moved.keyframes.push_back(make_keyframe_move(c, *moved.lens, *keyframes[k], T_cam_newest[k], ratio,

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "camera_finder.h"
+#include "edgevo/core/thread_priority.h"
+#include "edgevo/core/trace.h"
 #include "history.h"
 #include "map_move.h"
 
@@ -30,20 +32,13 @@ int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
                                      : 2 * keyframes;
 }
 
-// The keyframes of the map that have matches, by id.
-std::vector<const Keyframe*> all_keyframes(const Map& map) {
-  std::vector<const Keyframe*> keyframes;
-  for (const Keyframe& k : map.marginalised()) keyframes.push_back(&k);
-  for (const Keyframe& k : map.active()) keyframes.push_back(&k);
-  return keyframes;
-}
-
 }  // namespace
 
 // An estimate in a thread of its own, on a copy of the data at its beginning.
 struct SelfCalibration::Job {
   int moves = 0;  // of the map at its beginning
   CalibrationHistory history;
+  std::optional<CameraFinding> found;
   std::future<CameraFinding> finding;  // last member: it waits for its thread before the history is destroyed
 };
 
@@ -94,13 +89,24 @@ void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->moves = map.moves();
   job_->history = make_history(rectification_, state_.correction, all_keyframes(map));
-  job_->finding =
-      std::async(std::launch::async, [&problem = job_->history.problem, known = state_, params = params_,
-                                      options] { return find_camera(problem, known, params, options); });
+  job_->finding = std::async(std::launch::async,
+                             [&problem = job_->history.problem, known = state_, params = params_, options] {
+                               name_traced_thread("self-calibration");
+                               lower_thread_priority();
+                               const TraceScope traced("estimate of the camera");
+                               return find_camera(problem, known, params, options);
+                             });
 }
 
 bool SelfCalibration::is_ready() const {
-  return job_ && job_->finding.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return job_ &&
+         (job_->found || job_->finding.wait_for(std::chrono::seconds(0)) == std::future_status::ready);
+}
+
+std::optional<ImageCorrection> SelfCalibration::correction_found() {
+  if (!is_ready()) return std::nullopt;
+  if (!job_->found) job_->found = job_->finding.get();
+  return job_->found->estimate ? std::make_optional(job_->found->estimate->value.correction) : std::nullopt;
 }
 
 std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOptions& options, bool at_end) {
@@ -118,7 +124,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   }
   if (job) {
     known = int(job->history.point_index.size());
-    found = job->finding.get();
+    found = job->found ? std::move(*job->found) : job->finding.get();
     if (found.estimate) found.estimate->solution = carry_over(job->history, *found.estimate, history);
   } else {
     found = find_camera(history.problem, state_, params_, options);
@@ -127,6 +133,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   std::optional<MapMoved> moved;
   state_ = found.state;
   if (found.estimate) {
+    const TraceScope traced("prior of the corrected map");
     moved = make_move(rectification_, before, keyframes, map.marginalised().size(), history, options,
                       &*found.estimate);
     moved->segment = map.segment();

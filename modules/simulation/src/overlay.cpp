@@ -140,7 +140,7 @@ void Overlay::paste(const Texture& texture, const BodyBox& p, int index, GrayIma
 OverlaidImage Overlay::apply(const GrayImage& image, int index, double seconds,
                              std::optional<int> standing) const {
   check_pixels(image, "Overlay::apply()");
-  OverlaidImage out{image, {}};
+  OverlaidImage out{{image.width, image.height, image.pixels}, {}};
   if (standing)
     out.image.pixels = with_sensor_noise({image.pixels.begin(), image.pixels.end()}, kStandingNoise,
                                          options_.seed + 3, index);

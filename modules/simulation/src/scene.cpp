@@ -80,7 +80,7 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   split_season(name_or_path, &base, &season);
   const fs::path path = find_scene(base);
   const std::string where = path.string();
-  SceneParams params = parse_scene(read_file(where, "give the path of a scene file"), where);
+  SceneParams params = parse_scene(read_text(where, "give the path of a scene file"), where);
   if (!season.empty()) params.world.season = season;
   if (!params.world.season.empty() && params.world.kind != "lakeshore")
     throw InputError("scene " + name_or_path, "has no seasons", "only worlds of the kind lakeshore have");

@@ -32,4 +32,11 @@ void CornerEvaluation::begin_map(double median_idepth) {
   epipolar_.restart();
 }
 
+void CornerEvaluation::change_unit(double length_ratio) {
+  unit_ /= length_ratio;
+  T_cam_odometry_ = SE3();
+  comparison_.restart_odometry(T_cam_odometry_);
+  epipolar_.restart();
+}
+
 }  // namespace edgevo

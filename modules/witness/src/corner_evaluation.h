@@ -23,6 +23,8 @@ class CornerEvaluation {
   std::optional<CornerEvidence> add(const CornerView& view, const std::optional<SE3>& T_cur_last);
   /// CornerWitness::begin_map().
   void begin_map(double median_idepth);
+  /// CornerWitness::change_unit().
+  void change_unit(double length_ratio);
   /// Corners that are not to be followed any more.
   std::vector<uint32_t> take_rejected() { return chain_.take_rejected(); }
 

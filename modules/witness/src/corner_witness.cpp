@@ -28,4 +28,6 @@ std::optional<CornerEvidence> CornerWitness::add(const FramePyramid& frame,
 
 void CornerWitness::begin_map(double median_idepth) { impl_->evaluation.begin_map(median_idepth); }
 
+void CornerWitness::change_unit(double length_ratio) { impl_->evaluation.change_unit(length_ratio); }
+
 }  // namespace edgevo

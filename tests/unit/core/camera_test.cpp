@@ -160,6 +160,9 @@ TEST(Camera, CheckNamesTheInvalidField) {
                 HasSubstr("below one pixel or above a million"));
   EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->cx = 700; })),
               HasSubstr("principal point lies outside"));
+  EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->width = p->height = 1; })),
+              HasSubstr("lies outside the image: (318.6, 255.3) in 1x1 pixels; give cx cy in pixels, and the "
+                        "size of the images"));
   EXPECT_THAT(complaint(with([](Pinhole* p, Distortion*) { p->cy = std::nan(""); })),
               HasSubstr("principal point lies outside"));
   EXPECT_THAT(complaint(with([](Pinhole*, Distortion* d) { d->k3 = std::nan(""); })),

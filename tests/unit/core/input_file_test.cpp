@@ -49,6 +49,26 @@ TEST(ReadFile, RefusesDevicesAndPipes) {
               path + ": cannot be read: it is a device or a pipe, not a file; give another");
 }
 
+TEST(ReadText, NamesUtf16WithAndWithoutItsMark) {
+  const test::TempFolder folder;
+  const std::string path = folder / "text", plain = "0.1\n0.2\n";
+  std::string little, big;
+  for (const char c : plain) little += {c, '\0'}, big += {'\0', c};
+  for (const std::string& text : {"\xFF\xFE" + little, "\xFE\xFF" + big, little, big}) {
+    write_file(path, text);
+    try {
+      read_text(path, "");
+      ADD_FAILURE() << "was read";
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.what(), path + ": the text is UTF-16, which is not read; save it as UTF-8");
+    }
+  }
+  for (const std::string& text : {plain, std::string("7"), std::string("\0\0\0\0", 4)}) {
+    write_file(path, text);
+    EXPECT_EQ(read_text(path, ""), text);
+  }
+}
+
 TEST(ReadFile, RefusesFilesThatAreTooLarge) {
   const test::TempFolder folder;
   const std::string path = folder / "large";

@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+
+#include "edgevo/core/clock_shifts.h"
 
 namespace edgevo {
 namespace {
@@ -97,6 +100,16 @@ TEST(TimeOrder, AfterAClockIsSetBackTimesGoOnFromTheLastGoodOne) {
   EXPECT_EQ(decisions[0].subject, "clock");
   EXPECT_EQ(decisions[0].value, "set back at frame 5");
   EXPECT_FALSE(decisions[0].doubt.empty());
+}
+
+TEST(ClockShifts, BeginWithTheFirstFrameOfTheOtherClock) {
+  std::vector<Timestamp> stated;
+  for (int k = 0; k < 5; ++k) stated.push_back(at(100 + 0.1 * k));
+  for (int k = 5; k < 9; ++k) stated.push_back(at(70 + 0.1 * k));
+  std::vector<int64_t> expected(9, 0);
+  std::fill(expected.begin() + 5, expected.end(), at(30).ticks);
+  EXPECT_EQ(clock_shifts(stated), expected);
+  EXPECT_TRUE(clock_shifts({}).empty());
 }
 
 TEST(TimeOrder, APauseInWhichTheViewMayChangeIsSaid) {

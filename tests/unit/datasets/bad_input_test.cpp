@@ -175,6 +175,18 @@ TEST_F(BadFolder, AByteOrderMarkIsNoPartOfTheFirstNumber) {
   EXPECT_EQ(test::read_all(*open()).size(), 4u);
 }
 
+TEST_F(BadFolder, Utf16IsNamed) {
+  for (const char* name : {"times.txt", "camera.txt"}) {
+    const std::string text = read_text(folder_ / name);
+    std::string wide = "\xFF\xFE";
+    for (const char c : text) wide += {c, '\0'};
+    write_text(folder_ / name, wide);
+    EXPECT_THAT(open_error(),
+                HasSubstr(std::string(name) + ": the text is UTF-16, which is not read; save it as UTF-8"));
+    write_text(folder_ / name, text);
+  }
+}
+
 TEST_F(BadFolder, HiddenFilesAreNoImages) {
   for (const char* name : {"._000000.png", ".000001.png", "Thumbs.db", ".DS_Store"})
     write_text(folder_ / (std::string("images/") + name), std::string("\0\5\26\7Mac OS X", 12));

@@ -49,6 +49,21 @@ TEST_F(ScaledImages, AgreeWithTheirCamera) {
   EXPECT_EQ(frames[1].index, 1);
 }
 
+TEST_F(ScaledImages, KeepTheirDepth) {
+  std::string pgm = "P5 80 40 65535\n";
+  for (int i = 0; i < 80 * 40; ++i) pgm += i % 80 < kEdge ? std::string(2, '\0') : std::string("\x32\x01");
+  std::filesystem::create_directories(folder_ / "deep");
+  for (const char* name : {"deep/0.pgm", "deep/1.pgm"}) test::write_text(folder_ / name, pgm);
+  options_.path = folder_ / "deep";
+  options_.image_scale = 0.5;
+  const GrayImage image = open_source(options_)->next()->image;
+  ASSERT_EQ(image.values.size(), 40u * 20u);
+  EXPECT_EQ(image.values[10 * 40 + 15], 0);
+  EXPECT_EQ(image.values[10 * 40 + 16], 0x3201);
+  EXPECT_EQ(image.scale.per_level, 64) << "14 bits";
+  EXPECT_EQ(image.view().at(16, 10), 200);
+}
+
 TEST_F(ScaledImages, AreReportedWithTheirSizes) {
   options_.image_scale = 0.5;
   const auto source = open_source(options_);

@@ -51,6 +51,16 @@ TEST(TimeUnit, ARateThatNoCameraHasIsADoubt) {
   EXPECT_EQ(time_unit_of({0, 1e-3, 2e-3, 3e-3}).doubt, "");
 }
 
+TEST(TimeUnit, NumbersThatOnlyCountAreADoubt) {
+  for (const std::vector<double>& times : {std::vector<double>{0, 1, 2, 3}, {1, 2, 3, 4, 5}}) {
+    EXPECT_STREQ(time_unit_of(times).unit.name, "seconds");
+    EXPECT_NE(time_unit_of(times).doubt.find("--fps"), std::string::npos);
+  }
+  EXPECT_EQ(time_unit_of({1.7e9, 1.7e9 + 1, 1.7e9 + 2}).doubt, "");
+  EXPECT_EQ(time_unit_of({0, 1, 2.1, 3}).doubt, "");
+  EXPECT_EQ(time_unit_of({0, 1}).doubt, "") << "two images of a slow camera";
+}
+
 TEST(TimeUnit, TheUserMaySetIt) {
   std::vector<Timestamp> times;
   UnitOfTimes unit;

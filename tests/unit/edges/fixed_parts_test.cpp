@@ -70,7 +70,8 @@ Covered covered(const GrayImage& image, const FramePyramid& masked) {
   EdgeParams plain;
   plain.find_own_parts = false;
   double part = 0, part_masked = 0, scene = 0, scene_masked = 0;
-  for (const EdgePixel& e : PyramidBuilder(part_camera(), plain).build(image)->finest().edges.pixels) {
+  const auto unmasked = PyramidBuilder(part_camera(), plain).build(image);
+  for (const EdgePixel& e : unmasked->finest().edges.pixels) {
     const bool is_masked = masked.is_own(e.x, e.y);
     if (on_part(e.x, e.y))
       ++part, part_masked += is_masked;
@@ -103,13 +104,8 @@ TEST(FixedParts, ACameraThatStandsMakesNoMaskWhateverCrosses) {
       if (x < left || x > left + 250 || y < 60 || y > 260) return std::nullopt;
       return random_blocks(x - left, y, 3);
     };
-    const auto pyramid = builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
-    ASSERT_FALSE(pyramid->own_mask) << i;
-    if (i > 5) {
-      EXPECT_TRUE(pyramid->view_motion.stands) << i;
-    }
+    ASSERT_FALSE(builder.build(part_view(0, 0, bus, uint64_t(i + 1)))->own_mask) << i;
   }
-  EXPECT_FALSE(show(&builder, 2, 3, 1, no_body, 1)->view_motion.stands) << "it has begun to move";
 }
 
 TEST(FixedParts, EdgesThatSlideAlongThemselvesAreNoPart) {

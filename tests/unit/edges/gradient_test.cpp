@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "edgevo/core/random.h"
+#include "edgevo/edges/canny.h"
+#include "edgevo/edges/deep_gray.h"
 #include "edgevo/edges/edge_detector.h"
 #include "support/test_images.h"
 
@@ -22,10 +24,11 @@ GrayImage noise(int width, int height, uint64_t seed) {
 }
 
 // The definition: a binomial of 5x5 pixels, then Sobel, in double, pixel by pixel.
-Eigen::Vector2d gradient_by_definition(const GrayImage& image, int x, int y) {
+template <class T>
+Eigen::Vector2d gradient_by_definition(const ImageView<T>& image, int x, int y) {
   const double binomial[5] = {1 / 16., 4 / 16., 6 / 16., 4 / 16., 1 / 16.};
   const auto pixel = [&](int u, int v) {
-    return double(image.view().at(std::clamp(u, 0, image.width - 1), std::clamp(v, 0, image.height - 1)));
+    return double(image.at(std::clamp(u, 0, image.width - 1), std::clamp(v, 0, image.height - 1)));
   };
   const auto smooth = [&](int u, int v) {
     double sum = 0;
@@ -50,7 +53,7 @@ TEST_P(GradientSizes, EqualsItsDefinitionUpToTheBorder) {
     const Gradient g = compute_gradient(image.view());
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
-        const Eigen::Vector2d expected = gradient_by_definition(image, x, y);
+        const Eigen::Vector2d expected = gradient_by_definition(image.view(), x, y);
         // The rounding of the smoothed rows to an eighth, through the taps 1 4 5 on both sides.
         ASSERT_NEAR(g.dx.at(x, y) / kGradientSteps, expected.x(), 0.33) << x << " " << y;
         ASSERT_NEAR(g.dy.at(x, y) / kGradientSteps, expected.y(), 0.33) << x << " " << y;
@@ -58,6 +61,22 @@ TEST_P(GradientSizes, EqualsItsDefinitionUpToTheBorder) {
             << x << " " << y;
       }
   }
+}
+
+TEST_P(GradientSizes, OfSixteenBitsEqualsItsDefinitionToRounding) {
+  const auto [width, height] = GetParam();
+  Random random(7);
+  Plane<uint16_t> image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.at(x, y) = uint16_t(20000 + random.below(40000));
+  const Gradient g = compute_gradient(image.view());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Eigen::Vector2d expected =
+          kGradientSteps * gradient_by_definition(image.view(), x, y) / kDeepSteps;
+      ASSERT_NEAR(g.dx.at(x, y), expected.x(), 0.501) << x << " " << y;
+      ASSERT_NEAR(g.dy.at(x, y), expected.y(), 0.501) << x << " " << y;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, GradientSizes,
@@ -70,10 +89,19 @@ TEST(Gradient, AnExtremeStepDoesNotOverflow) {
     const GrayImage step =
         test::make_image(40, 40, [&](double x, double y) { return (upright ? x : y) < 20 ? 0.0 : 255.0; });
     const Gradient g = compute_gradient(step.view());
-    const Eigen::Vector2d expected = gradient_by_definition(step, 20, 20);
+    const Eigen::Vector2d expected = gradient_by_definition(step.view(), 20, 20);
     EXPECT_NEAR(g.dx.at(20, 20) / kGradientSteps, expected.x(), 0.33);
     EXPECT_NEAR(g.dy.at(20, 20) / kGradientSteps, expected.y(), 0.33);
   }
+}
+
+TEST(Gradient, AnExtremeStepOfSixteenBitsIsLimited) {
+  Plane<uint16_t> step(40, 40);
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) step.at(x, y) = x < 20 ? 65535 : 0;
+  const Gradient g = compute_gradient(step.view());
+  EXPECT_EQ(g.dx.at(20, 20), -32767);
+  EXPECT_EQ(g.dy.at(20, 20), 0);
 }
 
 TEST(GradientHistogram, PercentilesMatchTheSortedMagnitudes) {
@@ -141,6 +169,19 @@ TEST(CannyDetector, EqualsItsDefinition) {
   EXPECT_GT(edges, 500);
   EXPECT_LE(different, edges / 200)
       << "gradients within rounding of 22.5 degrees, thresholds within rounding";
+}
+
+TEST(Canny, OfAnImageOfAnyWidthEqualsItsDefinition) {
+  constexpr int kHeight = 60;
+  for (int width = 3; width <= 20; ++width) {
+    const Gradient g = compute_gradient(test::textured_image(width, kHeight, uint64_t(width)).view());
+    const Plane<uint8_t> mask = canny(g, 20, 60);
+    const std::vector<uint8_t> expected = canny_by_definition(g, 20, 60);
+    int different = 0;
+    for (int i = 0; i < width * kHeight; ++i)
+      different += (mask.row(0)[i] != 0) != (expected[size_t(i)] != 0);
+    EXPECT_LE(different, 2) << width << " columns; gradients within rounding of 22.5 degrees";
+  }
 }
 
 TEST(Plane, MemoryIsReused) {

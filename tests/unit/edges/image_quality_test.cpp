@@ -96,6 +96,19 @@ TEST(SaturatedShare, EndsTwoGrayLevelsFromTheEnds) {
   EXPECT_EQ(flat(255), 1);
 }
 
+// A dim image of 12 bits is not black, and one beyond the white of its scale not saturated.
+TEST(SaturatedShare, OfMoreThanEightBitsIsAtTheEndsOfTheCamera) {
+  const auto share_at = [](double gray) {
+    return saturated_share(*pyramid(
+        test::make_deep_image(kQualityWidth, kQualityHeight, {0, 16}, [=](double, double) { return gray; })));
+  };
+  EXPECT_EQ(share_at(0), 1);
+  EXPECT_EQ(share_at(1), 0);
+  EXPECT_EQ(share_at(255), 0);
+  EXPECT_EQ(share_at(4095 / 16.), 1);
+  EXPECT_EQ(share_at(400), 0);
+}
+
 TEST(SaturatedShare, RisesWithOverexposure) {
   GrayImage bright = textured();
   for (uint8_t& gray : bright.pixels) gray = uint8_t(std::min(255, 2 * gray + 40));

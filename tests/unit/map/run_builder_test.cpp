@@ -214,5 +214,30 @@ TEST(RunBuilder, EventsAboutWhatIsNotKnownAreIgnored) {
   EXPECT_EQ(run.frames[1].reference_keyframe, -1);
 }
 
+TEST(RunBuilder, ForgetsAllButTheNewestRowsAndTheKeyframes) {
+  RunBuilder builder(test::pinhole());
+  builder.forget_all_but(10);
+  builder.apply(at_origin());
+  for (int i = 0; i < 50; ++i) {
+    builder.apply(frame(i, FrameAnchor{1, {}, kOneAhead, 0}));
+    builder.apply(FrameMapped{i, {}});
+  }
+  builder.apply(keyframe(1, 3));
+  builder.apply(move_of(1, kTurned, 4));
+  EXPECT_EQ(builder.frames(), 50u);
+  EXPECT_EQ(builder.find(39), nullptr);
+  ASSERT_NE(builder.find(40), nullptr);
+  EXPECT_EQ(builder.find(40)->index, 40);
+  builder.apply(FrameMapped{3, {}});  // of a row that is gone
+  builder.apply(frame(45, FrameAnchor{1, {}, kTurned, 0}));
+  EXPECT_LT((*builder.pose_before(46, 0) * kTurned.inverse()).log().norm(), 1e-12);
+  EXPECT_EQ(builder.last_poses(0, 49, 100).size(), 10u);
+  const edgevo::Run run = builder.finish();
+  EXPECT_TRUE(run.keyframes.empty());
+  ASSERT_EQ(run.frames.size(), 10u);
+  EXPECT_EQ(run.frames.front().index, 40);
+  EXPECT_TRUE(run.frames.front().T_world_cam);
+}
+
 }  // namespace
 }  // namespace edgevo

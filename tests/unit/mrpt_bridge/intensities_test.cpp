@@ -39,7 +39,7 @@ TEST(Intensities, EveryUsualDepthGivesTheSameGrayLevels) {
     const DeepImage image = deep_scene(gain);
     const Intensities found = decide_intensities(image);
     EXPECT_EQ(found.decision->value, name);
-    EXPECT_EQ(difference(scale_to_8_bits(image, *found.scale)), 0) << name;
+    EXPECT_EQ(difference(with_pixels(image, *found.scale)), 0) << name;
   }
   EXPECT_EQ(decide_intensities(deep_scene(16)).decision->reason, "the largest value of the image is 4,080");
 }
@@ -48,7 +48,7 @@ TEST(Intensities, ANarrowBandFarFromZeroIsSpreadOut) {
   const DeepImage image = deep_scene(8, 29000);
   const Intensities found = decide_intensities(image);
   EXPECT_EQ(found.decision->value, "values 28,745 to 31,295 as black to white");
-  const GrayImage gray = scale_to_8_bits(image, *found.scale);
+  const GrayImage gray = with_pixels(image, *found.scale);
   const auto [low, high] = std::minmax_element(gray.pixels.begin(), gray.pixels.end());
   EXPECT_GT(*high - *low, 200);
 }
@@ -56,7 +56,15 @@ TEST(Intensities, ANarrowBandFarFromZeroIsSpreadOut) {
 TEST(Intensities, ValuesBeyondTheScalingAreBlackOrWhite) {
   const IntensityScale scale{28745, 10};
   const DeepImage image{4, 1, {0, 28744, 31300, 65535}};
-  EXPECT_EQ(scale_to_8_bits(image, scale).pixels, (std::vector<uint8_t>{0, 0, 255, 255}));
+  EXPECT_EQ(with_pixels(image, scale).pixels, (std::vector<uint8_t>{0, 0, 255, 255}));
+}
+
+TEST(Intensities, TheValuesStayBesideThePixels) {
+  const DeepImage image = deep_scene(16);
+  const GrayImage gray = with_pixels(image, {0, 16});
+  EXPECT_EQ(gray.values, image.values);
+  EXPECT_EQ(gray.scale.per_level, 16);
+  EXPECT_TRUE(gray.is_deep());
 }
 
 TEST(Intensities, TwelveBitsInTheUpperOnesAreRecognisedInADarkScene) {

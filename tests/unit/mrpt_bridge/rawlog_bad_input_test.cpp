@@ -22,7 +22,8 @@ TEST(BadRawlog, MissingOrEmpty) {
   EXPECT_THAT(error_of([&] { test::open(folder / "none.rawlog"); }),
               HasSubstr("none.rawlog: cannot be read: No such file"));
   test::write_text(folder / "empty.rawlog", "");
-  EXPECT_THAT(error_of([&] { test::open(folder / "empty.rawlog"); }), HasSubstr("no image in it"));
+  EXPECT_THAT(error_of([&] { test::open(folder / "empty.rawlog"); }),
+              HasSubstr("empty.rawlog: the file is empty (0 bytes)"));
   test::write_text(folder / "text.rawlog", "This is not a rawlog but a letter.");
   EXPECT_THAT(error_of([&] { test::open(folder / "text.rawlog"); }), HasSubstr("text.rawlog"));
 }

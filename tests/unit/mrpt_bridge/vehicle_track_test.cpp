@@ -94,6 +94,32 @@ TEST(VehicleTrack, RobotPosesThroughTheSource) {
   EXPECT_THROW(read_vehicle_track(folder / "none.rawlog", VehicleSensor::kGps), InputError);
 }
 
+// The computer's clock is set back by ten seconds between images 4 and 5: the track goes on as the frames do.
+TEST(VehicleTrack, FollowsTheClockOfTheImages) {
+  const test::TempFolder folder;
+  RawlogWriter writer(folder / "x.rawlog");
+  const int64_t back = 10 * Timestamp::kTicksPerSecond, half = 333333 / 2;
+  for (int i = 0; i < 12; ++i) {
+    const auto stated = [&](int64_t ticks) {
+      return to_mrpt(Timestamp{test::frame_time(i).ticks + ticks - (i > 4 ? back : 0)});
+    };
+    auto image = test::embedded(i);
+    image.timestamp = stated(0);
+    writer.write(image);
+    CObservationOdometry o = odometry(i, "WHEELS");
+    o.timestamp = stated(half);
+    writer.write(o);
+  }
+  writer.close();
+  const auto source = test::open(folder / "x.rawlog");
+  const VehicleTrack track = source->vehicle_track(VehicleSensor::kOdometry);
+  ASSERT_EQ(track.positions.size(), 12u);
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_EQ(track.positions[size_t(i)].time.ticks, test::frame_time(i).ticks + half) << i;
+    EXPECT_NEAR(track.positions[size_t(i)].position.x(), 0.5 * i, 1e-9) << i;
+  }
+}
+
 TEST(GridmapWriter, MrptReadsTheSameCells) {
   OccupancyGrid grid;
   grid.width = 7, grid.height = 5, grid.resolution = 0.2;

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "support/pose_matchers.h"
@@ -237,6 +238,70 @@ TEST(Mapper, TheSameSeedGivesTheSameMap) {
   };
   EXPECT_EQ(run(1), run(1));
   EXPECT_NE(run(1), run(2));
+}
+
+// ---- doubt ----
+
+constexpr int kApart = 4;  // frames
+
+TrackedFrame next_keyframe(SweepDriver* driver, int k, bool is_in_doubt) {
+  driver->note_keyframes();
+  TrackedFrame frame = driver->align(8 + kApart * k, true);
+  frame.is_in_doubt = is_in_doubt;
+  return frame;
+}
+
+std::vector<bool> doubtful_ones(SweepDriver* driver) {
+  std::vector<bool> doubtful;
+  for (const auto& event : driver->events.read())
+    if (const auto* e = std::get_if<KeyframeMarginalised>(event.get()))
+      doubtful.push_back(e->keyframe->is_doubtful);
+  return doubtful;
+}
+
+TEST(Mapper, KeyframesMadeInDoubtLeaveAsDoubtful) {
+  SweepDriver driver(seven_keyframes());
+  ASSERT_EQ(driver.start(), "");
+  for (int k = 1; k <= 15; ++k) driver.mapper.process(next_keyframe(&driver, k, k == 6 || k == 7));
+  driver.note_keyframes();
+  const std::vector<bool> doubtful = doubtful_ones(&driver);
+  // The doubt at frame 32 reaches back to frame 23.
+  EXPECT_EQ(std::count(doubtful.begin(), doubtful.end(), true), 4);
+  const auto& window = driver.mapper.window().keyframes();
+  EXPECT_FALSE(window.back().is_doubtful);
+  for (size_t i = 2; i < window.size(); ++i)
+    EXPECT_NEAR(step_scale(driver, window[i - 2], window[i]), 1, 0.15) << "step " << i;
+}
+
+TEST(Mapper, ConfirmedKeyframesAreNoLongerDoubtful) {
+  SweepDriver driver(seven_keyframes());
+  ASSERT_EQ(driver.start(), "");
+  for (int k = 1; k <= 10; ++k) {
+    TrackedFrame frame = next_keyframe(&driver, k, k == 4);
+    if (k == 7) frame.doubt_ended = DoubtEnded{0, true, 1};
+    driver.mapper.process(frame);
+  }
+  driver.mapper.close();
+  for (const bool doubtful : doubtful_ones(&driver)) EXPECT_FALSE(doubtful);
+}
+
+TEST(Mapper, AUnitThatHasMovedIsSetBack) {
+  SweepDriver driver(seven_keyframes());
+  ASSERT_EQ(driver.start(), "");
+  for (int k = 1; k <= 5; ++k) driver.mapper.process(next_keyframe(&driver, k, false));
+  const std::shared_ptr<const Reference> before = driver.mapper.reference();
+  TrackedFrame frame = next_keyframe(&driver, 6, false);
+  frame.make_keyframe = false;
+  frame.doubt_ended = DoubtEnded{driver.mapper.window().keyframes()[3].id, true, 2};
+  driver.mapper.process(frame);
+  const std::shared_ptr<const Reference> after = driver.mapper.reference();
+  EXPECT_EQ(after->unit, 2);
+  EXPECT_NEAR(after->median_idepth, before->median_idepth / 2, 1e-9);
+  EXPECT_LT((after->T_ref_world * before->T_ref_world.inverse()).log().norm(), 1e-9);
+  const auto& window = driver.mapper.window().keyframes();
+  const size_t last = window.size() - 1;
+  EXPECT_NEAR(step_scale(driver, window[last - 1], window[last]), 2, 0.2);
+  EXPECT_NEAR(step_scale(driver, window[2], window[3]), 1, 0.15);
 }
 
 }  // namespace

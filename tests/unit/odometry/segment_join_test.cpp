@@ -79,5 +79,37 @@ TEST(SegmentJoin, TheScaleIsTheLastThatWasSure) {
   EXPECT_LT((join.T_world_map.rigid.translation() - expected).norm(), 1e-9);
 }
 
+TEST(SegmentJoin, AGuessOfTheScaleSaysHowFarItIsOne) {
+  EXPECT_EQ(join_segment(3, {}, {}, bootstrap(1, 1), std::nullopt).scale_sigma, 0);
+  const double by_speed =
+      join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 3), std::nullopt).scale_sigma;
+  const double by_depths = join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 3), 5.0).scale_sigma;
+  const double standing =
+      join_segment(3, moving(Vector3d::Zero()), {}, bootstrap(1.3, 3), std::nullopt).scale_sigma;
+  EXPECT_LT(0, by_depths);
+  EXPECT_LT(by_depths, by_speed);
+  EXPECT_LT(by_speed, standing);
+}
+
+// What both maps see places the new one, whatever the camera has done in between: a point of the scene has
+// one position in the world.
+TEST(SegmentJoin, AViewOfBothMapsPlacesTheNewOne) {
+  Reference before, after;
+  before.T_ref_world = SE3(kHeading, Vector3d(1, 2, 3));
+  after.T_ref_world = SE3(Eigen::Quaterniond::Identity(), Vector3d(0, 0, -4));
+  const Sim3 T_world_before{2, SE3(kHeading, Vector3d(-5, 0, 1))};
+  ViewLink link;
+  link.T_b_a = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Vector3d::UnitX())), Vector3d(0.1, 0, -2));
+  link.scale = 0.25, link.sigma = 0.03;
+  const SegmentPlaced join = link_segment(4, before, T_world_before, after, link);
+  EXPECT_EQ(join.method, Method::kLinked);
+  EXPECT_EQ(join.scale_sigma, 0.03);
+  const Vector3d in_view_before(1, -0.5, 8);
+  const Vector3d in_view_after = (link.T_b_a * in_view_before) / link.scale;
+  const Vector3d a = T_world_before * (before.T_ref_world.inverse() * in_view_before),
+                 b = join.T_world_map * (after.T_ref_world.inverse() * in_view_after);
+  EXPECT_LT((a - b).norm(), 1e-9);
+}
+
 }  // namespace
 }  // namespace edgevo

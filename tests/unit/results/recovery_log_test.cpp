@@ -97,11 +97,13 @@ TEST_F(RecoveryLogs, RestoresTheHeader) {
 }
 
 TEST_F(RecoveryLogs, RestoresTheBeginningOfASegment) {
-  const auto back = there_and_back(SegmentPlaced{3, {1.0 / 3, kPose}, SegmentPlaced::Method::kDepthRatio});
+  const auto back =
+      there_and_back(SegmentPlaced{3, {1.0 / 3, kPose}, SegmentPlaced::Method::kDepthRatio, 0.25});
   EXPECT_EQ(back.segment, 3);
   EXPECT_EQ(back.T_world_map.scale, 1.0 / 3);
   expect_same(back.T_world_map.rigid, kPose);
   EXPECT_EQ(back.method, SegmentPlaced::Method::kDepthRatio);
+  EXPECT_EQ(back.scale_sigma, 0.25);
 }
 
 TEST_F(RecoveryLogs, RestoresAKeyframe) {

@@ -15,6 +15,7 @@
 #include <set>
 
 #include "edgevo/core/input_file.h"
+#include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/results/run_files.h"
 #include "written_run.h"
 
@@ -50,7 +51,7 @@ TEST_F(RunOutputFolder, EveryFileIsListedAndDocumented) {
   for (const RunFile& file : run_files()) listed.insert(file.name);
   for (const auto& entry : fs::directory_iterator(folder_)) written.insert(entry.path().filename().string());
   for (const std::string& name : written) EXPECT_TRUE(listed.count(name)) << name << " is not in run_files()";
-  for (const char* optional : {"trajectory_vehicle_tum.txt", "scale.csv", "mask.png"})
+  for (const char* optional : {"trajectory_vehicle_tum.txt", "scale.csv", "mask.png", "edges_doubtful.ply"})
     written.insert(optional);
   for (const std::string& name : listed) EXPECT_TRUE(written.count(name)) << name << " was not written";
   const std::string readme = read_file(std::string(EDGEVO_SOURCE_DIR) + "/README.md", "");
@@ -62,6 +63,30 @@ TEST_F(RunOutputFolder, WritesEveryFile) {
   write(folder_ / "new/parents", made_.run, made_.camera);
   for (const char* file : kFiles) EXPECT_GT(content(folder_ / "new/parents" / file).size(), 100u) << file;
   EXPECT_TRUE(fs::exists(folder_ / "new/parents/playback_Images/frame_000044.png"));
+}
+
+// What was made in doubt lies next to the map, not in it; on request it is in it.
+TEST_F(RunOutputFolder, TheMapsAreWithoutWhatIsDoubtful) {
+  edgevo::Run run = made_.run;
+  write(temp_ / "sure", run, made_.camera);
+  EXPECT_FALSE(fs::exists(temp_ / "sure/edges_doubtful.ply"));
+  run.keyframes.front().is_doubtful = true;
+  write(temp_ / "doubtful", run, made_.camera);
+  const size_t all = read_edge_ply(temp_ / "sure/edges.ply").keyframes[0].points.size();
+  EXPECT_GT(all, 0u);
+  EXPECT_EQ(read_edge_ply(temp_ / "doubtful/edges.ply").keyframes[0].points.size(), 0u);
+  EXPECT_EQ(read_edge_ply(temp_ / "doubtful/edges_doubtful.ply").keyframes[0].points.size(), all);
+  EXPECT_NE(content(temp_ / "sure/edges.ot"), content(temp_ / "doubtful/edges.ot"));
+  EXPECT_THAT(content(temp_ / "doubtful/summary.yaml"), HasSubstr("keyframes_doubtful: 1"));
+  OutputOptions options;
+  options.include_doubtful = true;
+  RunOutputs outputs(temp_ / "included", made_.camera, {}, options);
+  for (const FrameRecord& frame : run.frames)
+    ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, frame)));
+  RunInfo info;
+  info.camera = made_.camera;
+  outputs.finish(run, info);
+  EXPECT_EQ(content(temp_ / "included/edges.ot"), content(temp_ / "sure/edges.ot"));
 }
 
 TEST_F(RunOutputFolder, SameRunSameBytes) {

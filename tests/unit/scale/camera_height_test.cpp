@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "drive_over_ground.h"
+#include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/run_scale.h"
 
 namespace edgevo {
@@ -117,6 +121,53 @@ TEST(CameraHeight, LiveScaleConverges) {
   EXPECT_NEAR(run.frames.back().T_world_cam_live->translation().norm(),
               made.truth.back().translation().norm(), 3);
   EXPECT_EQ(run.scale.frames.front().live_factor, 0) << "not yet known";
+}
+
+// A camera that drives backwards over hills sees the ground that it has passed, metres away and elsewhere in
+// height: what counts is how high it was over each point.
+TEST(CameraHeight, BackwardsAPointIsMeasuredWhereItWasPassed) {
+  const auto ground = [](double z) { return 0.5 * std::sin(z / 6); };
+  Path path;
+  for (int i = 0; i < 120; ++i) {
+    const double z = 60 - 0.5 * i;
+    extend(i, Timestamp::from_seconds(0.1 * i),
+           SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, ground(z) - 1.65, z)), &path);
+  }
+  const Pinhole pinhole{700, 700, 600, 200, 1200, 400};
+  KeyframeRecord keyframe;
+  keyframe.frame_index = 60;
+  const Eigen::Vector3d host = path[60].T_world_cam.translation();
+  for (double z = host.z() + 4; z < host.z() + 12; z += 0.25) {
+    const Eigen::Vector3d p_cam = Eigen::Vector3d(0.3, ground(z), z) - host;
+    EdgePoint point;
+    point.px = pinhole.project(p_cam).cast<float>();
+    point.normal = {1, 0};
+    point.idepth = float(1 / p_cam.z());
+    point.idepth_sigma = 0.01F * point.idepth;
+    point.observations = 4;
+    keyframe.points.push_back(point);
+  }
+  const std::vector<HeightSample> heights =
+      ground_heights(pinhole, keyframe, Eigen::Vector3d::UnitY(), path, true, ScaleParams());
+  EXPECT_GT(heights.size(), 20u);
+  for (const HeightSample& h : heights) EXPECT_NEAR(h.height, 1.65, 0.05) << h.distance;
+}
+
+// What the heights of an interval have in common is not averaged out by their number: the ground rises and
+// falls by 5 % from one interval of 8 metres to the next.
+TEST(CameraHeight, TheStandardDeviationIsThatOfStretchesNotOfPoints) {
+  std::vector<HeightSample> even, wavy;
+  for (int i = 0; i < 2000; ++i) {
+    const double distance = 0.02 * i, wave = 0.05 * std::sin(distance * 2 * M_PI / 16);
+    even.push_back({distance, 1.65 * (1 + 0.02 * std::sin(1.7 * i))});
+    wavy.push_back({distance, even.back().height * (1 + wave)});
+  }
+  ScaleParams params;
+  params.ground_sigma = 0;
+  const auto a = fit_height(even, 1.65, params), b = fit_height(wavy, 1.65, params);
+  ASSERT_TRUE(a && b);
+  EXPECT_LT(a->sigma, 0.003);
+  EXPECT_GT(b->sigma, 0.008);
 }
 
 }  // namespace

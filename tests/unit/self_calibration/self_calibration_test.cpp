@@ -207,6 +207,36 @@ TEST(SelfCalibration, AFalseShutterIsGivenUp) {
   EXPECT_EQ(moved->lens->now, ImageCorrection());
 }
 
+// Matches as they lie under a correction that was applied.
+std::vector<Keyframe> corrected_by(const ImageCorrection& applied, std::vector<Keyframe> drive) {
+  for (Keyframe& k : drive)
+    for (MapPoint& p : k.points) {
+      p.px = correct_pixel(test::pinhole(), {}, applied, k.motion, p.px);
+      for (Observation& seen : p.observations)
+        seen.match.px = correct_pixel(test::pinhole(), {}, applied,
+                                      drive[size_t(seen.keyframe_id - 10)].motion, seen.match.px);
+    }
+  return drive;
+}
+
+// The first keyframes had a distortion that the later ones have not.
+TEST(SelfCalibration, ADistortionThatLaterKeyframesContradictIsTakenBack) {
+  SyntheticDrive first;
+  first.k1 = 0.012;
+  SelfCalibration calibration(test::pinhole(), {});
+  const std::vector<Keyframe> mistaken = make_drive(first);
+  ASSERT_TRUE(calibration.estimate(map_of(mistaken, mistaken.size()), BaOptions(), true));
+  const ImageCorrection mistake = calibration.state().correction;
+  ASSERT_GT(mistake.k1, 0.009);
+  calibration.cancel();
+  SyntheticDrive later;
+  later.keyframes = 80;
+  const std::vector<Keyframe> drive = corrected_by(mistake, make_drive(later));
+  const auto moved = calibration.estimate(map_of(drive, drive.size()), BaOptions(), true);
+  ASSERT_TRUE(moved);
+  EXPECT_LT(std::abs(moved->lens->now.k1), 0.001);
+}
+
 // Images that are corrected already: the estimate is of the whole read-out time, not of the rest.
 TEST(SelfCalibration, AKnownShutterIsConfirmed) {
   SyntheticDrive o;

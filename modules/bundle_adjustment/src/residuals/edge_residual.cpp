@@ -31,12 +31,17 @@ Eigen::Matrix<double, 3, 6> point_jacobian(double idepth, const Eigen::Vector3d&
 
 }  // namespace
 
-EdgeLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
-                            const BaPoint& point, const BaObservation& observation) {
+TargetFromHost::TargetFromHost(const SE3& T_target_world, const SE3& T_host_world) {
+  const SE3 T = T_target_world * T_host_world.inverse();
+  R = T.R();
+  t = T.translation();
+}
+
+EdgeLinearization linearize(const Pinhole& pinhole, const TargetFromHost& T, const BaPoint& point,
+                            const BaObservation& observation) {
   EdgeLinearization lin;
-  const SE3 T_target_host = T_target_world * T_host_world.inverse();
-  const Eigen::Matrix3d R = T_target_host.R();
-  const Eigen::Vector3d Y = R * point.ray + point.idepth * T_target_host.translation();
+  const Eigen::Matrix3d& R = T.R;
+  const Eigen::Vector3d Y = R * point.ray + point.idepth * T.t;
   lin.valid = Y.z() > kMinDepthRatio;
   if (!lin.valid) return lin;
   const Eigen::Matrix2d W = whitening(observation);
@@ -44,7 +49,7 @@ EdgeLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, c
   lin.residual = W * (pinhole.project(Y) - observation.px);  // Eq. (reprojectionerror), in the edge's axes
   lin.J_target = J_Y * point_jacobian(point.idepth, Y);
   lin.J_host = -J_Y * R * point_jacobian(point.idepth, point.ray);
-  lin.J_idepth = J_Y * T_target_host.translation();
+  lin.J_idepth = J_Y * T.t;
   return lin;
 }
 

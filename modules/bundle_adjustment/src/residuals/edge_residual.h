@@ -19,7 +19,17 @@ struct EdgeLinearization {
   Eigen::Matrix<double, 2, 6> J_host = Eigen::Matrix<double, 2, 6>::Zero();
   Eigen::Vector2d J_idepth = Eigen::Vector2d::Zero();
 };
-EdgeLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
-                            const BaPoint& point, const BaObservation& observation);
+/// Rotation and translation from the host of a point to a target.
+struct TargetFromHost {
+  TargetFromHost(const SE3& T_target_world, const SE3& T_host_world);
+  Eigen::Matrix3d R;
+  Eigen::Vector3d t;
+};
+EdgeLinearization linearize(const Pinhole& pinhole, const TargetFromHost& T, const BaPoint& point,
+                            const BaObservation& observation);
+inline EdgeLinearization linearize(const Pinhole& pinhole, const SE3& T_target_world, const SE3& T_host_world,
+                                   const BaPoint& point, const BaObservation& observation) {
+  return linearize(pinhole, TargetFromHost(T_target_world, T_host_world), point, observation);
+}
 
 }  // namespace edgevo::ba

@@ -38,6 +38,8 @@ struct ExportContext {
   MapReport map = {};
   /// Progress callback while the octree is made; may be empty.
   OnKeyframeMapped on_keyframe_mapped = {};
+  /// The run with its doubtful keyframes, where `run` lacks their points; else null.
+  const Run* with_doubtful = nullptr;
   /// Names of the files that could not be written so far.
   std::vector<std::string> not_written = {};
 };

@@ -24,6 +24,8 @@ const std::vector<Exporter>& exporters() {
        export_own_mask, has_own_mask},
       {"scale.csv", "the metric scale over time, if it was measured", Kind::kText, export_scale, has_scale},
       {"edges.ply", "3D edges: points and lines", Kind::kMrpt, export_points},
+      {"edges_doubtful.ply", "points of the keyframes made in doubt, if the maps are without them",
+       Kind::kMrpt, export_doubtful_points, has_doubtful_points},
       {"edge_segments.csv", "3D lines, one row each: ends, length, direction, uncertainty, observers",
        Kind::kMrpt, export_line_table},
       {"edges.ot", "the map as an OctoMap with probabilities", Kind::kMap, export_full_octree},

@@ -22,6 +22,8 @@ bool has_own_mask(const ExportContext& context);
 
 // map_files.cpp
 void export_points(ExportContext* context, const std::string& path);
+void export_doubtful_points(ExportContext* context, const std::string& path);
+bool has_doubtful_points(const ExportContext& context);
 void export_line_table(ExportContext* context, const std::string& path);
 void export_full_octree(ExportContext* context, const std::string& path);
 void export_binary_octree(ExportContext* context, const std::string& path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/trusted_part.h"
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
 #include "edgevo/occupancy/color_octree.h"
 #include "edgevo/occupancy/edge_ply.h"
@@ -12,6 +13,12 @@ namespace edgevo {
 void export_points(ExportContext* context, const std::string& path) {
   write_edge_ply(context->run, context->params.occupancy.points, path);
 }
+
+void export_doubtful_points(ExportContext* context, const std::string& path) {
+  write_edge_ply(doubtful_part(*context->with_doubtful), context->params.occupancy.points, path);
+}
+
+bool has_doubtful_points(const ExportContext& context) { return context.with_doubtful != nullptr; }
 
 void export_line_table(ExportContext* context, const std::string& path) {
   write_file(path, line_table_csv(context->run));

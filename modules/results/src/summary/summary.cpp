@@ -6,6 +6,7 @@
 #include <set>
 
 #include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/core/run_warnings.h"
 #include "edgevo_build_info.h"
@@ -109,6 +110,15 @@ double path_length(const Run& run) {
   return length;
 }
 
+// How each segment but the first was joined to the one before.
+std::vector<std::string> joins_in_words(const Run& run) {
+  std::vector<std::string> lines;
+  for (size_t s = 1; s < run.segments.size(); ++s)
+    lines.push_back("segment " + std::to_string(s) + ": by " + run.segments[s].placed_by + ", scale +- " +
+                    fixed(100 * run.segments[s].scale_sigma, 0) + " %");
+  return lines;
+}
+
 void write_trajectory(const Run& run, YamlWriter* y) {
   std::set<int> segments;
   for (const FrameRecord& frame : run.frames)
@@ -116,8 +126,10 @@ void write_trajectory(const Run& run, YamlWriter* y) {
   y->open("trajectory");
   y->integer("segments", long(segments.size()));
   y->integer("keyframes", long(run.keyframes.size()));
+  y->integer("keyframes_doubtful", count(run).doubtful_keyframes);
   y->number("path_length", path_length(run), 6);
   y->close();
+  y->list("segments_joined", joins_in_words(run));
 }
 
 }  // namespace

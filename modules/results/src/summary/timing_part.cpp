@@ -40,6 +40,9 @@ void write_realtime(const Run& run, YamlWriter* y) {
   y->integer("late", r.late);
   y->integer("dropped", r.dropped);
   y->integer("left_out_of_mapping", r.left_out_of_mapping);
+  y->integer("shed_lines", r.shed.lines);
+  y->integer("shed_depths", r.shed.depths);
+  y->integer("shed_points", r.shed.points);
   if (const auto latency = latency_figures(run)) {
     y->open("latency_ms");
     for (const auto& [name, ms] : {std::pair("p50", latency->p50),

@@ -39,7 +39,8 @@ struct PatchTemplate {
 /// Patches of the points of a cloud, in its order.
 using PatchTemplates = std::vector<PatchTemplate>;
 
-/// Patches centred at `positions` (pixels of this image).
+/// Patches centred at `positions` (pixels of this image), of gray levels (also of 16 bits, deep_gray.h) or of
+/// gradients.
 template <class T>
 PatchTemplates cut_patches(const ImageView<T>& image, const std::vector<Eigen::Vector2f>& positions);
 

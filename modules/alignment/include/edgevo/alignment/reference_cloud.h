@@ -27,6 +27,13 @@ struct CloudPoint {
   int host_keyframe = -1, host_pixel = -1;
 };
 
+/// Difference between a patch of gray levels and a level of the image at `px`.
+inline PatchDifference compare_gray(const PyramidLevel& level, const PatchTemplate& patch,
+                                    const Eigen::Vector2d& px) {
+  return level.with_gray(
+      [&](const auto& gray) { return compare_patch(gray, patch, float(px.x()), float(px.y())); });
+}
+
 /// The reference keyframe: its image, the points and their patches. Immutable while frames are tracked.
 struct ReferenceCloud {
   /// Pyramid of the reference image.

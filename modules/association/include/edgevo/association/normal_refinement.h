@@ -21,7 +21,8 @@ struct NormalTemplate {
 };
 
 /// Prepares a template; false if the patch leaves the image or is flat.
-bool make_normal_template(const ImageView<uint8_t>& host, const Eigen::Vector2d& px_host,
+template <class T>
+bool make_normal_template(const ImageView<T>& host, const Eigen::Vector2d& px_host,
                           const Eigen::Matrix2d& A_target_host, const Eigen::Vector2d& normal_target,
                           int radius, NormalTemplate* out);
 
@@ -38,7 +39,8 @@ struct NormalRefinement {
 };
 /// Refines a match. Takes at most 12 steps and stops at 0.02 px; not accepted if it moves by more than 3 px
 /// or the patch does not fit (ZNCC below 0.85).
-NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<uint8_t>& target,
+template <class T>
+NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageView<T>& target,
                                      const Eigen::Vector2d& start, const Eigen::Vector2d& normal);
 
 }  // namespace edgevo

@@ -44,12 +44,12 @@ struct Patch {
 void project_out_normalisation(const Patch& normalised, Patch* derivative);
 
 /// Samples the host patch around px_host warped into the target: values at host positions px_host + A^-1 (u,
-/// v). False if it leaves the image.
+/// v); pixels of 16 bits become gray levels (deep_gray.h). False if it leaves the image.
 template <class T>
 bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host,
                    const Eigen::Matrix2d& A_target_host, int radius, Patch* patch);
 
-/// Samples the patch around (x, y) of an image without a warp. False if it leaves the image.
+/// Samples the patch around (x, y) of an image without a warp; pixels as above. False if it leaves the image.
 template <class T>
 bool sample_patch(const ImageView<T>& image, double x, double y, int radius, Patch* patch);
 

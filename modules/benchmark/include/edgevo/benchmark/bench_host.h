@@ -4,11 +4,17 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "edgevo/core/input_decision.h"
 
 namespace edgevo {
 
 /// Shows the number of finished frames; the line ends when the last copy is destroyed.
 using ProgressLine = std::function<void(int done)>;
+
+/// Shows what a sequence was taken for.
+using ShowInput = std::function<void(const std::string& path, const std::vector<InputDecision>& decisions)>;
 
 /// Version, signals and progress of the program that runs a benchmark.
 struct BenchHost {
@@ -20,6 +26,8 @@ struct BenchHost {
   std::function<bool()> stop;
   /// Starts a progress line: its title, and the number of frames if known.
   std::function<ProgressLine(const std::string& what, std::optional<int> total)> progress;
+  /// Called for each recorded sequence with open jobs, before they run; may be empty.
+  ShowInput show_input = {};
 };
 
 }  // namespace edgevo

@@ -15,9 +15,8 @@
 
 namespace edgevo::ba {
 
-/// Number of global unknowns: k1 and the read-out time (self_calibration). A constant, so that nothing is
-/// allocated.
-constexpr int kUnknowns = 2;
+/// Number of global unknowns: those of a camera (self_calibration). A constant, so that nothing is allocated.
+constexpr int kUnknowns = 6;
 /// Global unknowns k, or a gradient with respect to them.
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
 /// Curvature with respect to k, or covariance of k.
@@ -31,6 +30,9 @@ struct GlobalDerivative {
   std::vector<ImageRate> ray;
   /// Per observation, dm / dk in pixels.
   std::vector<ImageRate> px;
+  /// d ln(inv_sigma) / dk, the same for all observations: what changes the size of all images changes the
+  /// sigmas in their pixels, too.
+  Unknowns log_inv_sigma = Unknowns::Zero();
 };
 
 /// Derivatives of the profile cost, and of the map, at one k.

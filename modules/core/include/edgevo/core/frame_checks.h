@@ -20,14 +20,18 @@ inline void check_image_size(const GrayImage& image, const Pinhole& camera, cons
 }
 
 /// Throws InputError, prefixed with `where` (the image or the function that was given it), unless the image
-/// has exactly width * height pixels.
+/// has exactly width * height pixels, and as many values if it has more than 8 bits.
 inline void check_pixels(const GrayImage& image, const std::string& where) {
   const bool has_size = image.width >= 0 && image.height >= 0;
-  if (has_size && image.pixels.size() == size_t(image.width) * size_t(image.height)) return;
-  throw InputError(where,
-                   "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                       " with " + std::to_string(image.pixels.size()) + " pixels",
-                   "give width * height pixels");
+  const size_t size = has_size ? size_t(image.width) * size_t(image.height) : 0;
+  const std::string named =
+      "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) + " with ";
+  if (!has_size || image.pixels.size() != size)
+    throw InputError(where, named + std::to_string(image.pixels.size()) + " pixels",
+                     "give width * height pixels");
+  if (image.is_deep() && image.values.size() != size)
+    throw InputError(where, named + std::to_string(image.values.size()) + " values",
+                     "give width * height values, or none for 8 bits");
 }
 
 }  // namespace edgevo

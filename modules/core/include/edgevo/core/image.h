@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Images as plain values: an owned 8-bit gray image, and a view that owns nothing.
+// Images as plain values: an owned gray image, and a view that owns nothing.
+//
+// Gray levels have 8 bits: whatever shows, exports or follows an image needs no more. An image of a camera
+// with more bits carries the camera's values as well, from which edges and patches are taken.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -26,16 +29,31 @@ struct ImageView {
   const T& at(int x, int y) const { return data[y * stride + x]; }
 };
 
-/// Owned gray image, 8 bits, rows without padding.
+/// Linear scaling of a camera's values to gray levels: gray = (value - black) / per_level.
+struct IntensityScale {
+  /// Value that becomes 0.
+  double black = 0;
+  /// Values per gray level, at least 1.
+  double per_level = 256;
+};
+
+/// Owned gray image, rows without padding.
 struct GrayImage {
   /// Size in pixels.
   int width = 0, height = 0;
-  /// Intensities row by row, width * height of them.
+  /// Gray levels row by row, width * height of them.
   std::vector<uint8_t> pixels;
+  /// Values of a camera with more than 8 bits, in the order of `pixels`, which show them by `scale`, limited
+  /// to 0 .. 255. Empty for 8 bits; whoever changes `pixels` clears them.
+  std::vector<uint16_t> values = {};
+  /// Scaling of `values`, one for all images of a sequence.
+  IntensityScale scale = {};
 
   /// Whether there is no image.
   bool empty() const { return pixels.empty(); }
-  /// View of this image; valid while this object is unchanged.
+  /// Whether it has more than 8 bits.
+  bool is_deep() const { return !values.empty(); }
+  /// View of the gray levels; valid while this object is unchanged.
   ImageView<uint8_t> view() const { return {pixels.data(), width, height, width}; }
 };
 

@@ -33,6 +33,8 @@ struct FrameRecord {
   int segment = -1;
   /// Whether the frame became a keyframe.
   bool is_keyframe = false;
+  /// Whether that keyframe is doubtful (KeyframeRecord::is_doubtful).
+  bool is_doubtful_keyframe = false;
   /// Criterion that requested a keyframe. With !is_keyframe the mapping was busy with another one, or the
   /// reason is kReturn.
   KeyframeReason keyframe_reason = KeyframeReason::kNone;
@@ -112,8 +114,11 @@ struct KeyframeRecord {
   SE3 T_world_cam;
   /// Points that the keyframe hosts.
   std::vector<EdgePoint> points;
-  /// Lines that the keyframe hosts; empty with `--edge-map off`.
+  /// Lines that the keyframe hosts; empty with `--edge-map off`, and of a doubtful keyframe.
   std::vector<EdgeLine> lines;
+  /// Whether the keyframe was made in doubt and never confirmed (odometry/health_watch.h): its pose and
+  /// points are not to be trusted.
+  bool is_doubtful = false;
 };
 
 /// Result of self-calibration: images under the file's model are distorted by k1 (radial.h) and read row by
@@ -182,6 +187,24 @@ struct ScaleRecord {
   std::string problem;
 };
 
+/// How the map of a segment was placed in the world.
+struct SegmentRecord {
+  /// In words: "origin", "views of both maps", "equal speed", "ratio of depths", "nothing (standstill)".
+  std::string placed_by;
+  /// Standard deviation of the logarithm of its scale against the segment before; 0 for the first.
+  double scale_sigma = 0;
+};
+
+/// Work that a --realtime run has skipped so that poses came in time.
+struct ShedWork {
+  /// Keyframes whose edges made no lines.
+  int lines = 0;
+  /// Frames between keyframes that refined no depths.
+  int depths = 0;
+  /// Keyframes that got half the points.
+  int points = 0;
+};
+
 /// How a --realtime run kept up with its source; the latency of each frame is in its FrameRecord.
 struct RealtimeRecord {
   /// When frames were due, in words.
@@ -190,10 +213,13 @@ struct RealtimeRecord {
   int delivered = 0;
   /// Delivered frames that the odometry took more than a millisecond after they were due.
   int late = 0;
-  /// Frames of a live camera dropped because too many were waiting; each has a row, without a pose.
+  /// Frames dropped because too many were waiting, or because their poses would have come too late; each has
+  /// a row, without a pose.
   int dropped = 0;
   /// Frames with a pose that did not refine depths because the mapping was behind.
   int left_out_of_mapping = 0;
+  /// What was skipped.
+  ShedWork shed;
   /// Delivered frames per second, from when the first was due until the last had its pose.
   double frames_per_second = 0;
 };
@@ -209,6 +235,8 @@ struct Run {
   std::vector<FrameRecord> frames;
   /// Keyframes in time order.
   std::vector<KeyframeRecord> keyframes;
+  /// The segments by their number; empty if that is not known.
+  std::vector<SegmentRecord> segments;
   /// Source of the scale; "none": unit arbitrary; else metres.
   std::string scale_source = "none";
   /// Scale by which all lengths of the run have been multiplied.

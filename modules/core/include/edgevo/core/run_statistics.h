@@ -21,6 +21,8 @@ struct RunCounts {
   int lost = 0;
   /// Number of doubtful frames (doubtful_intervals.h), LOST ones included.
   int doubtful = 0;
+  /// Number of doubtful keyframes (KeyframeRecord::is_doubtful).
+  int doubtful_keyframes = 0;
   /// Number of connected segments of trajectory.
   int segments = 0;
   /// Number of keyframes of all segments.

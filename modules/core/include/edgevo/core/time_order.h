@@ -40,6 +40,8 @@ class TimeOrder {
                     const std::string& where);
   /// Amount added to the times that are stated now, seconds; 0 before the clock was set back.
   double shift_s() const { return double(shift_) / double(Timestamp::kTicksPerSecond); }
+  /// The same in ticks.
+  int64_t shift() const { return shift_; }
 
  private:
   CheckedTime bad(const std::string& problem);

@@ -77,6 +77,7 @@ class LiveFeed {
   };
 
   void read_all();
+  std::optional<Frame> read();
   bool keep(Frame frame);
   void drop_oldest();
   bool wait_for_frame(const std::function<bool()>& stop, Waiting* waiting);

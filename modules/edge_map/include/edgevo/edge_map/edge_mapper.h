@@ -29,13 +29,16 @@ class EdgeMapper {
              std::shared_ptr<MapLog> log, EdgeTrace* trace = nullptr);
   ~EdgeMapper();
 
-  /// Adds the keyframe that was marginalised last. Its edges are looked for in the images of the active
-  /// keyframes and of those marginalised before it.
+  /// Adds the keyframe that was marginalised last, unless it is doubtful: such a keyframe neither gets lines
+  /// nor is a view of others. Its edges are looked for in the images of the active keyframes and of those
+  /// marginalised before it.
   void add(const Map& map);
   /// Number of newest marginalised keyframes whose images and matches the next add() uses.
   size_t keyframes_needed() const;
   /// Waits until all keyframes added so far are processed: their events then precede what the caller appends.
   void wait_idle();
+  /// Whether wait_idle() would not wait.
+  bool is_idle() const;
   /// Moves what is not final; call wait_idle() before the move is announced.
   void apply(const MapMoved& moved);
   /// Ends the segment: all lines become final.

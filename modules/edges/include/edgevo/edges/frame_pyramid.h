@@ -13,7 +13,6 @@
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/nearest_field.h"
 #include "edgevo/edges/plane.h"
-#include "edgevo/edges/view_motion.h"
 
 namespace edgevo {
 
@@ -21,14 +20,24 @@ namespace edgevo {
 struct PyramidLevel {
   /// Pinhole of this level's pixels.
   Pinhole pinhole;
-  /// Rectified gray image.
+  /// Rectified gray image; of `deep`, rounded, if there is one.
   Plane<uint8_t> gray;
+  /// Rectified gray image of more than 8 bits (deep_gray.h), from which edges and patches are taken; empty
+  /// for 8 bits. Images that use little of the scale of their sequence are spread.
+  Plane<uint16_t> deep;
   /// Gradient magnitude, Sobel units; empty on levels without edges.
   Plane<float> gradient_magnitude;
   /// Edges of the level, none near pixels without a source; empty on levels without edges.
   ImageEdges edges;
   /// Nearest-neighbour field of `edges`; empty on levels without edges.
   NearestField field;
+
+  /// Calls `f` with a view of the gray image in full depth, ImageView<uint16_t> or ImageView<uint8_t>, and
+  /// returns its result.
+  template <class F>
+  auto with_gray(const F& f) const {
+    return deep.empty() ? f(gray.view()) : f(deep.view());
+  }
 };
 
 /// Pyramid of a frame. Immutable once it is built.
@@ -47,8 +56,6 @@ struct FramePyramid {
   Plane<uint8_t> own_area;
   /// Whether a part of the view may be fixed to the camera, which the next images will show.
   bool may_show_own_part = false;
-  /// Motion of the view since the last image that showed another view.
-  ViewMotion view_motion;
   /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
   std::shared_ptr<const Plane<uint8_t>> probability;
   /// Correction applied to `levels` in addition to the camera file.

@@ -97,6 +97,8 @@ struct Keyframe {
   ImageMotion motion;
   /// Pose in the segment's map.
   SE3 T_cam_world;
+  /// Whether the keyframe is provisional: made while the motion was in doubt, and not confirmed since.
+  bool is_doubtful = false;
   /// Active points, in no particular order.
   std::vector<MapPoint> points;
   /// Immature points, ascending edge_pixel.

@@ -69,6 +69,10 @@ class Map {
   /// Drops all marginalised keyframes from marginalised() but the newest `keep`; their records stay.
   void evict_matches(size_t keep);
 
+  /// Drops the records of all keyframes before those of marginalised(): they are in the events, and cannot be
+  /// moved any more.
+  void evict_records();
+
   /// A marginalised keyframe of any segment.
   struct Stored {
     /// Number of its segment.

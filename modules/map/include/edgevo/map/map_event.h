@@ -37,6 +37,8 @@ struct SegmentPlaced {
     kDepthRatio,
     /// Constant velocity, but the camera stood still before or during the bootstrap: the scale stays 1.
     kStandstill,
+    /// Features that the keyframes of both maps show.
+    kLinked,
   };
   /// Number of the segment, from 0.
   int segment = 0;
@@ -44,6 +46,8 @@ struct SegmentPlaced {
   Sim3 T_world_map;
   /// How it was found.
   Method method = Method::kOrigin;
+  /// Standard deviation of the logarithm of the scale; 0: the unit of the run.
+  double scale_sigma = 0;
 };
 
 /// A frame has become a keyframe of the window.
@@ -83,6 +87,8 @@ enum class MoveReason {
   kCamera,
   /// Keyframes before the window were placed anew, e.g. because a place was seen again.
   kPast,
+  /// After an interval in doubt the unit of length was set back to that before.
+  kUnit,
 };
 
 /// New values of one keyframe.

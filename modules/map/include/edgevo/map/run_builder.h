@@ -39,6 +39,10 @@ class RunBuilder {
   /// `rectification`: from the images as they were taken to those that the method works on.
   explicit RunBuilder(const Rectification& rectification);
 
+  /// Keeps only the newest `frames` rows from now on, and no keyframes: those who need more read the events
+  /// as they come. finish() then returns these rows with their live poses.
+  void forget_all_but(size_t frames) { most_rows_ = frames; }
+
   /// Applies the next event. An event about a keyframe or segment that is not known is ignored: it can only
   /// come from a log on disk that was cut off.
   void apply(const MapEvent& event);
@@ -55,8 +59,8 @@ class RunBuilder {
   std::optional<SE3> pose_before(int frame_index, int segment) const;
   /// From the map of a segment that has begun to the world.
   const Sim3& T_world_map(int segment) const { return T_world_map_[size_t(segment)]; }
-  /// Number of frames so far.
-  size_t frames() const { return rows_.size(); }
+  /// Number of frames so far, forgotten ones included.
+  size_t frames() const { return forgotten_ + rows_.size(); }
 
   /// Takes the keyframes of the newest WindowAdjusted as marginalised, except those that have been, and those
   /// of frames that are not known: the end of a run that was killed. Does nothing if the map has moved since.
@@ -88,6 +92,9 @@ class RunBuilder {
   void handle(const FrameMapped& e);
   void handle(const FrameAnchored& e);
 
+  bool forgets() const { return most_rows_ > 0; }
+  Row& row(size_t number) { return rows_[number - forgotten_]; }
+  const Row& row(size_t number) const { return rows_[number - forgotten_]; }
   bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_world_map_.size(); }
   void add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe);
   double length_ratio_since(int keyframe_id, int moves) const;
@@ -97,12 +104,15 @@ class RunBuilder {
 
   Rectification rectification_;
   CameraRefinement camera_;
+  size_t most_rows_ = 0;  // 0: all
+  size_t forgotten_ = 0;  // rows before those of rows_
   std::deque<Row> rows_;
-  std::map<int, size_t> position_;  // frame index -> rows_
+  std::map<int, size_t> position_;  // frame index -> number of the row
   std::map<int, Entry> keyframes_;  // the marginalised ones, by id
   // By keyframe id, also of keyframes of the window: number of the move, new over old length.
   std::map<int, std::vector<std::pair<int, double>>> length_ratios_;
-  std::vector<Sim3> T_world_map_;  // by segment
+  std::vector<Sim3> T_world_map_;  // by segment, as the next
+  std::vector<SegmentRecord> segments_;
   WindowAdjusted window_;
   int moves_ = 0;
 };

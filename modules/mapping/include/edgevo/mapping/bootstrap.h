@@ -67,9 +67,10 @@ class Bootstrap {
   ~Bootstrap();
 
   /// Adds the next frame. Corners are followed on histogram-equalised images, so that a changing exposure
-  /// does no harm.
+  /// does no harm. Without `attempt` they are only followed, a tenth of the work: for a caller that is
+  /// behind.
   [[nodiscard]] BootstrapStatus add(int frame_index, Timestamp time,
-                                    std::shared_ptr<const FramePyramid> pyramid);
+                                    std::shared_ptr<const FramePyramid> pyramid, bool attempt = true);
   /// Forgets all frames.
   void reset();
 

@@ -49,7 +49,7 @@ mrpt::img::TCamera to_mrpt(const Camera& camera);
 /// (file and observation), for values that Camera::check rejects.
 Camera from_mrpt(const mrpt::img::TCamera& camera, const std::string& where);
 
-/// A deep copy as an 8-bit gray CImage. Throws InputError unless it has width * height pixels.
+/// A deep copy of the pixels as an 8-bit gray CImage. Throws InputError unless it has width * height pixels.
 mrpt::img::CImage to_mrpt(const GrayImage& image);
 /// Pixels of an image in memory (for one stored externally see rawlog_source.h). Colour is converted to gray
 /// with OpenCV's weights, and more than 8 bits are scaled by `scale`, exactly as read_gray_image() does.

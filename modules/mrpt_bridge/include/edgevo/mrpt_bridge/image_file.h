@@ -5,8 +5,8 @@
 //
 // Colour becomes gray by OpenCV's cvtColor weights on the decoded pixels (not by the JPEG decoder's own luma
 // plane), hence a colour image embedded in a rawlog gives the same gray values as the file it was made from.
-// More than 8 bits are scaled to 8 (intensities.h). The orientation tag of a JPEG is ignored: pixels stay as
-// the sensor delivered them. Threads: pure functions.
+// More than 8 bits are kept with the pixels (intensities.h). The orientation tag of a JPEG is ignored:
+// pixels stay as the sensor delivered them. Threads: pure functions.
 #include <optional>
 #include <string>
 
@@ -26,8 +26,8 @@ GrayImage read_gray_image(const std::string& path, const std::optional<Intensity
 /// The values of an image of more than 8 bits; nullopt for one of 8. Throws InputError as above.
 std::optional<DeepImage> read_deep_image(const std::string& path);
 
-/// Writes an 8-bit gray PNG, lossless. Throws InputError (disk full, no such folder, ...); the partial file
-/// is then removed, which also leaves room on a full disk to close the other files of a run.
+/// Writes the pixels as an 8-bit gray PNG, lossless. Throws InputError (disk full, no such folder, ...); the
+/// partial file is then removed, which also leaves room on a full disk to close the other files of a run.
 void write_png(const std::string& path, const GrayImage& image);
 
 }  // namespace edgevo

@@ -2,10 +2,10 @@
 #pragma once
 // Images of more than 8 bits. Cameras store 10, 12 or 14 bits in files of 16, and infra-red cameras a narrow
 // band far from zero: taking the upper 8 bits would leave a handful of gray levels. One linear scaling for a
-// whole sequence maps its values to 8 bits; it is decided from some of its images, and values outside of it
-// become black or white.
+// whole sequence, decided from some of its images, gives the unit of its values: the gray level. The pixels
+// show values outside of it as black or white; edges and patches are taken from the values themselves.
 //
-//   value = black + per_level * gray, gray = floor((value - black) / per_level), limited to 0 .. 255
+//   value = black + per_level * gray, pixel = floor((value - black) / per_level), limited to 0 .. 255
 //
 // Images of 8 bits are not touched.
 #include <cstdint>
@@ -33,16 +33,8 @@ struct DeepImage {
   std::vector<uint16_t> values;
 };
 
-/// Linear scaling of values to gray levels.
-struct IntensityScale {
-  /// Value that becomes 0.
-  double black = 0;
-  /// Values per gray level, at least 1.
-  double per_level = 256;
-};
-
-/// `image` in 8 bits. Values below the scaling become 0, those above it 255.
-GrayImage scale_to_8_bits(const DeepImage& image, const IntensityScale& scale);
+/// `image` with its pixels by `scale`: 0 for values below it, 255 for those above.
+GrayImage with_pixels(DeepImage image, const IntensityScale& scale);
 
 /// How often each value occurs in some images.
 class IntensityCount {

@@ -45,6 +45,8 @@ class PlaybackWriter {
   void add_frame_link(int frame_index, const std::string& image_path);
   /// Instead of add_frame(), copies the image file byte by byte, for a self-contained folder.
   void add_frame_copy(int frame_index, const std::string& image_path);
+  /// Forgets the names of the images so far: adopt_images() finds them again.
+  void forget_images() { images_.clear(); }
   /// Adopts the images already in the folder for frames up to `last`, as left by an interrupted run.
   void adopt_images(int last);
 

@@ -9,6 +9,7 @@
 // If several sensors of a kind were recorded, the one with the most positions is used. Poses that edgevo
 // itself wrote into a playback.rawlog (EDGE_VO, EDGE_VO_ODO) are ignored.
 #include <string>
+#include <vector>
 
 #include "edgevo/core/vehicle_track.h"
 
@@ -16,6 +17,9 @@ namespace edgevo {
 
 /// Reads the rawlog once, without its external images. Positions in time order, one for each time; a
 /// truncated rawlog yields those before the cut. Throws InputError if it cannot be opened.
-VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor sensor);
+/// `image_times`: stated times of the images in their order, if they are known. Where the clock was set back,
+/// the times of positions are corrected as those of the frames are (core/time_order.h).
+VehicleTrack read_vehicle_track(const std::string& rawlog_path, VehicleSensor sensor,
+                                const std::vector<Timestamp>& image_times = {});
 
 }  // namespace edgevo

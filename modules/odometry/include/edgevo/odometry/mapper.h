@@ -3,6 +3,7 @@
 // The mapping side of the odometry: from a bootstrap to a window of keyframes, fed with tracked frames.
 // Publishes the reference that the next frames are tracked against, and the events of the map. One thread at
 // a time; what other threads see are immutable values: reference() and the events.
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -18,10 +19,24 @@
 #include "edgevo/mapping/window.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/odometry/reference.h"
+#include "edgevo/odometry/shedding.h"
 #include "edgevo/odometry/tracking_check.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {
+
+class RebuiltImages;
+
+/// What was found about a doubt when it ended.
+struct DoubtEnded {
+  /// Newest keyframe of the window that was sure.
+  int last_sure_keyframe = -1;
+  /// Whether the map after the doubt agrees with that before, or is known to have another unit; if not, its
+  /// keyframes stay doubtful.
+  bool is_evaluated = false;
+  /// Length before the doubt over the same length after it, in the unit of each; 1: the unit has held.
+  double length_ratio = 1;
+};
 
 /// A frame with its pose, passed from tracking to mapping.
 struct TrackedFrame {
@@ -45,6 +60,13 @@ struct TrackedFrame {
   std::vector<CornerPair> corners;
   /// Keyframe of the window to track against from now on; -1: the present one.
   int return_to = -1;
+  /// Whether the motion is in doubt (health_watch.h): what is mapped is provisional.
+  bool is_in_doubt = false;
+  /// With the first frame after a doubt.
+  std::optional<DoubtEnded> doubt_ended;
+
+  /// Whether mapping must not skip the frame.
+  bool is_needed() const { return make_keyframe || doubt_ended.has_value(); }
 };
 
 /// Result of mapping a frame.
@@ -79,6 +101,8 @@ struct MapperOptions {
   std::shared_ptr<MapLog> log;
   /// OdometryOptions::move_map; may be empty.
   MoveMap move_map;
+  /// OdometryOptions::forget.
+  bool forget = false;
 };
 
 /// Map, window, self-calibration and edge lines of a run.
@@ -87,6 +111,7 @@ class Mapper {
   /// Starts without a map. Throws InputError for a solver of
   /// another name.
   Mapper(const Rectification& rectification, const OdometryParams& params, const MapperOptions& options);
+  ~Mapper();
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
   /// between them. Returns an empty string, or why they make no map.
@@ -97,6 +122,11 @@ class Mapper {
   MapUpdate process(const TrackedFrame& frame);
   /// Closes the segment: marginalises all keyframes and empties the window.
   void close();
+
+  /// What is skipped from now on. From any thread.
+  void shed(Shedding shedding) { shedding_ = shedding; }
+  /// What was skipped: lines and points.
+  const ShedWork& shed_work() const { return shed_work_; }
 
   /// Reference that frames are tracked against; null without a map.
   std::shared_ptr<const Reference> reference() const { return reference_; }
@@ -120,6 +150,9 @@ class Mapper {
   void filter_depths(const TrackedFrame& frame, const SE3& T_cam_world, StageTimes* times);
   void return_to(int keyframe_id, StageTimes* times);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
+  void note_doubt(const TrackedFrame& frame);
+  void end_doubt(const DoubtEnded& ended);
+  void set_unit_back(const DoubtEnded& ended);
   // The steps of a keyframe.
   void add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world);
   void associate(const TrackedFrame& frame, StageTimes* times);
@@ -137,6 +170,7 @@ class Mapper {
   void drop_old_points();
   void seed_points(Keyframe* keyframe);
   void calibrate_during_run();
+  void calibrate_concurrently();
   void calibrate(bool at_end);
   void move_map(MapMoved moved);
   void evict();
@@ -156,7 +190,12 @@ class Mapper {
   std::shared_ptr<const Reference> reference_;
   SelfCalibration calibration_;
   EdgeMapper edge_mapper_;
+  std::unique_ptr<RebuiltImages> corrected_images_;
+  int keyframes_prepared_ = 0;  // since the preparation of a correction began; 0: none
+  std::atomic<Shedding> shedding_{Shedding::kNothing};
+  ShedWork shed_work_;
   int next_id_ = 0;
+  double unit_ = 1;  // Reference::unit
   TrackingCheck tracking_check_;
   /// Median inverse depth of the points seen in the newest keyframe.
   double median_idepth_ = 1;

@@ -19,6 +19,7 @@
 #include "edgevo/odometry/frame_view.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/odometry/shedding.h"
 
 namespace edgevo {
 
@@ -36,6 +37,14 @@ struct OdometryOptions {
   /// beyond, tracking waits. 1: nearly the map of a synchronous run. Larger: fewer waits for live cameras, on
   /// an older map; at 8, a camera that moves 1 m per frame outruns its map.
   int max_frames_ahead = 1;
+  /// Realtime: frames arrive on a schedule of their own (a camera, a pace), and each is answered at once. The
+  /// bootstrap then runs next to the frames, which get their poses afterwards, and a frame waits for mapping
+  /// 50 ms at most.
+  bool on_schedule = false;
+  /// What the events report leaves the memory, which then does not grow with the run: finish() returns the
+  /// newest frames only, with their live poses, and no keyframes, and producers of moves see only keyframes
+  /// that still have matches. For a run whose events are kept elsewhere (results/recovery_log.h).
+  bool forget = false;
   /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
   /// The stream that consumers read (map/map_log.h), of this odometry alone: another one needs its own. Null:
@@ -75,6 +84,9 @@ class Odometry {
   /// Throws InputError for a time before that, or an index that is not after it; std::logic_error after
   /// finish().
   FrameRecord skip(const Frame& frame, const std::string& why);
+
+  /// What is skipped from the next frame on, in realtime: for a caller whose frames come too late.
+  void shed(Shedding shedding);
 
   /// View of the map from the newest frame. Call in the thread of process(). Cost: one projection per point,
   /// about 0.1 ms.

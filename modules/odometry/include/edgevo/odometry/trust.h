@@ -75,6 +75,11 @@ class Trust {
   /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
   /// order of their keyframes.
   void add_adjustment(const AdjustmentEvidence& adjustment) { moved_.add(adjustment.moved); }
+  /// The map has set its unit back: lengths from now on over those before.
+  void change_unit(double length_ratio) {
+    steps_.multiply(length_ratio);
+    interrupt();
+  }
   /// A new segment, or a frame without a pose: the next step has no length.
   void interrupt() { last_centre_.reset(); }
 

@@ -27,7 +27,7 @@ struct RecoveredRun {
 
 /// Writes the files that RunOutputs::finish() would have written into the run's own folder and removes the
 /// recovery log, unless it is damaged. Throws InputError: no interrupted run in `folder`, an unreadable
-/// recovery log, or a file that cannot be written.
-RecoveredRun recover_run(const std::string& folder);
+/// recovery log, or a file that cannot be written. `include_doubtful`: as in OutputOptions.
+RecoveredRun recover_run(const std::string& folder, bool include_doubtful = false);
 
 }  // namespace edgevo

@@ -23,6 +23,8 @@ namespace edgevo {
 
 /// Name of the file with the keyframes of the window.
 constexpr const char* kRunWindow = "unfinished_window.bin";
+/// Name of the note in RunInfo::notes of a run that ends unfinished (RunOutputs::end_unfinished()).
+constexpr const char* kForgottenNote = "forgotten";
 /// Name of the recovery log in the run's folder.
 constexpr const char* kRecoveryLog = "unfinished_run.bin";
 

@@ -37,8 +37,12 @@ struct RecoveredRun;
 struct OutputOptions {
   /// Write into a folder that holds other files, or an interrupted run.
   bool force = false;
+  /// Keep nothing of the run in memory: its results stay in the recovery log (end_unfinished()).
+  bool forget = false;
   /// Copy images that are on disk already, instead of linking to them.
   bool copy_images = false;
+  /// Put points of doubtful keyframes (KeyframeRecord::is_doubtful) into the maps, too.
+  bool include_doubtful = false;
 };
 
 /// Writes the files of one run. For use by one thread.
@@ -67,6 +71,9 @@ class RunOutputs {
   /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
   /// missing, and the first failure is thrown at the end (InputError).
   void finish(const Run& run, const RunInfo& info) { finish(run, info, false); }
+  /// Ends a run that was forgotten: the recovery log is complete, and recover_run() writes all files from it.
+  /// Throws InputError if the log has ended for lack of space.
+  void end_unfinished();
   /// After finish(): why the voxels of the map are coarser than intended; empty where they are not.
   const std::string& map_note() const;
 
@@ -74,7 +81,7 @@ class RunOutputs {
   std::string earlier_run() const;
 
  private:
-  friend RecoveredRun recover_run(const std::string& folder);
+  friend RecoveredRun recover_run(const std::string& folder, bool include_doubtful);
   void finish(const Run& run, const RunInfo& info, bool keep_log);
   /// Takes over the folder of an interrupted run, with images of the frames up to `last_frame`.
   void adopt(int last_frame);

@@ -3,13 +3,14 @@
 // The height of the camera over the ground, measured from edges on the ground: lane marks, kerbs, cracks,
 // shadows.
 //
-// Each edge point is evaluated at the moment the camera passes it. There, the ground under the camera's path
-// lies one camera height below it, whatever the pitch of the camera: the ground normal is the camera's
-// downward direction (its y axis, or that of the mount) made perpendicular to the direction of travel, and
-// the camera height over a point is the distance to it along this normal. Points far to the side are skipped
-// (parked cars, kerbs, a cambered road). The remaining points that are not on the ground lie above it, at
-// many heights; the ground is the height at which most points lie (the mode). Beyond the end of the path,
-// points up to a few camera heights away are evaluated with the last direction of travel.
+// Each edge point is evaluated at the moment the camera passes it, or has passed it, driving backwards.
+// There, the ground under the camera's path lies one camera height below it, whatever the pitch of the
+// camera: the ground normal is the camera's downward direction (its y axis, or that of the mount) made
+// perpendicular to the direction of travel, and the camera height over a point is the distance to it along
+// this normal. Points far to the side are skipped (parked cars, kerbs, a cambered road). The remaining points
+// that are not on the ground lie above it, at many heights; the ground is the height at which most points lie
+// (the mode). Beyond the end of the path, points up to a few camera heights away are evaluated with the last
+// direction of travel.
 //
 // Source: scale from a ground plane of known distance follows Song and Chandraker (2014) and Zhou et al.
 // (2016, for edges and dense roads); evaluating points where they are passed is what sparse edges allow.

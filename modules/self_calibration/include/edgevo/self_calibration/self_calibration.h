@@ -78,6 +78,9 @@ class SelfCalibration {
   bool is_running() const { return job_ != nullptr; }
   /// True if an estimate that was begun has ended.
   bool is_ready() const;
+  /// The correction that estimate() would apply, if one that was begun has ended with one: what depends on it
+  /// alone may be prepared.
+  std::optional<ImageCorrection> correction_found();
   /// Drops an estimate that is running, at the end of a segment. What was found stays.
   void cancel();
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The bootstrap next to the frames: an attempt to find two views takes up to 0.1 s, and the first map as long
+// again, while the frames of a camera go on arriving. Two threads besides the caller's, one at a time: the
+// search, then the making of the map.
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bootstrap_placement.h"
+#include "edgevo/mapping/bootstrap.h"
+#include "edgevo/odometry/odometry_params.h"
+#include "late_frames.h"
+#include "map_link.h"
+#include "own_parts.h"
+
+namespace edgevo {
+
+/// A map that was made of two views, if it was.
+struct MadeMap {
+  /// Why the views make no map; empty if they do.
+  std::string problem;
+  /// The views.
+  BootstrapResult views;
+  /// Their poses against the new map.
+  BootstrapTracks tracks;
+};
+
+/// Searches two views, then makes a map of them, and keeps the frames that arrive meanwhile; for the tracking
+/// thread, which never waits except in take_map() and the destructor.
+class ConcurrentBootstrap {
+ public:
+  /// `map` must outlive this object.
+  ConcurrentBootstrap(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map);
+  /// Waits for an attempt, or a map, that is under way.
+  ~ConcurrentBootstrap();
+
+  /// Forgets the views, also those under way. A map in the making goes on.
+  void reset();
+  /// Gives the next frame to the search. Returns why there is no map yet, as known now: a search that is
+  /// behind tries only some frames, and one that is far behind loses the oldest. Begins to make a map
+  /// once there are two views (MapLink::make_map), unless `own_parts` delays it; until take_map() the caller
+  /// must not use the MapLink.
+  BootstrapStatus look(const ArrivedFrame& now, OwnParts& own_parts);
+  /// Keeps a frame that arrives while frames_wait().
+  void keep(const ArrivedFrame& now) { late_.add(now); }
+
+  /// True from the beginning of a map until take_map().
+  bool is_making() const { return making_.valid(); }
+  /// True if take_map() need not wait.
+  bool is_made() const;
+  /// The map; rethrows what making it threw. Without a problem the late frames are to be followed.
+  MadeMap take_map();
+
+  /// Whether there is a map for frames that arrived before it was there.
+  bool catches_up() const { return catches_up_ && !late_.empty(); }
+  /// Frames that are followed in the time of one.
+  static constexpr int kLateAtOnce = 3;
+  /// The oldest of them, once.
+  LateFrame take_late() { return late_.take(); }
+  /// They get no poses.
+  void give_up_late() { late_.clear(); }
+  /// Whether a frame that arrives now must wait.
+  bool frames_wait() const { return is_making() || catches_up(); }
+
+ private:
+  struct Waiting {
+    int frame_index;
+    Timestamp time;
+    std::shared_ptr<const FramePyramid> pyramid;
+  };
+  void search();
+  void add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid);
+  BootstrapStatus poll();
+  void resume();
+  int searched_until() const;
+  void make_map(BootstrapResult views);
+
+  OdometryParams params_;
+  MapLink* map_;
+  // Frames after those that are known not to end in a map, oldest first.
+  LateFrames late_;
+  bool catches_up_ = false;
+  Bootstrap bootstrap_;  // of the searching thread
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<Waiting> queue_;
+  BootstrapStatus status_;   // the search rests once it has a result
+  int searched_until_ = -1;  // index of a frame
+  bool rests_ = false, is_reset_ = false, stop_ = false;
+  std::thread thread_;
+  std::future<MadeMap> making_;  // last member: it ends before the others
+};
+
+}  // namespace edgevo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Frames that have arrived, and were answered without a pose, before the map was there that gives them one.
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include "front_end.h"
+
+namespace edgevo {
+
+/// A frame without its image.
+struct LateFrame {
+  Frame frame;
+  std::shared_ptr<const FramePyramid> pyramid;
+  RowRectification rows;
+};
+
+/// A queue of such frames, bounded like what a camera may have waiting.
+class LateFrames {
+ public:
+  bool empty() const { return frames_.empty(); }
+  void clear() { frames_.clear(); }
+  /// Beyond the bound the oldest is lost.
+  void add(const ArrivedFrame& arrived) {
+    constexpr size_t kMost = 24;
+    if (frames_.size() >= kMost) frames_.pop_front();
+    frames_.push_back({{arrived.frame.index, arrived.frame.time, {}, {}}, arrived.pyramid, arrived.rows});
+  }
+  /// Drops the frames up to this index.
+  void drop_until(int index) {
+    while (!frames_.empty() && frames_.front().frame.index <= index) frames_.pop_front();
+  }
+  /// Removes the oldest and returns it; there must be one.
+  LateFrame take() {
+    LateFrame oldest = std::move(frames_.front());
+    frames_.pop_front();
+    return oldest;
+  }
+
+ private:
+  std::deque<LateFrame> frames_;
+};
+
+}  // namespace edgevo

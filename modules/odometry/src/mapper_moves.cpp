@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What moves the map of Mapper as a whole: self-calibration, other producers of moves, and the end of a
+// doubt.
+#include <algorithm>
+#include <stdexcept>
+
+#include "edgevo/core/trace.h"
+#include "edgevo/odometry/health_watch.h"
+#include "edgevo/odometry/mapper.h"
+#include "rebuilt_images.h"
+#include "stage_timer.h"
+#include "unit_move.h"
+
+namespace edgevo {
+
+// ---- self-calibration, and other moves ----
+
+// Due at a few checkpoints only.
+void Mapper::calibrate_if_due(StageTimes* times) {
+  if (window_.newest().is_doubtful || (!calibration_.is_running() && !calibration_.is_due(*map_))) return;
+  const StageTimer timer(Stage::kSelfCalibration, times);
+  calibrate_during_run();
+}
+
+// Another producer of moves than self-calibration; a recognition of places plugs in here.
+void Mapper::move_if_proposed() {
+  if (!options_.move_map) return;
+  std::optional<MapMoved> moved = options_.move_map(*map_);
+  if (!moved) return;
+  // The images to come are corrected by the state of self-calibration.
+  if (moved->lens) throw std::invalid_argument("move of the map: only self-calibration changes the lens");
+  move_map(std::move(*moved));
+}
+
+void Mapper::calibrate_during_run() {
+  if (options_.own_threads)
+    calibrate_concurrently();
+  else
+    calibrate(false);
+}
+
+// The estimate, and then the images for it, are made in threads of their own.
+void Mapper::calibrate_concurrently() {
+  if (!calibration_.is_running()) return calibration_.begin(*map_, calibration_options());
+  if (!calibration_.is_ready()) return;
+  const std::optional<ImageCorrection> correction = calibration_.correction_found();
+  // By the time the window has changed, the first images are of no use any more.
+  if (correction && ++keyframes_prepared_ <= params_.window.keyframes &&
+      !(corrected_images_->prepare(map_->active(), *correction) && edge_mapper_.is_idle()))
+    return;
+  corrected_images_->finish();
+  calibrate(false);
+  corrected_images_->clear();
+  keyframes_prepared_ = 0;
+}
+
+BaOptions Mapper::calibration_options() const {
+  BaOptions options;
+  options.huber_width = params_.window.ba_huber;
+  return options;
+}
+
+void Mapper::calibrate(bool at_end) {
+  std::optional<MapMoved> moved = calibration_.estimate(*map_, calibration_options(), at_end);
+  log_->append(CameraEstimated{calibration_.state()});
+  if (moved) move_map(std::move(*moved));
+}
+
+void Mapper::move_map(MapMoved moved) {
+  const TraceScope traced("move of the map");
+  edge_mapper_.wait_idle();
+  const std::optional<LensChange> lens = moved.lens;
+  const MapMoved applied =
+      map_->move(std::move(moved), [&](const Keyframe& k) { return corrected_images_->get(k, lens->now); });
+  if (applied.prior) window_.set_prior(*applied.prior);
+  edge_mapper_.apply(applied);
+}
+
+// ---- doubt ----
+
+// The motion that is doubted reaches back.
+void Mapper::note_doubt(const TrackedFrame& frame) {
+  for (Keyframe& k : window_.keyframes())
+    if (k.frame_index > frame.frame_index - kDoubtReach) k.is_doubtful = true;
+}
+
+// Keyframes that have left the window meanwhile stay doubtful.
+void Mapper::end_doubt(const DoubtEnded& ended) {
+  if (!ended.is_evaluated) return;
+  if (ended.length_ratio != 1) set_unit_back(ended);
+  for (Keyframe& k : window_.keyframes()) k.is_doubtful = false;
+}
+
+// All that came after the last sure keyframe was measured in another unit. Nothing jumps for tracking: the
+// newest keyframe stays, and the sure ones move.
+void Mapper::set_unit_back(const DoubtEnded& ended) {
+  const int reference_id = reference_->keyframe_id;
+  move_map(move_of_unit(*map_, ended.last_sure_keyframe, ended.length_ratio));
+  // The prior knows lengths of the unit that is gone.
+  window_.fix_bootstrap_scale();
+  median_idepth_ /= ended.length_ratio;
+  unit_ *= ended.length_ratio;
+  for (const Keyframe& k : window_.keyframes())
+    if (k.id == reference_id) return publish(k);
+  publish(window_.newest());
+}
+
+}  // namespace edgevo

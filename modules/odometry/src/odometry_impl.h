@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The steps of Odometry: each frame's path in odometry.cpp, the making of maps in odometry_maps.cpp.
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bootstrapper.h"
+#include "concurrent_bootstrap.h"
+#include "edgevo/core/frame_checks.h"
+#include "edgevo/odometry/frame_status.h"
+#include "edgevo/odometry/health_watch.h"
+#include "edgevo/odometry/odometry.h"
+#include "edgevo/odometry/trust.h"
+#include "edgevo/witness/corner_witness.h"
+#include "frame_log.h"
+#include "frame_order.h"
+#include "front_end.h"
+#include "map_link.h"
+#include "own_parts.h"
+#include "state_machine.h"
+
+namespace edgevo {
+
+struct Odometry::Impl {
+  Impl(const Rectification& rectification, const OdometryParams& p, const OdometryOptions& o);
+
+  // ---- one frame ----
+  FrameRecord process(const Frame& frame);
+  const FrameRecord& follow(const Frame& frame);
+  bool is_mapping_behind() const;
+  // The motion model bridges the gap, as after lost frames. A frame with the time of the one before has none
+  // of its own: the time of the next frame says how long the gap is.
+  FrameRecord skip(const Frame& frame, const std::string& why);
+  void require_open(const std::string& where) const;
+  // Self-calibration may have corrected the map: the next images are corrected in the same way.
+  void change_reference(const Frame& frame);
+  // A frame that throws leaves no record.
+  ArrivedFrame find_edges(const Frame& frame, bool has_pose);
+
+  // ---- tracking in a map ----
+  // `is_late`: it was answered before, and its record is a copy.
+  void follow_map(const ArrivedFrame& now, bool is_late = false);
+  void look_and_ask(const ArrivedFrame& now, const SE3& T_cur_ref);
+  // In this thread: the pose waits for its evidence, which takes less time than handing it over.
+  void ask_corners(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last);
+  void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late);
+  // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
+  // tracked as any other; what it means for the map: watch_health().
+  void label(const FrameStatus& by_image, FrameRecord* record);
+
+  // ---- doubt ----
+  void watch_health(const ArrivedFrame& now, TrackedFrame* tracked);
+  DoubtEnded evaluate_doubt(const Frame& frame, const SureView& now) const;
+  // The map has set its unit back.
+  void change_unit(double length_ratio);
+
+  // ---- making a map ----
+  void forget_views();
+  void bootstrap_map(const ArrivedFrame& now);
+  void refuse_pose(FrameRecord* record, const std::string& why) const;
+  BootstrapStatus look_and_make(const ArrivedFrame& now);
+  // Begins a new segment. Returns an empty string, or why the two views make no map.
+  std::string make_map(const ArrivedFrame& now, const BootstrapResult& views);
+  // Scale (world over map) of a map that replaces one that is still tracked: the median depth in view is
+  // kept.
+  std::optional<double> scale_by_depths() const;
+  void begin_segment(const ArrivedFrame& now, const NewSegment& begun);
+  void note_segment(const Frame& frame, const NewSegment& begun);
+
+  // ---- making a map next to the frames (concurrent_bootstrap.h) ----
+  bool waits_for_map() const;
+  const FrameRecord& keep_for_map(const Frame& frame);
+  BootstrapStatus look_concurrently(const ArrivedFrame& now);
+  void go_on_with_map();
+  // The reference of the map is an earlier frame; those after it are followed now.
+  void begin_made_map();
+  void follow_late();
+  void catch_up_at_end();
+
+  // ---- state and records ----
+  // Before the first frame, and not earlier: consumers may begin until then.
+  void announce_camera();
+  void act(const Frame& frame, Action action, const std::string& reason = {});
+  void note_pose(const FrameRecord& record);
+  Run finish();
+  FrameView frame_view() const;
+  void say(const Frame& frame, const std::string& what) const;
+
+  OdometryParams params;
+  OdometryOptions options;
+  Pinhole camera, working;
+  OdometryState state;
+  FrameOrder order;
+  std::shared_ptr<MapLog> log;
+  FrameLog frames;
+  MapCursor adjustments;
+  Trust trust;
+  HealthWatch health;
+  FrontEnd front_end;
+  OwnParts own_parts;
+  MapLink map;
+  Bootstrapper bootstrapper;
+  std::unique_ptr<ConcurrentBootstrap> concurrent;  // only with OdometryOptions::on_schedule
+  std::optional<double> scale_of_made;
+  bool holds = false;  // late frames, for mapping
+  std::optional<CornerWitness> corners;
+  NewestPose newest_pose;
+  bool camera_announced = false;
+  bool frame_announced = false;  // the record of the newest frame as it is now
+  bool is_finished = false;
+};
+
+}  // namespace edgevo

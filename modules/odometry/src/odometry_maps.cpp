@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Odometry: making a map, in the thread of the frames or next to them.
+#include <optional>
+#include <string>
+
+#include "edgevo/core/trace.h"
+#include "odometry_impl.h"
+#include "stage_timer.h"
+
+namespace edgevo {
+
+// ---- making a map ----
+
+void Odometry::Impl::forget_views() {
+  bootstrapper.reset();
+  if (concurrent) concurrent->reset();
+}
+
+void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
+  FrameRecord& record = *now.record;
+  frame_announced = false;  // times and note change
+  const BootstrapStatus status = concurrent ? look_concurrently(now) : look_and_make(now);
+  if (!record.T_world_cam_live) refuse_pose(&record, status.reason);
+}
+
+void Odometry::Impl::refuse_pose(FrameRecord* record, const std::string& why) const {
+  record->state = state.without_pose(record->index, record->evidence.edges);
+  record->note = (record->note.empty() ? "" : record->note + "; ") + why;
+}
+
+BootstrapStatus Odometry::Impl::look_and_make(const ArrivedFrame& now) {
+  const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
+  BootstrapStatus status = bootstrapper.add(now);
+  // The views are kept: a map of later ones, if there is no such part, places all frames.
+  if (status.result && own_parts.delays_map(*now.pyramid)) return {std::nullopt, OwnParts::kDelayReason};
+  if (status.result) status.reason = make_map(now, *status.result);
+  return status;
+}
+
+std::string Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult& views) {
+  const TraceScope traced("first map");
+  const std::optional<double> scale = scale_by_depths();
+  const std::string problem = bootstrapper.make_map(views);
+  front_end.drop_map();
+  state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
+  if (problem.empty())
+    begin_segment(now, bootstrapper.begin_segment(state.segment(), views, health.before(), scale));
+  if (problem.empty()) health.begin_map();
+  return problem;
+}
+
+std::optional<double> Odometry::Impl::scale_by_depths() const {
+  if (!state.has_pose()) return std::nullopt;
+  return 1.0 / front_end.reference()->median_idepth / kFirstMedianDepth;
+}
+
+void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& begun) {
+  front_end.begin_map(begun.reference, begun.motion);
+  newest_pose.T_cam_map = begun.reference->T_ref_world;
+  now.record->note.clear();
+  note_segment(now.frame, begun);
+}
+
+void Odometry::Impl::note_segment(const Frame& frame, const NewSegment& begun) {
+  if (corners) corners->begin_map(begun.reference->median_idepth);
+  say(frame, "map of " + std::to_string(begun.reference->cloud.points.size()) + " edge points, segment " +
+                 std::to_string(state.segment()));
+}
+
+// ---- making a map next to the frames (concurrent_bootstrap.h) ----
+
+bool Odometry::Impl::waits_for_map() const { return concurrent && concurrent->frames_wait(); }
+
+const FrameRecord& Odometry::Impl::keep_for_map(const Frame& frame) {
+  const ArrivedFrame now = find_edges(frame, false);
+  ask_corners(now, std::nullopt);
+  concurrent->keep(now);
+  refuse_pose(now.record, "a map is being made");
+  return *now.record;
+}
+
+BootstrapStatus Odometry::Impl::look_concurrently(const ArrivedFrame& now) {
+  const BootstrapStatus status = concurrent->look(now, own_parts);
+  if (concurrent->is_making()) scale_of_made = scale_by_depths();
+  return status;
+}
+
+void Odometry::Impl::go_on_with_map() {
+  if (concurrent->is_made()) begin_made_map();
+  // Mapping gets the time of every other frame at most, or the frames would never be caught up with.
+  holds = !holds && is_mapping_behind() && map.is_keyframe_pending();
+  for (int n = 0; !holds && n < ConcurrentBootstrap::kLateAtOnce && concurrent->catches_up(); ++n)
+    follow_late();
+}
+
+void Odometry::Impl::begin_made_map() {
+  const MadeMap made = concurrent->take_map();
+  const BootstrapView& last = made.views.views.back();
+  front_end.drop_map();
+  state.after(made.problem.empty() ? Event::kMapMade : Event::kMapRefused, last.frame_index);
+  if (!made.problem.empty()) return;
+  const NewSegment begun =
+      bootstrapper.begin_segment(state.segment(), made.views, health.before(), scale_of_made, &made.tracks);
+  front_end.begin_map(begun.reference, begun.motion, last.time);
+  health.begin_map();
+  note_segment({last.frame_index, last.time, {}, {}}, begun);
+  frames.announce();  // the newest frame may be one of the views, or late
+}
+
+void Odometry::Impl::follow_late() {
+  const LateFrame late = concurrent->take_late();
+  std::optional<FrameRecord> record = frames.find(late.frame.index);
+  if (!record) return;
+  const TraceScope traced("late frame", late.frame.index);
+  change_reference(late.frame);
+  front_end.begin_frame(late.frame.time);
+  follow_map({late.frame, late.pyramid, late.rows, &*record}, true);
+  frames.announce();
+  if (!state.has_pose()) concurrent->give_up_late();
+}
+
+void Odometry::Impl::catch_up_at_end() {
+  if (concurrent->is_making()) begin_made_map();
+  while (concurrent->catches_up()) {
+    if (is_mapping_behind()) map.wait_keyframe();
+    follow_late();
+  }
+}
+
+}  // namespace edgevo

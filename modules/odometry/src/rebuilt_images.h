@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Images of the window for a correction of the camera that is about to be applied, rebuilt next to mapping:
+// some 8 ms each, and the map could not grow meanwhile.
+#include <chrono>
+#include <deque>
+#include <future>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "edgevo/core/thread_priority.h"
+#include "edgevo/core/trace.h"
+#include "edgevo/map/keyframe.h"
+#include "edgevo/odometry/mapper.h"
+
+namespace edgevo {
+
+/// Rebuilds images in a thread of its own; for one thread.
+class RebuiltImages {
+ public:
+  explicit RebuiltImages(RebuildPyramid rebuild) : rebuild_(std::move(rebuild)) {}
+
+  /// Rebuilds the images of the keyframes, one after another, and then those of keyframes that came
+  /// meanwhile; call it again until it returns true.
+  bool prepare(const std::deque<Keyframe>& keyframes, const ImageCorrection& correction) {
+    constexpr int kRounds = 2;
+    if (rebuilding_.valid() && rebuilding_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+      return false;
+    finish();
+    if (rounds_ == kRounds) return true;
+    begin(keyframes, correction);
+    return false;
+  }
+  /// Waits for what is under way; rethrows what it threw. get() knows the images until clear().
+  void finish() {
+    if (rebuilding_.valid()) images_.merge(rebuilding_.get());
+  }
+  void clear() {
+    images_.clear();
+    rounds_ = 0;
+  }
+
+  /// The image of a keyframe with that correction, rebuilt now if it was not yet.
+  std::shared_ptr<const FramePyramid> get(const Keyframe& k, const ImageCorrection& correction) const {
+    return knows(k, correction) ? images_.at(k.pyramid).second : rebuild_(*k.pyramid, k.motion, correction);
+  }
+
+ private:
+  /// By the image before: its motion, and the new image.
+  using Images = std::map<std::shared_ptr<const FramePyramid>,
+                          std::pair<ImageMotion, std::shared_ptr<const FramePyramid>>>;
+  void begin(const std::deque<Keyframe>& keyframes, const ImageCorrection& correction) {
+    ++rounds_;
+    Images old;
+    for (const Keyframe& k : keyframes)
+      if (k.pyramid && !knows(k, correction)) old[k.pyramid] = {k.motion, nullptr};
+    rebuilding_ = std::async(std::launch::async, [this, correction, images = std::move(old)]() mutable {
+      name_traced_thread("corrected images");
+      lower_thread_priority();
+      for (auto& [pyramid, rebuilt] : images) rebuilt.second = rebuild_(*pyramid, rebuilt.first, correction);
+      return std::move(images);
+    });
+  }
+  bool knows(const Keyframe& k, const ImageCorrection& correction) const {
+    const auto known = images_.find(k.pyramid);
+    return known != images_.end() && known->second.second->correction == correction;
+  }
+
+  RebuildPyramid rebuild_;
+  Images images_;
+  int rounds_ = 0;
+  std::future<Images> rebuilding_;  // last member: it waits for its thread
+};
+
+}  // namespace edgevo

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_error.h"
+
+#include "edgevo/core/radial.h"
+
+namespace edgevo {
+
+using Eigen::Vector2d;
+
+Vector2d CameraError::to_file(const Rectification& r, const ImageMotion& motion, const Vector2d& x) const {
+  const Vector2d rolling = add_rolling(r, correction.readout_s, motion, x);
+  return (1 + focal) * add_radial(correction.k1, rolling, k2) + centre;
+}
+
+Vector2d CameraError::from_file(const Rectification& r, const ImageMotion& motion,
+                                const Vector2d& x_file) const {
+  const Vector2d radial = (x_file - centre) / (1 + focal);
+  const ImageCorrection rolling{0, correction.readout_s};
+  return edgevo::from_file(r, rolling, motion, remove_radial(correction.k1, radial, k2));
+}
+
+Eigen::Matrix2d CameraError::jacobian(const Rectification& r, const ImageMotion& motion,
+                                      const Vector2d& x) const {
+  const ImageCorrection rolling{0, correction.readout_s};
+  return (1 + focal) * radial_jacobian(correction.k1, add_rolling(r, correction.readout_s, motion, x), k2) *
+         file_jacobian(r, rolling, motion, x);
+}
+
+ba::ImageRate CameraError::derivative(const Rectification& r, const ImageMotion& motion,
+                                      const Vector2d& x) const {
+  const Vector2d rolling = add_rolling(r, correction.readout_s, motion, x);
+  const double r2 = rolling.squaredNorm(), f = 1 + focal;
+  ba::ImageRate d;
+  d.col(kK1) = f * radial_derivative(rolling);
+  d.col(kReadout) =
+      f * radial_jacobian(correction.k1, rolling, k2) * rolling_rate(r, correction.readout_s, motion, x);
+  d.col(kK2) = f * r2 * r2 * rolling;
+  d.col(kFocal) = add_radial(correction.k1, rolling, k2);
+  d.col(kCentreX) = Vector2d::UnitX();
+  d.col(kCentreY) = Vector2d::UnitY();
+  return d;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/odometry/health_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace edgevo {
+namespace {
+
+using Health = HealthWatch::Health;
+
+// A run whose reference changes every fourth frame.
+class HealthOfARun : public ::testing::Test {
+ protected:
+  Health frame(bool is_doubtful) {
+    if (next_ % 4 == 0) {
+      reference_ = std::make_shared<Reference>();
+      reference_->keyframe_id = next_ / 4;
+    }
+    const int index = next_++;
+    return watch_.add(index, {index, 0, reference_}, is_doubtful);
+  }
+  void sure_frames(int n) {
+    for (int i = 0; i < n; ++i) EXPECT_EQ(frame(false), Health::kSure);
+  }
+  int keyframe_before() const { return watch_.before() ? watch_.before()->reference->keyframe_id : -1; }
+
+  HealthWatch watch_;
+  std::shared_ptr<Reference> reference_;
+  int next_ = 0;
+};
+
+TEST_F(HealthOfARun, WithoutDoubtEveryFrameIsSure) { sure_frames(40); }
+
+TEST_F(HealthOfARun, ReturnsWhenTenFramesInARowAreSure) {
+  sure_frames(20);
+  EXPECT_EQ(frame(true), Health::kInDoubt);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(frame(false), Health::kInDoubt);
+  EXPECT_EQ(frame(true), Health::kInDoubt);
+  for (int i = 0; i + 1 < kDoubtReach; ++i) EXPECT_EQ(frame(false), Health::kInDoubt);
+  EXPECT_EQ(frame(false), Health::kReturned);
+  sure_frames(20);
+}
+
+// p_right speaks of ten frames: what was seen within them is no measure.
+TEST_F(HealthOfARun, WhatCountsIsTheViewBeforeTheTenFramesThatAreDoubted) {
+  sure_frames(30);
+  EXPECT_EQ(frame(true), Health::kInDoubt);  // frame 30
+  EXPECT_EQ(keyframe_before(), 5);           // the reference from frame 20 on
+  for (int i = 0; i + 1 < kDoubtReach; ++i) EXPECT_EQ(frame(false), Health::kInDoubt);
+  EXPECT_EQ(frame(false), Health::kReturned);
+  EXPECT_EQ(keyframe_before(), 5) << "while the return is evaluated";
+  sure_frames(1);
+  EXPECT_GT(keyframe_before(), 5);
+}
+
+// The frames up to the loss were sure: the newest view is.
+TEST_F(HealthOfARun, AfterALossTheViewBeforeItCounts) {
+  sure_frames(30);
+  watch_.add_lost();
+  next_ = 41;
+  EXPECT_EQ(frame(false), Health::kInDoubt) << "nothing has checked the motion over the gap";
+  EXPECT_EQ(keyframe_before(), 7);
+}
+
+TEST_F(HealthOfARun, TheFirstMapIsSureUntilItIsDoubted) {
+  watch_.begin_map();
+  sure_frames(20);
+}
+
+TEST_F(HealthOfARun, ALaterMapIsComparedWithTheOneBefore) {
+  sure_frames(30);
+  EXPECT_EQ(frame(true), Health::kInDoubt);
+  watch_.begin_map();
+  for (int i = 0; i + 1 < kDoubtReach; ++i) EXPECT_EQ(frame(false), Health::kInDoubt);
+  EXPECT_EQ(frame(false), Health::kReturned);
+  EXPECT_EQ(keyframe_before(), 5);
+  sure_frames(20);
+}
+
+}  // namespace
+}  // namespace edgevo
