@@ -19,6 +19,7 @@
 #include "option_checks.h"
 #include "progress.h"
 #include "signals.h"
+#include "source_options.h"
 
 namespace edgevo::app {
 namespace {
@@ -185,11 +186,20 @@ int calibrate_from_board(const CalibrateArguments& args) {
   return 0;
 }
 
-// "f 532.9 +- 4.1 px, cx 318.2 cy 254.9 +- 2.0 px, k1 -0.012 +- 0.009 (one standard deviation)"
+// "f 532.9 +- 4.1 px, cx 318.2 cy 254.9 +- 2.0 px, k1 -0.012 +- 0.009, k2 0.001 +- 0.004 (one standard
+// deviation)"
 void print_motion_calibration(const MotionCalibration& c) {
   const Pinhole p = c.camera.pinhole();
-  std::printf("f %.1f +- %.1f px, cx %.1f cy %.1f +- %.1f px, k1 %.4f +- %.4f (one standard deviation)\n",
-              p.fx, c.sigma_f_px, p.cx, p.cy, c.sigma_c_px, c.camera.distortion().k1, c.sigma_k1);
+  const Distortion& d = c.camera.distortion();
+  std::printf(
+      "f %.1f +- %.1f px, cx %.1f cy %.1f +- %.1f px, k1 %.4f +- %.4f, k2 %.4f +- %.4f (one standard "
+      "deviation)\n",
+      p.fx, c.sigma_f_px, p.cx, p.cy, c.sigma_c_px, d.k1, c.sigma_k1, d.k2, c.sigma_k2);
+}
+
+std::string origin_of(const MotionCalibration& c) {
+  return "Found by edgevo from the motion over " + std::to_string(c.keyframes) + " keyframes, f to " +
+         fixed(c.sigma_f_px, 1) + " px";
 }
 
 int calibrate_from_motion(const CalibrateArguments& args) {
@@ -200,12 +210,16 @@ int calibrate_from_motion(const CalibrateArguments& args) {
   MotionCalibrationOptions options;
   options.stop = interrupted;
   options.log = [](const std::string& line) { std::printf("%s\n", line.c_str()), std::fflush(stdout); };
-  if (args.images.fov_deg) options.focal_px = open_source(source)->camera().pinhole().fx;
+  const std::unique_ptr<ImageSource> first = open_source(source);
+  std::vector<InputDecision> decisions = first->decisions();
+  decisions.erase(std::remove_if(decisions.begin(), decisions.end(),
+                                 [](const InputDecision& d) { return d.subject == "camera"; }),
+                  decisions.end());
+  print_decisions(args.source, decisions);
+  if (args.images.fov_deg) options.focal_px = first->camera().pinhole().fx;
   const MotionCalibration c = camera_from_motion([&] { return open_source(source); }, args.source, options);
-  write_file(args.out,
-             camera_file_text(c.camera, args.format,
-                              "Found by edgevo from the motion over " + std::to_string(c.keyframes) +
-                                  " keyframes, f to " + fixed(c.sigma_f_px, 1) + " px"));
+  if (!c.problem.empty()) throw InputError(args.source, c.problem, c.remedy);
+  write_file(args.out, camera_file_text(c.camera, args.format, origin_of(c)));
   print_motion_calibration(c);
   print_use(args, c.camera);
   return 0;
@@ -252,7 +266,7 @@ void add_board_options(CLI::App& command, CalibrateArguments* args) {
           ->excludes(charuco);
   command
       .add_option("--fov", args->images.fov_deg,
-                  "view over the longer side, degrees, to start --from-motion at (default: 53)")
+                  "view over the longer side, degrees, to start --from-motion at (default: 90)")
       ->check(number_between(1, 179))
       ->needs(motion);
   command.add_option("--every", args->images.every, "use only every N-th image of a video")

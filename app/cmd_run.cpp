@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
+#include "auto_camera.h"
 #include "commands.h"
 #include "edgevo/core/closest_lens.h"
 #include "edgevo/core/doubtful_intervals.h"
@@ -244,11 +246,25 @@ int end_forgotten(const RunArguments& args, const RunResult& result, const Frame
   return kMostlyFailed;
 }
 
-int run(const RunArguments& args) {
+// Replaces what the source says of its camera.
+void note_found_camera(const AutoCamera& camera, RunInfo* info) {
+  info->camera_file = camera.found();
+  auto& input = info->input;
+  input.erase(std::remove_if(input.begin(), input.end(), [](const auto& d) { return d.subject == "camera"; }),
+              input.end());
+  input.push_back(camera.decision());
+}
+
+int run(const RunArguments& given) {
+  RunArguments args = given;
   const RunParams params = effective_params(args);
   TraceFile trace(args.trace);
   const ScaleSource scale = parse_scale_source(args.scale);
   check_apart(args.source.path, args.out);
+  listen_to_signals();
+  std::optional<AutoCamera> found_camera;
+  if (args.source.camera_file == kAutoCamera) found_camera.emplace(&args.source, args.seed, args.quiet);
+  if (found_camera && !args.quiet) print_decisions(args.source.path, {found_camera->decision()});
   const std::unique_ptr<ImageSource> source = open_source_with_notices(args.source, args.quiet);
   OdometryOptions odometry = odometry_options(args);
   odometry.map_log = std::make_shared<MapLog>();
@@ -256,9 +272,11 @@ int run(const RunArguments& args) {
   RunScaling scaling(scale, *source, rectification_of(source->camera(), odometry).target(), params.scale);
   RunInfo info = describe(args, *source, params, odometry);
   if (pinhole) info.input.push_back(*pinhole);
-  RunOutputs outputs(args.out, source->camera(), params.map, args.outputs);
+  if (found_camera) note_found_camera(*found_camera, &info);
+  OutputOptions output_options = args.outputs;
+  output_options.own_thread = args.realtime;
+  RunOutputs outputs(args.out, source->camera(), params.map, output_options);
   outputs.keep_recovery_log({info, args.scale, scaling.track(), source->T_vehicle_cam()}, odometry.map_log);
-  listen_to_signals();
   OwnPartMask own;
   FramesDone done;
   RunResult result = run_over(args, *source, params.odometry, odometry, scaling, outputs, &own, &done);

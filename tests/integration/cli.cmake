@@ -9,7 +9,7 @@ function(edgevo_add_cli_test name)
 endfunction()
 
 edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)
-foreach(name IN ITEMS simulate relight study run_eval reproducible blackout bad_arguments bad_input bad_files broken_source disk_full
+foreach(name IN ITEMS simulate relight overlay study run_eval reproducible blackout bad_arguments bad_input bad_files broken_source disk_full
     output_folder killed degenerate realtime calibrate bench workflow report compare servo edges eval_hints mount lenses forget trace)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()

@@ -4,36 +4,30 @@
 # models and images and wrong sizes are refused with one line.
 . "$(dirname "$0")/cli_common.sh"
 sequence=$scenes/street
-part="--frames 0:30"
+scaled="--image-scale 0.5" # forests take half a second a frame of full size
+part="--frames 0:30 $scaled"
 frames=30
-half="$part --image-scale 0.5" # forests take half a second a frame of full size
-size_for() { case $1 in combined:structured) echo "$half" ;; *) echo "$part" ;; esac; }
-canny_for() { case $1 in combined:structured) echo half_canny ;; *) echo run_canny ;; esac; }
 run_code 0 "$edgevo" run "$sequence" $part -o run_canny --quiet
-run_code 0 "$edgevo" run "$sequence" $half -o half_canny --quiet
 
 for detector in edge_drawing structured network combined:structured combined:network; do
   out=run_$(echo $detector | tr : _)
-  run_code 0 "$edgevo" run "$sequence" $(size_for $detector) -o "$out" --quiet --detector $detector
-  canny=$(canny_for $detector)
-  check "frames with a pose, $detector" "$(poses "$out")" -eq "$(poses $canny)"
-  below "ATE in metres, $detector (at most twice Canny's)" "$(ate "$out" "$sequence")" "$(ate $canny "$sequence" | awk '{ print 2 * $1 }')"
+  run_code 0 "$edgevo" run "$sequence" $part -o "$out" --quiet --detector $detector
+  check "frames with a pose, $detector" "$(poses "$out")" -eq "$(poses run_canny)"
+  below "ATE in metres, $detector (at most twice Canny's)" "$(ate "$out" "$sequence")" "$(ate run_canny "$sequence" | awk '{ print 2 * $1 }')"
   grep -q "detector: .*$detector" "$out/summary.yaml" && ok "summary.yaml names $detector" || fail "no $detector in summary.yaml"
 done
 
 # ---- reproducible, and through files ----
-run_code 0 "$edgevo" run "$sequence" $half -o first_structured --quiet --detector structured
 mv run_network first_network
+mv run_structured first_structured
 for detector in structured network; do
-  size=$part
-  [ $detector = structured ] && size=$half
-  run_code 0 "$edgevo" run "$sequence" $size -o again_$detector --quiet --detector $detector
+  run_code 0 "$edgevo" run "$sequence" $part -o again_$detector --quiet --detector $detector
   same "trajectory, $detector again" first_$detector/trajectory_tum.txt again_$detector/trajectory_tum.txt
   same "points, $detector again" first_$detector/edges.ply again_$detector/edges.ply
-  run_code 0 "$edgevo" edges "$sequence" $size -o edges_$detector --detector $detector
+  run_code 0 "$edgevo" edges "$sequence" $part -o edges_$detector --detector $detector
   check "images of $detector" "$(ls edges_$detector/*.png | wc -l)" -eq "$frames"
   check "contact sheet of $detector, bytes" "$(wc -c <edges_$detector/contact_sheet.jpg)" -gt 10000
-  run_code 0 "$edgevo" run "$sequence" $size -o files_$detector --quiet --detector precomputed --edge-folder edges_$detector
+  run_code 0 "$edgevo" run "$sequence" $part -o files_$detector --quiet --detector precomputed --edge-folder edges_$detector
   same "trajectory from files of $detector" first_$detector/trajectory_tum.txt files_$detector/trajectory_tum.txt
 done
 run_code 0 "$edgevo" run "$sequence" $part -o files_combined --quiet --detector combined:precomputed --set edges.folder=edges_network
@@ -41,9 +35,9 @@ same "trajectory combined with files" run_combined_network/trajectory_tum.txt fi
 
 # A rawlog has images of the same names; scaled images are known by their numbers.
 run_code 0 "$edgevo" import "$sequence" log/seq.rawlog
-run_code 0 "$edgevo" run log/seq.rawlog -o from_log --quiet --frames 0:20 --detector precomputed --edge-folder edges_network
-run_code 0 "$edgevo" edges "$sequence" -o half --detector structured --image-scale 0.5 --frames 5:8 --jobs 1
-check "images of a part at half the size" "$(ls half/*.png | tr '\n' ' ' | grep -c '000005.*000007.png $')" -eq 1
+run_code 0 "$edgevo" run log/seq.rawlog -o from_log --quiet --frames 0:20 $scaled --detector precomputed --edge-folder edges_network
+run_code 0 "$edgevo" edges "$sequence" -o few --detector structured $scaled --frames 5:8 --jobs 1
+check "images of a part" "$(ls few/*.png | tr '\n' ' ' | grep -c '000005.*000007.png $')" -eq 1
 
 # ---- resumed ----
 cp -r edges_network part
@@ -89,11 +83,11 @@ short "szie.*size" network other.onnx
 complains "did you mean network" "$edgevo" run "$sequence" -o x --detector netwrok
 
 # ---- invalid images ----
-wrong() { complains "$1" "$edgevo" run "$sequence" -o x --quiet --detector precomputed --edge-folder "$2"; }
+wrong() { complains "$1" "$edgevo" run "$sequence" $scaled -o x --quiet --detector precomputed --edge-folder "$2"; }
 cp -r edges_network missing && rm missing/000000.png
 wrong "missing/000000.png: cannot be read" missing
-cp -r edges_network small && cp half/000005.png small/000000.png
-wrong "small/000000.png: is .*, the image " small
+cp -r edges_network other_size && cp of_canny/000000.png other_size/000000.png
+wrong "other_size/000000.png: is .*, the image " other_size
 cp -r edges_network cut && head -c 2000 edges_network/000000.png >cut/000000.png
 wrong "cut/000000.png: the image does not decode" cut
 wrong "nowhere: is not a folder" nowhere

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "edgevo/core/error.h"
@@ -123,9 +124,34 @@ std::vector<int> poses_to_keep(const BaProblem& problem, int leaving, const Quad
   return keep;
 }
 
+// Elimination subtracts large numbers, whose rounding can leave a weak direction (the scale, or where the
+// window is in the world) with a negative curvature: the prior then has no minimum, and an adjustment runs
+// away along it. Such directions, and those no further from zero, are not known. `before`: curvatures before
+// the elimination, the measure of its rounding. Cost: a Cholesky decomposition where all is well.
+void bound_below(const Eigen::VectorXd& before, BaPrior* prior) {
+  constexpr double kRounding = 1e-11;  // share of `before`: 1e-16 a subtraction, and more where it is weak
+  constexpr double kTimesNegative = 10;
+  if (prior->H.size() == 0) return;
+  const Eigen::VectorXd unit = before.cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
+  const Eigen::VectorXd per_unit = (before.array() > 0).select(unit.cwiseInverse(), 0.0);
+  const Eigen::MatrixXd H = per_unit.asDiagonal() * prior->H * per_unit.asDiagonal();
+  if (H.llt().info() == Eigen::Success) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(H);
+  const Eigen::ArrayXd curvature = eigen.eigenvalues().array();
+  const auto is_known = curvature > std::max(kTimesNegative * -curvature[0], kRounding);
+  const Eigen::VectorXd b = eigen.eigenvectors().transpose() * per_unit.cwiseProduct(prior->b);
+  const Eigen::VectorXd known_H = is_known.select(curvature, 0.0), known_b = is_known.select(b.array(), 0.0);
+  const Eigen::MatrixXd back = unit.asDiagonal() * eigen.eigenvectors();
+  prior->H = back * known_H.asDiagonal() * back.transpose();
+  prior->b = back * known_b;
+  const double depth = 0.5 * is_known.select(known_b.array().square() / curvature, 0.0).sum();
+  prior->constant = std::max(prior->constant, depth);
+}
+
 BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const PriorTerm& old,
-                const Quadratic& q) {
+                const Eigen::VectorXd& before, const Quadratic& q) {
   const auto n = static_cast<Eigen::Index>(keep.size());
+  Eigen::VectorXd before_kept(6 * n);
   BaPrior prior;
   prior.H.resize(6 * n, 6 * n);
   prior.b.resize(6 * n);
@@ -138,10 +164,12 @@ BaPrior extract(const BaProblem& problem, const std::vector<int>& keep, const Pr
     prior.linearization.push_back(linearised ? problem.prior->linearization[found - old.pose_index().begin()]
                                              : problem.poses[pose].T_cam_world);
     prior.b.segment<6>(6 * i) = q.b.segment<6>(6 * pose);
+    before_kept.segment<6>(6 * i) = before.segment<6>(6 * pose);
     for (Eigen::Index j = 0; j < n; ++j)
       prior.H.block<6, 6>(6 * i, 6 * j) = q.H.block<6, 6>(6 * pose, 6 * keep[j]);
   }
   prior.H = (0.5 * (prior.H + prior.H.transpose())).eval();
+  bound_below(before_kept, &prior);
   return prior;
 }
 
@@ -254,8 +282,9 @@ BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& opti
 
   if (relative) fill(problem, leaving, old, xi_prior, q, relative);
   const std::vector<int> keep = poses_to_keep(problem, leaving, q);
+  const Eigen::VectorXd before = q.H.diagonal();
   if (!problem.poses[leaving].fixed) eliminate_pose(6 * leaving, &q);
-  return extract(problem, keep, old, q);
+  return extract(problem, keep, old, before, q);
 }
 
 }  // namespace edgevo

@@ -17,9 +17,9 @@ namespace {
 // the last. Below, hardly any point has been seen from far enough.
 constexpr int kFirstEstimate = 20;
 constexpr double kNextEstimate = 1.5;
-// Rounds of the focal length alone, and of everything; each was seen to leave a fifth to a third of the
-// error.
-constexpr int kFocalRounds = 6, kWholeRounds = 4;
+// Rounds of the focal length alone, and of everything; each was seen to leave a fifth to three quarters of
+// the error.
+constexpr int kFocalRounds = 6, kWholeRounds = 10;
 // Relative changes of the focal length that end either.
 constexpr double kNearlyRight = 0.05, kEnough = 0.003;
 // The relative standard deviation beyond which the focal length counts as not observable, at the end and
@@ -31,7 +31,10 @@ constexpr double kMaxFocalSigma = 0.05, kMaxFirstSigma = 0.3;
 // (share/lab/archive/2026-11-26_camera_from_motion.md).
 constexpr double kMatchesPerIndependentOne = 7;
 
-constexpr LensPrior kFocalAlone{0.3, 0, 0, 0}, kWhole{0.1, 0.1, 0, 0.03};
+constexpr LensPrior kFocalAlone{0.3, 0, 0, 0}, kPinhole{0.1, 0, 0, 0.03}, kOneTerm{0.1, 0.1, 0, 0.03},
+    kTwoTerms{0.1, 0.1, 0.1, 0.03};
+// Standard deviations from which a term of the distortion is taken: less adds noise.
+constexpr double kSignificance = 2;
 
 // A run over the beginning of the recording, whose map is given to the adjustment.
 class Round {
@@ -85,7 +88,8 @@ class Round {
 Camera corrected(const Camera& camera, const LensEstimate& e) {
   Pinhole p = camera.pinhole();
   Distortion d = camera.distortion();
-  d.k1 = e.k1 + d.k1 * (1 + e.focal) * (1 + e.focal);
+  const double square = (1 + e.focal) * (1 + e.focal);
+  d.k1 = e.k1 + d.k1 * square, d.k2 = e.k2 + d.k2 * square * square;
   p.cx += p.fx * e.centre.x(), p.cy += p.fx * e.centre.y();
   p.fx = p.fy = p.fx * (1 + e.focal);
   return Camera(p, d);
@@ -97,27 +101,61 @@ class Search {
       : open_(open), where_(where), options_(options) {
     const Camera images = open()->camera();
     const int w = images.width, h = images.height;
-    const double f = options.focal_px > 0 ? options.focal_px : std::max(w, h);
+    const double f = options.focal_px > 0 ? options.focal_px : 0.5 * std::max(w, h);
     found_.camera.set_pinhole({f, f, 0.5 * (w - 1), 0.5 * (h - 1), w, h});
+    start_ = found_.camera;
   }
 
   MotionCalibration run() {
     repeat(kFocalAlone, kFocalRounds, kNearlyRight);
-    const LensEstimate last = repeat(kWhole, kWholeRounds, kEnough);
-    check_focal_sigma(last, kMaxFocalSigma);
+    const LensEstimate last = find_distortion();
+    // What the last round has changed is not known better than that.
+    const double focal_sigma = std::hypot(kMatchesPerIndependentOne * last.focal_sigma, last.focal);
+    if (found_.problem.empty()) check_focal_sigma(focal_sigma, kMaxFocalSigma);
+    if (!found_.problem.empty()) {
+      found_.camera = start_;
+      return found_;
+    }
     const double f = found_.camera.pinhole().fx;
-    found_.sigma_f_px = f * kMatchesPerIndependentOne * last.focal_sigma;
+    found_.sigma_f_px = f * focal_sigma;
     found_.sigma_c_px = f * kMatchesPerIndependentOne * last.centre_sigma.maxCoeff();
     found_.sigma_k1 = kMatchesPerIndependentOne * last.k1_sigma;
+    found_.sigma_k2 = kMatchesPerIndependentOne * last.k2_sigma;
     found_.keyframes = last.keyframes;
     return found_;
   }
 
  private:
+  static bool is_significant(double k, double formal_sigma) {
+    return std::abs(k) >= kSignificance * kMatchesPerIndependentOne * formal_sigma;
+  }
+
+  // With no term of the distortion, one or two: as many as are significant.
+  LensEstimate find_distortion() {
+    const LensEstimate one_term = repeat(kOneTerm, kWholeRounds, kEnough);
+    if (!found_.problem.empty()) return one_term;
+    if (is_significant(found_.camera.distortion().k1, one_term.k1_sigma)) return with_second_term(one_term);
+    found_.camera = Camera(found_.camera.pinhole(), Distortion());
+    LensEstimate pinhole = repeat(kPinhole, kWholeRounds, kEnough);
+    // That there is no distortion is a guess.
+    pinhole.focal_sigma = std::max(pinhole.focal_sigma, one_term.focal_sigma);
+    return pinhole;
+  }
+
+  LensEstimate with_second_term(const LensEstimate& one_term) {
+    const MotionCalibration before = found_;
+    const LensEstimate two_terms = repeat(kTwoTerms, kWholeRounds, kEnough);
+    const double k2 = found_.camera.distortion().k2;
+    if (found_.problem.empty() && is_significant(k2, two_terms.k2_sigma)) return two_terms;
+    const int rounds = found_.rounds;
+    found_ = before, found_.rounds = rounds;
+    return one_term;
+  }
+
   // Rounds until the focal length changes by less than `enough`, or `most` of them.
   LensEstimate repeat(const LensPrior& prior, int most, double enough) {
     LensEstimate e;
-    for (int i = 0; i < most; ++i) {
+    for (int i = 0; i < most && found_.problem.empty(); ++i) {
       e = round(prior);
       if (std::abs(e.focal) < enough) break;
     }
@@ -129,24 +167,36 @@ class Search {
     const LensEstimate e = Round(found_.camera, prior, options_).run(*source, options_.stop);
     if (options_.stop && options_.stop())
       throw InputError(where_, "interrupted before the camera was found", "nothing was written");
-    if (!e.usable)
-      throw InputError(where_, "makes no map of " + std::to_string(kFirstEstimate) + " keyframes",
-                       "record a longer sequence, with sideways motion, or start nearer (--fov)");
-    check_focal_sigma(e, kMaxFirstSigma);
-    found_.camera = corrected(found_.camera, e);
-    found_.camera.check(where_);
     ++found_.rounds;
+    if (!e.usable)
+      give_up("makes no map of " + std::to_string(kFirstEstimate) + " keyframes",
+              "record a longer sequence, with sideways motion, or start nearer (--fov)");
+    else
+      check_focal_sigma(kMatchesPerIndependentOne * e.focal_sigma, kMaxFirstSigma);
+    if (!found_.problem.empty()) return e;
+    take(corrected(found_.camera, e));
     log(e);
     return e;
   }
 
-  void check_focal_sigma(const LensEstimate& e, double most) const {
-    const double sigma = kMatchesPerIndependentOne * e.focal_sigma;
+  void take(const Camera& camera) {
+    try {
+      camera.check(where_);
+      found_.camera = camera;
+    } catch (const InputError&) {
+      give_up("no plausible camera explains the motion", "start nearer (--fov)");
+    }
+  }
+
+  void give_up(const std::string& problem, const std::string& remedy) {
+    found_.problem = problem, found_.remedy = remedy;
+  }
+
+  void check_focal_sigma(double sigma, double most) {
     if (sigma <= most) return;
-    throw InputError(where_,
-                     "the motion does not determine the focal length: it is known to " +
-                         fixed(100 * sigma, 0) + " % only, where " + fixed(100 * most, 0) + " % is needed",
-                     "turn the camera about all its axes while you move it, or start nearer (--fov)");
+    give_up("the motion does not determine the focal length: it is known to " + fixed(100 * sigma, 0) +
+                " % only, where " + fixed(100 * most, 0) + " % is needed",
+            "turn the camera about all its axes while you move it, or start nearer (--fov)");
   }
 
   void log(const LensEstimate& e) const {
@@ -161,6 +211,7 @@ class Search {
   const std::string& where_;
   const MotionCalibrationOptions& options_;
   MotionCalibration found_;
+  Camera start_;
 };
 
 }  // namespace

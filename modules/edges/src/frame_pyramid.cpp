@@ -74,30 +74,35 @@ struct KnownAreas {
 }  // namespace
 
 struct PyramidBuilder::Impl {
+  // Tables for a residual distortion; immutable, so that builders share them.
+  struct LensTables {
+    std::optional<Undistortion> undistortion;  // empty if raw images need no change
+    Plane<uint8_t> missing;                    // of the rectified images: mask of pixels without a source
+  };
+
   Rectification rectification;
   ImageCorrection correction;
   EdgeParams params;
   std::unique_ptr<EdgeDetector> detector;
   // Null if the detector needs none, or for a builder that only rebuilds.
   std::unique_ptr<EdgeProbability> probability;
-  std::optional<Undistortion> undistortion;    // empty if raw images need no change
-  std::optional<ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
-  BorderMask border;                           // of the raw images
+  std::shared_ptr<const LensTables> lens;
+  std::shared_ptr<const ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
+  BorderMask border;                                   // of the raw images
   FixedParts fixed;
   OwnMask own;
-  Plane<uint8_t> missing;  // of the rectified images: mask of pixels without a source
 
   const Pinhole& target() const { return rectification.target(); }
   bool has_area() const { return rectification.camera().width > 1 && rectification.camera().height > 1; }
 
   void make_maps() {
-    undistortion.reset();
+    const auto made = std::make_shared<LensTables>();
+    lens = made;
     rolling.reset();
-    missing = {};
     if ((rectification.is_identity() && correction.k1 == 0) || !has_area()) return;
     const RectificationMaps maps = rectification.maps(correction.k1);
-    undistortion.emplace(maps, rectification.camera().width, rectification.camera().height);
-    if (!maps.missing.empty()) missing = widened(maps);
+    made->undistortion.emplace(maps, rectification.camera().width, rectification.camera().height);
+    if (!maps.missing.empty()) made->missing = widened(maps);
   }
 
   // The mask with the pixels around it whose gradients, on the coarsest level with edges, it reaches.
@@ -114,10 +119,10 @@ struct PyramidBuilder::Impl {
   Plane<T> undistort(const ImageView<T>& image, const ImageMotion& motion) {
     Plane<T> out(target().width, target().height);
     if (correction.readout_s != 0 && motion.is_known() && has_area()) {
-      if (!rolling) rolling.emplace(rectification.maps(correction.k1));
+      if (!rolling) rolling = std::make_shared<ShiftedUndistortion>(rectification.maps(correction.k1));
       rolling->apply(rolling_shift(motion), image, &out);
-    } else if (undistortion) {
-      undistortion->apply(image, &out);
+    } else if (lens->undistortion) {
+      lens->undistortion->apply(image, &out);
     } else {
       for (int y = 0; y < image.height; ++y)
         std::copy_n(image.data + y * image.stride, image.width, out.row(y));
@@ -152,7 +157,7 @@ struct PyramidBuilder::Impl {
     Gradient gradient = level->with_gray([](const auto& gray) { return compute_gradient(gray); });
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
-    if (!missing.empty()) clear_masked(missing, l, &mask);
+    if (!lens->missing.empty()) clear_masked(lens->missing, l, &mask);
     if (!own.empty()) {
       // Also behind the mask: it is taken back if its edges move after all.
       if (watch) look_for_fixed_parts(l, extract_edges(mask, gradient, params.min_chain));
@@ -206,8 +211,7 @@ PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgePar
                      {},
                      {},
                      OwnMask(params.mask, rectification.camera().pinhole().width,
-                             rectification.camera().pinhole().height),
-                     {}}) {
+                             rectification.camera().pinhole().height)}) {
   rectification.check("camera");
   impl_->make_maps();
 }
@@ -221,6 +225,12 @@ void PyramidBuilder::set_correction(const ImageCorrection& correction) {
   const bool is_other_lens = correction.k1 != impl_->correction.k1;
   impl_->correction = correction;
   if (is_other_lens) impl_->make_maps();
+}
+
+void PyramidBuilder::share_correction(const PyramidBuilder& other) {
+  impl_->correction = other.impl_->correction;
+  impl_->lens = other.impl_->lens;
+  impl_->rolling = other.impl_->rolling;
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image, const ImageMotion& motion) {

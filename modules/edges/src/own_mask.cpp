@@ -2,6 +2,7 @@
 #include "own_mask.h"
 
 #include <cmath>
+#include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -12,6 +13,9 @@
 namespace edgevo {
 
 Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))  // OpenCV would print a warning of its own
+    throw InputError(path, "is not a mask: no such file", "give a PNG, black where there are to be no edges");
   const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
   if (image.empty())
     throw InputError(path, "cannot be read as an image", "give a PNG, black where there are to be no edges");

@@ -10,6 +10,7 @@
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
+#include "motion_of_essential.h"
 #include "opencv_pose.h"
 
 namespace edgevo {
@@ -189,7 +190,7 @@ std::vector<TwoViewMotion> estimate_motions(const Pinhole& pinhole, const std::v
     cv::Mat found, R, t;
     const cv::Mat E = cv::findEssentialMat(from, to, K, cv::RANSAC, kConfidence, ransac_px, found);
     if (E.rows != 3) continue;
-    cv::recoverPose(E, from, to, K, R, t, found);
+    motion_of_essential(E, from, to, K, &R, &t, &found);
     cv::Mat inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U);
     for (size_t k = 0; k < order.size(); ++k) inliers.at<uchar>(order[k]) = found.at<uchar>(int(k)) != 0;
     motions.push_back(

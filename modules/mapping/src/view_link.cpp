@@ -7,6 +7,7 @@
 #include <opencv2/features2d.hpp>
 
 #include "edgevo/core/order_statistics.h"
+#include "motion_of_essential.h"
 #include "opencv_pose.h"
 #include "two_view_motion.h"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr int kMostFeatures = 4000;
 // Best distance over second best of a match that is unmistakable.
 constexpr float kDistinct = 0.85F;
-constexpr double kRansacPx = 1.0, kConfidence = 0.999;
+constexpr double kRansacPx = 1.0, kLinkConfidence = 0.999;
 constexpr size_t kFewestMatches = 30;
 constexpr int kFewestAgreeing = 25;
 // Features with a depth on each side, at least: a median of fewer means little.
@@ -46,11 +47,11 @@ Features find_features(const FramePyramid& pyramid) {
   return found;
 }
 
-// Distinct matches from `a` to `b`, by index in `a`; -1: none.
-std::vector<int> nearest(const Features& a, const Features& b) {
+// Distinct matches of each row of `a` in `b`; -1: none.
+std::vector<int> nearest(const cv::Mat& a, const cv::Mat& b) {
   std::vector<std::vector<cv::DMatch>> found;
-  cv::BFMatcher(cv::NORM_L2).knnMatch(a.descriptors, b.descriptors, found, 2);
-  std::vector<int> match(a.points.size(), -1);
+  cv::BFMatcher(cv::NORM_L2).knnMatch(a, b, found, 2);
+  std::vector<int> match(size_t(a.rows), -1);
   for (const std::vector<cv::DMatch>& m : found)
     if (m.size() == 2 && m[0].distance < kDistinct * m[1].distance)
       match[size_t(m[0].queryIdx)] = m[0].trainIdx;
@@ -59,15 +60,25 @@ std::vector<int> nearest(const Features& a, const Features& b) {
 
 Eigen::Vector2f pixel(const cv::KeyPoint& k) { return {k.pt.x, k.pt.y}; }
 
-// Those that hold in both directions.
+// Those that hold in both directions. The way back, as much work as the way there, is searched for them
+// alone.
 MatchedPixels match_features(const Features& a, const Features& b) {
   MatchedPixels matches;
   if (a.points.size() < kFewestMatches || b.points.size() < kFewestMatches) return matches;
-  const std::vector<int> to_b = nearest(a, b), to_a = nearest(b, a);
-  for (size_t i = 0; i < to_b.size(); ++i)
-    if (to_b[i] >= 0 && to_a[size_t(to_b[i])] == int(i)) {
-      matches.a.push_back(pixel(a.points[i]));
-      matches.b.push_back(pixel(b.points[size_t(to_b[i])]));
+  const std::vector<int> to_b = nearest(a.descriptors, b.descriptors);
+  std::vector<size_t> found;  // in a
+  cv::Mat ends;               // descriptors in b
+  for (size_t i = 0; i < to_b.size(); ++i) {
+    if (to_b[i] < 0) continue;
+    found.push_back(i);
+    ends.push_back(b.descriptors.row(to_b[i]));
+  }
+  if (found.empty()) return matches;
+  const std::vector<int> back = nearest(ends, a.descriptors);
+  for (size_t k = 0; k < found.size(); ++k)
+    if (back[k] == int(found[k])) {
+      matches.a.push_back(pixel(a.points[found[k]]));
+      matches.b.push_back(pixel(b.points[size_t(to_b[found[k]])]));
     }
   return matches;
 }
@@ -188,9 +199,9 @@ std::optional<SE3> motion_of(const Pinhole& pinhole, const MatchedPixels& matche
   if (a.size() < kFewestMatches) return std::nullopt;
   const cv::Mat K = camera_matrix(pinhole);
   cv::Mat R, t, found;
-  const cv::Mat E = cv::findEssentialMat(a, b, K, cv::RANSAC, kConfidence, kRansacPx, found);
+  const cv::Mat E = cv::findEssentialMat(a, b, K, cv::RANSAC, kLinkConfidence, kRansacPx, found);
   if (E.rows != 3) return std::nullopt;
-  cv::recoverPose(E, a, b, K, R, t, found);
+  motion_of_essential(E, a, b, K, &R, &t, &found);
   const TwoViewMotion motion = refined_motion(pinhole, a, b, kRansacPx, to_se3(R, to_vector(t).normalized()));
   *agreeing = motion.inliers;
   if (cv::countNonZero(*agreeing) < kFewestAgreeing) return std::nullopt;

@@ -25,11 +25,11 @@ std::string Bootstrapper::make_map(const BootstrapResult& views) {
 }
 
 SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
-                                  const std::optional<SureView>& before, std::optional<double> scale) const {
-  if (before)
-    if (const auto link = link_views(pinhole_, before->reference->cloud, map_->reference()->cloud))
-      return link_segment(segment, *before->reference, frames_->T_world_map(before->segment),
-                          *map_->reference(), *link);
+                                  const std::optional<SureView>& before, const std::optional<ViewLink>& link,
+                                  std::optional<double> scale) const {
+  if (before && link)
+    return link_segment(segment, *before->reference, frames_->T_world_map(before->segment),
+                        *map_->reference(), *link);
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
@@ -39,13 +39,15 @@ SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
 
 NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,
                                        const std::optional<SureView>& before, std::optional<double> scale,
-                                       const BootstrapTracks* tracks) {
-  frames_->begin_segment(place(segment, views, before, scale));
+                                       const SegmentBeginning* known) {
+  const std::optional<ViewLink> link = known ? known->link : find_link(pinhole_, before, *map_->reference());
+  frames_->begin_segment(place(segment, views, before, link, scale));
   map_->begin_segment(segment);
   NewSegment begun;
   begun.reference = map_->reference();
   const TraceScope traced("poses of the bootstrap");
-  place_bootstrap_frames(views, tracks ? *tracks : track_bootstrap_frames(views, *begun.reference, params_),
+  place_bootstrap_frames(views,
+                         known ? known->tracks : track_bootstrap_frames(views, *begun.reference, params_),
                          *begun.reference, segment, params_, frames_);
   const std::optional<SE3> earlier = frames_->run().pose_before(views.views.back().frame_index, segment);
   if (earlier) begun.motion = begun.reference->T_ref_world * earlier->inverse();

@@ -8,6 +8,7 @@
 
 #include "bootstrap_placement.h"
 #include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/view_link.h"
 #include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "frame_log.h"
@@ -16,12 +17,27 @@
 
 namespace edgevo {
 
+/// What links a new map to the one before (mapping/view_link.h); nothing without a view `before`.
+inline std::optional<ViewLink> find_link(const Pinhole& pinhole, const std::optional<SureView>& before,
+                                         const Reference& after) {
+  if (!before) return std::nullopt;
+  return link_views(pinhole, before->reference->cloud, after.cloud);
+}
+
 /// A segment that has begun, as tracking needs it.
 struct NewSegment {
   /// Reference that the next frames are tracked against.
   std::shared_ptr<const Reference> reference;
   /// Motion of the camera from the frame before the newest to the newest; nothing if that frame has no pose.
   std::optional<SE3> motion;
+};
+
+/// What a segment needs besides its map, where it was found next to the frames.
+struct SegmentBeginning {
+  /// Poses of the views against the new map (track_bootstrap_frames()).
+  BootstrapTracks tracks;
+  /// What links the map to that of the last sure view before it; nothing if nothing does.
+  std::optional<ViewLink> link;
 };
 
 /// Runs bootstraps and begins segments; for the tracking thread.
@@ -40,14 +56,14 @@ class Bootstrapper {
   [[nodiscard]] std::string make_map(const BootstrapResult& views);
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
-  /// same. `scale` is world over map, where it is known better than from equal speed; `tracks`: those of the
-  /// views (track_bootstrap_frames()), where they are known already.
+  /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found
+  /// already, else it is found now.
   NewSegment begin_segment(int segment, const BootstrapResult& views, const std::optional<SureView>& before,
-                           std::optional<double> scale, const BootstrapTracks* tracks = nullptr);
+                           std::optional<double> scale, const SegmentBeginning* known = nullptr);
 
  private:
   SegmentPlaced place(int segment, const BootstrapResult& views, const std::optional<SureView>& before,
-                      std::optional<double> scale) const;
+                      const std::optional<ViewLink>& link, std::optional<double> scale) const;
 
   Pinhole pinhole_;
   Bootstrap bootstrap_;

@@ -17,7 +17,7 @@ constexpr int kMostFollowed = 3;
 
 ConcurrentBootstrap::ConcurrentBootstrap(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed,
                                          MapLink* map)
-    : params_(params), map_(map), bootstrap_(pinhole, params.mapping.bootstrap, seed) {
+    : pinhole_(pinhole), params_(params), map_(map), bootstrap_(pinhole, params.mapping.bootstrap, seed) {
   thread_ = std::thread([this] { search(); });
 }
 
@@ -39,7 +39,8 @@ void ConcurrentBootstrap::reset() {
   if (!frames_wait()) late_.clear();
 }
 
-BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own_parts) {
+BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own_parts,
+                                          const std::optional<SureView>& before) {
   catches_up_ = false;
   add(now.frame.index, now.frame.time, now.pyramid);
   late_.add(now);
@@ -50,7 +51,7 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own
   }
   late_.drop_until(status.result ? status.result->views.back().frame_index : searched_until());
   if (!status.result) return status;
-  make_map(std::move(*status.result));
+  make_map(std::move(*status.result), before);
   return {std::nullopt, "two views found: a map is being made"};
 }
 
@@ -110,13 +111,17 @@ void ConcurrentBootstrap::search() {
   }
 }
 
-void ConcurrentBootstrap::make_map(BootstrapResult views) {
-  making_ = std::async(std::launch::async, [this, made = MadeMap{{}, std::move(views), {}}]() mutable {
+void ConcurrentBootstrap::make_map(BootstrapResult views, std::optional<SureView> before) {
+  making_ = std::async(std::launch::async, [this, made = MadeMap{{}, std::move(views), {}},
+                                            before = std::move(before)]() mutable {
     name_traced_thread("first map");
     const TraceScope traced("first map", made.views.views.back().frame_index);
     made.problem = map_->make_map(made.views);
-    if (made.problem.empty())
-      made.tracks = track_bootstrap_frames(made.views, *map_->first_reference(), params_);
+    if (!made.problem.empty()) return std::move(made);
+    const std::shared_ptr<const Reference> reference = map_->first_reference();
+    made.beginning.tracks = track_bootstrap_frames(made.views, *reference, params_);
+    const TraceScope linking("link to the map before");
+    made.beginning.link = find_link(pinhole_, before, *reference);
     return std::move(made);
   });
   reset();  // of the search alone: frames wait now

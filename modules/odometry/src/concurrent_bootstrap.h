@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "bootstrap_placement.h"
+#include "bootstrapper.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "late_frames.h"
@@ -27,8 +27,8 @@ struct MadeMap {
   std::string problem;
   /// The views.
   BootstrapResult views;
-  /// Their poses against the new map.
-  BootstrapTracks tracks;
+  /// What its segment needs besides.
+  SegmentBeginning beginning;
 };
 
 /// Searches two views, then makes a map of them, and keeps the frames that arrive meanwhile; for the tracking
@@ -44,9 +44,9 @@ class ConcurrentBootstrap {
   void reset();
   /// Gives the next frame to the search. Returns why there is no map yet, as known now: a search that is
   /// behind tries only some frames, and one that is far behind loses the oldest. Begins to make a map
-  /// once there are two views (MapLink::make_map), unless `own_parts` delays it; until take_map() the caller
-  /// must not use the MapLink.
-  BootstrapStatus look(const ArrivedFrame& now, OwnParts& own_parts);
+  /// once there are two views (MapLink::make_map), unless `own_parts` delays it, and looks for what links it
+  /// to `before`, the last sure view of the map before; until take_map() the caller must not use the MapLink.
+  BootstrapStatus look(const ArrivedFrame& now, OwnParts& own_parts, const std::optional<SureView>& before);
   /// Keeps a frame that arrives while frames_wait().
   void keep(const ArrivedFrame& now) { late_.add(now); }
 
@@ -79,8 +79,9 @@ class ConcurrentBootstrap {
   BootstrapStatus poll();
   void resume();
   int searched_until() const;
-  void make_map(BootstrapResult views);
+  void make_map(BootstrapResult views, std::optional<SureView> before);
 
+  Pinhole pinhole_;
   OdometryParams params_;
   MapLink* map_;
   // Frames after those that are known not to end in a map, oldest first.

@@ -91,7 +91,8 @@ FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& para
 }
 
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
-  if (by_image.state == TrackingState::kLost || !(trust.p_right < kDoubtfulBelow)) return by_image;
+  const bool is_sure = !(trust.p_right < kDoubtfulBelow) && !trust.is_giant_step;
+  if (by_image.state == TrackingState::kLost || is_sure) return by_image;
   return {TrackingState::kDegraded,
           by_image.reason.empty() ? trust.reason : by_image.reason + "; " + trust.reason};
 }

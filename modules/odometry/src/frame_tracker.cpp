@@ -6,8 +6,10 @@
 
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/thread_clock.h"
+#include "edgevo/core/trace.h"
 #include "edgevo/odometry/frame_status.h"
 #include "median_motion.h"
+#include "stage_timer.h"
 
 namespace edgevo {
 namespace {
@@ -39,6 +41,7 @@ bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, cons
 // A hypothesis from corners (mapping/corner_motion.h), searched from the predicted pose, not from the one
 // that the edges found: rotation and direction from corners, the length from the edges.
 std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* track) {
+  const TraceScope traced(name_of(Stage::kCorners));
   const double start = thread_cpu_ms();
   const SE3 expected = task.motion.predict();
   std::vector<PoseHypothesis> hypotheses;
@@ -61,7 +64,9 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
 
 Proposer propose_corner_motion(const TrackingTask& task, const SupportScorer& scorer, Track* track) {
   return {ProposerKind::kCorners,
-          [&](const PoseCandidate& best) { return calls_for_corners(task, best, scorer); },
+          [&](const PoseCandidate& best) {
+            return calls_for_corners(task, best, scorer) && (!task.corners_later || scorer.is_lost(best));
+          },
           [&task, track] { return corner_hypotheses(task, track); }};
 }
 
@@ -113,6 +118,27 @@ TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, con
   return assess(task.pyramid, task.reference.cloud, first, params);
 }
 
+// ---- the steps that are the same with and without corners ----
+
+std::optional<MedianMotionPrior> prior_of(const TrackingTask& task) {
+  if (!task.params.alignment.use_median_motion_prior) return std::nullopt;
+  return MedianMotionPrior::of(task.motion);
+}
+
+// `prior` must outlive the result.
+SupportScorer scorer_of(const TrackingTask& task, const std::optional<MedianMotionPrior>& prior) {
+  return SupportScorer(task.params.status,
+                       [&prior](const SE3& T_cur_ref) { return prior ? prior->likelihood(T_cur_ref) : 1.0; });
+}
+
+void measure_pose(const TrackingTask& task, const PoseCandidate& chosen, const SupportScorer& scorer,
+                  Track* track) {
+  const PoseCandidate pose = hold_to_corners(task, chosen, *track, scorer);
+  track->twist = task.motion.twist(pose.T_cur_ref);
+  track->result = track_rows(task, pose, track->twist, scorer);
+  track->step_sigmas = step_sigmas(task.motion, track->result.T_cur_ref);
+}
+
 }  // namespace
 
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
@@ -123,25 +149,34 @@ ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, 
 
 Track track_frame(const TrackingTask& task) {
   Track track;
-  const AlignmentParams& params = task.params.alignment;
   const ReferenceCloud& cloud = task.reference.cloud;
   const std::vector<SE3> starts = task.motion.starts();
-  const std::optional<MedianMotionPrior> prior =
-      params.use_median_motion_prior ? MedianMotionPrior::of(task.motion) : std::nullopt;
-  const SupportScorer scorer(
-      task.params.status, [&](const SE3& T_cur_ref) { return prior ? prior->likelihood(T_cur_ref) : 1.0; });
+  const std::optional<MedianMotionPrior> prior = prior_of(task);
+  const SupportScorer scorer = scorer_of(task, prior);
   const std::vector<Proposer> proposers{
       propose_starts(starts, scorer),
       propose_rotations(task.pyramid, cloud, starts.front(), scorer),
       propose_median_motion(task, prior, scorer),
       propose_corner_motion(task, scorer, &track),
   };
-  const PoseChoice choice = choose(proposers, task.pyramid, cloud, scorer, params);
-  const PoseCandidate pose = hold_to_corners(task, choice.pose, track, scorer);
+  const PoseChoice choice = choose(proposers, task.pyramid, cloud, scorer, task.params.alignment);
+  if (task.corners_later && !scorer.is_lost(choice.pose) && calls_for_corners(task, choice.pose, scorer))
+    track.wants_corners = choice.pose;
   track.used_median_motion = choice.kind == ProposerKind::kMedianMotion;
-  track.twist = task.motion.twist(pose.T_cur_ref);
-  track.result = track_rows(task, pose, track.twist, scorer);
-  track.step_sigmas = step_sigmas(task.motion, track.result.T_cur_ref);
+  measure_pose(task, choice.pose, scorer, &track);
+  return track;
+}
+
+Track add_corners(const TrackingTask& task, const PoseCandidate& by_edges) {
+  Track track;
+  const std::optional<MedianMotionPrior> prior = prior_of(task);
+  const SupportScorer scorer = scorer_of(task, prior);
+  PoseCandidate best = by_edges;
+  for (const PoseHypothesis& hypothesis : corner_hypotheses(task, &track)) {
+    PoseCandidate candidate = align(task.pyramid, task.reference.cloud, hypothesis, task.params.alignment);
+    if (scorer.score(candidate) > scorer.score(best)) best = std::move(candidate);
+  }
+  measure_pose(task, best, scorer, &track);
   return track;
 }
 

@@ -29,6 +29,8 @@ struct TrackingTask {
   bool was_lost = false;
   /// Random numbers of RANSAC.
   Random* random;
+  /// Corners that a frame with a pose calls for are left for add_corners().
+  bool corners_later = false;
 };
 
 /// The result of tracking a frame.
@@ -46,6 +48,10 @@ struct Track {
   std::optional<SE3> T_by_corners;
   /// True if the pose was selected because the median-motion prior predicted it.
   bool used_median_motion = false;
+  /// The pose by the edges, if corners were called for and left for later.
+  std::optional<PoseCandidate> wants_corners;
+  /// Number of bodies that are known from this frame on to move by themselves.
+  int moving_bodies = 0;
   /// CPU time of corner tracking in milliseconds; 0: corners were not tracked.
   double corner_ms = 0;
 };
@@ -53,6 +59,11 @@ struct Track {
 /// Estimates the pose of a frame. Cost: usually one alignment of patches and edges, some 3 ms for 1500
 /// points.
 Track track_frame(const TrackingTask& task);
+
+/// The rest of track_frame() for a frame that wanted corners (Track::wants_corners): the pose with them, and
+/// the corners. Equals what it would have found itself. Cost: that of find_corner_motion(), and some
+/// alignments.
+Track add_corners(const TrackingTask& task, const PoseCandidate& by_edges);
 
 /// Image motion that follows from the pose T_cur_ref and `twist`, with the depths that were expected.
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,

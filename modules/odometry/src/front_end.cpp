@@ -19,7 +19,10 @@ FrontEnd::FrontEnd(const Rectification& rectification, const OdometryParams& par
       builder_(rectification, params.edges, options.detectors),
       random_(Random::derive(options.seed, 3)),
       keyframes_(rectification.target(), params.keyframe),
-      coverage_(params.recovery) {}
+      coverage_(params.recovery) {
+  if (options.realtime && options.on_schedule)
+    corners_beside_ = std::make_unique<CornerSearch>(params, options.seed);
+}
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
   const RowRectification rows{builder_.correction().readout_s, expected_motion(has_pose), rectification_};
@@ -38,14 +41,35 @@ ImageMotion FrontEnd::expected_motion(bool has_pose) const {
 Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   const TraceScope traced(name_of(Stage::kAlignment));
   const double start = thread_cpu_ms();
-  Track track =
-      track_frame({*now.pyramid, *reference_, motion_, keyframes_, params_, now.rows, was_lost, &random_});
+  Track track = track_scene(now, was_lost);
   FrameRecord& record = *now.record;
   record.stage_ms.emplace_back(name_of(Stage::kAlignment), thread_cpu_ms() - start - track.corner_ms);
   if (track.corner_ms > 0) record.stage_ms.emplace_back(name_of(Stage::kCorners), track.corner_ms);
   add_pose(track.result, *reference_, &record.evidence);
   record.evidence.step_sigmas = track.step_sigmas;
   return track;
+}
+
+// Without what moves by itself; again, if something is found to.
+Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
+  const auto scene_at = [&](const SE3& T_cur_ref) {
+    return bodies_.without(reference_, builder_.pinhole(), T_cur_ref);
+  };
+  const auto track = [&](const Reference& scene) {
+    return track_frame({*now.pyramid, scene, motion_, keyframes_, params_, now.rows, was_lost, &random_,
+                        corners_beside_ != nullptr});
+  };
+  bodies_.follow(*now.pyramid);
+  const std::shared_ptr<const Reference> scene = scene_at(motion_.predict());
+  Track found = track(*scene);
+  if (bodies_.look(*now.pyramid, *scene, found.result.T_cur_ref, params_.alignment)) {
+    const double corner_ms = found.corner_ms;
+    found = track(*scene_at(found.result.T_cur_ref));
+    found.corner_ms += corner_ms;
+  }
+  found.moving_bodies =
+      bodies_.evaluate(builder_.pinhole(), motion_to(found.result.T_cur_ref), reference_->median_idepth);
+  return found;
 }
 
 // Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
@@ -55,7 +79,15 @@ std::string FrontEnd::reason_against_step(const SE3& T_cur_ref) const {
   return "a step of " + fixed(10 * step / most, 0) + " times the usual one";
 }
 
+// What a search of corners must know of a frame before its pose is accepted. A frame that comes during
+// another search does without.
+std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Track& track) const {
+  if (!track.wants_corners || corners_beside_->is_busy()) return std::nullopt;
+  return CornerJob{now.pyramid, reference_, motion_, keyframes_, now.rows, *track.wants_corners};
+}
+
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
+  std::optional<CornerJob> corners = corner_job(now, track);
   motion_.follow(track.result.T_cur_ref, track.used_median_motion);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
@@ -67,9 +99,14 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
   tracked.T_cam_ref = track.result.T_cur_ref;
   tracked.covariance = track.result.covariance;
   tracked.corners = std::move(track.corners);
+  tracked.moving = bodies_.areas();
   tracked.return_to = decision.return_to;
   tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
   if (tracked.make_keyframe && params_.camera.knows_rolling()) rectify_keyframe(now, track.twist, &tracked);
+  if (tracked.make_keyframe && corners) {
+    corners->measured = tracked.motion;
+    tracked.by_corners = corners_beside_->begin(std::move(*corners));
+  }
   return tracked;
 }
 
@@ -89,10 +126,6 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
 
 void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (newest == reference_) return;
-  if (newest->camera.correction != builder_.correction()) {
-    const TraceScope traced("correction of the images");
-    builder_.set_correction(newest->camera.correction);
-  }
   if (reference_) {
     if (newest->unit != reference_->unit) motion_.change_unit(newest->unit / reference_->unit);
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
@@ -107,6 +140,7 @@ void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::
   motion_.restart(motion);
   keyframes_.restart();
   coverage_.restart();
+  bodies_.clear();
 }
 
 FrameView FrontEnd::view(double idepth_factor) const {

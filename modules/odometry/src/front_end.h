@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "corner_search.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edges/frame_pyramid.h"
@@ -18,6 +19,7 @@
 #include "keyframe_policy.h"
 #include "map_coverage.h"
 #include "motion_model.h"
+#include "moving_bodies.h"
 #include "rolling_shutter.h"
 
 namespace edgevo {
@@ -55,8 +57,8 @@ class FrontEnd {
 
   /// Reference that frames are tracked against; null without a map.
   const std::shared_ptr<const Reference>& reference() const { return reference_; }
-  /// Adopts a new reference from mapping: expresses the last pose against it and corrects images as those of
-  /// its map are corrected.
+  /// Adopts a new reference from mapping, for whose correction the builder has been set: expresses the last
+  /// pose against it.
   void change_reference(std::shared_ptr<const Reference> newest);
   /// Adopts the map of a new segment, whose reference is the newest frame. `motion` is the motion since the
   /// frame before, where known.
@@ -70,6 +72,8 @@ class FrontEnd {
   /// Drops the reference: there is no map any more.
   void drop_map() { reference_.reset(); }
 
+  /// What builds the images.
+  PyramidBuilder& builder() { return builder_; }
   /// Correction that is applied to the images.
   ImageCorrection correction() const { return builder_.correction(); }
   void set_correction(const ImageCorrection& correction) { builder_.set_correction(correction); }
@@ -83,15 +87,19 @@ class FrontEnd {
 
  private:
   ImageMotion expected_motion(bool has_pose) const;
+  std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
+  Track track_scene(const ArrivedFrame& now, bool was_lost);
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);
 
   OdometryParams params_;
   Rectification rectification_;
   PyramidBuilder builder_;
-  Random random_;  // for corners
+  Random random_;                                 // for corners
+  std::unique_ptr<CornerSearch> corners_beside_;  // only with OdometryOptions::on_schedule
   MotionModel motion_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;
+  MovingBodies bodies_;
   std::shared_ptr<const Reference> reference_;
   std::shared_ptr<const FramePyramid> newest_pyramid_;
 };

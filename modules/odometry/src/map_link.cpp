@@ -41,6 +41,14 @@ void MapLink::begin_segment(int segment) {
   thread_.refresh();
 }
 
+void MapLink::correct(PyramidBuilder* builder, const ImageCorrection& correction) {
+  const std::unique_lock<std::mutex> lock(rebuilding_, std::try_to_lock);  // or it prepares another one
+  if (lock.owns_lock() && rebuilder_.correction() == correction)
+    builder->share_correction(rebuilder_);
+  else
+    builder->set_correction(correction);
+}
+
 void MapLink::submit(TrackedFrame frame) {
   if (shedding_ >= Shedding::kDepths && !frame.make_keyframe && frame.return_to < 0)
     ++depths_shed_;

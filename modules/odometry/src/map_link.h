@@ -46,6 +46,10 @@ class MapLink {
   /// The reference of a map that was made, before its segment begins.
   std::shared_ptr<const Reference> first_reference() const { return mapper_.reference(); }
 
+  /// Sets the correction of a builder of images. Tables for it that mapping has made already are shared: 10
+  /// ms in which a frame would wait.
+  void correct(PyramidBuilder* builder, const ImageCorrection& correction);
+
   /// Camera knowledge before the first frame.
   const CameraRefinement& initial_camera() const { return mapper_.camera(); }
 

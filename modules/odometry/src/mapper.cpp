@@ -19,6 +19,10 @@ namespace {
 constexpr int kMinFirstPoints = 100;
 constexpr int kMaxAgeKeyframes = 4;  // immature points older than this are dropped
 
+Eigen::Vector2d centre_of(const CellGrid& grid, int cell) {
+  return grid.cell * Eigen::Vector2d(cell % grid.columns + 0.5, cell / grid.columns + 0.5);
+}
+
 AdjustmentEvidence evidence_of(const WindowStats& stats) {
   AdjustmentEvidence evidence;
   evidence.cost_per_match = stats.cost_per_observation;
@@ -116,7 +120,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   // With images of the camera before, only a keyframe is worth new ones.
   const bool is_outdated = !(tracked.pyramid->correction == calibration_.state().correction);
   if (is_outdated && options_.own_threads && !tracked.make_keyframe && tracked.return_to < 0) return update;
-  const TrackedFrame frame = corrected(tracked);
+  const TrackedFrame frame = corrected(with_corners(tracked, &update.times));
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to
@@ -124,6 +128,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   if (reference_pose == known.end()) return update;
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
   if (frame.is_in_doubt) note_doubt(frame);
+  drop_moving_points(frame, T_cam_world);
   filter_depths(frame, T_cam_world, &update.times);
   if (frame.make_keyframe)
     make_keyframe(frame, T_cam_world, &update);
@@ -131,6 +136,17 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
     return_to(frame.return_to, &update.times);
   if (frame.doubt_ended) end_doubt(*frame.doubt_ended);
   return update;
+}
+
+TrackedFrame Mapper::with_corners(TrackedFrame frame, StageTimes* times) {
+  if (!frame.by_corners.valid()) return frame;
+  const TraceScope traced("wait for corners");
+  PoseByCorners found = frame.by_corners.get();
+  times->emplace_back(name_of(Stage::kCorners), found.cpu_ms);
+  frame.T_cam_ref = found.T_cam_ref;
+  frame.covariance = found.covariance;
+  frame.corners = std::move(found.corners);
+  return frame;
 }
 
 // A frame that was queued while the camera was corrected gets images with the new correction, and loses its
@@ -142,6 +158,27 @@ TrackedFrame Mapper::corrected(const TrackedFrame& tracked) const {
   frame.pyramid = options_.rebuild(*tracked.pyramid, tracked.motion, now);
   frame.corners.clear();
   return frame;
+}
+
+// Points of the map stay until a keyframe comes, as do the matches that the adjustment has of them.
+void Mapper::drop_moving_points(const TrackedFrame& frame, const SE3& T_cam_world) {
+  moving_ = frame.moving;
+  if (moving_.empty()) return;
+  for (Keyframe& host : window_.keyframes()) {
+    const SE3 T_cam_host = T_cam_world * host.T_cam_world.inverse();
+    const Eigen::Matrix3d R = T_cam_host.R();
+    const auto is_covered = [&](const auto& p) {
+      const Projection seen = project(pinhole_, R, T_cam_host.translation(), pinhole_.ray(p.px), p.idepth);
+      return seen.valid && moving_.cover(seen.px);
+    };
+    for (ImmaturePoint& p : host.immature) p.dead |= is_covered(p);
+    if (!frame.make_keyframe) continue;
+    host.points.erase(std::remove_if(host.points.begin(), host.points.end(),
+                                     [&](const MapPoint& p) {
+                                       return moving_.made(host.id, p.edge_pixel) || is_covered(p);
+                                     }),
+                      host.points.end());
+  }
 }
 
 void Mapper::filter_depths(const TrackedFrame& frame, const SE3& T_cam_world, StageTimes* times) {
@@ -294,7 +331,8 @@ void Mapper::seed_points(Keyframe* keyframe) {
   for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
   median_idepth_ = prior.median();
   std::vector<bool> occupied(prior.grid().size());
-  for (int c = 0; c < prior.grid().size(); ++c) occupied[c] = prior.occupied(c);
+  for (int c = 0; c < prior.grid().size(); ++c)
+    occupied[c] = prior.occupied(c) || moving_.cover(centre_of(prior.grid(), c));
   DepthFilterParams wanted = params_.depth_filter;
   wanted.max_new_points = new_points_wanted();
   keyframe->immature = make_immature_points(

@@ -94,6 +94,10 @@ void Odometry::Impl::change_reference(const Frame& frame) {
   const std::shared_ptr<const Reference> newest = map.reference();
   const ImageCorrection before = front_end.correction();
   const double unit = front_end.reference() ? front_end.reference()->unit : newest->unit;
+  if (newest != front_end.reference() && newest->camera.correction != before) {
+    const TraceScope traced("correction of the images");
+    map.correct(&front_end.builder(), newest->camera.correction);
+  }
   front_end.change_reference(newest);
   if (newest->unit != unit) change_unit(newest->unit / unit);
   if (front_end.correction() == before) return;
@@ -126,6 +130,7 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
 
 void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   Track track = front_end.find_pose(now, !state.has_pose());
+  if (track.moving_bodies > 0) say(now.frame, "a body moves by itself: no edges are taken from it");
   FrameStatus status = frame_status(now.record->evidence, params.status);
   if (const std::string reason = front_end.reason_against_step(track.result.T_cur_ref);
       !reason.empty() && status.state != TrackingState::kLost)

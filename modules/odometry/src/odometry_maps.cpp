@@ -80,7 +80,7 @@ const FrameRecord& Odometry::Impl::keep_for_map(const Frame& frame) {
 }
 
 BootstrapStatus Odometry::Impl::look_concurrently(const ArrivedFrame& now) {
-  const BootstrapStatus status = concurrent->look(now, own_parts);
+  const BootstrapStatus status = concurrent->look(now, own_parts, health.before());
   if (concurrent->is_making()) scale_of_made = scale_by_depths();
   return status;
 }
@@ -99,8 +99,8 @@ void Odometry::Impl::begin_made_map() {
   front_end.drop_map();
   state.after(made.problem.empty() ? Event::kMapMade : Event::kMapRefused, last.frame_index);
   if (!made.problem.empty()) return;
-  const NewSegment begun =
-      bootstrapper.begin_segment(state.segment(), made.views, health.before(), scale_of_made, &made.tracks);
+  const NewSegment begun = bootstrapper.begin_segment(state.segment(), made.views, health.before(),
+                                                      scale_of_made, &made.beginning);
   front_end.begin_map(begun.reference, begun.motion, last.time);
   health.begin_map();
   note_segment({last.frame_index, last.time, {}, {}}, begun);

@@ -27,6 +27,7 @@ std::string format(const char* pattern, Numbers... numbers) {
 
 // A step beyond so many usual ones is none that a camera makes.
 constexpr double kGiantTimes = 10;
+constexpr double kMostShown = 9999;  // after a standstill of no step at all
 
 // A step over the usual one, or over what is a small one for a camera that has stood still.
 double times_usual(double step, double usual, double median_depth) {
@@ -140,7 +141,7 @@ double Trust::step_of(const TrustFrame& frame) {
 FrameTrust Trust::add(const TrustFrame& frame) {
   constexpr size_t kRecentSteps = 5;
   const FrameEvidence& e = frame.evidence;
-  const double step = step_of(frame);
+  const double step = step_of(frame), usual_step = steps_.median();
   steps_.add(step);
   shares_.add(e.inlier_share), residuals_.add(e.residual_px), blurs_.add(e.edge_blur);
   saturated_.add(e.saturated_share);
@@ -168,6 +169,9 @@ FrameTrust Trust::add(const TrustFrame& frame) {
     trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
     trust.reason = format("a step of %.0f times the usual one", times);
   }
+  trust.is_giant_step = step > kGiantTimes * usual_step;
+  if (trust.is_giant_step && trust.reason.empty())
+    trust.reason = format("a step of %.0f times the usual one", std::min(step / usual_step, kMostShown));
   return trust;
 }
 

@@ -11,6 +11,7 @@
 #include "sections/edges_section.h"
 #include "sections/map_section.h"
 #include "sections/map_view_section.h"
+#include "sections/mask_section.h"
 #include "sections/scale_section.h"
 #include "sections/timing_section.h"
 #include "sections/tracking_section.h"
@@ -60,7 +61,7 @@ std::string report_html(const ReportInput& in) {
       compare_with_truth(in.run, in.info.ground_truth_path, &why_not);
   std::string body = tiles(in.run, truth) + advice_section(in) + trajectory_section(in, truth, why_not) +
                      map_view_section(in, path_of(in.run, truth)) + edges_section(in) +
-                     map_section(in.run, in.map);
+                     mask_section(in.info) + map_section(in.run, in.map);
   if (!in.run.frames.empty()) body += tracking_section(in.run) + trust_section(in) + timing_section(in.run);
   body += scale_section(in.run) + parameters_html(in.info.command_line, in.info.params_yaml, in.info.notes);
   return page_html("edgevo run", in.info.source_kind + " " + in.info.source_path, body);

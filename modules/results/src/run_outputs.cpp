@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "edgevo/core/run_statistics.h"
 #include "edgevo/core/trace.h"
@@ -38,7 +39,9 @@ RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, 
       was_there(is_there(path)),
       folder(path),
       text_reserve(path, kTextBytes),
-      summary_reserve(path, kSummaryBytes) {}
+      summary_reserve(path, kSummaryBytes) {
+  if (options.own_thread) writer.emplace();
+}
 
 void RunOutputs::Impl::begin() {
   if (playback) return;
@@ -47,8 +50,18 @@ void RunOutputs::Impl::begin() {
   if (recovery_header) live.emplace(folder.path(), *recovery_header, std::move(*events));
 }
 
+void RunOutputs::Impl::write(std::function<void()> task) {
+  if (writer)
+    writer->post(std::move(task));
+  else
+    task();
+}
+
+void RunOutputs::Impl::catch_up() {
+  if (writer) writer->wait();
+}
+
 void RunOutputs::Impl::write_image(const Frame& frame, const std::string& image_path) {
-  if (frame.image.empty()) return;
   if (image_path.empty())
     playback->add_frame(frame);
   else if (options.copy_images)
@@ -60,6 +73,26 @@ void RunOutputs::Impl::write_image(const Frame& frame, const std::string& image_
 void RunOutputs::Impl::remove_if_unused() const {
   std::error_code not_empty;
   if (!was_there && !playback) std::filesystem::remove(folder.path(), not_empty);
+}
+
+void RunOutputs::Impl::keep_image(const Frame& frame, const std::string& image_path) {
+  if (images_failed) return;
+  const TraceScope traced("write the image", frame.index);
+  try {
+    write_image(frame, image_path);
+    if (options.forget) playback->forget_images();
+  } catch (const InputError& e) {
+    images_failed = true;
+    folder.note_failure("playback_Images", e);
+  }
+}
+
+void RunOutputs::Impl::keep_record(const FrameRecord& record) {
+  const TraceScope traced("write the record", record.index);
+  if (record.T_world_cam_live && earlier.is_set_aside()) earlier.remove();
+  if (!live) return;
+  live->write_events();
+  live->add(record);
 }
 
 RunOutputs::RunOutputs(const std::string& folder, const Camera& camera, const MapParams& map,
@@ -80,29 +113,24 @@ void RunOutputs::adopt(int last_frame) {
 
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
   if (impl_->images_failed) return false;
-  const TraceScope traced("write the image", frame.index);
   impl_->begin();
-  try {
-    impl_->write_image(frame, image_path);
-    if (impl_->options.forget) impl_->playback->forget_images();
-  } catch (const InputError& e) {
-    impl_->images_failed = true;
-    impl_->folder.note_failure("playback_Images", e);
-  }
+  if (frame.image.empty()) return true;
+  // Of an image on disk the pixels are not needed.
+  impl_->write(
+      [this, image_path, kept = image_path.empty() ? frame : Frame{frame.index, frame.time, {}, {}}] {
+        impl_->keep_image(kept, image_path);
+      });
   return !impl_->images_failed;
 }
 
 void RunOutputs::add_record(const FrameRecord& record) {
-  const TraceScope traced("write the record", record.index);
   impl_->begin();
-  if (record.T_world_cam_live && impl_->earlier.is_set_aside()) impl_->earlier.remove();
-  if (!impl_->live) return;
-  impl_->live->write_events();
-  impl_->live->add(record);
+  impl_->write([this, record] { impl_->keep_record(record); });
 }
 
 void RunOutputs::end_unfinished() {
   impl_->begin();
+  impl_->catch_up();
   if (impl_->live) impl_->live->write_events();
   if (!impl_->live || impl_->live->is_broken())
     throw InputError(recovery_log_path(impl_->folder.path()), "could not be written: the results are lost",
@@ -112,6 +140,7 @@ void RunOutputs::end_unfinished() {
 void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   const TraceScope traced("write the results");
   impl_->begin();
+  impl_->catch_up();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
   if (count(run).with_pose > 0) impl_->earlier.remove();

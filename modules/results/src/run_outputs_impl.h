@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -10,6 +12,7 @@
 #include "live_files.h"
 #include "resource_use.h"
 #include "space_reserve.h"
+#include "writer_thread.h"
 
 namespace edgevo {
 
@@ -19,7 +22,13 @@ struct RunOutputs::Impl {
 
   /// Sets an earlier run aside and opens the growing files, at the first frame.
   void begin();
+  /// Does it now, or in the writer's thread after what it was given before.
+  void write(std::function<void()> task);
+  /// Waits for the writer.
+  void catch_up();
   void write_image(const Frame& frame, const std::string& image_path);
+  void keep_image(const Frame& frame, const std::string& image_path);
+  void keep_record(const FrameRecord& record);
   void remove_if_unused() const;
 
   ResourceMeter meter;
@@ -37,8 +46,10 @@ struct RunOutputs::Impl {
   /// Writer of the images; set by begin().
   std::optional<PlaybackWriter> playback;
   std::optional<LiveFiles> live;
-  bool images_failed = false;
+  std::atomic<bool> images_failed{false};
   std::string map_note;
+  /// With OutputOptions::own_thread. Last member: it ends before what it writes to.
+  std::optional<WriterThread> writer;
 };
 
 }  // namespace edgevo

@@ -127,7 +127,7 @@ class CameraFinder {
     if (readout || given_up || k1 != k1_free) e = search(k1, false);
     if (!e.usable) return {known_, std::nullopt};
     if (given_up && !k1) return {state_, std::move(e)};
-    if (!compare_on_held_back(problem_, e, by_file(), options_).is_better()) return back_to_file();
+    if (!compare_on_held_back(problem_, e, by_file(), options_).allows_estimate()) return back_to_file();
     if (k1) state_.estimate = state_.correction.k1 = e.value.correction.k1;
     return {state_, std::move(e)};
   }

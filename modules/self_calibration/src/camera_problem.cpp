@@ -149,6 +149,8 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
   CameraEstimate e;
   e.value = search.start;
   e.free = search.free;
+  static_assert(kK1 < ba::kFirstUnknowns && kReadout < ba::kFirstUnknowns);
+  const bool only_run_unknowns = (kRunUnknowns || !search.free).all();
   const auto solver = make_bundle_adjuster("schur");
   CameraProblem current = problem;  // its poses and depths follow the solution
   for (int i = 0; i < kMaxNewtonSteps; ++i) {
@@ -159,7 +161,8 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
     BaProblem p = corrected(current, points);
     const BaResult result = solver->solve(&p, solve);
     if (!result.usable) return e;
-    const ProfileStep step = ba::profile_step(p, camera_derivative(current, e.value, points), options);
+    const ProfileStep step =
+        ba::profile_step(p, camera_derivative(current, e.value, points), options, only_run_unknowns);
     if (!step.usable) return e;
     const Unknowns k = e.value.unknowns();
     const NewtonStep newton = newton_step(step, search, k, search.free),

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "held_back.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace edgevo {
 namespace {
 
 constexpr int kEvery = 5;
-// Weight of the inverse sigma of a held-back match: it places its own keyframe and moves nothing else.
+// Weight of the inverse sigma of a held-back match while the rest is adjusted: it keeps its own keyframe from
+// drifting off and moves nothing else.
 constexpr double kHeldWeight = 1e-3;
+// Factor on the tolerance of the first of two adjustments.
+constexpr double kFirstTolerance = 10;
 constexpr double kLeastDepth = 1e-3;
 constexpr size_t kFewestMatches = 20;  // of a keyframe that counts
 
@@ -25,11 +30,30 @@ CameraProblem without_held_back(const CameraProblem& problem, const BaProblem& s
   return rest;
 }
 
-CameraEstimate fit_map(const CameraProblem& problem, const CameraError& camera, const BaOptions& options) {
-  CameraSearch search;
-  search.start = camera;
-  search.free = only({});
-  return estimate_camera(problem, search, options);
+// Poses and depths for a camera that is given; nothing if the adjustment fails. Twice, since the first ends
+// early where it starts far off.
+std::optional<BaProblem> fit_map(const CameraProblem& problem, const CameraError& camera,
+                                 const BaOptions& options) {
+  const auto solver = make_bundle_adjuster("schur");
+  BaProblem map = corrected(problem, camera);
+  BaOptions rough = options;
+  rough.relative_decrease *= kFirstTolerance;
+  if (!solver->solve(&map, rough).usable || !solver->solve(&map, options).usable) return std::nullopt;
+  return map;
+}
+
+// Places the held-back keyframes by their matches, in a map that stays.
+BaProblem place_held_back(BaProblem map, const BaOptions& options) {
+  for (size_t i = 0; i < map.poses.size(); ++i) map.poses[i].fixed = !is_held_back(int(i));
+  for (BaPoint& p : map.points) p.fixed = true;
+  auto& o = map.observations;
+  o.erase(std::remove_if(o.begin(), o.end(), [](const BaObservation& m) { return !is_held_back(m.target); }),
+          o.end());
+  for (BaObservation& m : o) m.inv_sigma_normal /= kHeldWeight;
+  map.corners.clear();
+  map.prior.reset();
+  make_bundle_adjuster("schur")->solve(&map, options);
+  return map;
 }
 
 double huber(double r, double width) {
@@ -43,7 +67,7 @@ double cost_of(const BaProblem& p, const BaObservation& o, double width) {
   const SE3 T = p.poses[size_t(o.target)].T_cam_world * p.poses[size_t(point.host)].T_cam_world.inverse();
   const Eigen::Vector3d Y = T.rotation() * point.ray + point.idepth * T.translation();
   if (!(Y.z() > kLeastDepth)) return std::numeric_limits<double>::quiet_NaN();
-  return huber(o.normal.dot(p.pinhole.project(Y) - o.px) * o.inv_sigma_normal / kHeldWeight, width);
+  return huber(o.normal.dot(p.pinhole.project(Y) - o.px) * o.inv_sigma_normal, width);
 }
 
 // Differences of the costs of a keyframe's matches under two cameras.
@@ -52,32 +76,39 @@ struct Difference {
   size_t matches = 0;
 };
 
+HeldBack mean_of(const std::vector<double>& gains) {
+  HeldBack result;
+  const double n = double(gains.size());
+  for (const double g : gains) result.gain += g / n;
+  double square = 0;
+  for (const double g : gains) square += (g - result.gain) * (g - result.gain);
+  if (n > 1) result.standard_error = std::sqrt(square / (n * (n - 1)));
+  result.keyframes = int(gains.size());
+  return result;
+}
+
 }  // namespace
 
 HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e,
                               const ImageCorrection& file, const BaOptions& options) {
-  HeldBack result;
   // Both from the same start: the map as the estimate leaves it.
   const CameraProblem rest = without_held_back(problem, e.solution);
-  const CameraEstimate estimated = fit_map(rest, e.value, options), as_given = fit_map(rest, file, options);
-  if (!estimated.usable || !as_given.usable) return result;
+  const std::optional<BaProblem> estimated = fit_map(rest, e.value, options),
+                                 as_given = fit_map(rest, file, options);
+  if (!estimated || !as_given) return {};
+  const BaProblem a = place_held_back(*as_given, options), b = place_held_back(*estimated, options);
   std::vector<Difference> by_keyframe(rest.file.poses.size());
-  const BaProblem &a = as_given.solution, &b = estimated.solution;
   for (size_t i = 0; i < a.observations.size(); ++i) {
-    if (!is_held_back(a.observations[i].target)) continue;
     const double difference = cost_of(a, a.observations[i], options.huber_width) -
                               cost_of(b, b.observations[i], options.huber_width);
     if (!std::isfinite(difference)) continue;
     Difference& d = by_keyframe[size_t(a.observations[i].target)];
     d.sum += difference, ++d.matches;
   }
-  double sum = 0;
-  for (const Difference& d : by_keyframe) {
-    if (d.matches < kFewestMatches) continue;
-    sum += d.sum / double(d.matches), ++result.keyframes;
-  }
-  if (result.keyframes > 0) result.gain = sum / result.keyframes;
-  return result;
+  std::vector<double> gains;
+  for (const Difference& d : by_keyframe)
+    if (d.matches >= kFewestMatches) gains.push_back(d.sum / double(d.matches));
+  return mean_of(gains);
 }
 
 }  // namespace edgevo

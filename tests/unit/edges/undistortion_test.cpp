@@ -124,5 +124,27 @@ TEST(PyramidBuilder, ACorrectedLensAppliesToTheNextImage) {
   }
 }
 
+TEST(PyramidBuilder, ASharedCorrectionIsThatOfTheOtherBuilder) {
+  ImageMotion motion;
+  motion.velocity << 0.4, -0.5, 0.3, 0.1, 0.2, -0.3;
+  motion.idepth.setConstant(0.9);
+  const Camera camera = lens(320, 240);
+  const GrayImage image = still(320, 240);
+  PyramidBuilder shared(camera, EdgeParams());
+  {
+    PyramidBuilder other(camera, EdgeParams());
+    other.set_correction({0.05, 0.03});
+    const auto expected = other.build(image, motion);
+    shared.share_correction(other);
+    EXPECT_EQ(shared.correction(), other.correction());
+    EXPECT_EQ(largest_difference(shared.build(image, motion)->finest().gray, expected->finest().gray, 0), 0);
+  }
+  PyramidBuilder fresh(camera, EdgeParams());
+  fresh.set_correction({0.05, 0});
+  shared.set_correction({0.05, 0});
+  EXPECT_EQ(largest_difference(shared.build(image)->finest().gray, fresh.build(image)->finest().gray, 0), 0)
+      << "the other builder is gone";
+}
+
 }  // namespace
 }  // namespace edgevo

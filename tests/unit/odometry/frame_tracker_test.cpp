@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "collect_evidence.h"
+#include "corner_search.h"
 #include "edgevo/odometry/frame_status.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
@@ -70,24 +71,70 @@ TEST_F(FrameTracker, AJumpIsFoundByRotationSearch) {
 }
 
 // Most of the map is turned by two degrees, and the edges follow it; the corners know better.
-TEST_F(FrameTracker, ABentMapDoesNotTurnTheCamera) {
-  const Eigen::Matrix3d bend = SE3::exp(twist(0, 0, 0, 0.03, 0, 0)).R();
-  for (size_t i = 0; i < reference.cloud.points.size(); ++i) {
-    if (i % 10 >= 6) continue;
-    const Eigen::Vector3d ray = bend * reference.cloud.points[i].ray;
-    reference.cloud.points[i].ray = ray / ray.z();
+class ABentMap : public FrameTracker {
+ protected:
+  ABentMap() {
+    const Eigen::Matrix3d bend = SE3::exp(twist(0, 0, 0, 0.03, 0, 0)).R();
+    for (size_t i = 0; i < reference.cloud.points.size(); ++i) {
+      if (i % 10 >= 6) continue;
+      const Eigen::Vector3d ray = bend * reference.cloud.points[i].ray;
+      reference.cloud.points[i].ray = ray / ray.z();
+    }
+    params.mapping.corners.max_inlier_share = 1;
+    params.mapping.corners.min_agreeing = 30;
+    params.keyframe.flow_px = 4.1;
   }
-  params.mapping.corners.max_inlier_share = 1;
-  params.keyframe.flow_px = 4.1;
-  const KeyframePolicy often(scene.pyramid(SE3())->finest().pinhole, params.keyframe);
-  const auto pyramid = scene.pyramid(truth.inverse());
-  const auto angle_of = [&](int min_agreeing) {
-    params.mapping.corners.min_agreeing = min_agreeing;
-    const Track t = track_frame({*pyramid, reference, motion, often, params, {}, false, &random});
-    return (t.result.T_cur_ref * truth.inverse()).angle();
-  };
-  EXPECT_GT(angle_of(10000), 0.015) << "the edges alone follow the map";
-  EXPECT_LT(angle_of(30), 0.01);
+
+  Track track(bool corners_later = false) {
+    return track_frame({*pyramid, reference, motion, often(), params, {}, false, &random, corners_later});
+  }
+  KeyframePolicy often() const {
+    return KeyframePolicy(scene.pyramid(SE3())->finest().pinhole, params.keyframe);
+  }
+  double error_of(const SE3& T_cur_ref) const { return (T_cur_ref * truth.inverse()).angle(); }
+
+  const std::shared_ptr<const FramePyramid> pyramid = scene.pyramid(truth.inverse());
+};
+
+TEST_F(ABentMap, DoesNotTurnTheCamera) {
+  EXPECT_LT(error_of(track().result.T_cur_ref), 0.01);
+  params.mapping.corners.min_agreeing = 10000;
+  EXPECT_GT(error_of(track().result.T_cur_ref), 0.015) << "the edges alone follow the map";
+}
+
+TEST_F(ABentMap, GetsThePoseByItsEdgesFirstWhereCornersAreLeftForLater) {
+  const Track by_edges = track(true);
+  EXPECT_TRUE(by_edges.wants_corners);
+  EXPECT_EQ(by_edges.corner_ms, 0);
+  EXPECT_TRUE(by_edges.corners.empty());
+  EXPECT_GT(error_of(by_edges.result.T_cur_ref), 0.015);
+  EXPECT_FALSE(track().wants_corners) << "they were not left for later";
+}
+
+TEST_F(ABentMap, CornersFoundLaterMakeTheSamePose) {
+  random = Random::derive(1, 4);
+  const Track at_once = track();
+  const Track first = track(true);
+  ASSERT_TRUE(first.wants_corners);
+  CornerSearch search(params, 1);
+  EXPECT_FALSE(search.is_busy());
+  const std::shared_future<PoseByCorners> later = search.begin(
+      {pyramid, std::make_shared<const Reference>(reference), motion, often(), {}, *first.wants_corners});
+  const PoseByCorners& found = later.get();
+  EXPECT_FALSE(search.is_busy());
+  EXPECT_EQ(found.T_cam_ref.matrix(), at_once.result.T_cur_ref.matrix());
+  EXPECT_EQ(found.covariance, at_once.result.covariance);
+  EXPECT_EQ(found.corners.size(), at_once.corners.size());
+  EXPECT_GE(found.corners.size(), 30u);
+  EXPECT_GT(found.cpu_ms, 0);
+}
+
+TEST_F(FrameTracker, AFrameThatWouldBeLostDoesNotLeaveItsCornersForLater) {
+  const auto black = scene.pyramid(SE3(), 0.0, 0.0);
+  const Track t = track_frame({*black, reference, motion, keyframes, params, {}, false, &random, true});
+  EXPECT_TRUE(is_lost(support(t)));
+  EXPECT_GT(t.corner_ms, 0);
+  EXPECT_FALSE(t.wants_corners);
 }
 
 // The image was rectified for no motion, and a negligible read-out time shifts nothing.

@@ -69,6 +69,29 @@ TEST(OnSchedule, ALossIsFollowedByAnotherMapMadeMeanwhile) {
   EXPECT_GT(trajectory_error(run, kEnd, kAll, sweep_pose).poses, 10);
 }
 
+// Keyframes in close succession call for corners: mapping waits for them, the frames do not.
+TEST(OnSchedule, CornersAreSearchedNextToTheFrames) {
+  constexpr int kFrames = 60;
+  OdometryParams params;
+  params.mapping.corners.max_inlier_share = 1;
+  params.keyframe.flow_px = 8;
+  Odometry odometry(test::sweep_camera(), params, on_schedule());
+  for (int k = 0; k < kFrames; ++k) {
+    const FrameRecord record = odometry.process(sweep_frame(k));
+    for (const auto& [stage, ms] : record.stage_ms) EXPECT_NE(stage, "corners") << k;
+    give_time(record);
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));  // mapping is done when the next one comes
+  }
+  const edgevo::Run run = odometry.finish();
+  int searched = 0;
+  for (const FrameRecord& f : run.frames)
+    for (const auto& [stage, ms] : f.stage_ms) searched += stage == "corners";
+  EXPECT_GT(searched, 0);
+  const auto error = trajectory_error(run, 0, kFrames, sweep_pose);
+  EXPECT_GT(error.poses, kFrames / 2);
+  EXPECT_LT(error.rmse, 0.04 * error.length);
+}
+
 // In the search, while the map is made, and afterwards.
 TEST(OnSchedule, EndsCleanlyAtAnyFrame) {
   for (int frames = 0; frames < 30; frames += 3) {

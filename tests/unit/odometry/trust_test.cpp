@@ -146,6 +146,20 @@ TEST(Trust, ACameraThatHasStoodStillMayStartToMove) {
   EXPECT_GT(drive.go(good_evidence(), 0.01 * kDepth).p_right, kDoubtfulBelow);
 }
 
+TEST(Trust, NoStepOfMoreThanTenUsualOnesIsTracking) {
+  for (const double usual : {kStep, 1e-6}) {
+    Drive drive;
+    drive.go(good_evidence(), usual, 60);
+    const FrameTrust small = drive.go(good_evidence(), 9.9 * usual),
+                     giant = drive.go(good_evidence(), 10.1 * usual);
+    EXPECT_FALSE(small.is_giant_step);
+    EXPECT_TRUE(giant.is_giant_step);
+    const FrameStatus status = frame_status({TrackingState::kTracking, ""}, giant);
+    EXPECT_EQ(status.state, TrackingState::kDegraded);
+    EXPECT_THAT(status.reason, HasSubstr("a step of 10 times the usual one"));
+  }
+}
+
 TEST(Trust, IsTheSameForTheSameFrames) {
   Drive a, b;
   for (int i = 0; i < 30; ++i) {

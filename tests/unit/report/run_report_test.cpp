@@ -82,6 +82,17 @@ TEST(RunReport, LinksToItsSections) {
   }
 }
 
+TEST(RunReport, ShowsTheMaskOfAPartThatIsFixedToTheCamera) {
+  const test::SyntheticRun made = test::synthetic_run();
+  RunInfo info;
+  EXPECT_THAT(report_html({made.run, info, {}, {}, {}}), Not(HasSubstr("<section id=\"mask\">")));
+  info.own_mask = {40, 30, std::vector<uint8_t>(1200, 255)};
+  std::fill_n(info.own_mask.pixels.begin(), 300, uint8_t(0));
+  const std::string html = report_html({made.run, info, {}, {}, {}});
+  EXPECT_THAT(html, HasSubstr("<section id=\"mask\">"));
+  EXPECT_THAT(html, HasSubstr("black, 25.0 % of the image"));
+}
+
 TEST(RunReport, ShowsTheTrustInEachFrameAndWhatSpeaksAgainstIt) {
   test::SyntheticRun made = test::synthetic_run();
   std::vector<FrameRecord>& frames = made.run.frames;

@@ -51,7 +51,8 @@ TEST_F(RunOutputFolder, EveryFileIsListedAndDocumented) {
   for (const RunFile& file : run_files()) listed.insert(file.name);
   for (const auto& entry : fs::directory_iterator(folder_)) written.insert(entry.path().filename().string());
   for (const std::string& name : written) EXPECT_TRUE(listed.count(name)) << name << " is not in run_files()";
-  for (const char* optional : {"trajectory_vehicle_tum.txt", "scale.csv", "mask.png", "edges_doubtful.ply"})
+  for (const char* optional :
+       {"trajectory_vehicle_tum.txt", "scale.csv", "mask.png", "camera.yaml", "edges_doubtful.ply"})
     written.insert(optional);
   for (const std::string& name : listed) EXPECT_TRUE(written.count(name)) << name << " was not written";
   const std::string readme = read_file(std::string(EDGEVO_SOURCE_DIR) + "/README.md", "");
@@ -123,6 +124,42 @@ TEST_F(RunOutputFolder, AFailedFileIsReportedAndTheOthersAreWritten) {
     if (std::string(file) == "frames.csv") continue;
     EXPECT_GT(content(folder_ / file).size(), 100u) << file;
   }
+}
+
+TEST_F(RunOutputFolder, AThreadOfItsOwnWritesTheSameBytes) {
+  const auto log = std::make_shared<MapLog>();
+  OutputOptions options;
+  for (const char* name : {"at_once", "later"}) {
+    options.own_thread = std::string(name) == "later";
+    RunOutputs outputs(folder_ / name, made_.camera, {}, options);
+    outputs.keep_recovery_log({}, log);
+    for (const FrameRecord& frame : made_.run.frames) {
+      ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, frame)));
+      outputs.add_record(frame);
+    }
+    outputs.finish(made_.run, {});
+  }
+  for (const char* file : kFiles) {
+    if (std::string(file) == "summary.yaml") continue;
+    EXPECT_EQ(content(folder_ / "at_once" / file), content(folder_ / "later" / file)) << file;
+  }
+  EXPECT_EQ(content(folder_ / "at_once/playback_Images/frame_000044.png"),
+            content(folder_ / "later/playback_Images/frame_000044.png"));
+}
+
+TEST_F(RunOutputFolder, AThreadOfItsOwnReportsAFailedImageLater) {
+  OutputOptions options;
+  options.own_thread = true;
+  RunOutputs outputs(folder_.string(), made_.camera, {}, options);
+  ASSERT_TRUE(outputs.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[0])));
+  fs::create_directories(folder_ / "playback_Images/frame_000003.png/in_the_way");
+  int added = 0;
+  for (const FrameRecord& frame : made_.run.frames)
+    added += outputs.add_frame(test::synthetic_frame(made_.camera, frame));
+  EXPECT_GE(added, 3);
+  EXPECT_THAT(message_of([&] { outputs.finish(made_.run, {}); }),
+              HasSubstr("frame_000003.png: cannot be written"));
+  EXPECT_EQ(lines_of(content(folder_ / "frames.csv")).size(), 46u);
 }
 
 TEST_F(RunOutputFolder, AFailedImageEndsTheImagesButNotTheResults) {

@@ -6,11 +6,12 @@
 namespace edgevo {
 namespace {
 
-TEST(HeldBack, WithoutKeyframesNothingIsBetter) { EXPECT_FALSE(HeldBack().is_better()); }
+TEST(HeldBack, WithoutKeyframesNoEstimateCounts) { EXPECT_FALSE(HeldBack().allows_estimate()); }
 
-TEST(HeldBack, BetterIsWhatExplainsMore) {
-  EXPECT_TRUE((HeldBack{0.02, 8}).is_better());
-  EXPECT_FALSE((HeldBack{-0.02, 8}).is_better());
+TEST(HeldBack, OnlyWhatSpeaksAgainstByMoreThanChanceRejects) {
+  EXPECT_TRUE((HeldBack{0.02, 0.01, 8}).allows_estimate());
+  EXPECT_TRUE((HeldBack{-0.015, 0.01, 8}).allows_estimate());
+  EXPECT_FALSE((HeldBack{-0.025, 0.01, 8}).allows_estimate());
 }
 
 }  // namespace

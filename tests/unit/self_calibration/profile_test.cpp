@@ -60,6 +60,26 @@ TEST(ProfileCost, GradientIsTheNumericOne) {
   }
 }
 
+TEST(ProfileCost, TheFirstUnknownsAloneHaveTheSameNumbers) {
+  const CameraProblem problem = camera_scene(2);
+  const CameraError camera{ImageCorrection{0.004, 0.0008}};
+  BaProblem solution;
+  profile_cost(problem, camera.unknowns(), &solution);
+  const ba::GlobalDerivative derivative = camera_derivative(problem, camera, ideal_points(problem, camera));
+  const ba::ProfileStep all = ba::profile_step(solution, derivative, test::to_the_end()),
+                        first = ba::profile_step(solution, derivative, test::to_the_end(), true);
+  constexpr int kN = ba::kFirstUnknowns;
+  ASSERT_TRUE(first.usable);
+  EXPECT_EQ(first.gradient.head<kN>(), all.gradient.head<kN>());
+  EXPECT_EQ((first.curvature.topLeftCorner<kN, kN>()), (all.curvature.topLeftCorner<kN, kN>()));
+  EXPECT_EQ((first.score_square.topLeftCorner<kN, kN>()), (all.score_square.topLeftCorner<kN, kN>()));
+  EXPECT_EQ(first.pose_rate.leftCols<kN>(), all.pose_rate.leftCols<kN>());
+  ASSERT_EQ(first.idepth_rate.size(), all.idepth_rate.size());
+  for (size_t i = 0; i < all.idepth_rate.size(); ++i)
+    EXPECT_EQ(first.idepth_rate[i].head<kN>(), all.idepth_rate[i].head<kN>());
+  EXPECT_TRUE(first.gradient.tail<ba::kUnknowns - kN>().isZero(0));
+}
+
 TEST(ProfileCost, RatesPredictTheNextSolution) {
   const CameraProblem problem = camera_scene(4);
   BaProblem here, there;

@@ -22,6 +22,8 @@ const std::vector<Exporter>& exporters() {
        export_covariances},
       {"mask.png", "what is fixed to the camera, black, if there is such a part", Kind::kText,
        export_own_mask, has_own_mask},
+      {"camera.yaml", "the camera, for --camera of the next run, if it was found from the motion",
+       Kind::kText, export_found_camera, has_found_camera},
       {"scale.csv", "the metric scale over time, if it was measured", Kind::kText, export_scale, has_scale},
       {"edges.ply", "3D edges: points and lines", Kind::kMrpt, export_points},
       {"edges_doubtful.ply", "points of the keyframes made in doubt, if the maps are without them",

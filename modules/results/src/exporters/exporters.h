@@ -19,6 +19,8 @@ void export_scale(ExportContext* context, const std::string& path);
 bool has_scale(const ExportContext& context);
 void export_own_mask(ExportContext* context, const std::string& path);
 bool has_own_mask(const ExportContext& context);
+void export_found_camera(ExportContext* context, const std::string& path);
+bool has_found_camera(const ExportContext& context);
 
 // map_files.cpp
 void export_points(ExportContext* context, const std::string& path);

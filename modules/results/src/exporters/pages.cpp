@@ -40,6 +40,14 @@ void export_own_mask(ExportContext* context, const std::string& path) {
 
 bool has_own_mask(const ExportContext& context) { return context.info && !context.info->own_mask.empty(); }
 
+void export_found_camera(ExportContext* context, const std::string& path) {
+  write_file(path, context->info->camera_file);
+}
+
+bool has_found_camera(const ExportContext& context) {
+  return context.info && !context.info->camera_file.empty();
+}
+
 void export_summary(ExportContext* context, const std::string& path) {
   const ResourceUse use_with_outputs = context->meter->so_far();
   write_file(path, summary_yaml({context->run, *context->info, context->use_of_run, use_with_outputs,

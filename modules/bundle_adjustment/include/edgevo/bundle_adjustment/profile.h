@@ -17,6 +17,8 @@ namespace edgevo::ba {
 
 /// Number of global unknowns: those of a camera (self_calibration). A constant, so that nothing is allocated.
 constexpr int kUnknowns = 6;
+/// The first of them, those that a run corrects: derivatives by these alone take half the work.
+constexpr int kFirstUnknowns = 2;
 /// Global unknowns k, or a gradient with respect to them.
 using Unknowns = Eigen::Matrix<double, kUnknowns, 1>;
 /// Curvature with respect to k, or covariance of k.
@@ -53,8 +55,9 @@ struct ProfileStep {
 };
 
 /// Derivatives at the minimum of `problem` over poses and depths (BundleAdjuster::solve), where it must be.
+/// `only_first`: by the first kFirstUnknowns alone, with the same numbers; those of the others are zero.
 /// Cost: about two linearisations and one 6n x 6n factorisation.
 ProfileStep profile_step(const BaProblem& problem, const GlobalDerivative& derivative,
-                         const BaOptions& options);
+                         const BaOptions& options, bool only_first = false);
 
 }  // namespace edgevo::ba

@@ -92,6 +92,8 @@ class PyramidBuilder {
   /// Sets the correction for new images; existing pyramids do not change. A change of k1 makes new
   /// undistortion maps, about 20 ms at 1241x376.
   void set_correction(const ImageCorrection& correction);
+  /// Sets that of another builder for the same camera, whose maps are shared.
+  void share_correction(const PyramidBuilder& other);
   /// Builds the pyramid of a raw image. Throws InputError if it does not have the size of the camera.
   /// `motion` is the image motion at that time, used to rectify a rolling shutter; without it the rows stay
   /// unchanged. Pass the images of one camera in order: areas that no image so far has lit (a letterbox) get

@@ -42,8 +42,8 @@ struct FrameStatus {
 /// direction has a standard deviation above `weak_sigma`.
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
 /// Status of a frame that has a pose, in view of the trust in its motion: DEGRADED below kDoubtfulBelow
-/// (core/doubtful_intervals.h), with the reason for the doubt after that of the image. A label only: tracking
-/// and mapping go by the image.
+/// (core/doubtful_intervals.h), or after a giant step, with the reason for the doubt after that of the image.
+/// A label only: tracking and mapping go by the image.
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust);
 /// Factor on the covariance of a pose with this p_right: 1 from kDoubtfulBelow on, (kDoubtfulBelow / p)^2
 /// below, at most 100.

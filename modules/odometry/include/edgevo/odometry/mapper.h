@@ -5,6 +5,7 @@
 // a time; what other threads see are immutable values: reference() and the events.
 #include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@
 #include "edgevo/map/map.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/window.h"
+#include "edgevo/odometry/moving_areas.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/odometry/reference.h"
 #include "edgevo/odometry/shedding.h"
@@ -36,6 +38,18 @@ struct DoubtEnded {
   bool is_evaluated = false;
   /// Length before the doubt over the same length after it, in the unit of each; 1: the unit has held.
   double length_ratio = 1;
+};
+
+/// What corners that are searched next to the frames make of a pose.
+struct PoseByCorners {
+  /// TrackedFrame::T_cam_ref with their help.
+  SE3 T_cam_ref;
+  /// Its covariance.
+  Matrix6d covariance = Matrix6d::Zero();
+  /// The corners that agree; empty if they give no motion.
+  std::vector<CornerPair> corners;
+  /// CPU time of the search, milliseconds.
+  double cpu_ms = 0;
 };
 
 /// A frame with its pose, passed from tracking to mapping.
@@ -58,6 +72,11 @@ struct TrackedFrame {
   bool make_keyframe = false;
   /// Corners seen in the reference keyframe and in this frame; empty unless requested.
   std::vector<CornerPair> corners;
+  /// What replaces pose, covariance and corners once it is there; mapping waits for it. Invalid: nothing
+  /// does.
+  std::shared_future<PoseByCorners> by_corners;
+  /// What moves by itself: no points are made there, and those that were are dropped.
+  MovingAreas moving;
   /// Keyframe of the window to track against from now on; -1: the present one.
   int return_to = -1;
   /// Whether the motion is in doubt (health_watch.h): what is mapped is provisional.
@@ -146,7 +165,9 @@ class Mapper {
                                           const std::vector<BootstrapCorner>& corners, bool is_last);
   void filter_first_depths(const BootstrapResult& bootstrap);
   // The steps of a frame.
+  static TrackedFrame with_corners(TrackedFrame frame, StageTimes* times);
   TrackedFrame corrected(const TrackedFrame& tracked) const;
+  void drop_moving_points(const TrackedFrame& frame, const SE3& T_cam_world);
   void filter_depths(const TrackedFrame& frame, const SE3& T_cam_world, StageTimes* times);
   void return_to(int keyframe_id, StageTimes* times);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
@@ -194,6 +215,7 @@ class Mapper {
   int keyframes_prepared_ = 0;  // since the preparation of a correction began; 0: none
   std::atomic<Shedding> shedding_{Shedding::kNothing};
   ShedWork shed_work_;
+  MovingAreas moving_;  // in the newest frame
   int next_id_ = 0;
   double unit_ = 1;  // Reference::unit
   TrackingCheck tracking_check_;

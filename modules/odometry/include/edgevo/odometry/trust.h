@@ -64,6 +64,9 @@ struct FrameTrust {
   Doubts doubts{};
   /// The largest contribution in words: "scale fell by 0.40 within 10 frames".
   std::string reason;
+  /// Whether the step is longer than ten times the median of the 50 before: the frame is not TRACKING, even
+  /// if it starts from a standstill, which does not make it unlikely.
+  bool is_giant_step = false;
 };
 
 /// Builds the trust in each frame from its evidence and from what is usual in the run so far. For the

@@ -39,6 +39,9 @@ struct OutputOptions {
   bool force = false;
   /// Keep nothing of the run in memory: its results stay in the recovery log (end_unfinished()).
   bool forget = false;
+  /// Write images and records in a thread of its own, for frames that must not wait for a disk: the files are
+  /// up to date a moment later, and a failed image is reported a frame or more later.
+  bool own_thread = false;
   /// Copy images that are on disk already, instead of linking to them.
   bool copy_images = false;
   /// Put points of doubtful keyframes (KeyframeRecord::is_doubtful) into the maps, too.

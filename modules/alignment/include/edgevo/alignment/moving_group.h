@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A second motion in view: a group of points of the map that contradicts a pose and agrees on a motion of its
+// own. What moves by itself is compact, and the scene is seen around it. Over a few frames its image moves by
+// a similarity: a shift and a change of size. Points that only have a wrong depth, leaves and blurred edges
+// agree on nothing, or on a motion that the scene can have, too.
+#include <vector>
+
+#include "edgevo/alignment/alignment_params.h"
+#include "edgevo/alignment/group_motion.h"
+#include "edgevo/alignment/reference_cloud.h"
+#include "edgevo/core/se3.h"
+
+namespace edgevo {
+
+/// Such a group.
+struct MovingGroup {
+  /// Indices into the points of the cloud: all in the group's part of the view. Empty: there is no group.
+  std::vector<int> points;
+  /// Edge pixels of the reference image there.
+  std::vector<OrientedPixel> edges;
+  /// From the reference image to the current one.
+  GroupMotion motion;
+};
+
+/// Finds the group with the most points, among those whose depth is known. The rest of the view must agree
+/// with the pose and reach further than the group. Cost: 0.1 ms for 500 points, 1 ms more where a part of
+/// the view contradicts the pose.
+MovingGroup find_moving_group(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                              const AlignmentParams& params);
+
+}  // namespace edgevo

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Corners next to the frames. To find and follow them takes 30 ms and more, in one frame of fifty. On a
+// schedule such a frame is answered with the pose of its edges; the map, which a wrong pose would bend, gets
+// the pose with corners.
+#include <future>
+#include <memory>
+
+#include "edgevo/odometry/mapper.h"
+#include "frame_tracker.h"
+
+namespace edgevo {
+
+/// A frame that calls for corners, with all that its tracking knew.
+struct CornerJob {
+  std::shared_ptr<const FramePyramid> pyramid;
+  std::shared_ptr<const Reference> reference;
+  MotionModel motion;
+  KeyframePolicy keyframes;
+  RowRectification rows;
+  /// Pose by the edges.
+  PoseCandidate by_edges;
+  /// Motion that the rows are rectified for in the end; corners are shifted to there.
+  ImageMotion measured = {};
+};
+
+/// Searches corners in a thread of its own, of one frame at a time; for the tracking thread.
+class CornerSearch {
+ public:
+  CornerSearch(const OdometryParams& params, uint64_t seed);
+
+  /// Whether a search is under way.
+  bool is_busy() const;
+  /// Begins a search; not while another one is under way.
+  std::shared_future<PoseByCorners> begin(CornerJob job);
+
+ private:
+  PoseByCorners search(const CornerJob& job);
+
+  OdometryParams params_;
+  Random random_;                            // of the search that is under way
+  std::shared_future<PoseByCorners> found_;  // last member: it ends before the others
+};
+
+}  // namespace edgevo
