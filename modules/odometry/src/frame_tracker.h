@@ -3,6 +3,7 @@
 // The pose of one frame: hypotheses are proposed, one scorer selects, the rows of a rolling shutter are
 // accounted for, and the pose gets its covariance.
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct Track {
   bool used_median_motion = false;
   /// The pose by the edges, if corners were called for and left for later.
   std::optional<PoseCandidate> wants_corners;
+  /// The reference that it was tracked against: without what moves by itself.
+  std::shared_ptr<const Reference> scene;
   /// Number of bodies that are known from this frame on to move by themselves.
   int moving_bodies = 0;
   /// CPU time of corner tracking in milliseconds; 0: corners were not tracked.

@@ -60,13 +60,15 @@ Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
                         corners_beside_ != nullptr});
   };
   bodies_.follow(*now.pyramid);
-  const std::shared_ptr<const Reference> scene = scene_at(motion_.predict());
+  std::shared_ptr<const Reference> scene = scene_at(motion_.predict());
   Track found = track(*scene);
   if (bodies_.look(*now.pyramid, *scene, found.result.T_cur_ref, params_.alignment)) {
     const double corner_ms = found.corner_ms;
-    found = track(*scene_at(found.result.T_cur_ref));
+    scene = scene_at(found.result.T_cur_ref);
+    found = track(*scene);
     found.corner_ms += corner_ms;
   }
+  found.scene = scene;
   found.moving_bodies =
       bodies_.evaluate(builder_.pinhole(), motion_to(found.result.T_cur_ref), reference_->median_idepth);
   return found;
@@ -83,7 +85,7 @@ std::string FrontEnd::reason_against_step(const SE3& T_cur_ref) const {
 // another search does without.
 std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Track& track) const {
   if (!track.wants_corners || corners_beside_->is_busy()) return std::nullopt;
-  return CornerJob{now.pyramid, reference_, motion_, keyframes_, now.rows, *track.wants_corners};
+  return CornerJob{now.pyramid, track.scene, motion_, keyframes_, now.rows, *track.wants_corners};
 }
 
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {

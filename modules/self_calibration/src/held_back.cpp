@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/core/mean_and_error.h"
+
 namespace edgevo {
 namespace {
 
@@ -76,17 +78,6 @@ struct Difference {
   size_t matches = 0;
 };
 
-HeldBack mean_of(const std::vector<double>& gains) {
-  HeldBack result;
-  const double n = double(gains.size());
-  for (const double g : gains) result.gain += g / n;
-  double square = 0;
-  for (const double g : gains) square += (g - result.gain) * (g - result.gain);
-  if (n > 1) result.standard_error = std::sqrt(square / (n * (n - 1)));
-  result.keyframes = int(gains.size());
-  return result;
-}
-
 }  // namespace
 
 HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e,
@@ -108,7 +99,8 @@ HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate
   std::vector<double> gains;
   for (const Difference& d : by_keyframe)
     if (d.matches >= kFewestMatches) gains.push_back(d.sum / double(d.matches));
-  return mean_of(gains);
+  const MeanAndError gain = mean_and_error(gains);
+  return {gain.mean, gain.error, int(gains.size())};
 }
 
 }  // namespace edgevo

@@ -2,21 +2,12 @@
 #include "cell_statistics.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
+
+#include "edgevo/core/mean_and_error.h"
 
 namespace edgevo {
 namespace {
-
-Difference mean_and_error(const std::vector<double>& values) {
-  Difference d;
-  const double n = double(values.size());
-  for (const double v : values) d.mean += v / n;
-  double square = 0;
-  for (const double v : values) square += (v - d.mean) * (v - d.mean);
-  d.error = n > 1 ? std::sqrt(square / (n - 1) / n) : 0;
-  return d;
-}
 
 std::vector<double> drifts(const StudyCell& cell) {
   std::vector<double> values;
@@ -44,7 +35,7 @@ CellStatistics statistics(const StudyCell& cell) {
     c.track_ms += s.track_ms / n;
   }
   std::vector<double> drift = drifts(cell);
-  const Difference mean = mean_and_error(drift);
+  const MeanAndError mean = mean_and_error(drift);
   c.drift_mean = mean.mean;
   c.drift_error = mean.error;
   std::sort(drift.begin(), drift.end());
@@ -56,7 +47,8 @@ Difference drift_difference(const StudyCell& a, const StudyCell& b) {
   std::vector<double> difference = drifts(a);
   const std::vector<double> other = drifts(b);
   for (size_t i = 0; i < difference.size(); ++i) difference[i] -= other[i];
-  return mean_and_error(difference);
+  const MeanAndError d = mean_and_error(difference);
+  return {d.mean, d.error};
 }
 
 const StudyCell& find_cell(const StudyResult& result, const std::string& curve, const std::string& light,

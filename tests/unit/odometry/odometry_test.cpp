@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "edgevo/core/error.h"
 #include "unit/odometry/rendered_runs.h"
 
 namespace edgevo {
@@ -365,65 +364,6 @@ TEST(OdometryStart, WaitsThroughBlackFrames) {
   const auto run = run_sweep(40, {}, 0, 10);
   EXPECT_EQ(count(run, TrackingState::kBootstrapping, 0, 10), 10);
   EXPECT_EQ(run.frames.back().state, TrackingState::kTracking);
-}
-
-// ---- bad input ----
-
-TEST(OdometryInput, AnImageOfAnotherSizeThrowsAndKeepsWhatWasComputed) {
-  Odometry odometry(test::sweep_camera(), OdometryParams(), OdometryOptions());
-  for (int k = 0; k < 30; ++k) odometry.process(sweep_frame(k));
-  Frame wrong = sweep_frame(30);
-  wrong.image = test::make_image(160, 120, [](double, double) { return 0; });
-  EXPECT_THROW(odometry.process(wrong), InputError);
-  const auto run = odometry.finish();
-  EXPECT_GE(run.frames.size(), 30u);
-  EXPECT_EQ(trajectory_error(run, 0, 30, sweep_pose).poses, 30);
-}
-
-TEST(OdometryInput, AnUnusableCameraThrows) {
-  Pinhole pinhole = test::sweep_camera().pinhole();
-  pinhole.fx = 0;
-  EXPECT_THROW(Odometry(Camera(pinhole), OdometryParams(), OdometryOptions()), InputError);
-}
-
-TEST(OdometryInput, AnUnknownDetectorThrows) {
-  OdometryParams params;
-  params.edges.detector = "cany";
-  EXPECT_THROW(Odometry(test::sweep_camera(), params, OdometryOptions()), InputError);
-}
-
-// ---- parameters ----
-
-template <class Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "no error";
-}
-
-TEST(OdometryParameters, UnknownKeysAreRejectedWithTheNearestName) {
-  OdometryParams params;
-  const VisitParams visit = [&](ParamVisitor& v) { params.visit(v); };
-  EXPECT_THAT(error_of([&] { read_params("mapping:\n  window:\n    keyframe: 9\n", "x.yaml", visit); }),
-              ::testing::HasSubstr("keyframes"));
-  EXPECT_THAT(error_of([&] { set_param("recovery.max_frame=3", visit); }),
-              ::testing::HasSubstr("max_frames"));
-  EXPECT_THAT(error_of([&] { set_param("edges.detector=cany", visit); }), ::testing::HasSubstr("canny"));
-  EXPECT_THAT(error_of([&] { set_param("mapping.window.keyframes=2", visit); }), ::testing::HasSubstr("30"));
-}
-
-TEST(OdometryParameters, WrittenParametersReadBack) {
-  OdometryParams params, again;
-  params.mapping.window.keyframes = 9;
-  params.recovery.max_frames = 3;
-  params.association.k_m = 0.5;
-  const std::string text = write_params([&](ParamVisitor& v) { params.visit(v); });
-  read_params(text, "text", [&](ParamVisitor& v) { again.visit(v); });
-  EXPECT_EQ(write_params([&](ParamVisitor& v) { again.visit(v); }), text);
-  EXPECT_EQ(again.mapping.window.keyframes, 9);
 }
 
 }  // namespace
