@@ -6,9 +6,12 @@
 
 namespace edgevo {
 
-/// Mean and its standard error, in the unit of the values. Error 0: of fewer than two values it is not known.
+/// A mean and how well it is known, in the unit of the values.
 struct MeanAndError {
-  double mean = 0, error = 0;
+  /// The mean.
+  double mean = 0;
+  /// Its standard error; 0 of fewer than two values: not known.
+  double error = 0;
 };
 
 /// Of values that are independent of each other; zeros without values.
