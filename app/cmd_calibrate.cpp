@@ -73,6 +73,14 @@ void print_change(const Camera& before, const FoldedCamera& after) {
       after.max_shift_px, after.max_error_px, after.rms_error_px);
 }
 
+void print_lens_seen(const CameraRefinement::Lens& l) {
+  if (l.keyframes == 0) return;
+  std::printf(
+      "with k2 and focal length free: k1 %.4f +- %.4f, k2 %.4f +- %.4f, focal length %+.1f +- %.1f %%; not "
+      "in the file (edgevo calibrate --from-motion writes all of them)\n",
+      l.k1, l.k1_sigma, l.k2, l.k2_sigma, 100 * l.focal, 100 * l.focal_sigma);
+}
+
 void print_use(const CalibrateArguments& args, const Camera& camera) {
   std::string programs = "ROS";
   if (args.format == "kalibr") programs = "Kalibr";
@@ -90,6 +98,7 @@ int calibrate_from_run(const CalibrateArguments& args) {
              camera_file_text(corrected.camera, args.format, "Self-calibration of edgevo: " + found));
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
   if (run.refinement.correction.k1 != 0) print_change(run.camera, corrected);
+  print_lens_seen(run.refinement.lens);
   if (run.refinement.correction.readout_s != 0)
     std::printf(
         "rolling shutter, read-out time %.4f s: camera files cannot hold it; pass it with --set "

@@ -75,7 +75,7 @@ int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const 
   reread(args.truth_reading, &truth);
   reread(args.reading, &estimate);
   const TrajectoryEvaluation e = evaluate_or_explain(estimate, truth, options);
-  for (const std::string& hint : alignment_hints(estimate, truth))
+  for (const std::string& hint : alignment_hints(estimate, truth, args.reading.t_offset_s))
     std::fprintf(stderr, "HINT: %s\n", hint.c_str());
   std::fputs((args.json ? to_json(e) : to_table(e)).c_str(), stdout);
   return 0;

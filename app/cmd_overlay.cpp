@@ -27,6 +27,7 @@ std::string note(const OverlayOptions& o) {
   if (!o.own_part.empty()) options += " --own-part " + o.own_part;
   if (o.part_share > 0) options += " --part-share " + std::to_string(o.part_share);
   if (o.vehicle_px > 0) options += " --vehicle-ahead " + std::to_string(int(o.vehicle_px));
+  if (!o.passing.empty()) options += " --traffic " + o.passing;
   if (o.standing > 0)
     options += " --standing " + std::to_string(o.standing) + " --stop-at " + std::to_string(o.stop_at);
   if (o.crossing_px > 0) options += " --crossing " + std::to_string(int(o.crossing_px));
@@ -47,7 +48,8 @@ int overlay(const OverlayCommand& options) {
   OverlaidSource source(std::move(opened), options.overlay);
   clear_sequence(options.out);
   FolderWriter writer(options.out, source.camera());
-  const bool moves = options.overlay.vehicle_px > 0 || options.overlay.crossing_px > 0;
+  const bool moves =
+      options.overlay.vehicle_px > 0 || options.overlay.crossing_px > 0 || !options.overlay.passing.empty();
   int count = 0;
   {
     Progress progress("pasting", source.size());
@@ -76,12 +78,15 @@ void add_overlay_command(CLI::App& app, Action* action) {
   command->add_option("-o,--out", options->out, "folder to write")->required()->check(path_given());
   OverlayOptions& o = options->overlay;
   command->add_option("--own-part", o.own_part, "part that is fixed to the camera: " + kinds);
-  command->add_option("--part-share", o.part_share, "its share of the image (a dashboard: 0.3, else 0.1)")
+  command
+      ->add_option("--part-share", o.part_share,
+                   "its share of the image (default: 0.1; bow 0.15, bonnet 0.2, dashboard 0.3)")
       ->check(number_between(0.01, 0.5));
   command
       ->add_option("--vehicle-ahead", o.vehicle_px,
                    "lorry ahead, of this width in pixels at its nearest, in an image 1241 wide")
       ->check(number_between(20, 1241));
+  command->add_option("--traffic", o.passing, "lorries on the next lane: oncoming or overtaking");
   command->add_option("--standing", o.standing, "frames that the camera stands, with noise")
       ->check(whole_number(1, 100000));
   command->add_option("--stop-at", o.stop_at, "frame that is repeated then, counted from the first")

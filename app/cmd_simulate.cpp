@@ -15,6 +15,7 @@
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene.h"
 #include "edgevo/simulation/survey_export.h"
+#include "edgevo/simulation/traffic.h"
 #include "option_checks.h"
 #include "progress.h"
 #include "source_options.h"
@@ -30,6 +31,8 @@ struct SimulateOptions {
   std::optional<uint64_t> seed;
   std::optional<double> rolling_shutter_s, exposure_s;
   std::optional<CameraMount> mount;
+  OverlayOptions own_part;
+  std::vector<std::string> traffic;
   bool depth = false, edges = false, correspondences = false, force = false;
 };
 
@@ -59,7 +62,10 @@ Scene scene_from(const SimulateOptions& options) {
     scene.camera = read_camera_file(options.camera_file);
     scene.has_given_camera = true;
   }
-  if (options.mount) mount_camera(*options.mount, &scene);
+  for (const std::string& kind : options.traffic) add_traffic(kind, &scene);
+  const std::optional<CameraMount> of_file =
+      options.camera_file.empty() ? std::nullopt : read_camera_mount(options.camera_file);
+  if (const auto mount = options.mount ? options.mount : of_file) mount_camera(*mount, &scene);
   return scene;
 }
 
@@ -68,11 +74,23 @@ std::string camera_text_for(const Camera& camera) {
   return camera.plumb_bob() ? std::string() : camera_yaml(camera, "");
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 void write_folder(const SceneRenderer& renderer, const SimulateOptions& options, FolderExport range,
                   Progress& progress) {
   range.depth = options.depth;
   range.edges = options.edges;
   range.camera_text = camera_text_for(renderer.camera());
+  if (!options.own_part.own_part.empty()) {
+    const Pinhole p = renderer.camera().pinhole();
+    OverlayOptions part = options.own_part;
+    part.seed = renderer.scene().seed;
+    range.own_part = std::make_shared<const Overlay>(part, p.width, p.height);
+  }
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
   export_folder(renderer, options.out, range, [&](int done) { progress.update(done); });
 }
@@ -103,11 +121,18 @@ void write_correspondences(const SceneRenderer& renderer, const std::string& fol
   export_correspondences(renderer, folder, begin, end, find_edges, [&](int done) { progress.update(done); });
 }
 
+bool has_foreign_bodies(const SimulateOptions& options) {
+  return !options.own_part.own_part.empty() || !options.traffic.empty();
+}
+
 // Adds a survey to the archive OUT.
 int simulate_survey(const SimulateOptions& options, const FolderExport& range) {
   if (options.depth || options.correspondences)
     throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences",
                      "omit --layout, or these");
+  if (has_foreign_bodies(options))
+    throw InputError(options.out, "masks do not fit into a survey of Symphony Lake",
+                     "omit --layout, or --own-part and --traffic");
   if (options.mount)
     throw InputError(options.out, "a survey of Symphony Lake has a mount of its own",
                      "omit --layout, or --mount");
@@ -129,6 +154,8 @@ int simulate(const SimulateOptions& options) {
   FolderExport range;
   set_range(options.frames, &range);
   if (options.layout != "edgevo") return simulate_survey(options, range);
+  if (has_foreign_bodies(options) && names_rawlog(options.out))
+    throw InputError(options.out, "masks do not fit into a rawlog", "name a folder");
   if (options.correspondences && names_rawlog(options.out))
     throw InputError(options.out, "a rawlog does not hold correspondences",
                      "name a folder, or omit --correspondences");
@@ -191,6 +218,21 @@ void add_simulate_command(CLI::App& app, Action* action) {
                    "usually 0)")
       ->check(number_from_zero());
   add_mount(*command, &options->mount);
+  CLI::Option* own_part =
+      command->add_option("--own-part", options->own_part.own_part,
+                          "part that is fixed to the camera, with mask.png: " + listed(own_part_kinds()));
+  command
+      ->add_option("--part-share", options->own_part.part_share,
+                   "its share of the image (default: 0.1; bow 0.15, bonnet 0.2, dashboard 0.3)")
+      ->check(number_between(0.01, 0.5))
+      ->needs(own_part);
+  command
+      ->add_option(
+          "--traffic", options->traffic,
+          "what moves by itself along the camera's path, with masks/ (255, or the number of the body); "
+          "may be given again: " +
+              listed(traffic_kinds()))
+      ->allow_extra_args(false);
   command->add_flag("--depth", options->depth, "also write exact depth images (PFM)");
   command->add_flag("--edges", options->edges,
                     "also write the true edges and their kinds (edges/*.png: depth steps 255, creases 170, "

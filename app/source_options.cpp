@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "edgevo/core/error.h"
+#include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/source_folder.h"
 #include "option_checks.h"
 
@@ -22,6 +23,16 @@ void parse_size(const std::string& text, TargetRequest* request) {
       !is_side(request->width) || !is_side(request->height))
     throw InputError("--rectify-size " + text, "is not WIDTHxHEIGHT with sides from 64 to 8192 pixels",
                      "write for example --rectify-size 640x480");
+}
+
+double parse_image_scale(const std::string& text) {
+  if (text == "auto") return kAutomaticScale;
+  double scale = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), scale);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !(scale >= 0.01 && scale <= 1))
+    throw InputError("--image-scale " + text, "is neither auto nor a number from 0.01 to 1",
+                     "write for example --image-scale 0.5");
+  return scale;
 }
 
 }  // namespace
@@ -77,11 +88,10 @@ void add_mount(CLI::App& command, std::optional<CameraMount>* mount) {
 }
 
 void add_image_scale(CLI::App& command, SourceOptions* options) {
-  options->image_scale = 0;
-  command
-      .add_option("--image-scale", options->image_scale,
-                  "scale the images by 0.01 to 1 (default: 1; images wider than 2482 px to a width of 1241)")
-      ->check(number_between(0.01, 1));
+  options->image_scale = kAutomaticScale;
+  command.add_option_function<std::string>(
+      "--image-scale", [options](const std::string& text) { options->image_scale = parse_image_scale(text); },
+      "scale the images by 0.01 to 1, or auto (default): those of more than 720,000 pixels to 480,000");
 }
 
 void add_rectification(CLI::App& command, TargetRequest* request) {

@@ -17,7 +17,7 @@ void add_source_options(CLI::App& command, SourceOptions* options);
 /// Adds --mount.
 void add_mount(CLI::App& command, std::optional<CameraMount>* mount);
 
-/// Adds --image-scale; its default depends on the width of the images.
+/// Adds --image-scale; its default, auto, depends on the size of the images.
 void add_image_scale(CLI::App& command, SourceOptions* options);
 
 /// Adds --rectify-fov and --rectify-size.

@@ -45,6 +45,8 @@ FrameEvidence evidence_of(const CsvTable& row) {
   e.step_sigmas = row.number("step_sigmas");
   e.known_points = count_of(row, "known_points");
   e.lacking_share = row.number("lacking_share"), e.view_share = row.number("view_share");
+  e.focal_error = row.number("focal_error", true),
+  e.focal_error_sigma = row.number("focal_error_sigma", true);
   if (count_of(row, "corners")) e.corners = corners_of(row);
   if (const double moved = row.number("adjusted_move"); count_of(row, "adjusted_points")) {
     e.adjustment.emplace();
@@ -62,7 +64,7 @@ void replay(const std::string& folder, TrustRun* run) {
     if (!row.next()) break;
     const FrameEvidence evidence = evidence_of(row);
     if (std::isfinite(row.number("p_right")) && claim.T_world_cam) {
-      run->doubts.back() = trust.add({evidence, claim.segment, claim.T_world_cam->translation()}).doubts;
+      run->doubts.back() = trust.add({evidence, claim.segment, *claim.T_world_cam}).doubts;
       claim.state = frame_status(evidence, StatusParams()).state;
     } else {
       trust.interrupt();

@@ -14,7 +14,7 @@ struct Description {
   const char* unit;
 };
 constexpr std::array<Description, kDoubts> kDescriptions{{
-    {"kCornerMotion", "corner_motion", "share of length / 0.25 and median depths / 0.02, or degrees / 3"},
+    {"kMotion", "motion", "share of length / 0.25 and median depths / 0.02, or degrees / 3"},
     {"kCornerScale", "corner_scale", "log ratio / log 1.25"},
     {"kCornerAgreement", "corner_agreement", "2 x share of the corners"},
     {"kNoWitness", "no_witness", "1: the motion cannot be checked"},

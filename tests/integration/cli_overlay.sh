@@ -39,6 +39,11 @@ run_code 0 "$edgevo" mask without -o none.png
 [ ! -e none.png ] && ok "no part, no mask" || fail "a mask without a part"
 grep -q 'id="mask"' without/report.html && fail "the report shows a mask without a part"
 
+# A map waits until a dashboard is known; the frames before get poses, too.
+run_code 0 "$edgevo" overlay seq -o dash --own-part dashboard
+run_code 0 "$edgevo" run dash -o early --edge-map off
+check "poses of the frames before the mask" "$(grep -vc '^#' early/trajectory_tum.txt)" -eq "$frames"
+
 # Invalid requests.
 complains "did you mean gripper" "$edgevo" overlay seq -o x --own-part griper
 complains "nothing to paste" "$edgevo" overlay seq -o x

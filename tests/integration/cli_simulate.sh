@@ -38,6 +38,17 @@ same "labels" labelled/edges/000021.png relabelled/edges/000021.png
 "$edgevo" simulate rotation --frames 20:22 --force -o labelled >/dev/null || fail "simulate into the same folder"
 [ ! -e labelled/edges ] || fail "labels of an earlier call are left"
 
+# Traffic and an own part come with masks, and only with them.
+run_code 0 "$edgevo" simulate street --frames 75:77 --traffic lorry --own-part bonnet -o traffic
+check "masks of traffic" "$(ls traffic/masks | wc -l)" -eq 2
+[ -f traffic/mask.png ] || fail "mask of the own part"
+check "SOURCE.md has the command" "$(grep -c -e '--traffic lorry --own-part bonnet' traffic/SOURCE.md)" -eq 1
+run_code 0 "$edgevo" simulate street --frames 75:77 --force -o traffic
+[ ! -e traffic/masks ] && [ ! -e traffic/mask.png ] || fail "masks of an earlier call are left"
+complains "did you mean lorry" "$edgevo" simulate street --traffic lory -o x
+complains "less than 10 m" "$edgevo" simulate desk --traffic lorry -o x
+complains "name a folder" "$edgevo" simulate street --traffic lorry -o x.rawlog
+
 # Invalid scenes. bad SCENE SED_SCRIPT WORDS
 bad() {
   sed "$2" "$shipped/$1.yaml" >bad.yaml

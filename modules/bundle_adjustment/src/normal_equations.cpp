@@ -103,11 +103,31 @@ Vector6d vector_of(const PairSums& pair) {
   return b;
 }
 
-Matrix6d matrix_of(const SchurBlock& block) {
-  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> M;
-  static_assert(sizeof(block.quad) == sizeof(M));
-  std::memcpy(M.data(), block.quad, sizeof(M));
-  return M;
+// Elements of a block, row by row.
+const double* elements(const SchurBlock& block) { return reinterpret_cast<const double*>(block.quad); }
+
+// sum += A M for 6x6 matrices row by row. Even and odd terms are added apart, from the last one on, as Eigen
+// does for a product of such matrices, A^T B.
+EDGEVO_WIDE_CLONES void add_product(const double* A, const double* M, double* sum) {
+  Quad left[6];
+  Rows right[6];
+  for (int k = 0; k < 6; ++k) {
+    std::memcpy(&left[k], M + 6 * k, sizeof(Quad));
+    std::memcpy(&right[k], M + 6 * k + 4, sizeof(Rows));
+  }
+  for (int i = 0; i < 6; ++i) {
+    const double* a = A + 6 * i;
+    Quad low;
+    Rows high;
+    std::memcpy(&low, sum + 6 * i, sizeof(Quad));
+    std::memcpy(&high, sum + 6 * i + 4, sizeof(Rows));
+    low += (a[0] * left[0] + (a[2] * left[2] + a[4] * left[4])) +
+           (a[1] * left[1] + (a[3] * left[3] + a[5] * left[5]));
+    high += (a[0] * right[0] + (a[2] * right[2] + a[4] * right[4])) +
+            (a[1] * right[1] + (a[3] * right[3] + a[5] * right[5]));
+    std::memcpy(sum + 6 * i, &low, sizeof(Quad));
+    std::memcpy(sum + 6 * i + 4, &high, sizeof(Rows));
+  }
 }
 
 // Sums over the observations of one point.
@@ -153,7 +173,8 @@ NormalEquationsBuilder::NormalEquationsBuilder(const PackedProblem& packed, doub
       relative_(n_ * n_),
       pairs_(n_ * n_),
       schur_(n_ * n_),
-      schur_b_(n_) {}
+      schur_b_(n_),
+      row_major_adjoint_(n_) {}
 
 void NormalEquationsBuilder::reset_sums(NormalEquations* out) {
   out->cost = 0;
@@ -290,21 +311,36 @@ void NormalEquationsBuilder::scatter_pairs(int host, NormalEquations* out) {
   }
 }
 
+// Sum over the targets `row` of Ad_row^T M(row, col). Blocks above the diagonal are those below it,
+// transposed: (Ad^T M^T)^T = M Ad.
+Matrix6d NormalEquationsBuilder::schur_with_host(int host, int col, const Matrix6d* Ad) const {
+  const auto [first, last] = packed_.targets[host];
+  RowMajor6d transposed = RowMajor6d::Zero();
+  for (int row = first; row < col; ++row)
+    if (row != host)
+      add_product(elements(schur_[col * n_ + row]), row_major_adjoint_[row].data(), transposed.data());
+  RowMajor6d sum = transposed.transpose();
+  // By columns, Ad is Ad^T by rows.
+  for (int row = col; row <= last; ++row)
+    if (row != host) add_product(Ad[row].data(), elements(schur_[row * n_ + col]), sum.data());
+  return sum;
+}
+
 void NormalEquationsBuilder::scatter_schur(int host, NormalEquations* out) {
   const int h = 6 * host;
   const Matrix6d* Ad = &out->adjoint[host * n_];
   const auto [first, last] = packed_.targets[host];
+  for (int target = first; target <= last; ++target) row_major_adjoint_[target] = Ad[target];
   for (int col = first; col <= last; ++col) {
     if (col == host) continue;
-    Matrix6d with_host = Matrix6d::Zero();  // sum over rows of Ad_row^T M(row, col)
-    for (int row = first; row <= last; ++row) {
-      if (row == host) continue;
-      const bool lower = row >= col;
-      Matrix6d M = matrix_of(schur_[lower ? row * n_ + col : col * n_ + row]);
-      if (!lower) M.transposeInPlace();
-      out->S.block<6, 6>(6 * row, 6 * col) += M;
-      with_host.noalias() += Ad[row].transpose() * M;
-    }
+    for (int row = first; row < col; ++row)
+      if (row != host)
+        out->S.block<6, 6>(6 * row, 6 * col) += Eigen::Map<const Matrix6d>(elements(schur_[col * n_ + row]));
+    for (int row = col; row <= last; ++row)
+      if (row != host)
+        out->S.block<6, 6>(6 * row, 6 * col) +=
+            Eigen::Map<const RowMajor6d>(elements(schur_[row * n_ + col]));
+    const Matrix6d with_host = schur_with_host(host, col, Ad);
     out->S.block<6, 6>(h, 6 * col) -= with_host;
     out->S.block<6, 6>(6 * col, h) -= with_host.transpose();
     out->S.block<6, 6>(h, h) += with_host * Ad[col];

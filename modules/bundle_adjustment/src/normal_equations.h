@@ -32,6 +32,9 @@ struct alignas(32) PairSums {
   Quad b[3];
 };
 
+/// A 6x6 matrix stored row by row.
+using RowMajor6d = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
 /// Normal equations. The 6x6 blocks are in the order of the problem's poses, including fixed ones. H and S
 /// are full symmetric matrices.
 struct NormalEquations {
@@ -78,6 +81,7 @@ class NormalEquationsBuilder {
   void add_point(const PackedPoint& point, int host, int point_index, double idepth, NormalEquations* out);
   void eliminate(const PackedPoint& point, int point_index, NormalEquations* out);
   void scatter_pairs(int host, NormalEquations* out);
+  Matrix6d schur_with_host(int host, int col, const Matrix6d* Ad) const;
   void scatter_schur(int host, NormalEquations* out);
 
   const PackedProblem& packed_;
@@ -91,6 +95,8 @@ class NormalEquationsBuilder {
   std::vector<SchurBlock> schur_;
   /// Blocks of s of the current host, per target.
   std::vector<PackedVector6> schur_b_;
+  /// Adjoints of the current host, per target.
+  std::vector<RowMajor6d> row_major_adjoint_;
 };
 
 }  // namespace edgevo::ba

@@ -24,13 +24,7 @@ constexpr int kFocalRounds = 6, kWholeRounds = 10;
 constexpr double kNearlyRight = 0.05, kEnough = 0.003;
 // The relative standard deviation beyond which the focal length counts as not observable, at the end and
 // while it is sought: far off it is known less well.
-constexpr double kMaxFocalSigma = 0.05, kMaxFirstSigma = 0.3;
-// Factor from the standard deviations of the matches to those of the camera. Matches of an edge in many
-// keyframes are not independent, and are biased towards the prediction; the estimates of eight sequences with
-// a known camera were off by 2.5 to 9 of their formal standard deviations
-// (share/lab/archive/2026-11-26_camera_from_motion.md).
-constexpr double kMatchesPerIndependentOne = 7;
-
+constexpr double kMaxFocalSigma = 0.03, kMaxFirstSigma = 0.3;
 constexpr LensPrior kFocalAlone{0.3, 0, 0, 0}, kPinhole{0.1, 0, 0, 0.03}, kOneTerm{0.1, 0.1, 0, 0.03},
     kTwoTerms{0.1, 0.1, 0.1, 0.03};
 // Standard deviations from which a term of the distortion is taken: less adds noise.
@@ -110,7 +104,7 @@ class Search {
     repeat(kFocalAlone, kFocalRounds, kNearlyRight);
     const LensEstimate last = find_distortion();
     // What the last round has changed is not known better than that.
-    const double focal_sigma = std::hypot(kMatchesPerIndependentOne * last.focal_sigma, last.focal);
+    const double focal_sigma = std::hypot(kSigmasOfMatches * last.focal_sigma, last.focal);
     if (found_.problem.empty()) check_focal_sigma(focal_sigma, kMaxFocalSigma);
     if (!found_.problem.empty()) {
       found_.camera = start_;
@@ -118,38 +112,39 @@ class Search {
     }
     const double f = found_.camera.pinhole().fx;
     found_.sigma_f_px = f * focal_sigma;
-    found_.sigma_c_px = f * kMatchesPerIndependentOne * last.centre_sigma.maxCoeff();
-    found_.sigma_k1 = kMatchesPerIndependentOne * last.k1_sigma;
-    found_.sigma_k2 = kMatchesPerIndependentOne * last.k2_sigma;
+    found_.sigma_c_px = f * kSigmasOfMatches * last.centre_sigma.maxCoeff();
+    found_.sigma_k1 = kSigmasOfMatches * last.k1_sigma;
+    found_.sigma_k2 = kSigmasOfMatches * last.k2_sigma;
     found_.keyframes = last.keyframes;
     return found_;
   }
 
  private:
   static bool is_significant(double k, double formal_sigma) {
-    return std::abs(k) >= kSignificance * kMatchesPerIndependentOne * formal_sigma;
+    return std::abs(k) >= kSignificance * kSigmasOfMatches * formal_sigma;
   }
 
-  // With no term of the distortion, one or two: as many as are significant.
+  // With two terms of the distortion, one or none: as many as are significant. Without a term that is there
+  // the focal length is off by more than its standard deviation, so the largest of those tried is stated.
   LensEstimate find_distortion() {
     const LensEstimate one_term = repeat(kOneTerm, kWholeRounds, kEnough);
     if (!found_.problem.empty()) return one_term;
-    if (is_significant(found_.camera.distortion().k1, one_term.k1_sigma)) return with_second_term(one_term);
-    found_.camera = Camera(found_.camera.pinhole(), Distortion());
-    LensEstimate pinhole = repeat(kPinhole, kWholeRounds, kEnough);
-    // That there is no distortion is a guess.
-    pinhole.focal_sigma = std::max(pinhole.focal_sigma, one_term.focal_sigma);
-    return pinhole;
-  }
-
-  LensEstimate with_second_term(const LensEstimate& one_term) {
-    const MotionCalibration before = found_;
-    const LensEstimate two_terms = repeat(kTwoTerms, kWholeRounds, kEnough);
-    const double k2 = found_.camera.distortion().k2;
-    if (found_.problem.empty() && is_significant(k2, two_terms.k2_sigma)) return two_terms;
+    const MotionCalibration with_one = found_;
+    LensEstimate two_terms = repeat(kTwoTerms, kWholeRounds, kEnough);
+    const bool has_two = found_.problem.empty();
+    // With one unknown more the focal length is not known better.
+    two_terms.focal_sigma = std::max(two_terms.focal_sigma, one_term.focal_sigma);
+    if (has_two && is_significant(found_.camera.distortion().k2, two_terms.k2_sigma)) return two_terms;
     const int rounds = found_.rounds;
-    found_ = before, found_.rounds = rounds;
-    return one_term;
+    found_ = with_one, found_.rounds = rounds;
+    LensEstimate fewer = one_term;
+    if (!is_significant(found_.camera.distortion().k1, one_term.k1_sigma)) {
+      found_.camera = Camera(found_.camera.pinhole(), Distortion());
+      fewer = repeat(kPinhole, kWholeRounds, kEnough);
+    }
+    fewer.focal_sigma =
+        std::max({fewer.focal_sigma, one_term.focal_sigma, has_two ? two_terms.focal_sigma : 0});
+    return fewer;
   }
 
   // Rounds until the focal length changes by less than `enough`, or `most` of them.
@@ -172,7 +167,7 @@ class Search {
       give_up("makes no map of " + std::to_string(kFirstEstimate) + " keyframes",
               "record a longer sequence, with sideways motion, or start nearer (--fov)");
     else
-      check_focal_sigma(kMatchesPerIndependentOne * e.focal_sigma, kMaxFirstSigma);
+      check_focal_sigma(kSigmasOfMatches * e.focal_sigma, kMaxFirstSigma);
     if (!found_.problem.empty()) return e;
     take(corrected(found_.camera, e));
     log(e);
@@ -201,7 +196,7 @@ class Search {
 
   void log(const LensEstimate& e) const {
     if (!options_.log) return;
-    const double sigma = kMatchesPerIndependentOne * e.focal_sigma;
+    const double sigma = kSigmasOfMatches * e.focal_sigma;
     options_.log("round " + std::to_string(found_.rounds) + ": focal length " +
                  fixed(found_.camera.pinhole().fx, 1) + " px +- " + fixed(100 * sigma, 1) + " %, " +
                  std::to_string(e.keyframes) + " keyframes");

@@ -78,6 +78,15 @@ void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
   any.read(v, "readout_standard_deviation", s.sigma);
   v.integer("readout_keyframes", s.keyframes, 0, std::numeric_limits<int>::max(), "");
   s.state = state_of(shutter);
+  CameraRefinement::Lens& l = c->lens;
+  v.text("lens_result", result, {}, "");
+  any.read(v, "lens_k1", l.k1);
+  any.read(v, "lens_k1_standard_deviation", l.k1_sigma);
+  any.read(v, "lens_k2", l.k2);
+  any.read(v, "lens_k2_standard_deviation", l.k2_sigma);
+  any.read(v, "lens_focal", l.focal);
+  any.read(v, "lens_focal_standard_deviation", l.focal_sigma);
+  v.integer("lens_keyframes", l.keyframes, 0, std::numeric_limits<int>::max(), "");
 }
 
 }  // namespace

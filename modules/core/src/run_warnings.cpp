@@ -27,6 +27,11 @@ std::vector<std::string> run_warnings(const Run& run) {
                        fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
                        ") and was not applied: the camera file is probably wrong, in its focal length, its "
                        "image size or its distortion (is the image rectified already?), or the path is.");
+  if (c.lens.contradicts_file())
+    warnings.push_back("By the motion, the focal length is " + fixed(100 * c.lens.focal, 1) + " +- " +
+                       fixed(100 * c.lens.focal_sigma, 1) +
+                       " % off the camera file's: calibrate the camera (edgevo calibrate --chessboard, or "
+                       "--from-motion).");
   if (c.shutter.state == CameraRefinement::State::kAtLimit)
     warnings.push_back("The read-out time that self-calibration found (" + fixed(c.shutter.estimate, 3) +
                        " s) is at its limit and was not applied: the camera file or the times of the images "

@@ -152,10 +152,8 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
                      "omit it, or give another calibration with --camera");
   refuse_camera_scale(options, *source);
-  const double scale =
-      options.image_scale == 0 ? usual_image_scale(source->camera().pinhole().width) : options.image_scale;
   source = with_mount(with_camera_doubt(std::move(source)), options);
-  return scale_images(subsample(std::move(source), options), scale);
+  return scale_images(subsample(std::move(source), options), options.image_scale);
 }
 
 }  // namespace edgevo

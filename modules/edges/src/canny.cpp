@@ -131,13 +131,18 @@ EDGEVO_WIDE_CLONES void clear_weak(uint8_t* m, int size) {
   for (int i = 0; i < size; ++i) m[i] = m[i] == kEdge ? kEdge : 0;
 }
 
+void clear_border(Plane<uint8_t>* mask) {
+  const int width = mask->width(), height = mask->height();
+  for (const int y : {0, height - 1}) std::memset(mask->row(y), 0, size_t(width));
+  for (int y = 0; y < height; ++y) mask->row(y)[0] = mask->row(y)[width - 1] = 0;
+}
+
 }  // namespace
 
 Plane<uint8_t> canny(const Gradient& gradient, float low, float high) {
   const int width = gradient.magnitude.width(), height = gradient.magnitude.height();
   Plane<uint8_t> mask(width, height);
-  uint8_t* const m = mask.row(0);
-  std::memset(m, 0, size_t(width) * height);
+  clear_border(&mask);
   for (int y = 1; y + 1 < height; ++y) {
     const MaximaRows rows{gradient.magnitude.row(y - 1),
                           gradient.magnitude.row(y),

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "edge_quota.h"
 #include "edgevo/core/simd.h"
 #include "edgevo/edges/edge_links.h"
 
@@ -120,7 +121,7 @@ ImageEdges place_all(PixelChains chains, const Gradient& gradient) {
 }  // namespace
 
 ImageEdges extract_edges(const Plane<uint8_t>& mask, const Gradient& gradient, int min_chain) {
-  return place_all(without_flat(link_edges(mask, min_chain), gradient), gradient);
+  return place_all(within_quota(without_flat(link_edges(mask, min_chain), gradient), gradient), gradient);
 }
 
 }  // namespace edgevo

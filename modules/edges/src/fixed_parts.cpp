@@ -88,10 +88,15 @@ void FixedParts::index(const ImageEdges& edges) {
     occupied_ = Plane<uint8_t>(width_, height_);
     left_.assign(size_t(blocks_across() * (height_ / kBlockPx + 1)), 0);
     as_mat(occupied_).setTo(0);
+    as_mat(edge_at_).setTo(-1);
   }
-  for (int y = 0; y < height_; ++y) std::fill_n(edge_at_.row(y), width_, -1);
-  for (size_t i = 0; i < edges.pixels.size(); ++i)
-    edge_at_.at(nearest(edges.pixels[i].x), nearest(edges.pixels[i].y)) = int(i);
+  for (const int at : indexed_) edge_at_.row(0)[at] = -1;
+  indexed_.clear();
+  for (size_t i = 0; i < edges.pixels.size(); ++i) {
+    const int at = nearest(edges.pixels[i].y) * width_ + nearest(edges.pixels[i].x);
+    edge_at_.row(0)[at] = int(i);
+    indexed_.push_back(at);
+  }
 }
 
 bool FixedParts::is_seen(const Candidate& c, const ImageEdges& edges) const {

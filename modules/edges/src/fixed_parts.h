@@ -69,6 +69,7 @@ class FixedParts {
   int width_ = 0, height_ = 0, compared_ = 0;
   std::vector<Candidate> candidates_;
   Plane<int> edge_at_;                  // index of the present image's edge at a pixel, -1: none
+  std::vector<int> indexed_;            // pixels with such an index
   Plane<uint8_t> occupied_;             // 1: a candidate is there
   std::vector<float> left_;             // by block: edges that left their place
   std::vector<uint8_t> moves_, still_;  // by cell

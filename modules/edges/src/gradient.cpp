@@ -146,10 +146,12 @@ Gradient compute_gradient(const ImageView<uint8_t>& gray) { return gradient_of<i
 Gradient compute_gradient(const ImageView<uint16_t>& gray) { return gradient_of<int32_t>(gray); }
 
 GradientHistogram::GradientHistogram(const Plane<float>& magnitude) {
-  for (int y = 0; y < magnitude.height(); y += 2) {
+  const int width = magnitude.width(), height = magnitude.height();
+  for (int y = 0; y < height; y += 2) {
     const float* row = magnitude.row(y);
-    for (int x = 0; x < magnitude.width(); x += 2, ++total_) ++count_[std::min(int(row[x]), kBins - 1)];
+    for (int x = 0; x < width; x += 2) ++count_[std::min(int(row[x]), kBins - 1)];
   }
+  total_ = ((width + 1) / 2) * ((height + 1) / 2);
 }
 
 float GradientHistogram::percentile(double percentile) const {

@@ -99,13 +99,32 @@ std::string better(double before, double after) {
   return "ATE " + number("%.4g", after) + " m instead of " + number("%.4g", before) + " m";
 }
 
+// A truth of which hardly a pose lies in the time of the trajectory shows it a straight way between two of
+// them: its times are probably in a smaller unit.
+bool hint_at_time_unit(const Trajectory& estimate, const Trajectory& truth, std::vector<std::string>* hints) {
+  constexpr int kFewestTruePoses = 3;
+  constexpr double kTooFar = 100;  // steps of the trajectory between two true poses
+  if (estimate.poses.size() < kFewestPoses || truth.poses.size() < 2) return false;
+  const auto within = [&](const StampedPose& p) {
+    return estimate.poses.front().time <= p.time && p.time <= estimate.poses.back().time;
+  };
+  const double apart_s = step_of(truth);
+  if (std::count_if(truth.poses.begin(), truth.poses.end(), within) > kFewestTruePoses ||
+      apart_s < kTooFar * step_of(estimate))
+    return false;
+  hints->push_back("hardly a pose of the ground truth lies within the trajectory's time, since they are " +
+                   number("%.4g", apart_s) +
+                   " s apart: are its times in milliseconds? They must be in seconds");
+  return true;
+}
+
 void hint_at_offset(const Trajectory& estimate, const GroundTruth& truth, double step_s,
-                    const Matches& matches, double before, std::vector<std::string>* hints) {
+                    const Matches& matches, double before, double given_s, std::vector<std::string>* hints) {
   const Offset best =
       search_offset(estimate, truth, 0, step_s, std::max(kFewestPoses, matches.size() * 8 / 10));
   if (best.error * kBetter < before)
-    hints->push_back("the clocks may differ: --t-offset " + number("%.3f", best.seconds) + " gives " +
-                     better(before, best.error));
+    hints->push_back("the clocks may differ: --t-offset " + number("%.3f", given_s + best.seconds) +
+                     " gives " + better(before, best.error));
 }
 
 void hint_at_inverse(const Matches& matches, double before, std::vector<std::string>* hints) {
@@ -219,9 +238,11 @@ void reread(const TrajectoryReading& reading, Trajectory* trajectory) {
   }
 }
 
-std::vector<std::string> alignment_hints(const Trajectory& all, const Trajectory& ground_truth) {
+std::vector<std::string> alignment_hints(const Trajectory& all, const Trajectory& ground_truth,
+                                         double given_offset_s) {
   std::vector<std::string> hints;
   if (all.format != ground_truth.format) return hints;  // without common times
+  if (all.format == TrajectoryFormat::kTum && hint_at_time_unit(all, ground_truth, &hints)) return hints;
   const Trajectory estimate = thinned(all);
   const GroundTruth truth(ground_truth);
   const Matches matches = match(estimate, truth);
@@ -229,7 +250,7 @@ std::vector<std::string> alignment_hints(const Trajectory& all, const Trajectory
   const double before = ate(matches), size = spread(truth_points(matches));
   if (before < HUGE_VAL && before > kSmallError * size) {
     if (all.format == TrajectoryFormat::kTum)
-      hint_at_offset(estimate, truth, step_of(all), matches, before, &hints);
+      hint_at_offset(estimate, truth, step_of(all), matches, before, given_offset_s, &hints);
     hint_at_inverse(matches, before, &hints);
   }
   if (hints.empty() && before < 0.1 * size) hint_at_units(matches, before, &hints);
@@ -250,6 +271,8 @@ std::optional<double> clock_offset(const Trajectory& all, const Trajectory& grou
     const Offset found = search_offset(estimate, truth, around, step_of(all), estimate.poses.size() / 2);
     if (found.error < best.error) best = found;
   }
+  constexpr double kSmallest = 1e-3;  // a smaller offset explains no missing match
+  if (std::abs(best.seconds) < kSmallest) return std::nullopt;
   const double size = spread(truth_points(match(estimate, truth, best.seconds)));
   return best.error < kFits * size ? std::make_optional(best.seconds) : std::nullopt;
 }

@@ -46,6 +46,8 @@ GrayImage to_gray(const cv::Mat& pixels, const std::optional<IntensityScale>& sc
                          " bits, but the first images have " + (deep ? "8" : "16"),
                      "convert all to the same depth");
   if (deep) return with_pixels(std::move(*deep), *scale);
+  if (pixels.channels() == 1 && pixels.isContinuous())
+    return {pixels.cols, pixels.rows, {pixels.data, pixels.data + pixels.total()}};
   GrayImage gray{pixels.cols, pixels.rows, std::vector<uint8_t>(pixels.total())};
   put_gray(pixels, cv::Mat(pixels.rows, pixels.cols, CV_8UC1, gray.pixels.data()));
   return gray;

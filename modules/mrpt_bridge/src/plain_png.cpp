@@ -10,7 +10,8 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "png_filters.h"
 
 namespace edgevo {
 namespace {
@@ -73,71 +74,16 @@ std::optional<PlainPng> read_chunks(std::string_view bytes) {
   return std::nullopt;
 }
 
-// All rows, each after the number of its filter; empty if the data are not of exactly that size.
-std::vector<uint8_t> inflate_rows(const PlainPng& png) {
+// All rows, each after the number of its filter; null if the data are not of exactly that size.
+std::unique_ptr<uint8_t[]> inflate_rows(const PlainPng& png) {
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> inflater(
       libdeflate_alloc_decompressor(), &libdeflate_free_decompressor);
-  std::vector<uint8_t> rows((png.row_bytes() + 1) * png.height);
+  const size_t size = (png.row_bytes() + 1) * png.height;
+  std::unique_ptr<uint8_t[]> rows(new uint8_t[size]);  // not initialised
   if (!inflater || libdeflate_zlib_decompress(inflater.get(), png.deflated.data(), png.deflated.size(),
-                                              rows.data(), rows.size(), nullptr) != LIBDEFLATE_SUCCESS)
-    rows.clear();
+                                              rows.get(), size, nullptr) != LIBDEFLATE_SUCCESS)
+    rows.reset();
   return rows;
-}
-
-// The one of left, above and corner (above left) that is nearest to left + above - corner; the first of
-// equals. With low <= high for left and above, the distances are |high - corner| to low, |corner - low| to
-// high and the difference of the two to the corner. So low is nearest if 2 (high - corner) <= corner - low,
-// and high if 2 (corner - low) <= high - corner; no distance is computed.
-inline uint8_t paeth(int left, int above, int corner) {
-  const int low = std::min(left, above), high = std::max(left, above);
-  const int balance = 3 * corner - left - above;
-  const int nearest = balance <= low ? high : corner;
-  return uint8_t(balance >= high ? low : nearest);
-}
-
-// Adds to each byte of a row what its filter predicts from the bytes before it and from the row above.
-template <int kChannels>
-bool unfilter(int filter, const uint8_t* in, const uint8_t* above, int count, uint8_t* __restrict out) {
-  const auto predict = [&](auto prediction) {
-    uint8_t left[kChannels] = {}, corner[kChannels] = {};
-    for (int i = 0; i < count; i += kChannels)
-      for (int c = 0; c < kChannels; ++c) {
-        const uint8_t up = above[i + c];
-        out[i + c] = left[c] = uint8_t(in[i + c] + prediction(left[c], up, corner[c]));
-        corner[c] = up;
-      }
-    return true;
-  };
-  switch (filter) {
-    case 0:
-      std::copy_n(in, count, out);
-      return true;
-    case 1:
-      return predict([](int left, int, int) { return left; });
-    case 2:
-      for (int i = 0; i < count; ++i) out[i] = uint8_t(in[i] + above[i]);
-      return true;
-    case 3:
-      return predict([](int left, int up, int) { return (left + up) / 2; });
-    case 4:
-      return predict(paeth);
-    default:
-      return false;
-  }
-}
-
-template <int kChannels>
-bool unfilter_rows(const std::vector<uint8_t>& rows, cv::Mat* pixels) {
-  const int count = pixels->cols * kChannels;
-  const std::vector<uint8_t> black(size_t(count), 0);
-  const uint8_t* above = black.data();
-  for (int y = 0; y < pixels->rows; ++y) {
-    const uint8_t* row = &rows[size_t(y) * size_t(count + 1)];
-    uint8_t* out = pixels->ptr(y);
-    if (!unfilter<kChannels>(row[0], row + 1, above, count, out)) return false;
-    above = out;
-  }
-  return true;
 }
 
 }  // namespace
@@ -145,10 +91,12 @@ bool unfilter_rows(const std::vector<uint8_t>& rows, cv::Mat* pixels) {
 cv::Mat decode_plain_png(std::string_view bytes) {
   const std::optional<PlainPng> png = read_chunks(bytes);
   if (!png) return {};
-  const std::vector<uint8_t> rows = inflate_rows(*png);
-  if (rows.empty()) return {};
+  const std::unique_ptr<uint8_t[]> rows = inflate_rows(*png);
+  if (!rows) return {};
   cv::Mat pixels(int(png->height), int(png->width), CV_8UC(png->channels));
-  if (!(png->channels == 1 ? unfilter_rows<1>(rows, &pixels) : unfilter_rows<3>(rows, &pixels))) return {};
+  if (!unfilter_rows(rows.get(), pixels.rows, int(png->row_bytes()), png->channels, pixels.ptr(),
+                     std::ptrdiff_t(pixels.step)))
+    return {};
   if (png->channels == 3) cv::cvtColor(pixels, pixels, cv::COLOR_RGB2BGR);
   return pixels;
 }

@@ -9,20 +9,19 @@
 namespace edgevo {
 namespace {
 
-// Pose of a view in the map. The two views that made it are keyframes: the first and the newest.
-SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
-  if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
-  const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
-  return (is_first ? reference.T_keyframe_world.begin()->second : view.T_cam_first) *
-         reference.T_ref_world.inverse();
-}
-
 bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
   return view.frame_index == bootstrap.views.front().frame_index ||
          view.frame_index == bootstrap.views.back().frame_index;
 }
 
 }  // namespace
+
+SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
+  if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
+  const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
+  return (is_first ? reference.T_keyframe_world.begin()->second : view.T_cam_first) *
+         reference.T_ref_world.inverse();
+}
 
 BootstrapTracks track_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference,
                                        const OdometryParams& params) {

@@ -12,6 +12,10 @@
 
 namespace edgevo {
 
+/// Pose of a view against the reference of the finished map. The two views that made it are keyframes: the
+/// first and the newest.
+SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference);
+
 /// For each view its alignment with the finished map; nothing if it has no pose, or its image is gone.
 using BootstrapTracks = std::vector<std::optional<TrackResult>>;
 /// Tracks the views against the finished map. Cost: one alignment per view.

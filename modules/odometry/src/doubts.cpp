@@ -38,6 +38,13 @@ double doubt_of_corner_motion(const CornerEvidence& c) {
   return std::max(knows_lengths(c) ? std::min(of_length, of_depth) : 0.0, turn);
 }
 
+double doubt_of_focal_length(double focal_error, double sigma, double turn_deg) {
+  constexpr double kWrongDeg = 3, kSigmas = 2, kShownShare = 0.4, kLeastError = -0.5;
+  if (!(std::abs(focal_error) > kSigmas * sigma)) return 0;
+  const double error = std::max(kLeastError, focal_error / kShownShare);
+  return limited(std::abs(error) / (1 + error) * turn_deg / kWrongDeg);
+}
+
 double doubt_of_corner_scale(const CornerEvidence& c) {
   constexpr double kWrong = 0.223;  // log 1.25
   return std::max(limited(beyond(c.change_10, c.change_10_sigma) / kWrong),

@@ -134,6 +134,8 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
     make_keyframe(frame, T_cam_world, &update);
   else if (frame.return_to >= 0)
     return_to(frame.return_to, &update.times);
+  else
+    correct_between_keyframes(&update.times);
   if (frame.doubt_ended) end_doubt(*frame.doubt_ended);
   return update;
 }

@@ -45,9 +45,28 @@ void Mapper::calibrate_concurrently() {
   if (!calibration_.is_ready()) return;
   const std::optional<ImageCorrection> correction = calibration_.correction_found();
   // By the time the window has changed, the first images are of no use any more.
-  if (correction && ++keyframes_prepared_ <= params_.window.keyframes &&
-      !(corrected_images_->prepare(map_->active(), *correction) && edge_mapper_.is_idle()))
-    return;
+  if (correction && ++keyframes_prepared_ <= params_.window.keyframes && !is_prepared(*correction)) return;
+  end_concurrent_calibration();
+}
+
+// Between two keyframes all images can be there, as that of a keyframe that has just come cannot. So the
+// correction is not added to the work for a keyframe either.
+void Mapper::correct_between_keyframes(StageTimes* times) {
+  if (!options_.own_threads || window_.newest().is_doubtful || !calibration_.is_ready()) return;
+  const std::optional<ImageCorrection> correction = calibration_.correction_found();
+  if (!correction) return;
+  const StageTimer timer(Stage::kSelfCalibration, times);
+  keyframes_prepared_ = std::max(keyframes_prepared_, 1);
+  if (!is_prepared(*correction)) return;
+  end_concurrent_calibration();
+  publish_again();
+}
+
+bool Mapper::is_prepared(const ImageCorrection& correction) {
+  return corrected_images_->prepare(map_->active(), correction) && edge_mapper_.is_idle();
+}
+
+void Mapper::end_concurrent_calibration() {
   corrected_images_->finish();
   calibrate(false);
   corrected_images_->clear();
@@ -94,14 +113,18 @@ void Mapper::end_doubt(const DoubtEnded& ended) {
 // All that came after the last sure keyframe was measured in another unit. Nothing jumps for tracking: the
 // newest keyframe stays, and the sure ones move.
 void Mapper::set_unit_back(const DoubtEnded& ended) {
-  const int reference_id = reference_->keyframe_id;
   move_map(move_of_unit(*map_, ended.last_sure_keyframe, ended.length_ratio));
   // The prior knows lengths of the unit that is gone.
   window_.fix_bootstrap_scale();
   median_idepth_ /= ended.length_ratio;
   unit_ *= ended.length_ratio;
+  publish_again();
+}
+
+// The reference after a move of the map.
+void Mapper::publish_again() {
   for (const Keyframe& k : window_.keyframes())
-    if (k.id == reference_id) return publish(k);
+    if (k.id == reference_->keyframe_id) return publish(k);
   publish(window_.newest());
 }
 

@@ -116,6 +116,7 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
   if (own_parts.take(*arrived.pyramid)) {
     // Two views of a map would see different things.
     forget_views();
+    early.mask_changed();
     say(frame, own_parts.description());
   }
   newest_pose = {};
@@ -181,8 +182,7 @@ void Odometry::Impl::label(const FrameStatus& by_image, FrameRecord* record) {
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       trust.add_adjustment(*mapped->adjustment);
-  const FrameTrust found =
-      trust.add({record->evidence, state.segment(), newest_pose.T_cam_map->inverse().translation()});
+  const FrameTrust found = trust.add({record->evidence, state.segment(), newest_pose.T_cam_map->inverse()});
   const FrameStatus status = frame_status(by_image, found);
   record->p_right = found.p_right;
   record->state = status.state;
@@ -221,9 +221,9 @@ void Odometry::Impl::announce_camera() {
 
 void Odometry::Impl::act(const Frame& frame, Action action, const std::string& reason) {
   if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
-    forget_views();
+    forget_views(), early.clear();
   if (action == Action::kLose) say(frame, "LOST: " + reason);
-  if (action == Action::kRelocalised) say(frame, "relocalised in the old map");
+  if (action == Action::kRelocalised) early.clear(), say(frame, "relocalised in the old map");
 }
 
 void Odometry::Impl::note_pose(const FrameRecord& record) {

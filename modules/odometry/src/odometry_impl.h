@@ -7,6 +7,7 @@
 
 #include "bootstrapper.h"
 #include "concurrent_bootstrap.h"
+#include "early_frames.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/odometry/frame_status.h"
 #include "edgevo/odometry/health_watch.h"
@@ -99,6 +100,7 @@ struct Odometry::Impl {
   HealthWatch health;
   FrontEnd front_end;
   OwnParts own_parts;
+  EarlyFrames early;  // not with `concurrent`
   MapLink map;
   Bootstrapper bootstrapper;
   std::unique_ptr<ConcurrentBootstrap> concurrent;  // only with OdometryOptions::on_schedule

@@ -19,6 +19,7 @@ void Odometry::Impl::forget_views() {
 void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   FrameRecord& record = *now.record;
   frame_announced = false;  // times and note change
+  if (!concurrent) early.add(now);
   const BootstrapStatus status = concurrent ? look_concurrently(now) : look_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reason);
 }
@@ -45,6 +46,7 @@ std::string Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapRes
   state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
   if (problem.empty())
     begin_segment(now, bootstrapper.begin_segment(state.segment(), views, health.before(), scale));
+  if (problem.empty()) early.place(views, *front_end.reference(), state.segment(), params, &frames);
   if (problem.empty()) health.begin_map();
   return problem;
 }

@@ -22,14 +22,15 @@ class RebuiltImages {
   explicit RebuiltImages(RebuildPyramid rebuild) : rebuild_(std::move(rebuild)) {}
 
   /// Rebuilds the images of the keyframes, one after another, and then those of keyframes that came
-  /// meanwhile; call it again until it returns true.
+  /// meanwhile; call it again until it returns true. Some may still be missing then.
   bool prepare(const std::deque<Keyframe>& keyframes, const ImageCorrection& correction) {
-    constexpr int kRounds = 2;
+    constexpr int kRounds = 3;
     if (rebuilding_.valid() && rebuilding_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
       return false;
     finish();
-    if (rounds_ == kRounds) return true;
-    begin(keyframes, correction);
+    Images missing = unknown(keyframes, correction);
+    if (missing.empty() || rounds_ == kRounds) return true;
+    begin(std::move(missing), correction);
     return false;
   }
   /// Waits for what is under way; rethrows what it threw. get() knows the images until clear().
@@ -50,12 +51,15 @@ class RebuiltImages {
   /// By the image before: its motion, and the new image.
   using Images = std::map<std::shared_ptr<const FramePyramid>,
                           std::pair<ImageMotion, std::shared_ptr<const FramePyramid>>>;
-  void begin(const std::deque<Keyframe>& keyframes, const ImageCorrection& correction) {
-    ++rounds_;
-    Images old;
+  Images unknown(const std::deque<Keyframe>& keyframes, const ImageCorrection& correction) const {
+    Images images;
     for (const Keyframe& k : keyframes)
-      if (k.pyramid && !knows(k, correction)) old[k.pyramid] = {k.motion, nullptr};
-    rebuilding_ = std::async(std::launch::async, [this, correction, images = std::move(old)]() mutable {
+      if (k.pyramid && !knows(k, correction)) images[k.pyramid] = {k.motion, nullptr};
+    return images;
+  }
+  void begin(Images missing, const ImageCorrection& correction) {
+    ++rounds_;
+    rebuilding_ = std::async(std::launch::async, [this, correction, images = std::move(missing)]() mutable {
       name_traced_thread("corrected images");
       lower_thread_priority();
       for (auto& [pyramid, rebuilt] : images) rebuilt.second = rebuild_(*pyramid, rebuilt.first, correction);

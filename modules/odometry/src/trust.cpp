@@ -44,7 +44,7 @@ double weighted_sum(const Doubts& doubts) {
 
 Doubt largest_contribution(const Doubts& doubts) {
   if (p_right_limit(doubts) < 1)
-    return doubts[size_t(Doubt::kCornerMotion)] > 0 ? Doubt::kCornerMotion : Doubt::kNoWitness;
+    return doubts[size_t(Doubt::kMotion)] > 0 ? Doubt::kMotion : Doubt::kNoWitness;
   const auto most = std::max_element(
       trust_table::kTerms.begin(), trust_table::kTerms.end(), [&](const auto& a, const auto& b) {
         return a.weight * doubts[size_t(a.doubt)] < b.weight * doubts[size_t(b.doubt)];
@@ -52,8 +52,11 @@ Doubt largest_contribution(const Doubts& doubts) {
   return most->doubt;
 }
 
-std::string motion_in_words(const CornerEvidence& c) {
+std::string motion_in_words(double doubt, const FrameEvidence& e) {
   constexpr double kWrongDeg = 3;
+  const CornerEvidence c = e.corners.value_or(CornerEvidence());
+  if (doubt_of_corner_motion(c) < doubt)
+    return format("a turn with a focal length that the matches put %.0f %% off", 100 * e.focal_error);
   if (c.rotation_deg > kWrongDeg)
     return format("rotation over 10 frames differs from the corners' by %.1f degrees", c.rotation_deg);
   return format("motion over 10 frames differs from the corners' by %.0f %%", 100 * c.motion_error);
@@ -67,11 +70,11 @@ std::string scale_in_words(const CornerEvidence& c) {
                     : format("scale grew by a factor of %.2f within %d frames", std::exp(-change), frames);
 }
 
-std::string in_words(Doubt doubt, const FrameEvidence& e) {
+std::string in_words(Doubt doubt, const Doubts& doubts, const FrameEvidence& e) {
   const CornerEvidence c = e.corners.value_or(CornerEvidence());
   switch (doubt) {
-    case Doubt::kCornerMotion:
-      return motion_in_words(c);
+    case Doubt::kMotion:
+      return motion_in_words(doubts[size_t(doubt)], e);
     case Doubt::kCornerScale:
       return scale_in_words(c);
     case Doubt::kCornerAgreement:
@@ -112,7 +115,7 @@ double p_right_limit(const Doubts& doubts) {
   constexpr double kContradiction = 1.6;  // no right frame of the corpus on a camera that moves evenly
   constexpr double kNoInformation = 2;    // a standard deviation of a tenth of the depth
   const auto of = [&](Doubt doubt) { return doubts[size_t(doubt)]; };
-  const bool is_contradicted = of(Doubt::kCornerMotion) >= kContradiction;
+  const bool is_contradicted = of(Doubt::kMotion) >= kContradiction;
   const bool is_alone = of(Doubt::kNoWitness) >= 1 && of(Doubt::kWeakDirection) >= kNoInformation;
   return is_contradicted || is_alone ? kAtMostInDoubt : 1.0;
 }
@@ -124,7 +127,7 @@ double p_right(const Doubts& doubts) {
 
 void Trust::begin_segment(int segment) {
   segment_ = segment;
-  last_centre_.reset();
+  interrupt();
   steps_.clear();  // in another unit
   moved_.clear();
 }
@@ -132,10 +135,17 @@ void Trust::begin_segment(int segment) {
 // NaN at the beginning of a segment, and over a gap.
 double Trust::step_of(const TrustFrame& frame) {
   if (frame.segment != segment_) begin_segment(frame.segment);
-  const double step =
-      last_centre_ ? (frame.centre - *last_centre_).norm() : std::numeric_limits<double>::quiet_NaN();
-  last_centre_ = frame.centre;
+  const double step = last_centre_ ? (frame.T_map_cam.translation() - *last_centre_).norm()
+                                   : std::numeric_limits<double>::quiet_NaN();
+  last_centre_ = frame.T_map_cam.translation();
   return step;
+}
+
+// Of the motion over the last ten frames.
+double Trust::turn_deg(const TrustFrame& frame) {
+  rotations_.push_back(frame.T_map_cam.rotation());
+  if (rotations_.size() > kFrames + 1) rotations_.pop_front();
+  return 180 / M_PI * rotations_.front().angularDistance(rotations_.back());
 }
 
 FrameTrust Trust::add(const TrustFrame& frame) {
@@ -153,7 +163,8 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   FrameTrust trust;
   const CornerEvidence corners = e.corners.value_or(CornerEvidence());
   const auto set = [&](Doubt doubt, double value) { trust.doubts[size_t(doubt)] = value > 0 ? value : 0; };
-  set(Doubt::kCornerMotion, doubt_of_corner_motion(corners));
+  const double camera = doubt_of_focal_length(e.focal_error, e.focal_error_sigma, turn_deg(frame));
+  set(Doubt::kMotion, std::max(doubt_of_corner_motion(corners), camera));
   set(Doubt::kCornerScale, doubt_of_corner_scale(corners));
   set(Doubt::kCornerAgreement, doubt_of_corner_agreement(corners));
   set(Doubt::kNoWitness, doubt_without_witness(e.corners));
@@ -164,7 +175,8 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   set(Doubt::kStarvation, starvation_.mean());
   set(Doubt::kImage, image_.mean());
   trust.p_right = edgevo::p_right(trust.doubts);
-  if (trust.p_right < kDoubtfulBelow) trust.reason = in_words(largest_contribution(trust.doubts), e);
+  if (trust.p_right < kDoubtfulBelow)
+    trust.reason = in_words(largest_contribution(trust.doubts), trust.doubts, e);
   if (const double times = times_usual(step, steps_.median(), e.median_depth); times > kGiantTimes) {
     trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
     trust.reason = format("a step of %.0f times the usual one", times);

@@ -17,8 +17,7 @@ struct Term {
   double weight;
 };
 constexpr std::array<Term, kDoubts> kTerms{{
-    {Doubt::kCornerMotion, "corner_motion", "share of length / 0.25 and median depths / 0.02, or degrees / 3",
-     1.5698},
+    {Doubt::kMotion, "motion", "share of length / 0.25 and median depths / 0.02, or degrees / 3", 1.5698},
     {Doubt::kCornerScale, "corner_scale", "log ratio / log 1.25", 0.0946},
     {Doubt::kCornerAgreement, "corner_agreement", "2 x share of the corners", 0.7048},
     {Doubt::kNoWitness, "no_witness", "1: the motion cannot be checked", 0.0000},

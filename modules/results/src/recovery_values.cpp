@@ -142,6 +142,7 @@ void visit_evidence(Visit& v, Evidence& e) {
   v.plain(e.step_sigmas);
   v.maybe(e.known_points, plain), v.plain(e.lacking_share), v.plain(e.view_share);
   v.maybe(e.adjustment, [&](auto& a) { visit_adjustment(v, a); });
+  v.plain(e.focal_error), v.plain(e.focal_error_sigma);
   v.maybe(e.corners, [&](auto& c) { visit_corners(v, c); });
 }
 
@@ -183,6 +184,9 @@ void visit_refinement(Visit& v, Refinement& c) {
   v.plain(c.state), v.plain(c.correction), v.plain(c.estimate), v.plain(c.sigma), v.plain(c.keyframes);
   auto& s = c.shutter;
   v.plain(s.state), v.plain(s.estimate), v.plain(s.sigma), v.plain(s.keyframes);
+  auto& l = c.lens;
+  v.plain(l.k1), v.plain(l.k2), v.plain(l.focal), v.plain(l.k1_sigma), v.plain(l.k2_sigma);
+  v.plain(l.focal_sigma), v.plain(l.keyframes);
 }
 
 template <class Visit, class Correction>

@@ -77,6 +77,8 @@ void append_evidence(std::string* text, const FrameEvidence& e) {
   append_adjustment(text, e.adjustment);
   append_count(text, e.corners ? std::optional<int>(e.corners->tracks) : std::nullopt);
   append_corners(text, e.corners.value_or(CornerEvidence()));
+  append_number(text, e.focal_error, 4);
+  append_number(text, e.focal_error_sigma, 4);
 }
 
 }  // namespace
@@ -167,7 +169,7 @@ std::string frames_csv(const Run& run) {
       "adjusted_here,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_change_10,"
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
-      "corner_direction_sigma,p_right,keyframe_doubtful";
+      "corner_direction_sigma,focal_error,focal_error_sigma,p_right,keyframe_doubtful";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);

@@ -101,8 +101,24 @@ SE3 level_mount(const Eigen::Vector3d& up) {
 
 namespace {
 
+// A vehicle that moves along another axis than its forward one.
+std::optional<InputDecision> doubt_yaw(const Run& run) {
+  constexpr double kMostDeg = 30;  // a camera that is turned on its robot by less may be meant
+  const auto axes = travel_axes(drive_of(run));
+  if (!axes) return std::nullopt;
+  const Eigen::Vector3d travel = run.T_vehicle_cam->R() * axes->forward;
+  const double off_deg = kDegree * std::abs(std::atan2(travel.y(), travel.x()));
+  if (off_deg < kMostDeg) return std::nullopt;
+  return InputDecision{"mount seen",
+                       "the vehicle moves " + fixed(off_deg, 0) + " degrees from its forward axis",
+                       "direction of travel",
+                       "the yaw of the mount that was given may be wrong by that (roll, pitch, yaw), unless "
+                       "the vehicle drove backwards or sideways."};
+}
+
 // A given mount against what was seen; nothing where they agree or nothing certain was seen.
 std::optional<InputDecision> doubt_mount(const Run& run) {
+  if (const auto yaw = doubt_yaw(run)) return yaw;
   const auto up = estimate_up(run);
   if (!up || !up->is_certain) return std::nullopt;
   const Eigen::Vector3d given = run.T_vehicle_cam->R().transpose() * Eigen::Vector3d::UnitZ();

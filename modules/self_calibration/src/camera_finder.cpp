@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "edgevo/self_calibration/lens_estimate.h"
 #include "finding.h"
 #include "held_back.h"
 
@@ -25,6 +26,9 @@ constexpr double kLeastSignificance = 1.5;
 // bias the estimates: they come out a fifth to a half short and approach the truth step by step
 // (share/lab/archive/2026-11-22_rolling_shutter.md).
 constexpr double kOverRelaxation = 1.3;
+
+// Beforehand, of a lens that the camera file describes roughly.
+constexpr LensPrior kLensPrior{0.3, 0.1, 0.1, 0};
 
 class CameraFinder {
  public:
@@ -51,6 +55,7 @@ class CameraFinder {
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
     CameraEstimate e = search(estimate_k1, estimate_readout);
     if (!e.usable) return nothing();
+    if (estimate_k1) note_lens(e);
     if (params_.refines_readout() && !estimate_readout) e = look_at_shutter(std::move(e));
     return apply_significant(std::move(e));
   }
@@ -93,6 +98,18 @@ class CameraFinder {
     state_.state = f.state;
     state_.estimate = f.estimate, state_.sigma = f.sigma, state_.keyframes = keyframes_;
     return f;
+  }
+
+  // One step with everything free, from the minimum over what a run corrects.
+  void note_lens(const CameraEstimate& e) {
+    CameraSearch whole;
+    whole.free = only({kK1, kK2, kFocal});
+    whole.prior_sigma = of_each(kLensPrior.k1, 1, kLensPrior.k2, kLensPrior.focal, 1);
+    const std::optional<CameraLook> look = look_from(problem_, e, whole, options_);
+    if (!look) return;
+    const ba::Unknowns sigma = kSigmasOfMatches * look->sigma;
+    state_.lens = {look->value[kK1], look->value[kK2], look->value[kFocal], sigma[kK1],
+                   sigma[kK2],       sigma[kFocal],    keyframes_};
   }
 
   Finding note_readout(double readout_s, double formal_sigma) {

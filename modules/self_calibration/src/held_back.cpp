@@ -80,8 +80,8 @@ struct Difference {
 
 }  // namespace
 
-HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e,
-                              const ImageCorrection& file, const BaOptions& options) {
+HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e, const CameraError& file,
+                              const BaOptions& options) {
   // Both from the same start: the map as the estimate leaves it.
   const CameraProblem rest = without_held_back(problem, e.solution);
   const std::optional<BaProblem> estimated = fit_map(rest, e.value, options),

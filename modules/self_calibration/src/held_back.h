@@ -24,7 +24,7 @@ struct HeldBack {
 /// Compares the estimate `e` with `file`, the camera file's correction. The matches in every fifth keyframe
 /// are held back: depths and all other poses are adjusted without them under each of the two, then these
 /// keyframes are placed by them and the costs compared. Cost: about five solves.
-HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e,
-                              const ImageCorrection& file, const BaOptions& options);
+HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e, const CameraError& file,
+                              const BaOptions& options);
 
 }  // namespace edgevo

@@ -12,9 +12,14 @@
 namespace edgevo {
 namespace {
 
+Instant instant_near(const Scene& scene, int frame, double seconds_off) {
+  if (seconds_off == 0) return instant_of(scene, frame);
+  const double seconds = scene.times[size_t(frame)].seconds() + seconds_off;
+  return {scene.T_scene_cam_at(seconds), seconds};
+}
+
 SE3 T_scene_cam(const Scene& scene, int frame, double seconds_off) {
-  return seconds_off == 0 ? scene.T_scene_cam[size_t(frame)]
-                          : scene.T_scene_cam_at(scene.times[size_t(frame)].seconds() + seconds_off);
+  return instant_near(scene, frame, seconds_off).T_scene_cam;
 }
 
 // Instants at equal steps, one in the middle of each of `count` parts of the exposure; their mean is 0.
@@ -64,10 +69,20 @@ std::vector<float> expose(const Scene& scene, const LensRays& rays, int frame, i
     for (int v = 0; v < p.height; v += rows_at_once) {
       const double seconds =
           scene.shutter.row_time(v, p.height) + instant(k, instants, scene.shutter.exposure_s);
-      add_rows_seen(scene, rays, T_scene_cam(scene, frame, seconds), {v, v + rows_at_once}, &gray);
+      add_rows_seen(scene, rays, instant_near(scene, frame, seconds), {v, v + rows_at_once}, &gray);
     }
   for (float& g : gray) g /= float(instants);
   return gray;
+}
+
+std::vector<uint8_t> bodies_in(const Scene& scene, const LensRays& rays, int frame) {
+  const Pinhole p = scene.camera.pinhole();
+  std::vector<uint8_t> bodies(size_t(p.width) * p.height, kSceneAlone);
+  const int rows_at_once = scene.shutter.rolling_s > 0 ? 1 : p.height;
+  for (int v = 0; v < p.height; v += rows_at_once)
+    set_rows_of_bodies(scene, rays, instant_near(scene, frame, scene.shutter.row_time(v, p.height)),
+                       {v, v + rows_at_once}, &bodies);
+  return bodies;
 }
 
 }  // namespace edgevo

@@ -20,4 +20,7 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
 /// each instant, and with a rolling shutter one traversal of all surfaces for each row and instant.
 std::vector<float> expose(const Scene& scene, const LensRays& rays, int frame, int instants);
 
+/// Which body is seen at each pixel in the middle of the exposure of its row (set_rows_of_bodies()).
+std::vector<uint8_t> bodies_in(const Scene& scene, const LensRays& rays, int frame);
+
 }  // namespace edgevo

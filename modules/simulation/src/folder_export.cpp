@@ -77,10 +77,22 @@ std::string shutter_note(const Shutter& shutter) {
          "its middle row.\n";
 }
 
-std::string source_text(const Scene& scene, int begin, int end) {
+std::string traffic_option(const Scene& scene) {
+  std::string text;
+  for (const std::string& kind : scene.traffic) text += " --traffic " + kind;
+  return text;
+}
+
+std::string own_part_option(const FolderExport& options) {
+  if (!options.own_part) return {};
+  const OverlayOptions& o = options.own_part->options();
+  return " --own-part " + o.own_part + " --part-share " + fixed(o.part_share, 3);
+}
+
+std::string source_text(const Scene& scene, const FolderExport& options, int begin, int end) {
   const std::string shutter = seconds_option(" --rolling-shutter ", scene.shutter.rolling_s) +
                               seconds_option(" --exposure ", scene.shutter.exposure_s) + mount_option(scene) +
-                              camera_option(scene);
+                              camera_option(scene) + traffic_option(scene) + own_part_option(options);
   const std::string seed = std::to_string(scene.seed),
                     frames = std::to_string(begin) + ":" + std::to_string(end);
   return "# Rendered scene `" + scene.name + "`\n\nFrames " + frames + ", seed " + seed +
@@ -90,15 +102,26 @@ std::string source_text(const Scene& scene, int begin, int end) {
          shutter_note(scene.shutter);
 }
 
-void write_texts(const SceneRenderer& renderer, const std::string& folder, const std::string& camera,
+GrayImage image_of(const SceneRenderer& renderer, const FolderExport& options, int index) {
+  GrayImage image = renderer.render_image(index);
+  return options.own_part ? options.own_part->apply(image, index, 0, std::nullopt).image : image;
+}
+
+GrayImage own_part_mask(const SceneRenderer& renderer, const Overlay& part) {
+  const Pinhole p = renderer.camera().pinhole();
+  return {p.width, p.height, part.own_part_mask()};
+}
+
+void write_texts(const SceneRenderer& renderer, const std::string& folder, const FolderExport& options,
                  int begin, int end) {
+  const std::string& camera = options.camera_text;
   const Scene& scene = renderer.scene();
   std::string times;
   for (int i = begin; i < end; ++i) times += to_string(scene.times[size_t(i)]) + "\n";
   write_file(folder + "/times.txt", times);
   write_file(folder + "/groundtruth_tum.txt", ground_truth_tum(renderer, begin, end));
   write_file(folder + "/camera.txt", camera.empty() ? camera_line(scene.camera) : camera);
-  write_file(folder + "/SOURCE.md", source_text(scene, begin, end));
+  write_file(folder + "/SOURCE.md", source_text(scene, options, begin, end));
 }
 
 }  // namespace
@@ -162,11 +185,15 @@ void export_folder(const SceneRenderer& renderer, const std::string& folder, con
   make_output_folder(folder + "/images");
   if (options.depth) make_output_folder(folder + "/depth");
   if (options.edges) make_output_folder(folder + "/edges");
-  write_texts(renderer, folder, options.camera_text, begin, end);
+  const bool has_bodies = !renderer.scene().bodies.empty();
+  if (has_bodies) make_output_folder(folder + "/masks");
+  write_texts(renderer, folder, options, begin, end);
+  if (options.own_part) write_png(folder + "/mask.png", own_part_mask(renderer, *options.own_part));
   std::mutex mutex;
   int done = 0;
   run_parallel(begin, end, std::max(1, options.threads), [&](int i) {
-    write_png(numbered(folder + "/images", i, ".png"), renderer.render_image(i));
+    write_png(numbered(folder + "/images", i, ".png"), image_of(renderer, options, i));
+    if (has_bodies) write_png(numbered(folder + "/masks", i, ".png"), renderer.render_bodies(i));
     if (options.depth)
       write_pfm(numbered(folder + "/depth", i, ".pfm"), renderer.render_depth(i),
                 renderer.undistorted().width, renderer.undistorted().height);

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Textures of the bodies of overlay.h.
+// Textures of bodies that do not belong to the scene, for overlay.h and traffic.h.
+#include "canvas.h"
 #include "edgevo/core/random.h"
-#include "edgevo/simulation/texture.h"
 
 namespace edgevo {
 
 /// Boards, bolts and writing: edges all over.
-Texture textured_part(Random random);
+Canvas textured_part(Random& random);
 /// A uniform surface: its only edge is its outline.
-Texture plain_part();
+Canvas plain_part(Random& random);
 /// Seen from the driver's seat: a curved rim, two instruments, vents; empty above the rim.
-Texture dashboard(Random random);
+Canvas dashboard(Random& random);
+/// A bonnet with a curved rim, nozzles and two creases; empty above the rim.
+Canvas bonnet(Random& random);
+/// The bow of a boat, pointed, with planks; empty around it.
+Canvas bow(Random& random);
 /// The rear of a lorry: doors, lamps, bumper.
-Texture lorry_rear(Random random);
+Canvas lorry_rear(Random& random);
 /// The side of a bus: windows, wheels, an advertisement.
-Texture bus_side(Random random);
+Canvas bus_side(Random& random);
+/// Somebody who walks; empty around.
+Canvas person(Random& random);
 
 }  // namespace edgevo

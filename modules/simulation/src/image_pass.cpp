@@ -15,44 +15,58 @@ namespace {
 // The image, row by row: visibility of all samples, then one shading for each surface that a pixel sees.
 class ImagePass {
  public:
-  ImagePass(const Scene& scene, const LensRays& rays, const SE3& T_scene_cam, RowRange rows)
+  ImagePass(const Scene& scene, const LensRays& rays, const Instant& at, RowRange rows)
       : pinhole_(scene.camera.pinhole()), rays_(rays), rows_(rows), row_(pinhole_.width, kSamples) {
     context_ = {float(1 / pinhole_.fx), float(1 / pinhole_.fy), scene.world->sky.gray,
                 float(scene.world->sky.haze_per_metre)};
     has_clouds_ = scene.world->sky.texture >= 0;
     if (rays.has_faces()) {
-      add_faces(scene, T_scene_cam);
+      add_faces(scene, at);
     } else {
-      views_ = view_surfaces(*scene.world, scene.camera, T_scene_cam, rows);
-      if (has_clouds_) sky_[0] = view_sky(*scene.world, T_scene_cam);
+      add_views(view_scene(scene, scene.camera, at, rows));
+      if (has_clouds_) sky_[0] = view_sky(*scene.world, at.T_scene_cam);
     }
     set_sample_columns(pinhole_, kSamples, &row_);
   }
 
   // Adds to `gray`, the whole image row by row.
   void add_to(std::vector<float>* gray) {
+    for_rows([&](int v) { add_row(v, gray->data() + size_t(v) * pinhole_.width); });
+  }
+
+  // Sets `bodies`, the whole image row by row.
+  void set_bodies(std::vector<uint8_t>* bodies) {
+    for_rows([&](int v) { set_row_of_bodies(bodies->data() + size_t(v) * pinhole_.width); });
+  }
+
+ private:
+  // Calls `take` for each row, once it is known what its samples meet.
+  template <class Take>
+  void for_rows(const Take& take) {
     ActiveSurfaces active(views_);
     for (int v = rows_.begin; v < rows_.end; ++v) {
       row_.clear();
       if (rays_.has_faces()) begin_row(v);
       active.for_row(v, [&](const ViewSurface& view, int id) { draw(view, id, v); });
-      add_row(v, gray->data() + size_t(v) * pinhole_.width);
+      take(v);
     }
   }
-
- private:
   // Owner of a sample that sees the sky through a face, or that no ray reaches.
   static int sky_owner(uint8_t face) { return -1 - int(face); }
   static constexpr int kNoOwner = -1 - int(kNoFace);
 
+  void add_views(const SceneViews& views) {
+    views_.insert(views_.end(), views.surfaces.begin(), views.surfaces.end());
+    body_.insert(body_.end(), views.body.begin(), views.body.end());
+  }
+
   // The views of all faces through which some ray points, one after the other.
-  void add_faces(const Scene& scene, const SE3& T_scene_cam) {
+  void add_faces(const Scene& scene, const Instant& at) {
     for (int face = 0; face < kFaces; ++face) {
       if (std::find(rays_.face.begin(), rays_.face.end(), uint8_t(face)) == rays_.face.end()) continue;
-      const auto views = view_surfaces_in_face(*scene.world, scene.camera, face, T_scene_cam, rows_);
-      views_.insert(views_.end(), views.begin(), views.end());
+      add_views(view_scene_in_face(scene, scene.camera, face, at, rows_));
       face_of_view_.resize(views_.size(), face);
-      if (has_clouds_) sky_[size_t(face)] = view_sky(*scene.world, T_scene_face(T_scene_cam, face));
+      if (has_clouds_) sky_[size_t(face)] = view_sky(*scene.world, T_scene_face(at.T_scene_cam, face));
       rays_in_face_[size_t(face)].resize(size_t(kSamples) * size_t(pinhole_.width));
     }
   }
@@ -138,10 +152,22 @@ class ImagePass {
           mixed_[size_t(u)] ? shade_mixed(u, v) : shade_owner(centre[u], context_at(u, v), ray(u, v, 0));
   }
 
+  void set_row_of_bodies(uint8_t* bodies) {
+    constexpr int kMost = 99;
+    std::fill(bodies, bodies + pinhole_.width, kSceneAlone);
+    for (int s = 0; s < kSamples; ++s) {
+      const int32_t* owner = row_.owner_of(s);
+      for (int u = 0; u < pinhole_.width; ++u)
+        if (owner[u] >= 0 && body_[size_t(owner[u])] != kNoBody)
+          bodies[u] = std::min(bodies[u], uint8_t(std::min(body_[size_t(owner[u])], kMost)));
+    }
+  }
+
   Pinhole pinhole_;
   const LensRays& rays_;
   RowRange rows_;
   std::vector<ViewSurface> views_;
+  std::vector<int> body_;  // of each view
   std::vector<int> face_of_view_;
   std::array<std::vector<Eigen::Vector2f>, kFaces> rays_in_face_;  // of the current row
   std::array<ViewSurface, kFaces> sky_;
@@ -153,9 +179,14 @@ class ImagePass {
 
 }  // namespace
 
-void add_rows_seen(const Scene& scene, const LensRays& rays, const SE3& T_scene_cam, RowRange rows,
+void add_rows_seen(const Scene& scene, const LensRays& rays, const Instant& at, RowRange rows,
                    std::vector<float>* gray) {
-  ImagePass(scene, rays, T_scene_cam, rows).add_to(gray);
+  ImagePass(scene, rays, at, rows).add_to(gray);
+}
+
+void set_rows_of_bodies(const Scene& scene, const LensRays& rays, const Instant& at, RowRange rows,
+                        std::vector<uint8_t>* bodies) {
+  ImagePass(scene, rays, at, rows).set_bodies(bodies);
 }
 
 }  // namespace edgevo

@@ -19,6 +19,13 @@ constexpr double kStandingNoise = 2.0;      // gray levels
 constexpr double kAspect = 2.0;             // width over height of gripper and plain part
 constexpr double kFirstVehicleShare = 0.1;  // of its width at its nearest
 constexpr double kAppears = 3, kCatchUp = 4, kFollows = 2, kPullsAway = 4;  // seconds
+constexpr double kFocal = 718.856;                                          // of a width of 1241
+constexpr double kHorizon = 0.48;                                           // of the height of the image
+// Vehicles that pass: metres to the left of the camera, below it, wide and high; when they are drawn.
+constexpr double kToTheLeft = 3, kBelow = 1.65, kWide = 2.5, kNearest = 2, kFarthest = 80;
+constexpr double kShade = 0.55;     // of the light is left in a shadow
+constexpr double kSoft = 2;         // pixels over which it begins
+constexpr double kReflected = 0.3;  // of the sky and houses by a bonnet
 
 Random body_stream(uint64_t seed, uint64_t body) { return Random::derive(seed, 0x6f7665726c6179 + body); }
 
@@ -48,6 +55,19 @@ double covered_share(double centre, double low, double high) {
   return std::clamp(std::min(centre + 0.5, high) - std::max(centre - 0.5, low), 0.0, 1.0);
 }
 
+double usual_share(const std::string& own_part) {
+  if (own_part == "dashboard") return 0.3;
+  if (own_part == "bonnet") return 0.2;
+  return own_part == "bow" ? 0.15 : 0.1;
+}
+
+Canvas (*own_part_look(const std::string& kind))(Random&) {
+  if (kind == "plain") return plain_part;
+  if (kind == "dashboard") return dashboard;
+  if (kind == "bonnet") return bonnet;
+  return kind == "bow" ? bow : textured_part;
+}
+
 void check_overlay(const OverlayOptions& o) {
   const auto& kinds = own_part_kinds();
   if (!o.own_part.empty() && std::find(kinds.begin(), kinds.end(), o.own_part) == kinds.end())
@@ -55,37 +75,54 @@ void check_overlay(const OverlayOptions& o) {
                      "did you mean " + nearest_name(o.own_part, kinds) + "?");
   if (o.crossing_px > 0 && o.standing == 0)
     throw InputError("--crossing", "the bus crosses while the camera stands", "give --standing N, too");
-  if (o.own_part.empty() && !(o.vehicle_px > 0) && o.standing == 0)
-    throw InputError("overlay", "nothing to paste", "give --own-part, --vehicle-ahead or --standing");
+  const auto& passing = passing_kinds();
+  if (!o.passing.empty() && std::find(passing.begin(), passing.end(), o.passing) == passing.end())
+    throw InputError("--traffic " + o.passing, "is not a kind of traffic",
+                     "did you mean " + nearest_name(o.passing, passing) + "?");
+  if (o.own_part.empty() && !(o.vehicle_px > 0) && o.standing == 0 && o.passing.empty())
+    throw InputError("overlay", "nothing to paste",
+                     "give --own-part, --vehicle-ahead, --traffic or --standing");
 }
 
 }  // namespace
 
 const std::vector<std::string>& own_part_kinds() {
-  static const std::vector<std::string> kinds{"gripper", "plain", "dashboard"};
+  static const std::vector<std::string> kinds{"gripper", "plain", "dashboard", "arm", "bonnet", "bow"};
+  return kinds;
+}
+
+const std::vector<std::string>& passing_kinds() {
+  static const std::vector<std::string> kinds{"oncoming", "overtaking"};
   return kinds;
 }
 
 Overlay::Overlay(const OverlayOptions& options, int width, int height)
     : options_(options), width_(width), height_(height) {
   check_overlay(options);
-  if (options_.part_share == 0) options_.part_share = options_.own_part == "dashboard" ? 0.3 : 0.1;
-  if (options_.own_part == "gripper") own_ = textured_part(body_stream(options_.seed, 1));
-  if (options_.own_part == "plain") own_ = plain_part();
-  if (options_.own_part == "dashboard") own_ = dashboard(body_stream(options_.seed, 1));
-  if (options_.vehicle_px > 0) lorry_ = lorry_rear(body_stream(options_.seed, 2));
-  if (options_.crossing_px > 0) bus_ = bus_side(body_stream(options_.seed, 3));
+  if (options_.part_share == 0) options_.part_share = usual_share(options_.own_part);
+  const auto drawn = [&](uint64_t body, Canvas (*draw)(Random&)) {
+    Random random = body_stream(options_.seed, body);
+    return draw(random).texture();
+  };
+  if (options_.vehicle_px > 0 || !options_.passing.empty()) lorry_ = drawn(2, lorry_rear);
+  if (options_.crossing_px > 0) bus_ = drawn(3, bus_side);
   if (options_.own_part.empty()) return;
+  own_ = drawn(1, own_part_look(options_.own_part));
   own_mask_.assign(size_t(width) * height, 255);
   GrayImage ignored{width, height, std::vector<uint8_t>(own_mask_.size())};
-  paste(own_, own_place(), 0, &ignored, &own_mask_);
+  paste_own(0, ignored, &ignored, &own_mask_);
 }
 
-// A rectangle leaves the lower border of the image, somewhat right of its middle.
+// Some reach over the whole width; else a rectangle leaves the lower border of the image, somewhat right of
+// its middle.
 Overlay::BodyBox Overlay::own_place() const {
   const double area = options_.part_share * width_ * height_;
-  if (options_.own_part == "dashboard")
-    return {-0.5, height_ - 0.5 - options_.part_share * height_, width_ - 0.5, height_ - 0.5};
+  const bool is_wide = options_.own_part == "dashboard" || options_.own_part == "bonnet";
+  if (is_wide || options_.own_part == "bow") {
+    const double filled = is_wide ? 1 : 0.5;  // of its box
+    const double high = std::min(options_.part_share / filled, 0.9) * height_;
+    return {-0.5, height_ - 0.5 - high, width_ - 0.5, height_ - 0.5};
+  }
   const double high = std::min(std::sqrt(area / kAspect), 0.9 * height_), wide = area / high;
   const double left = std::min(0.55 * width_ - 0.5 * wide, width_ - wide);
   return {left, height_ - 0.5 - high, left + wide, height_ - 0.5};
@@ -104,6 +141,21 @@ std::optional<Overlay::BodyBox> Overlay::vehicle_place(double seconds) const {
   const double x = 0.5 * width_ + 0.06 * wide * std::sin(1.1 * t);
   const double bottom = 0.48 * height_ + wide * (0.66 + 0.004 * std::sin(5 * t));
   return BodyBox{x - 0.5 * wide, bottom - wide, x + 0.5 * wide, bottom};
+}
+
+// On the other lane, one after the other; who overtakes moves in ahead.
+std::optional<Overlay::BodyBox> Overlay::passing_place(double seconds) const {
+  const bool comes = options_.passing == "oncoming";
+  const double every = comes ? 3.5 : 6, speed = comes ? -18 : 5;  // seconds; m/s relative to the camera
+  // The next one ahead that comes; the newest one ahead that has overtaken.
+  const double passed = comes ? std::ceil(seconds / every) * every : std::floor(seconds / every) * every;
+  const double z = speed * (seconds - passed);
+  if (passed == 0 || z < kNearest || z > kFarthest) return std::nullopt;
+  const double focal = kFocal * width_ / kUsualWidth / z;
+  const double moved_in = comes ? 0 : std::clamp((z - 8) / 16, 0.0, 1.0);
+  const double x = 0.5 * width_ - focal * kToTheLeft * (1 - moved_in * moved_in * (3 - 2 * moved_in));
+  const double half = 0.5 * focal * kWide, bottom = kHorizon * height_ + focal * kBelow;
+  return BodyBox{x - half, bottom - 2 * half, x + half, bottom};
 }
 
 // It enters after a tenth of the stop and has left after nine tenths.
@@ -137,6 +189,40 @@ void Overlay::paste(const Texture& texture, const BodyBox& p, int index, GrayIma
     }
 }
 
+// A shadow next to an arm: the scene is seen in it, and its rim is fixed to the camera.
+void Overlay::shade(const BodyBox& arm, GrayImage* image, std::vector<uint8_t>* mask) const {
+  const double right = arm.right + 0.6 * (arm.right - arm.left), top = 0.6 * arm.top + 0.4 * arm.bottom;
+  for (int y = std::max(0, int(top - kSoft)); y < height_; ++y)
+    for (int x = std::max(0, int(arm.right)); x < std::min<double>(width_, right + kSoft); ++x) {
+      const double depth = std::min(right - x, y - top);  // pixels inside its rim
+      const double share = std::clamp(0.5 + depth / (2 * kSoft), 0.0, 1.0);
+      uint8_t& pixel = image->pixels[size_t(y) * width_ + x];
+      pixel = uint8_t(std::lround(pixel * (1 - share * (1 - kShade))));
+      if (std::abs(depth) <= kSoft) (*mask)[size_t(y) * width_ + x] = 0;
+    }
+}
+
+// What lies above the horizon, upside down, where the mask is black.
+void Overlay::reflect(const GrayImage& scene, const std::vector<uint8_t>& mask, GrayImage* image) const {
+  for (int y = 0; y < height_; ++y) {
+    const int mirrored = std::clamp(int(2 * kHorizon * height_) - y, 0, height_ - 1);
+    for (int x = 0; x < width_; ++x) {
+      if (mask[size_t(y) * width_ + x] != 0) continue;
+      uint8_t& pixel = image->pixels[size_t(y) * width_ + x];
+      const double light = kReflected * scene.pixels[size_t(mirrored) * width_ + x];
+      pixel = uint8_t(std::lround(std::min(pixel + light, 255.0)));
+    }
+  }
+}
+
+void Overlay::paste_own(int index, const GrayImage& scene, GrayImage* image,
+                        std::vector<uint8_t>* mask) const {
+  const BodyBox place = own_place();
+  if (options_.own_part == "arm") shade(place, image, mask);
+  paste(own_, place, index, image, mask);
+  if (options_.own_part == "bonnet") reflect(scene, *mask, image);
+}
+
 OverlaidImage Overlay::apply(const GrayImage& image, int index, double seconds,
                              std::optional<int> standing) const {
   check_pixels(image, "Overlay::apply()");
@@ -150,9 +236,11 @@ OverlaidImage Overlay::apply(const GrayImage& image, int index, double seconds,
   };
   if (options_.vehicle_px > 0)
     if (const std::optional<BodyBox> place = vehicle_place(seconds)) paste_moving(lorry_, *place);
+  if (!options_.passing.empty())
+    if (const std::optional<BodyBox> place = passing_place(seconds)) paste_moving(lorry_, *place);
   if (options_.crossing_px > 0 && standing) paste_moving(bus_, crossing_place(*standing));
   std::vector<uint8_t> own = own_mask_;
-  if (!own.empty()) paste(own_, own_place(), index, &out.image, &own);
+  if (!own.empty()) paste_own(index, image, &out.image, &own);
   return out;
 }
 

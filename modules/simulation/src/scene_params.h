@@ -98,7 +98,7 @@ struct WorldParams {
   /// Season of a lakeshore: leaves, sun and haze (season.h); empty: none.
   std::string season;
   void visit(KeyVisitor& v) {
-    v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza"}, "what is built");
+    v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza", "motorway"}, "what is built");
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
     v.text("sky", sky, {}, "kind of texture for the sky; empty: plain");
     v.number("horizon_gray", horizon_gray, 0, 255, "gray of the sky at the horizon, which haze fades to");

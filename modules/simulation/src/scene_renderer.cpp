@@ -10,6 +10,7 @@
 #include "exposure.h"
 #include "image_pass.h"
 #include "lens_rays.h"
+#include "scene_views.h"
 #include "sensor_noise.h"
 #include "visibility.h"
 
@@ -37,17 +38,27 @@ GrayImage SceneRenderer::render_image(int index) const {
 GrayImage SceneRenderer::render_image_from(const SE3& T_scene_cam, int index) const {
   const Pinhole p = scene_.camera.pinhole();
   std::vector<float> gray(size_t(p.width) * p.height);
-  add_rows_seen(scene_, *rays_, T_scene_cam, {0, p.height}, &gray);
+  add_rows_seen(scene_, *rays_, {T_scene_cam, seconds_of_bodies(scene_, index)}, {0, p.height}, &gray);
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
 
 std::vector<float> SceneRenderer::render_depth(int index) const {
-  return render_depth_from(scene_.T_scene_cam[size_t(index)]);
+  const int height = undistorted().height;
+  return depth_of(view_scene(scene_, Camera(undistorted()), instant_of(scene_, index), {0, height}).surfaces);
 }
 
 std::vector<float> SceneRenderer::render_depth_from(const SE3& T_scene_cam) const {
+  const int height = undistorted().height;
+  return depth_of(view_surfaces(*scene_.world, Camera(undistorted()), T_scene_cam, {0, height}));
+}
+
+GrayImage SceneRenderer::render_bodies(int index) const {
+  const Pinhole p = scene_.camera.pinhole();
+  return {p.width, p.height, bodies_in(scene_, *rays_, index)};
+}
+
+std::vector<float> SceneRenderer::depth_of(const std::vector<ViewSurface>& views) const {
   const Pinhole p = undistorted();
-  const std::vector<ViewSurface> views = view_surfaces(*scene_.world, Camera(p), T_scene_cam, {0, p.height});
   RowSamples row(p.width, 1);
   set_sample_columns(p, 1, &row);
   ActiveSurfaces active(views);

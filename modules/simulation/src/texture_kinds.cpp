@@ -8,8 +8,8 @@ namespace edgevo {
 const std::vector<TextureKind>& texture_kinds() {
   static const std::vector<TextureKind> kinds = [] {
     std::vector<TextureKind> all;
-    for (const auto& family :
-         {wall_textures(), front_textures(), ground_textures(), nature_textures(), object_textures()})
+    for (const auto& family : {wall_textures(), front_textures(), ground_textures(), nature_textures(),
+                               object_textures(), body_textures()})
       all.insert(all.end(), family.begin(), family.end());
     return all;
   }();

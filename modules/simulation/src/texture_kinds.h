@@ -27,6 +27,9 @@ std::vector<TextureKind> nature_textures();
 /// Kinds car_side, car_front, car_top, glass, screen, keyboard, paper, book, ...
 std::vector<TextureKind> object_textures();
 
+/// Kinds lorry_rear, bus_side, person (foreign_bodies.cpp).
+std::vector<TextureKind> body_textures();
+
 /// All kinds; names are unique.
 const std::vector<TextureKind>& texture_kinds();
 

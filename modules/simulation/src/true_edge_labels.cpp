@@ -14,13 +14,13 @@ namespace {
 // An undistorted view of the scene.
 struct Look {
   Scene scene;
-  SE3 T_scene_cam;
+  Instant at;
   int width() const { return scene.camera.pinhole().width; }
   int height() const { return scene.camera.pinhole().height; }
 };
 
 Look look_of(const SceneRenderer& renderer, int index) {
-  Look look{renderer.scene(), renderer.scene().T_scene_cam[size_t(index)]};
+  Look look{renderer.scene(), instant_of(renderer.scene(), index)};
   look.scene.camera = Camera(renderer.undistorted());
   return look;
 }
@@ -84,7 +84,7 @@ void mark_between(const Owners& owners, const std::vector<ViewSurface>& views, c
 GrayImage geometric_labels(const Look& look) {
   const Pinhole p = look.scene.camera.pinhole();
   const std::vector<ViewSurface> views =
-      view_surfaces(*look.scene.world, look.scene.camera, look.T_scene_cam, {0, p.height});
+      view_scene(look.scene, look.scene.camera, look.at, {0, p.height}).surfaces;
   RowSamples row(p.width, kSamples);
   set_sample_columns(p, kSamples, &row);
   ActiveSurfaces active(views);
@@ -114,7 +114,7 @@ struct Clean {
 
 Clean clean_image(const Look& look) {
   Clean clean{look.width(), std::vector<float>(size_t(look.width()) * look.height())};
-  add_rows_seen(look.scene, LensRays(), look.T_scene_cam, {0, look.height()}, &clean.gray);
+  add_rows_seen(look.scene, LensRays(), look.at, {0, look.height()}, &clean.gray);
   return clean;
 }
 

@@ -40,6 +40,7 @@ World build_world(const SceneParams& params, uint64_t seed) {
   if (w.kind == "lakeshore") build_lakeshore(site);
   if (w.kind == "corridor") build_corridor(site);
   if (w.kind == "plaza") build_plaza(site);
+  if (w.kind == "motorway") build_motorway(site);
   return builder.finish();
 }
 

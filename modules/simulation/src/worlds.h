@@ -25,5 +25,6 @@ void build_desk(Site& site);
 void build_lakeshore(Site& site);
 void build_corridor(Site& site);
 void build_plaza(Site& site);
+void build_motorway(Site& site);
 
 }  // namespace edgevo

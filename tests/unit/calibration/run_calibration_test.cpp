@@ -75,6 +75,21 @@ TEST_F(RunCalibrationFile, ReadsTheShutter) {
       << "a run of an earlier version";
 }
 
+TEST_F(RunCalibrationFile, ReadsTheWholeLens) {
+  const CameraRefinement::Lens lens =
+      read(summary("insignificant",
+                   "  residual_k1: 0\n  lens_result: \"not applied: x\"\n  lens_k1: 0.02\n"
+                   "  lens_k1_standard_deviation: 0.004\n  lens_k2: -0.01\n"
+                   "  lens_k2_standard_deviation: 0.003\n  lens_focal: 0.006\n"
+                   "  lens_focal_standard_deviation: 0.005\n  lens_keyframes: 60\n"))
+          .refinement.lens;
+  EXPECT_EQ(lens.k2, -0.01);
+  EXPECT_EQ(lens.k2_sigma, 0.003);
+  EXPECT_EQ(lens.focal, 0.006);
+  EXPECT_EQ(lens.focal_sigma, 0.005);
+  EXPECT_EQ(lens.keyframes, 60);
+}
+
 TEST_F(RunCalibrationFile, InsignificantRefinementLeavesTheCamera) {
   const FoldedCamera corrected = corrected_camera(
       read(summary("insignificant", "  residual_k1: 0\n  estimate: 0.0005\n  standard_deviation: 0.002\n")));

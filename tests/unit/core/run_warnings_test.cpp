@@ -32,6 +32,20 @@ TEST(RunWarnings, ACalibrationAtItsLimit) {
   EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("0.0300) is at its limit")));
 }
 
+TEST(RunWarnings, AFocalLengthThatTheMotionContradicts) {
+  edgevo::Run run;
+  run.camera.lens.focal = 0.05;
+  EXPECT_THAT(run_warnings(run), IsEmpty()) << "no estimate";
+  run.camera.lens.focal_sigma = 0.01;
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 5.0 +- 1.0 % off")));
+  run.camera.lens.focal_sigma = 0.02;
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 5.0 +- 2.0 % off")));
+  run.camera.lens.focal_sigma = 0.03;
+  EXPECT_THAT(run_warnings(run), IsEmpty());
+  run.camera.lens.focal = 0.025, run.camera.lens.focal_sigma = 0.01;
+  EXPECT_THAT(run_warnings(run), IsEmpty()) << "as far as a right camera may seem off";
+}
+
 // A wrong camera file is named, and not only straight motion, even where the estimate is too uncertain.
 TEST(RunWarnings, AnUncertainCalibrationAtItsLimit) {
   edgevo::Run run;

@@ -75,13 +75,31 @@ TEST_F(ScaledImages, AreReportedWithTheirSizes) {
 }
 
 TEST_F(ScaledImages, OnlyWhereTheyAreLarge) {
-  EXPECT_EQ(usual_image_scale(640), 1);
-  EXPECT_EQ(usual_image_scale(1241), 1);
-  EXPECT_EQ(usual_image_scale(2482), 1);
-  EXPECT_DOUBLE_EQ(usual_image_scale(2560) * 2560, 1241);
-  EXPECT_DOUBLE_EQ(usual_image_scale(7680) * 7680, 1241);
-  options_.image_scale = 0;  // the usual one
+  EXPECT_EQ(usual_image_scale(640, 480), 1);
+  EXPECT_EQ(usual_image_scale(1241, 376), 1);
+  EXPECT_EQ(usual_image_scale(1344, 391), 1);
+  EXPECT_EQ(usual_image_scale(364, 674), 1);
+  options_.image_scale = kAutomaticScale;
   EXPECT_EQ(open_source(options_)->camera().pinhole().width, 80);
+}
+
+TEST_F(ScaledImages, LargeOnesHaveTheSameNumberOfPixelsWhateverTheirShape) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}, {720, 1280}, {3840, 2160}}) {
+    const double scale = usual_image_scale(width, height);
+    EXPECT_NEAR(scale * width * scale * height, 480000, 1) << width;
+  }
+  EXPECT_DOUBLE_EQ(usual_image_scale(2560, 200) * 2560, 1241) << "few pixels, but too wide";
+}
+
+TEST_F(ScaledImages, SayWhyTheyWereScaledUnasked) {
+  const GrayImage image{1280, 720, std::vector<uint8_t>(1280 * 720)};
+  for (const char* name : {"images/0.png", "images/1.png"}) write_png(folder_ / name, image);
+  test::write_text(folder_ / "camera.txt", "760 760 639.5 359.5 0 0 0 0 1280 720");
+  options_.image_scale = kAutomaticScale;
+  const auto source = open_source(options_);
+  EXPECT_THAT(source->details(),
+              ::testing::Contains(::testing::Pair(
+                  kScaled, ::testing::StartsWith("from 1280x720 to 924x520: they cost half the time"))));
 }
 
 TEST_F(ScaledImages, RefuseATooSmallScale) {

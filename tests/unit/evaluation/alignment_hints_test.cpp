@@ -63,6 +63,15 @@ TEST_F(Hints, AnotherClockIsFoundToTheMillisecond) {
   EXPECT_THAT(alignment_hints(again, truth_), IsEmpty());
 }
 
+TEST_F(Hints, AnOffsetAddsToTheOneThatWasGiven) {
+  EXPECT_THAT(alignment_hints(shifted(est_, -2), truth_, 1.5), ElementsAre(HasSubstr("--t-offset 3.5")));
+}
+
+TEST_F(Hints, ATruthInMillisecondsIsFound) {
+  const Trajectory milliseconds = changed(truth_, [](StampedPose* p) { p->time.ticks *= 1000; });
+  EXPECT_THAT(alignment_hints(est_, milliseconds), ElementsAre(HasSubstr("in milliseconds?")));
+}
+
 TEST_F(Hints, AClockWithoutCommonTimesIsFoundToo) {
   const auto offset = clock_offset(shifted(est_, 1.7e9), truth_);
   ASSERT_TRUE(offset);

@@ -62,6 +62,14 @@ TEST(DoubtOfCornerMotion, DoesNotTrustUncertainCorners) {
   EXPECT_EQ(doubt_of_corner_motion(c), 0);
 }
 
+TEST(DoubtOfFocalLength, IsOneWhereItTurnsThreeDegreesTooFarOrNotFarEnough) {
+  EXPECT_NEAR(doubt_of_focal_length(0.1, 0.02, 15), 1, 1e-9) << "25 % off: 12 degrees in truth";
+  EXPECT_NEAR(doubt_of_focal_length(-0.08, 0.02, 12), 1, 1e-9) << "20 % off: 15 degrees in truth";
+  EXPECT_EQ(doubt_of_focal_length(0.02, 0.011, 30), 0) << "within two standard deviations";
+  EXPECT_EQ(doubt_of_focal_length(0.25, 0.01, 0), 0);
+  EXPECT_EQ(doubt_of_focal_length(std::nan(""), std::nan(""), 30), 0);
+}
+
 TEST(DoubtOfCornerScale, CountsAUnitThatFallsRisesOrCreeps) {
   EXPECT_EQ(doubt_of_corner_scale(good_corners()), 0);
   for (const double change : {-std::log(1.25) - 0.02, std::log(1.25) + 0.02}) {

@@ -45,15 +45,18 @@ class Drive {
     FrameTrust newest;
     for (int i = 0; i < frames; ++i) {
       z_ += step;
-      newest = trust.add({evidence, segment, {0, 0, z_}});
+      newest = trust.add(
+          {evidence, segment,
+           SE3(Eigen::Quaterniond(Eigen::AngleAxisd(turn_ += turn, Eigen::Vector3d::UnitY())), {0, 0, z_})});
     }
     return newest;
   }
   Trust trust;
   int segment = 0;
+  double turn = 0;  // radians a frame
 
  private:
-  double z_ = 0;
+  double z_ = 0, turn_ = 0;
 };
 
 TEST(PRight, NeverRisesWithADoubt) {
@@ -108,8 +111,24 @@ TEST(Trust, IsLowWhenTheUnitOfTheMapHasFallen) {
 
 TEST(PRight, CornersThatContradictByFarDecideAlone) {
   Doubts doubts{};
-  doubts[size_t(Doubt::kCornerMotion)] = 1.6;
+  doubts[size_t(Doubt::kMotion)] = 1.6;
   EXPECT_LT(p_right(doubts), kDoubtfulBelow);
+}
+
+// Corners share the mistake, so that nothing else shows it.
+TEST(Trust, ATurnWithAWrongFocalLengthIsInDoubtAndTheStraightWayIsNot) {
+  Drive drive;
+  FrameEvidence wrong = good_evidence();
+  wrong.focal_error = 0.1, wrong.focal_error_sigma = 0.03;
+  EXPECT_GT(drive.go(wrong, kStep, 60).p_right, 0.9);
+  drive.turn = 0.05;
+  const FrameTrust turning = drive.go(wrong, kStep, 12);
+  EXPECT_LT(turning.p_right, kDoubtfulBelow);
+  EXPECT_THAT(turning.reason, HasSubstr("a focal length that the matches put 10 % off"));
+  drive.turn = 0;
+  EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9);
+  drive.turn = 0.05, wrong.focal_error = 0.02;
+  EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9) << "within what the matches can show";
 }
 
 TEST(Trust, IsLowerWithoutAnyWitness) {

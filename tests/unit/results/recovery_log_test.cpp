@@ -178,6 +178,7 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   camera.correction = {0.01, 0.1};
   camera.estimate = 0.02, camera.sigma = 0.003, camera.keyframes = 44;
   camera.shutter = {CameraRefinement::State::kTooEarly, 0.2, 0.3, 5};
+  camera.lens = {0.01, -0.02, 0.03, 0.04, 0.05, 0.06, 7};
   const auto estimated = there_and_back(CameraEstimated{camera}).camera;
   EXPECT_EQ(estimated.state, CameraRefinement::State::kApplied);
   EXPECT_EQ(estimated.correction, camera.correction);
@@ -185,6 +186,10 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   EXPECT_EQ(estimated.keyframes, 44);
   EXPECT_EQ(estimated.shutter.estimate, 0.2);
   EXPECT_EQ(estimated.shutter.keyframes, 5);
+  EXPECT_EQ(estimated.lens.k2, -0.02);
+  EXPECT_EQ(estimated.lens.focal, 0.03);
+  EXPECT_EQ(estimated.lens.focal_sigma, 0.06);
+  EXPECT_EQ(estimated.lens.keyframes, 7);
   const auto mapped = there_and_back(
       FrameMapped{12, {{"ba", 1.25}, {"depth_filter", 0.5}}, AdjustmentEvidence{0.9, 1.5, 800, 300, 90}});
   EXPECT_EQ(mapped.frame_index, 12);

@@ -137,6 +137,15 @@ TEST(UpDirection, AMountThatContradictsWhatWasSeenIsDoubted) {
   EXPECT_NEAR(camera_mount(*run.T_vehicle_cam).pitch_deg, -20, 1e-6) << "what the user says counts";
 }
 
+TEST(UpDirection, AYawWithWhichTheVehicleDrivesBackwardsIsDoubted) {
+  edgevo::Run run = drive_through({"0,20,0"});
+  run.T_vehicle_cam = T_vehicle_cam(parse_camera_mount("0,20,180", ""));
+  const auto decision = decide_up(&run);
+  ASSERT_TRUE(decision);
+  EXPECT_THAT(decision->value, ::testing::ContainsRegex("moves 1(79|80) degrees from its forward axis"));
+  EXPECT_THAT(decision->doubt, ::testing::HasSubstr("the yaw of the mount"));
+}
+
 // Roll and pitch are seen; what is ahead of the vehicle is not.
 TEST(UpDirection, TheYawStaysThatOfTheFirstCamera) {
   edgevo::Run run = drive_through({"5,20,15"});

@@ -32,14 +32,16 @@ class OwnParts : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(OwnParts, CoverTheirShareAndNothingElse) {
   const Overlay overlay(part(GetParam(), 0.2), kOverlayWidth, kOverlayHeight);
-  EXPECT_NEAR(overlay_black_share(overlay.own_part_mask()), 0.2, 0.03);
+  EXPECT_NEAR(overlay_black_share(overlay.own_part_mask()), 0.2, 0.04);
   const OverlaidImage out = overlay.apply(overlay_image(), 5, 0.5, std::nullopt);
   EXPECT_TRUE(out.moving.empty());
   int changed = 0;
   for (size_t i = 0; i < out.image.pixels.size(); ++i) {
     if (overlay.own_part_mask()[i] == 255) changed += out.image.pixels[i] != 250;
   }
-  EXPECT_LT(changed, 1600) << "only pixels that the outline covers by less than half";
+  // An arm throws a shadow, in which the scene is seen.
+  EXPECT_LT(changed, GetParam() == "arm" ? 9000 : 1600)
+      << "only pixels that the outline covers by less than half";
 }
 
 TEST_P(OwnParts, GiveTheSameBytesAgainAndOtherNoiseInAnotherFrame) {
@@ -79,6 +81,33 @@ TEST(Overlay, ABusCrossesFromLeftToRightAndIsGone) {
   EXPECT_EQ(share(0), 0);
   EXPECT_GT(share(40), 0.3);
   EXPECT_EQ(share(79), 0);
+}
+
+TEST(Overlay, VehiclesPassOnTheNextLane) {
+  OverlayOptions options;
+  options.passing = "oncoming";
+  const auto share = [&](double seconds) {
+    const std::vector<uint8_t> mask = Overlay(options, kOverlayWidth, kOverlayHeight)
+                                          .apply(overlay_image(), 0, seconds, std::nullopt)
+                                          .moving;
+    return mask.empty() ? 0 : overlay_black_share(mask);
+  };
+  EXPECT_LT(share(1.0), share(3.0)) << "it comes nearer";
+  options.passing = "overtaking";
+  EXPECT_GT(share(6.8), share(9.0)) << "it drives away";
+  options.passing = "oncomming";
+  EXPECT_THROW(share(1), InputError);
+}
+
+TEST(Overlay, ABonnetReflectsWhatIsAboveTheHorizon) {
+  const Overlay overlay(part("bonnet", 0.2), kOverlayWidth, kOverlayHeight);
+  GrayImage dark = overlay_image();
+  std::fill(dark.pixels.begin(), dark.pixels.begin() + 40 * kOverlayWidth, uint8_t(0));
+  const size_t pixel = size_t(kOverlayHeight - 12) * kOverlayWidth + 100;
+  const auto value = [&](const GrayImage& scene) {
+    return int(overlay.apply(scene, 0, 0, std::nullopt).image.pixels[pixel]);
+  };
+  EXPECT_GT(value(overlay_image()), value(dark) + 40);
 }
 
 TEST(Overlay, GroundTruthStandsAndGoesOnLater) {

@@ -136,8 +136,14 @@ TEST(BadScene, UnknownNameListsWhatThereIs) {
 }
 
 TEST(Scene, NamesHoldWhatShips) {
-  for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation"})
+  for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation", "desk_above", "office_walk",
+                           "tiles", "motorway"})
     EXPECT_THAT(scene_names(), Contains(name));
+}
+
+TEST(Scene, ThoseThatTryTheUnitLeadThroughNoWall) {
+  for (const char* name : {"desk_above", "office_walk", "tiles", "motorway"})
+    EXPECT_NO_THROW(load_scene(name)) << name;
 }
 
 TEST(Scene, SameSeedSameBytesOtherSeedOtherWorld) {

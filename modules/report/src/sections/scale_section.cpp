@@ -75,12 +75,21 @@ std::string shutter_text(const CameraRefinement::Shutter& shutter, double readou
   return html + ".";
 }
 
+std::string whole_lens_text(const CameraRefinement::Lens& lens) {
+  if (lens.keyframes == 0) return {};
+  return " With k2 and focal length free (not applied): k1 " + fixed(lens.k1, 4) + " ± " +
+         fixed(lens.k1_sigma, 4) + ", k2 " + fixed(lens.k2, 4) + " ± " + fixed(lens.k2_sigma, 4) +
+         ", focal length " + fixed(100 * lens.focal, 1) + " ± " + fixed(100 * lens.focal_sigma, 1) +
+         " % off the file's.";
+}
+
 std::string lens_text(const CameraRefinement& camera) {
   std::string html = "<p>Self-calibration of the lens: <b>" + html_escaped(to_string(camera.state)) + "</b>";
   if (camera.sigma > 0)
     html += ", residual k1 " + fixed(camera.estimate, 5) + " ± " + fixed(camera.sigma, 5) + " from " +
             std::to_string(camera.keyframes) + " keyframes";
-  return html + "." + shutter_text(camera.shutter, camera.correction.readout_s) + "</p>\n";
+  return html + "." + whole_lens_text(camera.lens) +
+         shutter_text(camera.shutter, camera.correction.readout_s) + "</p>\n";
 }
 
 }  // namespace

@@ -48,6 +48,21 @@ std::string shutter_statement(const CameraRefinement::Shutter& s, double readout
   return "";
 }
 
+void write_lens(const CameraRefinement::Lens& l, YamlWriter* y) {
+  if (l.keyframes == 0) return;
+  y->text("lens_result", l.contradicts_file()
+                             ? "not applied: the focal length contradicts the camera file"
+                             : "not applied: the focal length agrees with the camera file's to three "
+                               "standard deviations");
+  y->number("lens_k1", l.k1, 5);
+  y->number("lens_k1_standard_deviation", l.k1_sigma, 4);
+  y->number("lens_k2", l.k2, 5);
+  y->number("lens_k2_standard_deviation", l.k2_sigma, 4);
+  y->number("lens_focal", l.focal, 5);
+  y->number("lens_focal_standard_deviation", l.focal_sigma, 4);
+  y->integer("lens_keyframes", l.keyframes);
+}
+
 }  // namespace
 
 // x_file = x (1 + residual_k1 r^2): before the file's own distortion. Row v is taken
@@ -62,6 +77,7 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
     y->number("standard_deviation", c.sigma, 4);
     y->integer("keyframes", c.keyframes);
   }
+  write_lens(c.lens, y);
   const CameraRefinement::Shutter& s = c.shutter;
   y->text("shutter", to_string(s.state));
   y->text("shutter_result", shutter_statement(s, c.correction.readout_s));

@@ -51,7 +51,7 @@ struct MotionCalibration {
 using SourceOpener = std::function<std::unique_ptr<ImageSource>()>;
 
 /// Finds the camera. There is a problem if the recording is too short or makes no map, or if its motion does
-/// not determine the focal length to 5 %. Throws InputError, naming `where`, if the search was stopped.
+/// not determine the focal length to 3 %. Throws InputError, naming `where`, if the search was stopped.
 /// Deterministic. Cost: up to thirty runs over the frames of so many keyframes.
 MotionCalibration camera_from_motion(const SourceOpener& open, const std::string& where,
                                      const MotionCalibrationOptions& options = {});

@@ -95,6 +95,12 @@ struct FrameEvidence {
   /// Adjustment of the window with this frame as the new keyframe; nothing if there was none.
   std::optional<AdjustmentEvidence> adjustment;
 
+  /// True focal length over the camera's, less 1, as the matches of all keyframes show it
+  /// (CameraRefinement::Lens).
+  double focal_error = std::numeric_limits<double>::quiet_NaN();
+  /// Its standard deviation.
+  double focal_error_sigma = std::numeric_limits<double>::quiet_NaN();
+
   /// What corners say about the pose; nothing without a pose, and with health.corners off.
   std::optional<CornerEvidence> corners;
 

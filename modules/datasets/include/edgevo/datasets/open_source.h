@@ -68,7 +68,7 @@ struct SourceOptions {
   bool any_size = false;
   /// Mount of the camera, in place of that of the camera file or the source.
   std::optional<CameraMount> mount;
-  /// Scale of the images (scaled_source.h); 0: the default for their width.
+  /// Scale of the images (scaled_source.h); kAutomaticScale: the default for their size.
   double image_scale = 1;
 };
 

@@ -7,15 +7,20 @@
 
 namespace edgevo {
 
-/// Default scale for images of this width: 1 up to 2482 px, beyond that the one that makes them 1241 px wide.
-/// Accuracy and time were measured at 1241, and thresholds in pixels are stated for it
-/// (share/doc/numbers.md); beyond twice that, a full pyramid level, poses began to be lost
-/// (share/lab/archive/2026-11-24_image_scale.md).
-double usual_image_scale(int width);
+/// Scale that stands for usual_image_scale().
+constexpr double kAutomaticScale = 0;
 
-/// `inner` with its images scaled by `scale` (0.01 to 1; area averaging) and its camera adapted. Reported in
-/// details() under kScaled. A frame has no image_path, since no file has that size. `scale` 1 returns
-/// `inner`. Throws InputError for another scale, or one that leaves fewer than 16 pixels on a side.
-std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, double scale);
+/// Default scale for images of this size. 1 up to 720,000 pixels and 2482 columns; beyond them the one that
+/// leaves 480,000 pixels and at most 1241 columns. That is a choice of time: 1280x720 take 2.5 times as long
+/// as 1241x376, for half the error where images are sharp and for none where they are dim and blurred
+/// (share/lab/archive/2026-11-26_working_size.md). Thresholds in pixels are stated for a width of 1241
+/// (share/doc/numbers.md).
+double usual_image_scale(int width, int height);
+
+/// `inner` with its images scaled by `wanted` (0.01 to 1, or kAutomaticScale; area averaging) and its camera
+/// adapted. Reported in details() under kScaled, for kAutomaticScale with the reason. A frame has no
+/// image_path, since no file has that size. A scale of 1 returns `inner`. Throws InputError for another
+/// scale, or one that leaves fewer than 16 pixels on a side.
+std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, double wanted);
 
 }  // namespace edgevo

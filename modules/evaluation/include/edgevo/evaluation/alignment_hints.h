@@ -30,9 +30,11 @@ struct TrajectoryReading {
 void reread(const TrajectoryReading& reading, Trajectory* trajectory);
 
 /// Readings under which an error is ten times smaller, one line each that names the option of `edgevo eval`;
-/// empty if there is none, or nothing large to explain. For trajectories that evaluate() accepts. Cost: about
-/// 20 ms; poses beyond 300 are thinned out.
-std::vector<std::string> alignment_hints(const Trajectory& estimate, const Trajectory& ground_truth);
+/// empty if there is none, or nothing large to explain. `given_offset_s`, which the times of the trajectory
+/// contain already, is added to the offset that is named. For trajectories that evaluate() accepts. Cost:
+/// about 20 ms; poses beyond 300 are thinned out.
+std::vector<std::string> alignment_hints(const Trajectory& estimate, const Trajectory& ground_truth,
+                                         double given_offset_s = 0);
 
 /// The offset of the estimate's clock under which its poses fit, for two trajectories without common times;
 /// nullopt if none is found.

@@ -192,11 +192,15 @@ class Mapper {
   void seed_points(Keyframe* keyframe);
   void calibrate_during_run();
   void calibrate_concurrently();
+  void correct_between_keyframes(StageTimes* times);
+  bool is_prepared(const ImageCorrection& correction);
+  void end_concurrent_calibration();
   void calibrate(bool at_end);
   void move_map(MapMoved moved);
   void evict();
   BaOptions calibration_options() const;
   void publish(const Keyframe& keyframe);
+  void publish_again();
 
   Rectification rectification_;
   Pinhole pinhole_;

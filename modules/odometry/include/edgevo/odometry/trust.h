@@ -9,6 +9,7 @@
 // "Right" is what evaluation/frame_judge.h calls so: over ten frames, the translation in the scale of the
 // fifty before, and the rotation.
 #include <array>
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -20,8 +21,9 @@ namespace edgevo {
 
 /// What can speak against a motion.
 enum class Doubt {
-  /// The motion over ten frames differs from that of the corners: share of its length, and degrees.
-  kCornerMotion,
+  /// The motion over ten frames differs from that of the corners, or a focal length that the matches
+  /// contradict has bent it: share of its length, and degrees.
+  kMotion,
   /// The unit of the map has changed, or creeps, as the corners see it.
   kCornerScale,
   /// Corners break the epipolar constraint.
@@ -52,8 +54,8 @@ struct TrustFrame {
   const FrameEvidence& evidence;
   /// Segment of the map.
   int segment = 0;
-  /// Centre of the camera in the segment's map, in the unit of FrameEvidence::median_depth.
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  /// Pose of the camera in the segment's map, in the unit of FrameEvidence::median_depth.
+  SE3 T_map_cam;
 };
 
 /// Trust in a frame.
@@ -84,7 +86,7 @@ class Trust {
     interrupt();
   }
   /// A new segment, or a frame without a pose: the next step has no length.
-  void interrupt() { last_centre_.reset(); }
+  void interrupt() { last_centre_.reset(), rotations_.clear(); }
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
@@ -94,8 +96,10 @@ class Trust {
 
   void begin_segment(int segment);
   double step_of(const TrustFrame& frame);
+  double turn_deg(const TrustFrame& frame);
 
   int segment_ = -1;
+  std::deque<Eigen::Quaterniond> rotations_;  // of the last ten frames, and the one before them
   std::optional<Eigen::Vector3d> last_centre_;
   RecentValues shares_{kUsualFrames}, residuals_{kUsualFrames}, blurs_{kUsualFrames},
       saturated_{kUsualFrames}, steps_{kUsualSteps};
@@ -113,10 +117,10 @@ double p_right_at(const TrustKnot* knots, size_t count, double sum);
 
 /// Probability of a right motion given the doubts, 0 to 1: that of their sum, at most p_right_limit().
 double p_right(const Doubts& doubts);
-/// 0.1 where one doubt decides alone, else 1. Corners that contradict the motion by far, 1.6 times what
-/// makes it wrong beyond their standard deviation, do: where a map turns over, every other witness is
-/// content. And no independent witness means not healthy: without corners and without information from the
-/// image.
+/// 0.1 where one doubt decides alone, else 1. Corners or a focal length that contradict the motion by far,
+/// 1.6 times what makes it wrong beyond their standard deviation, do: where a map turns over, every other
+/// witness is content. And no independent witness means not healthy: without corners and without information
+/// from the image.
 double p_right_limit(const Doubts& doubts);
 
 }  // namespace edgevo

@@ -12,6 +12,7 @@
 //   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
 //      (Newton on the profile cost). Where one more step with both free indicates a rolling shutter, the
 //      read-out time is estimated, too.
+//      What k2 and focal length would be if they were free, too, is stated (CameraRefinement::Lens).
 //   3. An estimate that is `significance` standard deviations from the value in use is to be applied: the
 //      result is a move of the map (MapMoved), with a new prior of the window; Map::move() applies it.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it

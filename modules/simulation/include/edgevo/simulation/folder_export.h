@@ -11,10 +11,13 @@
 //   depth/000000.pfm ..      on demand: z in metres as 32-bit floats (PFM, rows from the bottom up), 0 for
 //                            sky, at the pixels of the undistorted image
 //   edges/000000.png ..      on demand: true edges and their kinds, see true_edge_labels.h
+//   masks/000000.png ..      of scenes with traffic: 255, or the number of the body that is seen (0, 1, ..)
+//   mask.png                 with an own part: 0 where it is seen, else 255
 //   SOURCE.md                what it is and how to make it again
 #include <functional>
 #include <string>
 
+#include "edgevo/simulation/overlay.h"
 #include "edgevo/simulation/scene_renderer.h"
 
 namespace edgevo {
@@ -31,6 +34,8 @@ struct FolderExport {
   int threads = 2;
   /// Text of camera.txt; empty: one line of numbers.
   std::string camera_text = {};
+  /// Part that is fixed to the camera, pasted over the images; depth and edges remain those of the scene.
+  std::shared_ptr<const Overlay> own_part = {};
 };
 
 /// Removes what an earlier call wrote to the folder, so that it never holds images of two sequences. Folders

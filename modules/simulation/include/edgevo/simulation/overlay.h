@@ -5,9 +5,12 @@
 //
 //   own part       fixed to the camera: a `gripper` (textured rectangle at the lower border), a `plain` one
 //                  (uniform, only its outline is an edge), a `dashboard` (instruments, curved rim, over the
-//                  whole width)
+//                  whole width), an `arm` (a gripper with its shadow next to it), a `bonnet` (curved rim,
+//                  over the whole width, reflects what is above the horizon), a `bow` (pointed, planks)
 //   vehicle ahead  the rear of a lorry, three seconds after the beginning: caught up with for four seconds,
 //                  followed for two, gone in four
+//   passing        lorries on the next lane, seen from 1.65 m above the road: `oncoming` every 3.5 s,
+//                  or `overtaking` every 6 s, which move in ahead
 //   crossing       a bus that drives through the view from left to right while the camera stands
 //
 // Sizes in pixels are for a width of 1241 and scale with it. Bodies carry sensor noise of 1.5 gray levels,
@@ -25,15 +28,20 @@ namespace edgevo {
 
 /// The kinds of own parts above, in that order.
 const std::vector<std::string>& own_part_kinds();
+/// The kinds of vehicles that pass, in that order.
+const std::vector<std::string>& passing_kinds();
 
 /// What to paste over a sequence, and where the camera stands.
 struct OverlayOptions {
   /// One of own_part_kinds(); empty: none.
   std::string own_part;
-  /// Share of the image that the own part covers, 0.01 to 0.5; 0: a tenth, of a dashboard three tenths.
+  /// Share of the image that the own part covers, 0.01 to 0.5; 0: a tenth, of a dashboard three tenths, a
+  /// bonnet two, a bow one and a half.
   double part_share = 0;
   /// Width of the vehicle ahead at its nearest, pixels of an image 1241 wide; 0: none.
   double vehicle_px = 0;
+  /// One of passing_kinds(); empty: none.
+  std::string passing;
   /// Length of the bus that crosses while the camera stands, pixels of an image 1241 wide; 0: none.
   double crossing_px = 0;
   /// Frames that the camera stands: the frame `stop_at` is repeated with noise of two gray levels; 0: none.
@@ -72,7 +80,11 @@ class Overlay {
   };
   BodyBox own_place() const;
   std::optional<BodyBox> vehicle_place(double seconds) const;
+  std::optional<BodyBox> passing_place(double seconds) const;
   BodyBox crossing_place(int standing) const;
+  void shade(const BodyBox& arm, GrayImage* image, std::vector<uint8_t>* mask) const;
+  void reflect(const GrayImage& scene, const std::vector<uint8_t>& mask, GrayImage* image) const;
+  void paste_own(int index, const GrayImage& scene, GrayImage* image, std::vector<uint8_t>* mask) const;
   void paste(const Texture& texture, const BodyBox& place, int index, GrayImage* image,
              std::vector<uint8_t>* mask) const;
 

@@ -17,6 +17,7 @@
 #include "edgevo/core/camera_mount.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
+#include "edgevo/simulation/body.h"
 #include "edgevo/simulation/world.h"
 
 namespace edgevo {
@@ -59,6 +60,10 @@ struct Scene {
   double noise_sigma = 0;
   /// World; shared, since it may take tens of megabytes.
   std::shared_ptr<const World> world;
+  /// What moves through the world by itself (add_traffic()).
+  std::vector<Body> bodies;
+  /// The kinds of traffic that were added.
+  std::vector<std::string> traffic;
 
   /// Number of frames.
   int size() const { return int(T_scene_cam.size()); }

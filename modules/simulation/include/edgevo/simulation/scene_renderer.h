@@ -24,6 +24,7 @@
 namespace edgevo {
 
 struct LensRays;
+struct ViewSurface;
 
 /// A frame with its ground truth.
 struct RenderedFrame {
@@ -63,14 +64,20 @@ class SceneRenderer {
   GrayImage render_image(int index) const;
   /// Depth of frame `index`.
   std::vector<float> render_depth(int index) const;
-  /// Image from any pose, with an instantaneous shutter, for a controlled camera; `index` selects the noise.
+  /// Image from any pose, with an instantaneous shutter, for a controlled camera; `index` selects the noise,
+  /// and bodies are where they are in that frame, or the last one.
   GrayImage render_image_from(const SE3& T_scene_cam, int index) const;
-  /// Depth from any pose, as in render_depth().
+  /// Which body of the scene each pixel of frame `index` shows, in the middle of the exposure of its row:
+  /// its number, 99 at most, or 255 where none is seen.
+  GrayImage render_bodies(int index) const;
+  /// Depth of the world from any pose, as in render_depth() but without bodies.
   std::vector<float> render_depth_from(const SE3& T_scene_cam) const;
   /// Ground truth of a frame in the first camera's axes.
   SE3 T_world_cam(int index) const;
 
  private:
+  std::vector<float> depth_of(const std::vector<ViewSurface>& views) const;
+
   Scene scene_;
   /// Rays of all sample points.
   std::shared_ptr<const LensRays> rays_;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "early_frames.h"
+
+#include <utility>
+
+#include "bootstrap_placement.h"
+#include "collect_evidence.h"
+#include "edgevo/alignment/tracker.h"
+#include "edgevo/core/trace.h"
+#include "edgevo/odometry/frame_status.h"
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kMost = 60;         // while a part of the view may be fixed to the camera
+constexpr size_t kMostUsually = 16;  // a part is suspected after a few images that differ
+
+}  // namespace
+
+void EarlyFrames::add(const ArrivedFrame& now) {
+  frames_.push_back({now.frame.index, now.pyramid});
+  const bool is_suspected = is_needed_ || now.pyramid->may_show_own_part;
+  while (frames_.size() > (is_suspected ? kMost : kMostUsually)) frames_.pop_front();
+}
+
+void EarlyFrames::place(const BootstrapResult& views, const Reference& reference, int segment,
+                        const OdometryParams& params, FrameLog* frames) {
+  std::deque<Early> early = std::exchange(frames_, {});
+  if (!std::exchange(is_needed_, false) || views.views.size() < 2) return;
+  const TraceScope traced("poses of earlier frames");
+  const SupportScorer scorer(params.status);
+  SE3 later = pose_in_map(views.views[1], views, reference),
+      last = pose_in_map(views.views.front(), views, reference);
+  while (!early.empty()) {
+    const Early frame = std::move(early.back());
+    early.pop_back();
+    if (frame.frame_index >= views.views.front().frame_index) continue;
+    std::optional<FrameRecord> record = frames->find(frame.frame_index);
+    if (!record || record->T_world_cam_live) return;
+    const TrackResult found =
+        track(*frame.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
+              params.alignment);
+    add_pose(found, reference, &record->evidence);
+    record->state = frame_status(record->evidence, params.status).state;
+    if (record->state == TrackingState::kLost) return;
+    record->covariance = reference.error_factor * found.covariance;
+    record->note.clear();
+    later = std::exchange(last, found.T_cur_ref);
+    frames->place(std::move(*record), segment, reference, found.T_cur_ref);
+  }
+}
+
+void EarlyFrames::clear() {
+  frames_.clear();
+  is_needed_ = false;
+}
+
+}  // namespace edgevo
