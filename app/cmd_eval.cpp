@@ -32,7 +32,7 @@ bool is_file(const std::string& path) {
 
 // Two trajectories without common times may have different clocks.
 TrajectoryEvaluation evaluate_or_explain(const Trajectory& estimate, const Trajectory& truth,
-                                         const EvaluationOptions& options) {
+                                         const EvaluationOptions& options, double given_offset_s) {
   try {
     return evaluate(estimate, truth, options);
   } catch (const InputError& e) {
@@ -41,7 +41,7 @@ TrajectoryEvaluation evaluate_or_explain(const Trajectory& estimate, const Traje
     std::string what = e.what();
     what = what.substr(0, what.rfind("; "));
     throw InputError(what, "the clocks may differ",
-                     "with --t-offset " + fixed(*offset, 3) + " the paths fit");
+                     "with --t-offset " + fixed(given_offset_s + *offset, 3) + " the paths fit");
   }
 }
 
@@ -74,7 +74,7 @@ int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const 
   Trajectory estimate = read_trajectory(args.trajectory);
   reread(args.truth_reading, &truth);
   reread(args.reading, &estimate);
-  const TrajectoryEvaluation e = evaluate_or_explain(estimate, truth, options);
+  const TrajectoryEvaluation e = evaluate_or_explain(estimate, truth, options, args.reading.t_offset_s);
   for (const std::string& hint : alignment_hints(estimate, truth, args.reading.t_offset_s))
     std::fprintf(stderr, "HINT: %s\n", hint.c_str());
   std::fputs((args.json ? to_json(e) : to_table(e)).c_str(), stdout);

@@ -35,7 +35,8 @@ struct Traffic {
   void add(std::shared_ptr<const World> parts, std::function<SE3(double)> T_scene_body) {
     scene.bodies.push_back({std::move(parts), std::move(T_scene_body)});
   }
-  // `along` gives metres along the path at a time; backwards: the body looks against it.
+  // `left` of the path, metres; `along` gives metres along it at a time. The body looks along the path, or
+  // against it.
   void add_on_road(std::shared_ptr<const World> parts, double left, std::function<double(double)> along) {
     add(std::move(parts), [road = road, left, along](double t) { return road->at(along(t), left); });
   }

@@ -162,8 +162,9 @@ struct CameraRefinement {
     /// Number of keyframes that the estimate is based on.
     int keyframes = 0;
 
-    /// Whether the focal length is three standard deviations off the file's, or two and by 3 %: nine cameras
-    /// that were right were at most 1.7 % off, seven that were wrong by 20 % 5 to 15.
+    /// Whether the focal length is three standard deviations off the file's, or two and by 3 %: on six
+    /// sequences with the right camera it was at most 1.7 % off, on seven with one of 0.8 times the focal
+    /// length 5 to 15 % (share/lab/archive/2026-11-26_trust.md).
     bool contradicts_file() const {
       const double off = std::abs(focal);
       return focal_sigma > 0 && (off > 3 * focal_sigma || (off > 2 * focal_sigma && off > 0.03));
